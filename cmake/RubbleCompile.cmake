@@ -1,0 +1,21 @@
+# How every target of this project is compiled. Results must be the same bits everywhere,
+# so contraction to FMA is off and fast-math never on.
+add_library(rubble_compile INTERFACE)
+target_include_directories(rubble_compile INTERFACE
+  ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_compile_options(rubble_compile INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Werror -ffp-contract=off)
+target_compile_definitions(rubble_compile INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
+if(RUBBLE_ASSERTS)
+  target_compile_definitions(rubble_compile INTERFACE RUBBLE_ASSERTS=1)
+endif()
+if(RUBBLE_SANITIZE)
+  target_compile_options(rubble_compile INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(rubble_compile INTERFACE -fsanitize=address,undefined)
+endif()
+if(RUBBLE_COVERAGE)
+  target_compile_options(rubble_compile INTERFACE --coverage)
+  target_link_options(rubble_compile INTERFACE --coverage)
+endif()

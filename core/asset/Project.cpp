@@ -1,0 +1,1 @@
+#include "core/asset/Project.h"

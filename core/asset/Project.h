@@ -1,0 +1,175 @@
+#pragma once
+
+#include "core/asset/Surface.h"
+#include "core/fracture/Pattern.h"
+#include "core/fracture/Prism.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rubble {
+
+/// Project-wide integer id; 0 names nothing. All come from Project::nextId.
+using Id = std::uint32_t;
+
+/// sRGB, each in [0, 1].
+struct Colour {
+    double red = 0.8;
+    double green = 0.8;
+    double blue = 0.8;
+    bool operator==(const Colour&) const = default;
+};
+
+/// What a body is made of.
+struct Material {
+    Id id = 0;
+    std::string name;
+    double density = 1000.0;   // kg/m^3, > 0
+    double friction = 0.6;     // Coulomb's coefficient, >= 0
+    double restitution = 0.0;  // in [0, 1]
+    Colour outside;
+    Colour inside;
+    bool operator==(const Material&) const = default;
+};
+
+/// How the fragments of one level are broken again.
+struct Level {
+    Pattern pattern;
+    double minimumVolume = 0.0;  // m^3; smaller fragments stay whole
+    bool operator==(const Level&) const = default;
+};
+
+/// A solid with its recipe for breaking.
+struct Asset {
+    Id id = 0;
+    std::string name;
+    Id material = 0;
+    Prism prism;
+    Pattern pattern;
+    std::vector<Level> levels;               // below the first: levels[0] breaks the pattern's fragments
+    double threshold = 100.0;                // N·s, > 0; an impact at or above it breaks the whole
+    double insideUvScale = 1.0;              // UV units a metre on the inside faces
+    std::shared_ptr<const Surface> surface;  // of the mesh it was imported from; null where there was none
+    bool operator==(const Asset& other) const;
+};
+
+/// An asset placed in the scene.
+struct Instance {
+    Id id = 0;
+    std::string name;
+    Id asset = 0;
+    Pose pose;                        // world from the prism's frame
+    std::optional<double> threshold;  // N·s, instead of the asset's
+    bool isFixed = false;             // held in place, as if part of the ground
+    bool operator==(const Instance&) const = default;
+};
+
+struct Ground {
+    bool isOn = true;
+    double height = 0.0;  // m
+    double friction = 0.6;
+    double restitution = 0.0;
+    bool operator==(const Ground&) const = default;
+};
+
+enum class DamageRule { Impact, Momentum };
+
+/// How bodies take damage.
+struct Damage {
+    DamageRule rule = DamageRule::Impact;
+    bool isThesis = false;            // the preset: one threshold for all, momentum, 100 kg a piece, no payment
+    double thesisThreshold = 1000.0;  // N·s
+    bool operator==(const Damage&) const = default;
+};
+
+enum class ProjectileKind { Box, Ball, Plank, Asset };
+
+/// Something thrown.
+struct Throw {
+    ProjectileKind kind = ProjectileKind::Box;
+    Id asset = 0;               // for ProjectileKind::Asset
+    Vec3 size{0.5, 0.5, 0.5};   // m; a ball takes x as its diameter
+    double mass = 10.0;         // kg
+    Vec3 from{0.0, 1.0, 10.0};  // m
+    Vec3 to{0.0, 1.0, 0.0};     // m; it flies straight at it
+    double speed = 10.0;        // m/s
+    bool operator==(const Throw&) const = default;
+};
+/// A blow with a given impulse at a point.
+struct Hammer {
+    Vec3 at{0.0, 0.0, 0.0};       // m
+    Vec3 impulse{0.0, 0.0, 0.0};  // N·s
+    bool operator==(const Hammer&) const = default;
+};
+/// An impulse away from a point, falling off to zero at a radius.
+struct Explosion {
+    Vec3 at{0.0, 0.0, 0.0};   // m
+    double impulse = 1000.0;  // N·s per m^2 of facing area at the centre
+    double radius = 2.0;      // m
+    bool operator==(const Explosion&) const = default;
+};
+using ShotAction = std::variant<Throw, Hammer, Explosion>;
+
+/// What happens to the scene in a play-test, and when.
+struct Shot {
+    Id id = 0;
+    std::string name;
+    double time = 0.0;  // s after the start
+    ShotAction action;
+    bool operator==(const Shot&) const = default;
+};
+
+enum class ExpectationKind {
+    StandsUntouched,    // nothing moves more than 1 cm for `value` seconds
+    Breaks,             // `instance` breaks
+    DoesNotBreak,       // `instance` does not break
+    BreaksIntoAtLeast,  // `instance` breaks into at least `value` pieces
+    NothingAbove,       // nothing above the height of `value` metres at the end
+    NothingFaster,      // nothing faster than `value` m/s at the end
+};
+struct Expectation {
+    ExpectationKind kind = ExpectationKind::Breaks;
+    Id instance = 0;  // 0: any
+    double value = 0.0;
+    bool operator==(const Expectation&) const = default;
+};
+/// A shot with what it is expected to do.
+struct PlayTest {
+    Id id = 0;
+    std::string name;
+    std::vector<Id> shots;
+    double duration = 5.0;  // s
+    std::vector<Expectation> expectations;
+    bool operator==(const PlayTest&) const = default;
+};
+
+/// Everything an artist edits and saves.
+struct Project {
+    Id nextId = 1;
+    std::vector<Material> materials;  // this and the following: ascending id
+    std::vector<Asset> assets;
+    std::vector<Instance> instances;
+    Ground ground;
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Damage damage;
+    std::vector<Shot> shots;
+    std::vector<PlayTest> playTests;
+    bool operator==(const Project&) const = default;
+};
+
+/// The element with an id, or null.
+const Material* findMaterial(const Project& project, Id id);
+const Asset* findAsset(const Project& project, Id id);
+/// The asset with a name, or null.
+const Asset* findAsset(const Project& project, const std::string& name);
+
+/// Says in one sentence what keeps a project from being used: ids that are not unique, not ascending or not below
+/// nextId, names that are empty or taken, references to nothing, numbers out of range, prisms that cannot be fractured.
+std::optional<std::string> verifyProject(const Project& project);
+
+}  // namespace rubble

@@ -1,0 +1,13 @@
+#include "core/base/Assert.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace rubble {
+
+void assertionFailed(const char* condition, const char* file, int line) {
+    std::fprintf(stderr, "%s:%d: broken promise: %s\n", file, line, condition);
+    std::abort();
+}
+
+}  // namespace rubble

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+/// A 128-bit content hash: equal for equal bytes on every machine, never for security.
+struct ContentHash {
+    std::uint64_t high = 0;
+    std::uint64_t low = 0;
+    bool operator==(const ContentHash&) const = default;
+    /// Thirty-two lower-case hexadecimal digits.
+    std::string hex() const;
+};
+
+/// Hashes bytes as they come. Numbers are hashed by their bits, little-endian.
+/// Source: XXH3, 128 bits (libxxhash).
+class Hasher {
+public:
+    Hasher();
+    ~Hasher();
+    Hasher(Hasher&&) noexcept;
+    Hasher& operator=(Hasher&&) noexcept;
+
+    void add(std::string_view bytes);
+    void add(std::span<const std::byte> bytes);
+    void add(std::uint64_t value);
+    void add(double value);
+    ContentHash digest() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// The hash of bytes in one call.
+ContentHash contentHash(std::string_view bytes);
+
+}  // namespace rubble

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/fracture/Report.h"
+#include "core/geometry/Polygon.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// An outline cut into pieces, and who touches whom: one planar subdivision. Pieces refer to shared corner points
+/// by index, so neighbours share the end points of their common edge bit for bit, and no corner lies inside another
+/// piece's edge. Voronoi cells, bricks and slices all come as this.
+///
+/// All flat arrays. Piece p has the rings [ringsOfPiece[p], ringsOfPiece[p + 1]), the outer one first
+/// (counter-clockwise), then its holes (clockwise). Ring r has the corners [cornersOfRing[r], cornersOfRing[r + 1]).
+/// Corner c starts the edge to the next corner of its ring; `across[c]` is the piece behind that edge.
+/// The pieces of one seed are consecutive, ordered by their smallest corner (x, then y); seeds stand in an order that is
+/// good for memory: use `pieceOfSeed` to go through them by index.
+struct Partition {
+    Vec2 origin{0.0, 0.0};     // the points are relative to it, which keeps their digits far from zero
+    std::vector<Vec2> points;  // m
+
+    std::vector<std::uint32_t> seedOfPiece;
+    std::vector<std::uint32_t> ringsOfPiece;   // pieces + 1
+    std::vector<std::uint32_t> cornersOfRing;  // rings + 1
+    std::vector<std::uint32_t> corners;        // point of each corner
+    std::vector<std::uint32_t> across;         // piece behind each corner's edge; kNone: the outline
+
+    std::vector<std::uint32_t> pieceOfSeed;  // first piece of each input seed; kNone where it has none
+    double gap = 0.0;                        // m^2 of the outline that no piece covers
+    std::vector<Report> reports;             // in seed order
+
+    std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(seedOfPiece.size()); }
+    std::span<const std::uint32_t> ringCorners(std::uint32_t ring) const {
+        return std::span(corners).subspan(cornersOfRing[ring], cornersOfRing[ring + 1] - cornersOfRing[ring]);
+    }
+};
+
+/// The piece as a polygon, in the outline's coordinates less `partition.origin`.
+Polygon pieceOutline(const Partition& partition, std::uint32_t piece);
+double pieceArea(const Partition& partition, std::uint32_t piece);
+
+/// A pair of touching pieces.
+struct Contact {
+    std::uint32_t piece = 0;
+    double length = 0.0;  // m of shared edges
+};
+/// Whom a piece touches and along how much: ascending piece order, shorter lengths than `least` left out.
+std::vector<Contact> contactsOf(const Partition& partition, std::uint32_t piece, double least);
+
+}  // namespace rubble

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/base/TaskContext.h"
+#include "core/fracture/Report.h"
+#include "core/geometry/Polygon.h"
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rubble {
+
+/// Where a scatter throws its seeds.
+enum class ScatterDomain {
+    Outline,      // inside the outline
+    BoundingBox,  // inside its bounding box, as the thesis does; seeds outside the outline compete like any other
+};
+
+/// `count` seeds, uniformly at random. The first n of a greater count are the same n.
+struct UniformScatter {
+    std::uint32_t count = 20;
+    ScatterDomain domain = ScatterDomain::Outline;
+    bool operator==(const UniformScatter&) const = default;
+};
+
+/// Random seeds of which no two are nearer than `minimumDistance`; `count` of them, or as many as find room.
+/// Earlier seeds are the same at a greater count.
+struct BlueNoise {
+    double minimumDistance = 0.1;  // m
+    std::uint32_t count = 0;       // 0: as many as find room
+    ScatterDomain domain = ScatterDomain::Outline;
+    bool operator==(const BlueNoise&) const = default;
+};
+
+/// Seeds placed by hand. Their indices are kept when others are deleted.
+struct PlacedSeeds {
+    struct Seed {
+        std::uint32_t index = 0;
+        Vec2 position{0.0, 0.0};
+        bool operator==(const Seed&) const = default;
+    };
+    std::vector<Seed> seeds;  // ascending index
+    bool operator==(const PlacedSeeds&) const = default;
+};
+
+/// Moves the scattered seeds of the layers before it to the centres of their cells, `rounds` times. Seeds placed
+/// by hand or moved by an override stay where they are.
+struct LloydRelaxation {
+    std::uint32_t rounds = 3;
+    bool operator==(const LloydRelaxation&) const = default;
+};
+
+using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation>;
+
+/// A change made by hand to one scattered seed of a layer.
+struct SeedOverride {
+    std::uint32_t index = 0;  // of the seed in its layer
+    bool isDeleted = false;
+    Vec2 position{0.0, 0.0};  // where it was moved to, unless deleted
+    bool operator==(const SeedOverride&) const = default;
+};
+
+/// One step of the recipe.
+struct PatternLayer {
+    std::uint32_t id = 0;  // unique in the project
+    bool isOn = true;
+    std::uint64_t randomSeed = 0;  // shown to the artist
+    LayerParameters parameters;
+    std::vector<SeedOverride> overrides;  // ascending index
+    bool operator==(const PatternLayer&) const = default;
+};
+
+/// An ordered recipe for seeds.
+struct Pattern {
+    std::vector<PatternLayer> layers;
+    bool operator==(const Pattern&) const = default;
+};
+
+/// A seed's name: it stays when other seeds come, go or move.
+struct SeedId {
+    std::uint32_t layer = 0;  // the layer's id
+    std::uint32_t index = 0;  // within the layer
+    auto operator<=>(const SeedId&) const = default;
+    /// "layer.index"
+    std::string text() const;
+};
+
+/// What a pattern gives on an outline.
+struct Seeds {
+    std::vector<Vec2> positions;
+    std::vector<SeedId> ids;      // one a position
+    std::vector<Report> reports;  // LostOverride, NoRoom
+};
+
+/// Carries out the recipe. Same pattern, same outline, same bits.
+///
+/// Errors: BadInput where a parameter is not finite or out of range, naming the layer; Limit above ten
+/// million seeds; Cancelled.
+Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task = {});
+
+}  // namespace rubble

@@ -1,0 +1,18 @@
+#include "core/fracture/Report.h"
+
+namespace rubble {
+
+const char* nameOf(ReportCode code) {
+    switch (code) {
+        case ReportCode::DuplicateSeed: return "DuplicateSeed";
+        case ReportCode::SeedWithoutCell: return "SeedWithoutCell";
+        case ReportCode::SplitCell: return "SplitCell";
+        case ReportCode::ThinPiece: return "ThinPiece";
+        case ReportCode::LostOverride: return "LostOverride";
+        case ReportCode::NoRoom: return "NoRoom";
+        case ReportCode::Gap: return "Gap";
+    }
+    return "";
+}
+
+}  // namespace rubble

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/geometry/Vec.h"
+
+#include <cstdint>
+#include <string>
+
+namespace rubble {
+
+/// What fracture did that its user should know, though it could go on.
+enum class ReportCode {
+    DuplicateSeed,    // equal to an earlier seed, which stays
+    SeedWithoutCell,  // its cell lies outside the outline, or is thinner than coordinates can tell
+    SplitCell,        // the outline cuts the cell into several pieces
+    ThinPiece,        // too thin for a hull; its mass went to a neighbour
+    LostOverride,     // an override names a seed that is not there
+    NoRoom,           // a scatter found fewer places than it was asked for
+    Gap,              // area that no piece covers
+};
+
+/// The code's name as it stands in JSON and in messages: "DuplicateSeed".
+const char* nameOf(ReportCode code);
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;  // no seed, no piece, no neighbour
+
+/// One such notice. Indices are those of the input.
+struct Report {
+    ReportCode code;
+    std::uint32_t seed = kNone;  // whom it is about
+    std::uint32_t of = kNone;    // the other seed, where there is one
+    double amount = 0.0;         // Gap: m^2; ThinPiece: m^2
+    std::string message;         // one sentence
+};
+
+}  // namespace rubble

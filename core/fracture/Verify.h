@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/fracture/Delaunay.h"
+#include "core/fracture/Fragment.h"
+#include "core/fracture/Partition.h"
+#include "core/geometry/Polygon.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace rubble {
+
+/// Each says in one sentence, with indices and values, what is wrong first, or nothing where all is well.
+
+/// Twins agree, every triangle is counter-clockwise, every edge is locally Delaunay (exact, ties by lowest index),
+/// every seed is a site or a duplicate, the ghosts form one convex hull.
+std::optional<std::string> verifyDelaunay(const Delaunay& delaunay, std::span<const Vec2> seeds);
+
+/// Every edge has its reverse in the piece named by `across` or lies on the outline, whose own points are all there;
+/// rings have area and their right winding; areas sum to the outline's less the gap (relative 1e-9).
+std::optional<std::string> verifyPartition(const Partition& partition, const Polygon& outline);
+
+/// Every corner and every piece's inner point is nearest to the piece's own seed (relative 1e-9 of the outline's
+/// diameter), against all seeds: O(points · log seeds).
+std::optional<std::string> verifyNearestSeed(const Partition& partition, std::span<const Vec2> seeds);
+
+/// Hulls pass verifyPolytope and fill their piece; volumes sum to the prism's less the gap; bonds are mutual; centres
+/// of mass are origins.
+std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism, double gapArea);
+
+}  // namespace rubble
