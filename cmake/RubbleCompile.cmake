@@ -5,7 +5,13 @@ target_include_directories(rubble_compile INTERFACE
   ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 target_compile_options(rubble_compile INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual -Werror -ffp-contract=off)
+  -Wold-style-cast -Woverloaded-virtual -Werror -ffp-contract=off
+  # Structs are made with designated initialisers; what they leave out has its default.
+  -Wno-missing-field-initializers)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # False alarm on assigning a literal to a std::string: GCC bug 105329.
+  target_compile_options(rubble_compile INTERFACE -Wno-restrict)
+endif()
 target_compile_definitions(rubble_compile INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
 if(RUBBLE_ASSERTS)
   target_compile_definitions(rubble_compile INTERFACE RUBBLE_ASSERTS=1)
