@@ -1,1 +1,36 @@
 #include "core/asset/Project.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+template <class Element>
+const Element* findById(const std::vector<Element>& elements, Id id) {
+    const auto found = std::ranges::lower_bound(elements, id, {}, &Element::id);
+    return found != elements.end() && found->id == id ? &*found : nullptr;
+}
+
+bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::shared_ptr<const Surface>& second) {
+    if (first == second) return true;
+    return first && second && *first == *second;
+}
+
+}  // namespace
+
+bool Asset::operator==(const Asset& other) const {
+    return id == other.id && name == other.name && material == other.material && prism == other.prism &&
+           pattern == other.pattern && levels == other.levels && threshold == other.threshold &&
+           insideUvScale == other.insideUvScale && isSameSurface(surface, other.surface);
+}
+
+const Material* findMaterial(const Project& project, Id id) { return findById(project.materials, id); }
+
+const Asset* findAsset(const Project& project, Id id) { return findById(project.assets, id); }
+
+const Asset* findAsset(const Project& project, const std::string& name) {
+    const auto found = std::ranges::find(project.assets, name, &Asset::name);
+    return found != project.assets.end() ? &*found : nullptr;
+}
+
+}  // namespace rubble

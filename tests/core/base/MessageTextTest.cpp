@@ -1,0 +1,26 @@
+#include "core/base/MessageText.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace rubble;
+
+class MessageTextTest : public QObject {
+    Q_OBJECT
+private slots:
+    void textIsTheShortestThatReadsBack() {
+        QCOMPARE(messageText(0.1), std::string("0.1"));
+        QCOMPARE(messageText(-3.0), std::string("-3"));
+        QCOMPARE(messageText(1e-9), std::string("1e-09"));
+        QCOMPARE(messageText(0.1 + 0.2), std::string("0.30000000000000004"));
+    }
+    void longestAndOddNumbersFit() {
+        QCOMPARE(messageText(-2.2250738585072014e-308), std::string("-2.2250738585072014e-308"));
+        QCOMPARE(messageText(std::numeric_limits<double>::quiet_NaN()), std::string("nan"));
+        QCOMPARE(messageText(-std::numeric_limits<double>::infinity()), std::string("-inf"));
+    }
+};
+
+QTEST_APPLESS_MAIN(MessageTextTest)
+#include "MessageTextTest.moc"
