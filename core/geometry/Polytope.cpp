@@ -1,0 +1,172 @@
+#include "core/geometry/Polytope.h"
+
+#include "core/base/Assert.h"
+#include "core/geometry/Predicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+// Edges that turn by less are taken for collinear where a loop has a better place to begin.
+constexpr double kLeastTurn = 1e-6;  // sine of the angle
+
+bool everyCornerTurnsLeft(std::span<const Vec2> ring) {
+    Vec2 before = ring[ring.size() - 2];
+    Vec2 corner = ring[ring.size() - 1];
+    for (const Vec2 after : ring) {
+        if (orient2d(before, corner, after) <= 0) return false;
+        before = corner;
+        corner = after;
+    }
+    return true;
+}
+
+bool isSmaller(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+/// The corners that turn left, in the ring's order: a scan that begins at the smallest corner, which stays for sure.
+Ring cornersThatTurnLeft(std::span<const Vec2> ring) {
+    const std::size_t count = ring.size();
+    const auto smallest =
+        static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), isSmaller) - ring.begin());
+    std::vector<std::size_t> kept{smallest};
+    for (std::size_t step = 1; step <= count; ++step) {
+        const std::size_t next = (smallest + step) % count;
+        while (kept.size() > 1 && orient2d(ring[kept[kept.size() - 2]], ring[kept.back()], ring[next]) <= 0) {
+            kept.pop_back();
+        }
+        if (step < count && ring[next] != ring[kept.back()]) kept.push_back(next);
+    }
+    std::sort(kept.begin(), kept.end());
+    Ring corners;
+    for (const std::size_t index : kept) corners.push_back(ring[index]);
+    return corners;
+}
+
+void addPrismEdges(std::uint32_t count, Polytope& prism) {
+    prism.edges.resize(std::size_t{3} * count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t next = i + 1 < count ? i + 1 : 0;
+        prism.edges[i] = {i, next};
+        prism.edges[count + i] = {count + i, count + next};
+        prism.edges[2 * count + i] = {i, count + i};
+    }
+}
+
+void addPrismFaces(std::uint32_t count, Polytope& prism) {
+    prism.faces.resize(std::size_t{count} + 2);
+    prism.faces[0].resize(count);
+    prism.faces[1].resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t next = i + 1 < count ? i + 1 : 0;
+        prism.faces[0][i] = i;
+        prism.faces[1][i] = 2 * count - 1 - i;
+        prism.faces[i + 2] = {i, count + i, count + next, next};
+    }
+}
+
+/// The vertical plane through the ring's edge from a to b, outside on the right.
+Plane sidePlane(Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double length = std::sqrt(along.x * along.x + along.y * along.y);
+    const Vec3 normal{along.y / length, -along.x / length, 0.0};
+    return {normal, normal.x * a.x + normal.y * a.y};
+}
+
+Polytope prismOver(std::span<const Vec2> ring, double zMin, double zMax) {
+    const auto count = static_cast<std::uint32_t>(ring.size());
+    RUBBLE_ASSERT(count >= 3);
+    Polytope prism;
+    prism.vertices.resize(2 * ring.size());
+    prism.planes.reserve(ring.size() + 2);
+    prism.planes.push_back({{0.0, 0.0, 1.0}, zMax});
+    prism.planes.push_back({{0.0, 0.0, -1.0}, -zMin});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        prism.vertices[i] = {ring[i].x, ring[i].y, zMax};
+        prism.vertices[count + i] = {ring[i].x, ring[i].y, zMin};
+        prism.planes.push_back(sidePlane(ring[i], ring[i + 1 < count ? i + 1 : 0]));
+    }
+    addPrismEdges(count, prism);
+    addPrismFaces(count, prism);
+    return prism;
+}
+
+/// The edges of a polytope by their ends.
+class EdgeLookup {
+public:
+    explicit EdgeLookup(const Polytope& polytope) {
+        m_keys.reserve(polytope.edges.size());
+        for (std::uint32_t edge = 0; edge < polytope.edges.size(); ++edge) {
+            m_keys.push_back({std::minmax(polytope.edges[edge][0], polytope.edges[edge][1]), edge});
+        }
+        std::sort(m_keys.begin(), m_keys.end());
+    }
+    std::uint32_t edgeBetween(std::uint32_t a, std::uint32_t b) const {
+        const Key key{std::minmax(a, b), 0};
+        const auto found = std::lower_bound(m_keys.begin(), m_keys.end(), key);
+        RUBBLE_ASSERT(found != m_keys.end() && found->first == key.first);
+        return found->second;
+    }
+
+private:
+    using Key = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+    std::vector<Key> m_keys;
+};
+
+/// The sine squared of the turn from the loop's edge at `index` to the edge after it.
+double turnSquared(const Polytope& polytope, const std::vector<std::uint32_t>& loop, std::size_t index) {
+    const Vec3 a = polytope.vertices[loop[index]];
+    const Vec3 b = polytope.vertices[loop[(index + 1) % loop.size()]];
+    const Vec3 c = polytope.vertices[loop[(index + 2) % loop.size()]];
+    const Vec3 turn = glm::cross(b - a, c - b);
+    return glm::dot(turn, turn) / (glm::dot(b - a, b - a) * glm::dot(c - b, c - b));
+}
+
+std::size_t firstRealTurn(const Polytope& polytope, const std::vector<std::uint32_t>& loop) {
+    std::size_t best = 0;
+    double most = 0.0;
+    for (std::size_t index = 0; index < loop.size(); ++index) {
+        const double turn = turnSquared(polytope, loop, index);
+        if (turn > kLeastTurn * kLeastTurn) return index;
+        if (turn > most) {
+            most = turn;
+            best = index;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+Polytope extruded(std::span<const Vec2> convexRing, double zMin, double zMax) {
+    RUBBLE_ASSERT(convexRing.size() >= 3 && zMin < zMax);
+    if (everyCornerTurnsLeft(convexRing)) return prismOver(convexRing, zMin, zMax);
+    return prismOver(cornersThatTurnLeft(convexRing), zMin, zMax);
+}
+
+std::vector<std::vector<SignedEdge>> signedEdgeLoops(const Polytope& polytope) {
+    const EdgeLookup lookup(polytope);
+    std::vector<std::vector<SignedEdge>> loops;
+    loops.reserve(polytope.faces.size());
+    for (const std::vector<std::uint32_t>& face : polytope.faces) {
+        const std::size_t start = firstRealTurn(polytope, face);
+        std::vector<SignedEdge>& loop = loops.emplace_back();
+        loop.reserve(face.size());
+        for (std::size_t step = 0; step < face.size(); ++step) {
+            const std::uint32_t from = face[(start + step) % face.size()];
+            const std::uint32_t edge = lookup.edgeBetween(from, face[(start + step + 1) % face.size()]);
+            loop.push_back({edge, polytope.edges[edge][0] == from ? 1 : -1});
+        }
+    }
+    return loops;
+}
+
+Polytope translated(Polytope polytope, Vec3 offset) {
+    for (Vec3& vertex : polytope.vertices) vertex += offset;
+    for (Plane& plane : polytope.planes) plane.offset += glm::dot(plane.normal, offset);
+    return polytope;
+}
+
+}  // namespace rubble
