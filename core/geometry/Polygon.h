@@ -37,6 +37,7 @@ double perimeter(std::span<const Vec2> ring);
 Box2 boundsOf(std::span<const Vec2> points);
 
 /// The same polygon with the outer ring counter-clockwise and the holes clockwise; first corners stay first.
+/// Exact for rings that do not cross or touch themselves.
 Polygon withCanonicalWinding(Polygon polygon);
 
 enum class Containment { Outside, OnBoundary, Inside };
