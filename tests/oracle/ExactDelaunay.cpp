@@ -1,0 +1,61 @@
+#include "tests/oracle/ExactDelaunay.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+
+namespace rubble::oracle {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+
+std::string named(const std::array<std::uint32_t, 3>& triangle) {
+    return "triangle (" + std::to_string(triangle[0]) + ", " + std::to_string(triangle[1]) + ", " +
+           std::to_string(triangle[2]) + ")";
+}
+
+/// How many triangles there are; none where all points lie on one line.
+std::size_t expectedCount(const std::vector<Point>& points) {
+    const CGAL::Delaunay_triangulation_2<Kernel> triangulation(points.begin(), points.end());
+    return triangulation.dimension() == 2 ? triangulation.number_of_faces() : 0;
+}
+
+std::optional<std::string> triangleFault(const std::array<std::uint32_t, 3>& triangle,
+                                         const std::vector<Point>& points) {
+    for (const std::uint32_t corner : triangle)
+        if (corner >= points.size()) return named(triangle) + " names no seed";
+    const Point& a = points[triangle[0]];
+    const Point& b = points[triangle[1]];
+    const Point& c = points[triangle[2]];
+    if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN) return named(triangle) + " is not counter-clockwise";
+    std::uint32_t lowest = static_cast<std::uint32_t>(points.size());
+    for (std::uint32_t seed = 0; seed < points.size(); ++seed) {
+        const auto side = CGAL::side_of_oriented_circle(a, b, c, points[seed]);
+        if (side == CGAL::ON_POSITIVE_SIDE)
+            return named(triangle) + " has seed " + std::to_string(seed) + " in its circle";
+        if (side == CGAL::ON_ORIENTED_BOUNDARY) lowest = std::min(lowest, seed);
+    }
+    if (std::find(triangle.begin(), triangle.end(), lowest) == triangle.end())
+        return named(triangle) + " is not joined to seed " + std::to_string(lowest) + ", the lowest on its circle";
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> delaunayFault(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                         std::span<const Vec2> seeds) {
+    std::vector<Point> points;
+    for (const Vec2 seed : seeds) points.emplace_back(seed.x, seed.y);
+    if (const std::size_t count = expectedCount(points); triangles.size() != count)
+        return std::to_string(triangles.size()) + " triangles instead of " + std::to_string(count);
+    if (!std::is_sorted(triangles.begin(), triangles.end()) ||
+        std::adjacent_find(triangles.begin(), triangles.end()) != triangles.end())
+        return "the triangles are not sorted, or one is there twice";
+    for (const auto& triangle : triangles)
+        if (auto fault = triangleFault(triangle, points)) return fault;
+    return std::nullopt;
+}
+
+}  // namespace rubble::oracle

@@ -1,0 +1,69 @@
+#include "tests/oracle/ExactVoronoi.h"
+
+#include "tests/support/JsonCases.h"
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace rubble;
+using namespace rubble::oracle;
+
+/// The oracle itself, on cases whose answer is known.
+class ExactVoronoiTest : public QObject {
+    Q_OBJECT
+private slots:
+    void answersTheCounterexamples() {
+        const auto cases = test::counterexamples();
+        QCOMPARE(cases.size(), std::size_t{18});
+        for (const auto& example : cases) {
+            const auto cells = exactCells(example.outline, example.seeds, 0.0);
+            for (std::size_t seed = 0; seed < cells.size(); ++seed) {
+                QVERIFY2(std::abs(cells[seed].area / example.areas[seed] - 1.0) < 1e-12, example.name.c_str());
+                std::vector<std::uint32_t> neighbours;
+                for (const auto& [other, length] : cells[seed].shared) neighbours.push_back(other);
+                QVERIFY2(neighbours == example.neighbours[seed], example.name.c_str());
+            }
+        }
+    }
+    void countsThePiecesOfACellCutApart() {
+        // A U, 3 x 3 with a notch from (1, 1) to (2, 3): the upper seed's cell is the two arms above y = 1.
+        const Polygon outline{{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, {}};
+        const auto cells = exactCells(outline, std::vector<Vec2>{{1.5, 0.5}, {1.5, 1.5}}, 0.0);
+        QCOMPARE(cells[0].area, 3.0);
+        QCOMPARE(cells[0].fewestPieces, 1u);
+        QCOMPARE(cells[1].area, 4.0);
+        QCOMPARE(cells[1].fewestPieces, 2u);
+        QCOMPARE(cells[1].mostPieces, 2u);
+        QVERIFY(glm::distance(cells[1].centroid, Vec2(1.5, 2.0)) < 1e-15);
+        // They touch along the feet of both arms, not along the bottom of the notch.
+        QCOMPARE(cells[0].shared.size(), std::size_t{1});
+        QCOMPARE(cells[0].shared[0].second, 2.0);
+    }
+    void subtractsHolesAndDropsDuplicates() {
+        const Polygon outline{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
+        const auto cells = exactCells(outline, std::vector<Vec2>{{1, 2}, {3, 2}, {1, 2}}, 0.0);
+        QCOMPARE(cells[0].area, 6.0);
+        QCOMPARE(cells[0].shared[0].second, 2.0);
+        QCOMPARE(cells[2].area, 0.0);
+        QCOMPARE(cells[2].sameAs, 0u);
+    }
+    void seesSeedsOneUnitApart() {
+        const Polygon outline{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
+        const double next = std::nextafter(0.5, 1.0);
+        const auto cells = exactCells(outline, std::vector<Vec2>{{0.5, 0.5}, {next, 0.5}, {0.75, 0.5}}, 0.0);
+        QCOMPARE(cells[0].area, 0.5);  // to x = 0.5 + 2^-54, which rounds to 0.5
+        QCOMPARE(cells[1].area, 0.125);
+        QCOMPARE(cells[2].area, 0.375);
+    }
+    void leavesSeedsWithoutCellEmpty() {
+        const Polygon outline{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
+        const auto cells = exactCells(outline, std::vector<Vec2>{{0.5, 0.5}, {9.0, 0.5}, {-0.25, 0.5}}, 0.0);
+        QCOMPARE(cells[1].area, 0.0);
+        QCOMPARE(cells[2].area, 0.125);
+    }
+};
+
+QTEST_APPLESS_MAIN(ExactVoronoiTest)
+#include "ExactVoronoiTest.moc"
