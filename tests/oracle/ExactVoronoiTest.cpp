@@ -1,14 +1,26 @@
 #include "tests/oracle/ExactVoronoi.h"
 
+#include "tests/oracle/FractureCases.h"
 #include "tests/support/JsonCases.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace rubble;
 using namespace rubble::oracle;
+
+namespace {
+
+double shoelace(const Ring& ring) {
+    double area = 0.0;
+    for (std::size_t k = 2; k < ring.size(); ++k) area += 0.5 * cross(ring[k - 1] - ring[0], ring[k] - ring[0]);
+    return area;
+}
+
+}  // namespace
 
 /// The oracle itself, on cases whose answer is known.
 class ExactVoronoiTest : public QObject {
@@ -56,6 +68,26 @@ private slots:
         QCOMPARE(cells[0].area, 0.5);  // to x = 0.5 + 2^-54, which rounds to 0.5
         QCOMPARE(cells[1].area, 0.125);
         QCOMPARE(cells[2].area, 0.375);
+    }
+    void fillsEveryOutlineAndSharesMutually() {
+        for (std::uint64_t number = 0; number < 400; ++number) {
+            const FractureCase input = fractureCase(number);
+            const auto cells = exactCells(input.outline, input.seeds, 0.0);
+            double sum = 0.0;
+            for (std::uint32_t seed = 0; seed < cells.size(); ++seed) {
+                sum += cells[seed].area;
+                QCOMPARE(cells[seed].fewestPieces, cells[seed].mostPieces);
+                for (const auto& [other, length] : cells[seed].shared) {
+                    const auto& back = cells[other].shared;
+                    const auto place = std::find_if(back.begin(), back.end(), [&](auto& s) { return s.first == seed; });
+                    QVERIFY2(place != back.end(), input.family.c_str());
+                    QVERIFY2(std::abs(place->second - length) <= 1e-11 * length, input.family.c_str());
+                }
+            }
+            double whole = shoelace(input.outline.outer);
+            for (const Ring& hole : input.outline.holes) whole += shoelace(hole);
+            QVERIFY2(std::abs(sum / whole - 1.0) < 1e-11, input.family.c_str());
+        }
     }
     void leavesSeedsWithoutCellEmpty() {
         const Polygon outline{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
