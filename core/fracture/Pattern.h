@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -91,14 +92,21 @@ struct SeedId {
 /// What a pattern gives on an outline.
 struct Seeds {
     std::vector<Vec2> positions;
-    std::vector<SeedId> ids;      // one a position
-    std::vector<Report> reports;  // LostOverride, NoRoom
+    std::vector<SeedId> ids;  // one a position
+    std::vector<Report>
+        reports;  // LostOverride (`seed`: index in the layer), NoRoom (`amount`: seeds found); `of`: layer id
 };
 
-/// Carries out the recipe. Same pattern, same outline, same bits.
+/// Seeds that one pattern may give; beyond it memory and patience end.
+inline constexpr std::uint32_t kMostSeeds = 10'000'000;
+
+/// Says in one sentence which parameter of which layer is not finite or out of range, or nothing where all is well.
+std::optional<std::string> verifyPattern(const Pattern& pattern);
+
+/// Carries out the recipe on a validated() outline. Same pattern, same outline, same bits.
 ///
-/// Errors: BadInput where a parameter is not finite or out of range, naming the layer; Limit above ten
-/// million seeds; Cancelled.
+/// Errors: BadInput where verifyPattern() finds a fault; Limit above kMostSeeds; Crossing where the outline is not
+/// valid; Cancelled.
 Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -1,0 +1,201 @@
+#include "core/asset/ProjectFaults.h"
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace rubble {
+namespace {
+
+using Sentence = std::optional<std::string>;
+
+/// A quaternion is a turn where its length is one up to the rounding of its text in a file.
+constexpr double kUnitLengthTolerance = 1e-9;
+
+enum class Range { Finite, AboveZero, ZeroOrAbove, ZeroToOne };
+
+struct Quantity {
+    const char* name;
+    double value;
+    Range range;
+};
+
+bool isInRange(const Quantity& quantity) {
+    if (!std::isfinite(quantity.value)) return false;
+    switch (quantity.range) {
+        case Range::Finite: return true;
+        case Range::AboveZero: return quantity.value > 0.0;
+        case Range::ZeroOrAbove: return quantity.value >= 0.0;
+        case Range::ZeroToOne: return quantity.value >= 0.0 && quantity.value <= 1.0;
+    }
+    return false;
+}
+
+const char* textOf(Range range) {
+    switch (range) {
+        case Range::Finite: return "finite";
+        case Range::AboveZero: return "finite and above zero";
+        case Range::ZeroOrAbove: return "finite and not below zero";
+        case Range::ZeroToOne: return "from 0 to 1";
+    }
+    return "";
+}
+
+Sentence quantityFault(const std::string& owner, std::initializer_list<Quantity> quantities) {
+    for (const Quantity& quantity : quantities) {
+        if (isInRange(quantity)) continue;
+        return owner + ": the " + quantity.name + " is " + messageText(quantity.value) + ", but it must be " +
+               textOf(quantity.range) + ".";
+    }
+    return std::nullopt;
+}
+
+Sentence vectorFault(const std::string& owner, const char* name, const Vec3& value) {
+    if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z)) return std::nullopt;
+    return owner + ": the " + name + " is (" + messageText(value.x) + ", " + messageText(value.y) + ", " +
+           messageText(value.z) + "), but it must be finite.";
+}
+
+Sentence colourFault(const std::string& owner, const Colour& colour) {
+    return quantityFault(owner, {{"colour's red", colour.red, Range::ZeroToOne},
+                                 {"colour's green", colour.green, Range::ZeroToOne},
+                                 {"colour's blue", colour.blue, Range::ZeroToOne}});
+}
+
+Sentence faultOf(const Material& material) {
+    const std::string owner = ownerText("Material", material.id, material.name);
+    if (Sentence fault = quantityFault(owner, {{"density", material.density, Range::AboveZero},
+                                               {"friction", material.friction, Range::ZeroOrAbove},
+                                               {"restitution", material.restitution, Range::ZeroToOne}})) {
+        return fault;
+    }
+    if (Sentence fault = colourFault(owner, material.outside)) return fault;
+    return colourFault(owner, material.inside);
+}
+
+bool isFinite(Vec2 value) { return std::isfinite(value.x) && std::isfinite(value.y); }
+
+bool isFinite(const SurfaceTriangle& triangle) {
+    for (const Vec3& corner : triangle.corners) {
+        if (!isFinite(Vec2{corner}) || !std::isfinite(corner.z)) return false;
+    }
+    return isFinite(triangle.uvs[0]) && isFinite(triangle.uvs[1]) && isFinite(triangle.uvs[2]);
+}
+
+Sentence surfaceFault(const std::string& owner, const Surface& surface) {
+    const auto isNamed = [&](std::uint32_t material) {
+        return material < std::max<std::size_t>(surface.materials.size(), 1);
+    };
+    for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
+        const std::string triangle = owner + ": triangle " + std::to_string(k) + " of the surface ";
+        if (!isFinite(surface.triangles[k])) return triangle + "has a coordinate that is not finite.";
+        if (!isNamed(surface.triangles[k].material)) return triangle + "names a material that is not there.";
+    }
+    for (const CapUv* cap : {&surface.front, &surface.back}) {
+        const std::string name = owner + ": the surface's " + (cap == &surface.front ? "front" : "back") + " cap ";
+        if (!isNamed(cap->material)) return name + "names a material that is not there.";
+        for (const double coefficient : cap->map.coefficients) {
+            if (!std::isfinite(coefficient)) return name + "has a UV map that is not finite.";
+        }
+    }
+    return std::nullopt;
+}
+
+Sentence faultOf(const Asset& asset) {
+    const std::string owner = ownerText("Asset", asset.id, asset.name);
+    if (Sentence fault = quantityFault(owner, {{"threshold", asset.threshold, Range::AboveZero},
+                                               {"inside UV scale", asset.insideUvScale, Range::AboveZero}})) {
+        return fault;
+    }
+    if (const Result<Prism> prism = validated(asset.prism); !prism) return owner + ": " + prism.error().message;
+    if (Sentence fault = verifyPattern(asset.pattern)) return owner + ": " + *fault;
+    if (asset.surface) {
+        if (Sentence fault = surfaceFault(owner, *asset.surface)) return fault;
+    }
+    for (const Level& level : asset.levels) {
+        if (Sentence fault = quantityFault(owner, {{"minimum volume", level.minimumVolume, Range::ZeroOrAbove}})) {
+            return fault;
+        }
+        if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
+    }
+    return std::nullopt;
+}
+
+Sentence faultOf(const Instance& instance) {
+    const std::string owner = ownerText("Instance", instance.id, instance.name);
+    if (Sentence fault = vectorFault(owner, "position", instance.pose.position)) return fault;
+    const double length = glm::length(instance.pose.orientation);
+    if (!(std::abs(length - 1.0) <= kUnitLengthTolerance)) {
+        return owner + ": the orientation has the length " + messageText(length) + ", but it must be 1.";
+    }
+    return quantityFault(owner, {{"threshold", instance.threshold.value_or(1.0), Range::AboveZero}});
+}
+
+Sentence actionFault(const std::string& owner, const Throw& thrown) {
+    if (Sentence fault = vectorFault(owner, "start", thrown.from)) return fault;
+    if (Sentence fault = vectorFault(owner, "aim", thrown.to)) return fault;
+    if (thrown.from == thrown.to) return owner + ": it starts where it aims, so that it has no direction.";
+    return quantityFault(owner, {{"size in x", thrown.size.x, Range::AboveZero},
+                                 {"size in y", thrown.size.y, Range::AboveZero},
+                                 {"size in z", thrown.size.z, Range::AboveZero},
+                                 {"mass", thrown.mass, Range::AboveZero},
+                                 {"speed", thrown.speed, Range::ZeroOrAbove}});
+}
+
+Sentence actionFault(const std::string& owner, const Hammer& hammer) {
+    if (Sentence fault = vectorFault(owner, "place", hammer.at)) return fault;
+    return vectorFault(owner, "impulse", hammer.impulse);
+}
+
+Sentence actionFault(const std::string& owner, const Explosion& explosion) {
+    if (Sentence fault = vectorFault(owner, "place", explosion.at)) return fault;
+    return quantityFault(
+        owner, {{"impulse", explosion.impulse, Range::ZeroOrAbove}, {"radius", explosion.radius, Range::AboveZero}});
+}
+
+Sentence faultOf(const Shot& shot) {
+    const std::string owner = ownerText("Shot", shot.id, shot.name);
+    if (Sentence fault = quantityFault(owner, {{"time", shot.time, Range::ZeroOrAbove}})) return fault;
+    return std::visit([&](const auto& action) { return actionFault(owner, action); }, shot.action);
+}
+
+Sentence faultOf(const PlayTest& test) {
+    const std::string owner = ownerText("Play-test", test.id, test.name);
+    if (Sentence fault = quantityFault(owner, {{"duration", test.duration, Range::AboveZero}})) return fault;
+    for (const Expectation& expectation : test.expectations) {
+        if (Sentence fault = quantityFault(owner, {{"expected value", expectation.value, Range::Finite}})) return fault;
+    }
+    return std::nullopt;
+}
+
+template <class Element>
+Sentence firstFault(const std::vector<Element>& elements) {
+    for (const Element& element : elements) {
+        if (Sentence fault = faultOf(element)) return fault;
+    }
+    return std::nullopt;
+}
+
+Sentence worldFault(const Project& project) {
+    if (Sentence fault = quantityFault("The ground", {{"height", project.ground.height, Range::Finite},
+                                                      {"friction", project.ground.friction, Range::ZeroOrAbove},
+                                                      {"restitution", project.ground.restitution, Range::ZeroToOne}})) {
+        return fault;
+    }
+    if (Sentence fault = vectorFault("The project", "gravity", project.gravity)) return fault;
+    return quantityFault("The project", {{"thesis threshold", project.damage.thesisThreshold, Range::AboveZero}});
+}
+
+}  // namespace
+
+std::optional<std::string> valueFault(const Project& project) {
+    if (Sentence fault = firstFault(project.materials)) return fault;
+    if (Sentence fault = firstFault(project.assets)) return fault;
+    if (Sentence fault = firstFault(project.instances)) return fault;
+    if (Sentence fault = worldFault(project)) return fault;
+    if (Sentence fault = firstFault(project.shots)) return fault;
+    return firstFault(project.playTests);
+}
+
+}  // namespace rubble

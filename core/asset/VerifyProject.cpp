@@ -1,0 +1,127 @@
+#include "core/asset/ProjectFaults.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rubble {
+namespace {
+
+using Sentence = std::optional<std::string>;
+
+/// An id and whose it is.
+struct IdUse {
+    Id id = 0;
+    std::string owner;
+};
+
+template <class Element>
+void addIds(const std::vector<Element>& elements, const char* kind, std::vector<IdUse>& uses) {
+    for (const Element& element : elements) uses.push_back({element.id, ownerText(kind, element.id, element.name)});
+}
+
+void addLayerIds(const Pattern& pattern, const std::string& asset, std::vector<IdUse>& uses) {
+    for (const PatternLayer& layer : pattern.layers) {
+        uses.push_back({layer.id, "Layer " + std::to_string(layer.id) + " of " + asset});
+    }
+}
+
+std::vector<IdUse> allIds(const Project& project) {
+    std::vector<IdUse> uses;
+    addIds(project.materials, "Material", uses);
+    addIds(project.assets, "Asset", uses);
+    for (const Asset& asset : project.assets) {
+        const std::string owner = ownerText("asset", asset.id, asset.name);
+        addLayerIds(asset.pattern, owner, uses);
+        for (const Level& level : asset.levels) addLayerIds(level.pattern, owner, uses);
+    }
+    addIds(project.instances, "Instance", uses);
+    addIds(project.shots, "Shot", uses);
+    addIds(project.playTests, "Play-test", uses);
+    return uses;
+}
+
+Sentence idFault(const Project& project) {
+    std::vector<IdUse> uses = allIds(project);
+    for (const IdUse& use : uses) {
+        if (use.id == 0) return use.owner + " has the id 0, which names nothing.";
+        if (use.id >= project.nextId) {
+            return use.owner + " has an id that is not below the project's next id, " + std::to_string(project.nextId) +
+                   ".";
+        }
+    }
+    std::ranges::stable_sort(uses, {}, &IdUse::id);
+    const auto twice = std::ranges::adjacent_find(uses, {}, &IdUse::id);
+    if (twice == uses.end()) return std::nullopt;
+    return twice->owner + " and " + std::next(twice)->owner + " have the same id.";
+}
+
+/// Order and names of one list.
+template <class Element>
+Sentence listFault(const std::vector<Element>& elements, const char* kind) {
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const std::string owner = ownerText(kind, elements[k].id, elements[k].name);
+        if (k > 0 && elements[k].id < elements[k - 1].id) {
+            return owner + " stands behind the one with id " + std::to_string(elements[k - 1].id) +
+                   "; ids must ascend.";
+        }
+        if (elements[k].name.empty()) return owner + " has no name.";
+        if (!names.insert(elements[k].name).second) return owner + " has a name that is already taken.";
+    }
+    return std::nullopt;
+}
+
+template <class Element>
+bool isThere(const std::vector<Element>& elements, Id id) {
+    return std::ranges::find(elements, id, &Element::id) != elements.end();
+}
+
+std::string missing(const std::string& owner, const char* kind, Id id) {
+    return owner + " names " + kind + " " + std::to_string(id) + ", which is not there.";
+}
+
+Sentence referenceFault(const Project& project) {
+    for (const Asset& asset : project.assets) {
+        const std::string owner = ownerText("Asset", asset.id, asset.name);
+        if (!findMaterial(project, asset.material)) return missing(owner, "material", asset.material);
+    }
+    for (const Instance& instance : project.instances) {
+        const std::string owner = ownerText("Instance", instance.id, instance.name);
+        if (!findAsset(project, instance.asset)) return missing(owner, "asset", instance.asset);
+    }
+    for (const Shot& shot : project.shots) {
+        const Throw* thrown = std::get_if<Throw>(&shot.action);
+        if (!thrown || thrown->kind != ProjectileKind::Asset || findAsset(project, thrown->asset)) continue;
+        return missing(ownerText("Shot", shot.id, shot.name), "asset", thrown->asset);
+    }
+    for (const PlayTest& test : project.playTests) {
+        const std::string owner = ownerText("Play-test", test.id, test.name);
+        for (const Id shot : test.shots) {
+            if (!isThere(project.shots, shot)) return missing(owner, "shot", shot);
+        }
+        for (const Expectation& expectation : test.expectations) {
+            if (expectation.instance == 0 || isThere(project.instances, expectation.instance)) continue;
+            return missing(owner, "instance", expectation.instance);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string ownerText(const char* kind, Id id, const std::string& name) {
+    return std::string(kind) + " " + std::to_string(id) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
+std::optional<std::string> verifyProject(const Project& project) {
+    if (Sentence fault = listFault(project.materials, "Material")) return fault;
+    if (Sentence fault = listFault(project.assets, "Asset")) return fault;
+    if (Sentence fault = listFault(project.instances, "Instance")) return fault;
+    if (Sentence fault = listFault(project.shots, "Shot")) return fault;
+    if (Sentence fault = listFault(project.playTests, "Play-test")) return fault;
+    if (Sentence fault = idFault(project)) return fault;
+    if (Sentence fault = referenceFault(project)) return fault;
+    return valueFault(project);
+}
+
+}  // namespace rubble

@@ -1,0 +1,99 @@
+#include "core/fracture/Pattern.h"
+
+#include "core/base/MessageText.h"
+#include "core/fracture/PatternKind.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+std::optional<std::string> overrideFault(const std::vector<SeedOverride>& overrides) {
+    for (std::size_t k = 0; k < overrides.size(); ++k) {
+        const SeedOverride& change = overrides[k];
+        const std::string seed = "the change to seed " + std::to_string(change.index);
+        if (k > 0 && change.index <= overrides[k - 1].index) {
+            return seed + " does not come after the one to seed " + std::to_string(overrides[k - 1].index);
+        }
+        if (!change.isDeleted && !(std::isfinite(change.position.x) && std::isfinite(change.position.y))) {
+            return seed + " moves it to (" + messageText(change.position.x) + ", " + messageText(change.position.y) +
+                   "), which is not finite";
+        }
+    }
+    return std::nullopt;
+}
+
+/// Moves and deletes seeds of the last layer, which begin at `first`, ascending by index.
+void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& seeds) {
+    std::vector<bool> isDeleted(seeds.size() - first, false);
+    const auto begin = seeds.ids.begin() + static_cast<std::ptrdiff_t>(first);
+    for (const SeedOverride& change : context.layer.overrides) {
+        const auto found = std::ranges::lower_bound(begin, seeds.ids.end(), change.index, {}, &SeedId::index);
+        if (found == seeds.ids.end() || found->index != change.index) {
+            seeds.reports.push_back({ReportCode::LostOverride, change.index, context.layer.id, 0.0,
+                                     context.name() + " has no seed " + std::to_string(change.index) +
+                                         " any more; the change made to it by hand is left out."});
+            continue;
+        }
+        const std::size_t seed = static_cast<std::size_t>(found - seeds.ids.begin());
+        seeds.positions[seed] = change.isDeleted ? seeds.positions[seed] : change.position;
+        seeds.isHeld[seed] = true;
+        isDeleted[seed - first] = change.isDeleted;
+    }
+    std::size_t kept = first;
+    for (std::size_t seed = first; seed < seeds.size(); ++seed) {
+        if (isDeleted[seed - first]) continue;
+        seeds.positions[kept] = seeds.positions[seed];
+        seeds.ids[kept] = seeds.ids[seed];
+        seeds.isHeld[kept] = seeds.isHeld[seed];
+        ++kept;
+    }
+    seeds.positions.resize(kept);
+    seeds.ids.resize(kept);
+    seeds.isHeld.resize(kept);
+}
+
+}  // namespace
+
+void SeedSet::add(SeedId id, Vec2 position, bool held) {
+    positions.push_back(position);
+    ids.push_back(id);
+    isHeld.push_back(held);
+}
+
+std::string LayerContext::name() const { return "Layer " + std::to_string(layer.id); }
+
+Error tooManySeeds(const LayerContext& context) {
+    return {ErrorCode::Limit, context.name() + " brings the pattern above " + std::to_string(kMostSeeds) + " seeds."};
+}
+
+std::string SeedId::text() const { return std::to_string(layer) + "." + std::to_string(index); }
+
+std::optional<std::string> verifyPattern(const Pattern& pattern) {
+    for (const PatternLayer& layer : pattern.layers) {
+        std::optional<std::string> fault =
+            std::visit([](const auto& parameters) { return parameterFault(parameters); }, layer.parameters);
+        if (!fault) fault = overrideFault(layer.overrides);
+        if (fault) return "Layer " + std::to_string(layer.id) + ": " + *fault + ".";
+    }
+    return std::nullopt;
+}
+
+Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task) {
+    if (std::optional<std::string> fault = verifyPattern(pattern)) return Error{ErrorCode::BadInput, *fault};
+    SeedSet seeds;
+    for (const PatternLayer& layer : pattern.layers) {
+        if (!layer.isOn) continue;
+        if (task.isCancelled()) return TaskContext::cancelled();
+        const LayerContext context{layer, outline, task};
+        const std::size_t first = seeds.size();
+        const Status applied = std::visit(
+            [&](const auto& parameters) { return applyLayer(parameters, context, seeds); }, layer.parameters);
+        if (!applied) return applied.error();
+        applyOverrides(context, first, seeds);
+    }
+    return Seeds{std::move(seeds.positions), std::move(seeds.ids), std::move(seeds.reports)};
+}
+
+}  // namespace rubble

@@ -1,0 +1,76 @@
+#include "core/fracture/SeedGrid.h"
+
+#include "core/base/Random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+double squaredLength(Vec2 vector) { return vector.x * vector.x + vector.y * vector.y; }
+
+std::size_t slotOf(std::int64_t column, std::int64_t row, std::size_t slots) {
+    return mixedWith(static_cast<std::uint64_t>(column), static_cast<std::uint64_t>(row)) & (slots - 1);
+}
+
+}  // namespace
+
+SeedGrid::SeedGrid(const Box2& box, double minimumDistance)
+    : m_origin(box.min),
+      m_distanceSquared(minimumDistance * minimumDistance),
+      m_cellSide(std::max(minimumDistance, box.diagonal() * 0x1p-30)),  // cell numbers stay exact
+      m_heads(64, kEnd) {}
+
+std::uint32_t& SeedGrid::headOf(std::int64_t column, std::int64_t row) {
+    return m_heads[slotOf(column, row, m_heads.size())];
+}
+std::uint32_t SeedGrid::headOf(std::int64_t column, std::int64_t row) const {
+    return m_heads[slotOf(column, row, m_heads.size())];
+}
+
+void SeedGrid::add(Vec2 point) {
+    if (m_points.size() >= m_heads.size()) enlarge();
+    const Vec2 cell = glm::floor((point - m_origin) / m_cellSide);
+    std::uint32_t& head = headOf(static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y));
+    m_next.push_back(head);
+    head = static_cast<std::uint32_t>(m_points.size());
+    m_points.push_back(point);
+}
+
+void SeedGrid::enlarge() {
+    std::vector<Vec2> points;
+    points.swap(m_points);
+    m_next.clear();
+    m_heads.assign(m_heads.size() * 4, kEnd);
+    m_points.reserve(m_heads.size());
+    for (const Vec2 point : points) add(point);
+}
+
+template <class Predicate>
+bool SeedGrid::anyAround(Vec2 place, Predicate&& predicate) const {
+    const Vec2 cell = glm::floor((place - m_origin) / m_cellSide);
+    const std::int64_t column = static_cast<std::int64_t>(cell.x);
+    const std::int64_t row = static_cast<std::int64_t>(cell.y);
+    for (std::int64_t y = row - 1; y <= row + 1; ++y) {
+        for (std::int64_t x = column - 1; x <= column + 1; ++x) {
+            for (std::uint32_t at = headOf(x, y); at != kEnd; at = m_next[at]) {
+                if (predicate(m_points[at])) return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool SeedGrid::isFree(Vec2 point) const {
+    return !anyAround(point, [&](Vec2 other) { return squaredLength(point - other) < m_distanceSquared; });
+}
+
+bool SeedGrid::isCovered(Vec2 squareMin, double side) const {
+    const Vec2 half{side / 2.0, side / 2.0};
+    return anyAround(squareMin + half, [&](Vec2 other) {
+        return squaredLength(glm::abs(squareMin + half - other) + half) < m_distanceSquared;
+    });
+}
+
+}  // namespace rubble
