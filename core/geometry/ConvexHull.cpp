@@ -1,0 +1,160 @@
+#include "core/geometry/ConvexHull.h"
+
+#include "core/geometry/Expansion.h"
+#include "core/geometry/HullTriangles.h"
+#include "core/geometry/Predicates.h"
+
+#include <algorithm>
+#include <compare>
+
+namespace rubble {
+
+namespace {
+
+using Loop = std::vector<std::uint32_t>;
+using Triangles = std::vector<HullTriangle>;
+
+constexpr std::uint32_t kNoIndex = 0xffffffffu;
+// A cross product smaller than this part of its factors' lengths has lost half of its digits: it is taken exactly.
+constexpr double kNeedle = 1e-8;
+
+bool areCoplanar(std::span<const Vec3> points, const HullTriangle& triangle, const HullTriangle& other) {
+    const auto [a, b, c] = triangle.corners;
+    return std::all_of(other.corners.begin(), other.corners.end(), [&](std::uint32_t corner) {
+        return corner == a || corner == b || corner == c ||
+               orient3d(points[a], points[b], points[c], points[corner]) == 0;
+    });
+}
+
+/// The face of each triangle: coplanar neighbours share one. Faces are numbered by their first triangle.
+std::vector<std::uint32_t> faceOfTriangle(std::span<const Vec3> points, const Triangles& triangles) {
+    std::vector<std::uint32_t> face(triangles.size(), kNoIndex);
+    std::vector<std::uint32_t> open;
+    std::uint32_t count = 0;
+    for (std::uint32_t start = 0; start < triangles.size(); ++start) {
+        if (face[start] != kNoIndex) continue;
+        face[start] = count++;
+        open.assign(1, start);
+        while (!open.empty()) {
+            const std::uint32_t triangle = open.back();
+            open.pop_back();
+            for (const std::uint32_t neighbour : triangles[triangle].neighbours) {
+                if (face[neighbour] != kNoIndex || !areCoplanar(points, triangles[start], triangles[neighbour]))
+                    continue;
+                face[neighbour] = face[start];
+                open.push_back(neighbour);
+            }
+        }
+    }
+    return face;
+}
+
+struct BoundaryEdge {
+    std::uint32_t face;
+    std::uint32_t from;
+    std::uint32_t to;
+    auto operator<=>(const BoundaryEdge&) const = default;
+};
+
+/// The edges between different faces, by face, then start.
+std::vector<BoundaryEdge> boundaryEdges(std::span<const Vec3> points, const Triangles& triangles) {
+    const std::vector<std::uint32_t> face = faceOfTriangle(points, triangles);
+    std::vector<BoundaryEdge> edges;
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (face[triangles[triangle].neighbours[i]] == face[triangle]) continue;
+            const auto& corners = triangles[triangle].corners;
+            edges.push_back({face[triangle], corners[i], corners[(i + 1) % 3]});
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+/// The new index of each vertex that at least three faces share, in the input's order; one that only two share lies
+/// inside an edge.
+std::vector<std::uint32_t> vertexIndices(std::size_t pointCount, std::span<const BoundaryEdge> edges) {
+    std::vector<std::uint32_t> indices(pointCount, 0);
+    for (const BoundaryEdge& edge : edges) ++indices[edge.from];
+    std::uint32_t count = 0;
+    for (std::uint32_t& index : indices) index = index >= 3 ? count++ : kNoIndex;
+    return indices;
+}
+
+/// Walks the edges of one face, sorted by start, and gives those corners that are vertices, the smallest first.
+Loop loopOf(std::span<const BoundaryEdge> edges, const std::vector<std::uint32_t>& vertexOfPoint) {
+    Loop loop;
+    const std::uint32_t start = edges[0].from;
+    std::uint32_t corner = start;
+    do {
+        if (vertexOfPoint[corner] != kNoIndex) loop.push_back(vertexOfPoint[corner]);
+        const auto edge = std::lower_bound(edges.begin(), edges.end(), BoundaryEdge{edges[0].face, corner, 0});
+        corner = edge->to;
+    } while (corner != start);
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    return loop;
+}
+
+Vec3 exactCross(Vec3 origin, Vec3 a, Vec3 b) {
+    const auto minor = [&](int i, int j) {
+        const auto first = exactDifference(a[i], origin[i]) * exactDifference(b[j], origin[j]);
+        const auto second = exactDifference(a[j], origin[j]) * exactDifference(b[i], origin[i]);
+        return (first - second).estimate();
+    };
+    return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+/// The plane of a face, from the largest triangle that its first corner makes with one of its edges.
+Plane planeOf(std::span<const Vec3> vertices, const Loop& loop) {
+    const Vec3 origin = vertices[loop[0]];
+    std::size_t best = 1;
+    double most = -1.0;
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+        const Vec3 normal = glm::cross(vertices[loop[k]] - origin, vertices[loop[k + 1]] - origin);
+        const double size = glm::dot(normal, normal);
+        if (size <= most) continue;
+        best = k;
+        most = size;
+    }
+    const Vec3 a = vertices[loop[best]];
+    const Vec3 b = vertices[loop[best + 1]];
+    const bool isNeedle =
+        !(most > kNeedle * kNeedle * glm::dot(a - origin, a - origin) * glm::dot(b - origin, b - origin));
+    const Vec3 normal = glm::normalize(isNeedle ? exactCross(origin, a, b) : glm::cross(a - origin, b - origin));
+    return {normal, glm::dot(normal, origin)};
+}
+
+void addEdges(Polytope& polytope) {
+    for (const Loop& loop : polytope.faces) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const std::uint32_t next = loop[(k + 1) % loop.size()];
+            if (loop[k] < next) polytope.edges.push_back({loop[k], next});
+        }
+    }
+    std::sort(polytope.edges.begin(), polytope.edges.end());
+}
+
+}  // namespace
+
+Result<Polytope> convexHull(std::span<const Vec3> points) {
+    const Result<std::vector<HullTriangle>> triangles = hullTriangles(points);
+    if (!triangles) return triangles.error();
+    const std::vector<BoundaryEdge> edges = boundaryEdges(points, *triangles);
+    const std::vector<std::uint32_t> vertexOfPoint = vertexIndices(points.size(), edges);
+    Polytope polytope;
+    for (std::size_t point = 0; point < points.size(); ++point) {
+        if (vertexOfPoint[point] != kNoIndex) polytope.vertices.push_back(points[point]);
+    }
+    for (auto first = edges.begin(); first != edges.end();) {
+        const auto isOther = [&](const BoundaryEdge& edge) { return edge.face != first->face; };
+        const auto last = std::find_if(first, edges.end(), isOther);
+        polytope.faces.push_back(loopOf({first, last}, vertexOfPoint));
+        first = last;
+    }
+    std::sort(polytope.faces.begin(), polytope.faces.end());
+    for (const Loop& loop : polytope.faces) polytope.planes.push_back(planeOf(polytope.vertices, loop));
+    addEdges(polytope);
+    return polytope;
+}
+
+}  // namespace rubble

@@ -1,0 +1,88 @@
+#include "core/base/Random.h"
+#include "core/geometry/HullOverlap.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace rubble;
+
+namespace {
+
+/// A cube of side 1 about the origin.
+Polytope unitCube() { return extruded(Ring{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, -0.5, 0.5); }
+
+HullOverlap cubesApart(Vec3 between) { return hullOverlap(unitCube(), translated(unitCube(), between)); }
+
+bool isNear(const HullOverlap& overlap, double depth, Vec3 normal) {
+    return std::abs(overlap.depth - depth) < 1e-14 && glm::distance(overlap.normal, normal) < 1e-14;
+}
+
+Quat turned(double angle, Vec3 axis) { return glm::angleAxis(angle, axis); }
+
+}  // namespace
+
+class HullOverlapTest : public QObject {
+    Q_OBJECT
+private slots:
+    void touchingCubesHaveNoDepth() { QVERIFY(isNear(cubesApart({1.0, 0.25, 0.0}), 0.0, {1, 0, 0})); }
+    void aTenthDeep() {
+        QVERIFY(isNear(cubesApart({0.9, 0.0, 0.0}), 0.1, {1, 0, 0}));
+        QVERIFY(isNear(cubesApart({0.2, -0.9, 0.1}), 0.1, {0, -1, 0}));
+        QVERIFY(isNear(cubesApart({0.5, 0.5, 0.7}), 0.3, {0, 0, 1}));
+    }
+    void aGapIsNegative() { QVERIFY(isNear(cubesApart({0.0, 0.0, -3.0}), -2.0, {0, 0, -1})); }
+    void oneInsideTheOtherMustLeaveByTheNearestFace() {
+        const Polytope big = extruded(Ring{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -2.0, 2.0);
+        QVERIFY(isNear(hullOverlap(big, translated(unitCube(), {1.0, 0.0, 0.0})), 1.5, {1, 0, 0}));
+    }
+    void theOrderTurnsTheNormal() {
+        const Polytope other = translated(unitCube(), {0.9, 0.0, 0.0});
+        QVERIFY(isNear(hullOverlap(other, unitCube()), 0.1, {-1, 0, 0}));
+    }
+    void edgeOnEdgeNeedsTheCrossProduct() {
+        // Both cubes stand on an edge, along x and along y: half a diagonal each, so they touch at a distance of √2.
+        const double quarter = std::numbers::pi / 4.0;
+        const Pose below{{0.0, 0.0, 0.0}, turned(quarter, {1, 0, 0})};
+        const Pose touching{{0.0, 0.0, std::numbers::sqrt2}, turned(quarter, {0, 1, 0})};
+        QVERIFY(isNear(hullOverlap(unitCube(), below, unitCube(), touching), 0.0, {0, 0, 1}));
+        const Pose deep{{0.0, 0.0, std::numbers::sqrt2 - 0.1}, turned(quarter, {0, 1, 0})};
+        QVERIFY(isNear(hullOverlap(unitCube(), below, unitCube(), deep), 0.1, {0, 0, 1}));
+    }
+    void posesPlaceTheBodies() {
+        // A quarter turn about z takes the longer side from x to y.
+        const Polytope plank = extruded(Ring{{-2, -0.5}, {2, -0.5}, {2, 0.5}, {-2, 0.5}}, -0.5, 0.5);
+        const Pose upright{{0.0, 2.4, 0.0}, turned(std::numbers::pi / 2.0, {0, 0, 1})};
+        QVERIFY(isNear(hullOverlap(unitCube(), Pose{}, plank, upright), 0.1, {0, 1, 0}));
+    }
+    void farBodiesKeepTheirDigits() {
+        const Vec3 far{1e6, -1e6, 1e6};
+        const Polytope a = translated(unitCube(), far);
+        const Polytope b = translated(unitCube(), far + Vec3(0.75, 0.0, 0.0));
+        QVERIFY(isNear(hullOverlap(a, b), 0.25, {1, 0, 0}));
+        const HullOverlap posed = hullOverlap(unitCube(), {far, turned(0, {0, 0, 1})}, unitCube(),
+                                              {far + Vec3(0.75, 0.0, 0.0), turned(0, {0, 0, 1})});
+        QVERIFY(isNear(posed, 0.25, {1, 0, 0}));
+    }
+    void movingApartByTheDepthMakesThemTouch() {
+        const std::uint64_t seed = 9;
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        const auto between = [&](double low, double high) { return random.between(low, high); };
+        for (int round = 0; round < 200; ++round) {
+            const Vec3 axis = glm::normalize(Vec3(between(-1, 1), between(-1, 1), between(0.1, 1)));
+            const Pose first{{0, 0, 0}, turned(between(0, 3), axis)};
+            Pose second{{between(-1, 1), between(-1, 1), between(-1, 1)}, turned(between(0, 3), {0, 0, 1})};
+            const HullOverlap overlap = hullOverlap(unitCube(), first, unitCube(), second);
+            if (overlap.depth < 0.0) continue;
+            second.position += overlap.depth * overlap.normal;
+            QVERIFY(std::abs(hullOverlap(unitCube(), first, unitCube(), second).depth) < 1e-14);
+            second.position += 0.5 * overlap.normal;
+            QVERIFY(hullOverlap(unitCube(), first, unitCube(), second).depth <= -0.5 + 1e-14);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(HullOverlapTest)
+#include "HullOverlapTest.moc"
