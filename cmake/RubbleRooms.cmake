@@ -1,5 +1,5 @@
 # A room is one library in one folder. It names the rooms it may use; that list links it and is
-# also what the build checks every #include against.
+# also what the build checks every #include against. Main.cpp belongs to a program beside it.
 
 # rubble_room(<folder> USES <folder>... LINKS <target>... PRIVATE <target>...)
 #   USES     rooms whose headers this room may include (transitively)
@@ -10,6 +10,7 @@ function(rubble_room folder)
   rubble_room_target(${folder} target)
   file(GLOB sources CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  list(FILTER sources EXCLUDE REGEX "/Main\\.cpp$")
   add_library(${target} STATIC ${sources})
   target_link_libraries(${target} PUBLIC rubble_compile ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE})
   set(allowed ${folder})

@@ -1,0 +1,72 @@
+#include "app/cli/Cli.h"
+
+#include "app/cli/Verb.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kDescription =
+    "Rubble makes solids breakable: it cuts prisms into Voronoi fragments and writes them for 3D programs and engines.";
+
+constexpr const char* kFooter = R"(Results go to standard output, one sentence a fault to standard error.
+Exit status: 0 success, 1 bad input, 2 wrong usage, 130 stopped by Ctrl+C.
+
+Examples:
+  rubble-cli new wall.rubble
+  rubble-cli import crate.glb --into wall.rubble
+  rubble-cli draw wall.rubble --out wall.svg
+  rubble-cli export wall.rubble --out packs)";
+
+/// The first line of a fault, as one sentence that also says where help is.
+std::string usageSentence(const CLI::App& program, const CLI::ParseError& fault) {
+    std::string sentence = fault.what();
+    sentence.erase(std::min(sentence.find('\n'), sentence.size()));
+    while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.pop_back();
+    std::string help = "rubble-cli";
+    for (const CLI::App* verb : program.get_subcommands()) help += " " + verb->get_name();
+    return sentence + "; see " + help + " --help.";
+}
+
+int endedBy(const Status& status, const CliContext& context) {
+    if (status) return kExitSuccess;
+    context.err << status.error().message << '\n';
+    return status.error().code == ErrorCode::Cancelled ? kExitCancelled : kExitBadInput;
+}
+
+}  // namespace
+
+int runCli(const std::vector<std::string>& arguments, const CliContext& context) {
+    CLI::App program(kDescription, "rubble-cli");
+    program.footer(kFooter);
+    program.set_version_flag("--version", "rubble-cli " RUBBLE_VERSION, "Print the version and exit");
+    program.set_help_flag("-h,--help", "Print this help and exit");
+    program.require_subcommand(0, 1);  // none is told below, in our words
+    program.get_formatter()->column_width(34);
+    program.get_formatter()->label("SUBCOMMAND", "VERB");
+    program.get_formatter()->label("Subcommands", "Verbs");
+    const std::vector<Verb> verbs = {};
+    try {
+        program.parse(
+            std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them back to front
+    } catch (const CLI::Success& request) {
+        program.exit(request, context.out, context.err);
+        return kExitSuccess;
+    } catch (const CLI::ParseError& fault) {
+        context.err << usageSentence(program, fault) << '\n';
+        return kExitUsage;
+    }
+    const auto chosen =
+        std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.command->parsed(); });
+    if (chosen == verbs.end()) {
+        context.err << "No verb is given; see rubble-cli --help.\n";
+        return kExitUsage;
+    }
+    return endedBy(chosen->action(context), context);
+}
+
+}  // namespace rubble

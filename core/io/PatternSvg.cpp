@@ -1,0 +1,238 @@
+#include "core/io/PatternSvg.h"
+
+#include "core/base/Random.h"
+#include "core/io/NumberText.h"
+#include "core/io/SvgText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
+
+namespace rubble {
+namespace {
+
+// All in pixels.
+constexpr double kColumnWidth = 360.0;
+constexpr double kTallest = 320.0;  // so that a tower does not fill the screen
+constexpr double kSpace = 32.0;     // around everything
+constexpr double kBleed = 10.0;     // around an outline, where seeds outside it still show
+constexpr double kTitleHeight = 50.0;
+constexpr double kScaleBarHeight = 34.0;
+constexpr double kLegendHeight = 24.0;
+constexpr std::size_t kMostColumns = 3;
+
+// Light enough for lines and dots to stand out; no two are mistaken for each other side by side.
+constexpr std::array<std::string_view, 8> kCellColours = {"#f6d5c3", "#cfe3d4", "#f8e8b8", "#cddcef",
+                                                          "#ead3e4", "#dfe8c2", "#c8e4e6", "#e3d9c9"};
+
+std::string numberText(double value) {
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+/// Metres as a reader wants them: to the millimetre where that says anything.
+std::string lengthText(double metres) {
+    const double rounded = std::round(metres * 1000.0) / 1000.0;
+    return numberText(rounded > 0.0 ? rounded : metres);
+}
+
+/// Where a panel stands on the sheet and how its metres become pixels.
+struct Frame {
+    Box2 bounds;         // of the outline, m
+    double scale = 1.0;  // pixels a metre
+    Vec2 corner;         // of the drawing, top left
+
+    Vec2 size() const { return bounds.size() * scale; }
+    Vec2 pixels(Vec2 point) const { return corner + Vec2(point.x - bounds.min.x, bounds.max.y - point.y) * scale; }
+};
+
+Frame frameOf(const PatternPanel& panel) {
+    Frame frame;
+    frame.bounds = boundsOf(panel.prism.outline.outer);
+    const Vec2 size = frame.bounds.size();
+    frame.scale = std::min((kColumnWidth - 2.0 * kBleed) / size.x, (kTallest - 2.0 * kBleed) / size.y);
+    return frame;
+}
+
+/// Puts the frames into rows, each as tall as its tallest; gives the height of all.
+double arrange(std::vector<Frame>& frames) {
+    double top = kSpace;
+    for (std::size_t row = 0; row < frames.size(); row += kMostColumns) {
+        const std::size_t end = std::min(row + kMostColumns, frames.size());
+        double tallest = 0.0;
+        for (std::size_t i = row; i < end; ++i) tallest = std::max(tallest, frames[i].size().y);
+        for (std::size_t i = row; i < end; ++i) {
+            const double left = kSpace + static_cast<double>(i - row) * (kColumnWidth + kSpace) + kBleed;
+            frames[i].corner = {left, top + kTitleHeight + kBleed + (tallest - frames[i].size().y)};
+        }
+        top += kTitleHeight + 2.0 * kBleed + tallest + kScaleBarHeight + kSpace;
+    }
+    return top;
+}
+
+void appendRing(SvgText& svg, const Frame& frame, std::span<const Vec2> ring, Vec2 origin) {
+    for (std::size_t i = 0; i < ring.size(); ++i) svg << (i == 0 ? 'M' : 'L') << frame.pixels(origin + ring[i]);
+    svg << 'Z';
+}
+
+void appendPolygon(SvgText& svg, const Frame& frame, const Polygon& polygon, Vec2 origin) {
+    appendRing(svg, frame, polygon.outer, origin);
+    for (const Ring& hole : polygon.holes) appendRing(svg, frame, hole, origin);
+}
+
+/// One colour a piece: the same for all pieces of a seed, another than its neighbours' where the palette allows.
+std::vector<std::size_t> pieceColours(const Partition& partition) {
+    constexpr std::size_t kUncoloured = kCellColours.size();
+    std::vector<std::size_t> colours(partition.pieceCount(), kUncoloured);
+    for (std::uint32_t first = 0, end = 0; first < partition.pieceCount(); first = end) {
+        const std::uint32_t seed = partition.seedOfPiece[first];
+        while (end < partition.pieceCount() && partition.seedOfPiece[end] == seed) ++end;
+        std::array<bool, kCellColours.size() + 1> isTaken{};
+        const std::uint32_t firstCorner = partition.cornersOfRing[partition.ringsOfPiece[first]];
+        const std::uint32_t endCorner = partition.cornersOfRing[partition.ringsOfPiece[end]];
+        for (std::uint32_t corner = firstCorner; corner < endCorner; ++corner) {
+            if (partition.across[corner] != kNone) isTaken[colours[partition.across[corner]]] = true;
+        }
+        std::size_t colour = mixed(seed) % kCellColours.size();
+        for (std::size_t tried = 0; tried < kCellColours.size() && isTaken[colour]; ++tried) {
+            colour = (colour + 1) % kCellColours.size();
+        }
+        std::fill(colours.begin() + first, colours.begin() + end, colour);
+    }
+    return colours;
+}
+
+void drawCells(SvgText& svg, const Frame& frame, const Partition& partition) {
+    const std::vector<std::size_t> colours = pieceColours(partition);
+    svg << "<g stroke=\"#8a7f72\" stroke-width=\"1\" stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n";
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        svg << "<path fill=\"" << kCellColours[colours[piece]] << "\" d=\"";
+        appendPolygon(svg, frame, pieceOutline(partition, piece), partition.origin);
+        svg << "\"/>\n";
+    }
+    svg << "</g>\n";
+}
+
+void drawTriangles(SvgText& svg, const Frame& frame, const PatternPanel& panel) {
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    for (const auto& triangle : panel.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+            edges.push_back({low, high});
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    svg << "<path fill=\"none\" stroke=\"#3d6fb4\" stroke-opacity=\"0.55\" stroke-width=\"0.8\" d=\"";
+    for (const auto& edge : edges) {
+        svg << 'M' << frame.pixels(panel.seeds[edge[0]]) << 'L' << frame.pixels(panel.seeds[edge[1]]);
+    }
+    svg << "\"/>\n";
+}
+
+/// Small enough for a crowd of seeds not to hide its cells.
+double dotRadius(const Frame& frame, std::size_t seedCount) {
+    const Vec2 size = frame.size();
+    return std::clamp(0.1 * std::sqrt(size.x * size.y / static_cast<double>(seedCount)), 0.6, 3.2);
+}
+
+void drawSeeds(SvgText& svg, const Frame& frame, const PatternPanel& panel) {
+    const double radius = dotRadius(frame, panel.seeds.size());
+    svg << "<g fill=\"#b3261e\" stroke=\"#b3261e\" stroke-width=\"0.8\">\n";
+    for (std::size_t seed = 0; seed < panel.seeds.size(); ++seed) {
+        const Vec2 at = frame.pixels(panel.seeds[seed]);
+        svg << "<circle cx=\"" << at.x << "\" cy=\"" << at.y << "\" r=\"" << radius;
+        svg << (panel.partition.pieceOfSeed[seed] == kNone ? "\" fill=\"none\"/>\n" : "\"/>\n");
+    }
+    svg << "</g>\n";
+}
+
+/// A bar of 1, 2 or 5 times a power of ten, at most half as wide as the outline.
+void drawScaleBar(SvgText& svg, const Frame& frame) {
+    const double widest = frame.bounds.size().x / 2.0;
+    double unit = 1.0;
+    while (unit > widest) unit /= 10.0;
+    while (unit * 10.0 <= widest) unit *= 10.0;
+    const double length = unit * (5.0 * unit <= widest ? 5.0 : 2.0 * unit <= widest ? 2.0 : 1.0);
+    const Vec2 start(frame.corner.x, frame.corner.y + frame.size().y + kBleed + 10.0);
+    const double end = start.x + length * frame.scale;
+    svg << "<path fill=\"none\" stroke=\"#555\" d=\"M" << start << "v6H" << end << "v-6\"/>\n";
+    svg << "<text x=\"" << end + 6.0 << "\" y=\"" << start.y + 9.0 << "\" font-size=\"11\" fill=\"#555\">";
+    svg << numberText(length) << " m</text>\n";
+}
+
+void drawTitle(SvgText& svg, const Frame& frame, double top, const PatternPanel& panel) {
+    const Vec2 size = frame.bounds.size();
+    const auto cells = panel.partition.pieceOfSeed.size() -
+                       static_cast<std::size_t>(
+                           std::count(panel.partition.pieceOfSeed.begin(), panel.partition.pieceOfSeed.end(), kNone));
+    svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top << "\" font-size=\"17\" font-weight=\"bold\">";
+    svg << escapedXml(panel.title) << "</text>\n";
+    svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top + 19.0 << "\" font-size=\"12\" fill=\"#555\">";
+    svg << std::to_string(panel.seeds.size()) << " seeds, " << std::to_string(cells) << " cells; ";
+    svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth) << " m</text>\n";
+}
+
+void drawPanel(SvgText& svg, const Frame& frame, std::size_t index, const PatternPanel& panel,
+               const PatternShown& shown) {
+    drawTitle(svg, frame, frame.corner.y - kBleed - kTitleHeight + 20.0, panel);
+    const Vec2 corner = frame.corner - Vec2(kBleed);
+    const Vec2 size = frame.size() + Vec2(2.0 * kBleed);
+    const std::string clip = "panel" + std::to_string(index);
+    svg << "<clipPath id=\"" << clip << "\"><rect x=\"" << corner.x << "\" y=\"" << corner.y << "\" width=\"" << size.x;
+    svg << "\" height=\"" << size.y << "\"/></clipPath>\n<g clip-path=\"url(#" << clip << ")\">\n";
+    if (shown.cells) drawCells(svg, frame, panel.partition);
+    if (shown.triangles) drawTriangles(svg, frame, panel);
+    svg << "<path fill=\"none\" stroke=\"#3a342d\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"";
+    appendPolygon(svg, frame, panel.prism.outline, Vec2(0.0));
+    svg << "\"/>\n";
+    if (shown.seeds && !panel.seeds.empty()) drawSeeds(svg, frame, panel);
+    svg << "</g>\n";
+    drawScaleBar(svg, frame);
+}
+
+void drawLegend(SvgText& svg, double top, const PatternShown& shown) {
+    double left = kSpace + kBleed;
+    const auto entry = [&](std::string_view sign, std::string_view text, double width) {
+        svg << "<g transform=\"translate(" << left << ' ' << top << ")\">" << sign << "<text x=\"26\" y=\"4\">" << text;
+        svg << "</text></g>\n";
+        left += width;
+    };
+    svg << "<g font-size=\"12\" fill=\"#333\">\n";
+    entry("<path fill=\"none\" stroke=\"#3a342d\" stroke-width=\"2\" d=\"M0 0H18\"/>", "outline", 96.0);
+    if (shown.seeds) {
+        entry("<circle cx=\"9\" r=\"3.2\" fill=\"#b3261e\"/>", "seed", 80.0);
+        entry("<circle cx=\"9\" r=\"3.2\" fill=\"none\" stroke=\"#b3261e\"/>", "seed without a cell", 156.0);
+    }
+    if (shown.triangles) {
+        entry("<path stroke=\"#3d6fb4\" d=\"M0 0H18\"/>", "Delaunay triangulation", 176.0);
+    }
+    if (shown.cells) {
+        entry("<rect y=\"-6\" width=\"18\" height=\"12\" fill=\"#cfe3d4\" stroke=\"#8a7f72\"/>", "Voronoi cell", 120.0);
+    }
+    svg << "</g>\n";
+}
+
+}  // namespace
+
+std::string patternSvg(std::span<const PatternPanel> panels, const PatternShown& shown) {
+    std::vector<Frame> frames;
+    for (const PatternPanel& panel : panels) frames.push_back(frameOf(panel));
+    const double legendTop = arrange(frames);
+    // The legend needs two columns even where there is one panel.
+    const auto columns = static_cast<double>(std::clamp<std::size_t>(panels.size(), 2, kMostColumns));
+    const Vec2 size(kSpace + columns * (kColumnWidth + kSpace), legendTop + kLegendHeight + kSpace / 2.0);
+
+    SvgText svg;
+    svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << size.x << "\" height=\"" << size.y;
+    svg << "\" viewBox=\"0 0 " << size << "\" font-family=\"sans-serif\">\n";
+    svg << "<rect width=\"" << size.x << "\" height=\"" << size.y << "\" fill=\"#fffdf9\"/>\n";
+    for (std::size_t i = 0; i < panels.size(); ++i) drawPanel(svg, frames[i], i, panels[i], shown);
+    drawLegend(svg, legendTop, shown);
+    svg << "</svg>\n";
+    return std::move(svg).text();
+}
+
+}  // namespace rubble
