@@ -9,7 +9,8 @@
 namespace rubble {
 
 /// Writes a whole file or nothing: to a temporary file beside it, flushed to disk, then renamed over it. On a fault the
-/// old file stays as it was and the temporary one is removed.
+/// old file stays as it was and the temporary one is removed. A link stays a link, permissions are kept; a device or a
+/// pipe is written to as it is.
 ///
 /// Errors: Io, with the path and the system's reason.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);

@@ -1,0 +1,160 @@
+#include "core/io/AtomicFile.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files above a size cannot be written while it lives, as on a full disk.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        m_oldAction = std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &m_old);
+        const rlimit limited{bytes, m_old.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limited);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &m_old);
+        std::signal(SIGXFSZ, m_oldAction);
+    }
+
+private:
+    rlimit m_old{};
+    void (*m_oldAction)(int) = nullptr;
+};
+
+/// Permissions count for root only after it has become somebody else.
+class AsNobody {
+public:
+    AsNobody() : m_wasRoot(::geteuid() == 0 && ::seteuid(65534) == 0) {}
+    ~AsNobody() {
+        if (m_wasRoot) m_isBack = ::seteuid(0) == 0;
+    }
+
+private:
+    bool m_wasRoot;
+    bool m_isBack = false;
+};
+
+std::size_t entryCount(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+class AtomicFileTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    fs::path inFolder(const char* name) const { return fs::path(m_folder.path().toStdString()) / name; }
+
+private slots:
+    void cleanup() {
+        for (const fs::directory_entry& entry : fs::directory_iterator(inFolder(""))) fs::remove_all(entry);
+    }
+    void bytesComeBackWhole() {
+        const std::string bytes("a\0b\n", 4);
+        QVERIFY(writeFileAtomically(inFolder("file"), bytes));
+        QCOMPARE(*readFile(inFolder("file")), bytes);
+        QVERIFY(writeFileAtomically(inFolder("file"), ""));
+        QCOMPARE(*readFile(inFolder("file")), std::string());
+        QCOMPARE(entryCount(inFolder("")), std::size_t{1});
+    }
+    void fullDiskLeavesTheOldFileWhole() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        const FileSizeLimit limit(1000);
+        const Status status = writeFileAtomically(inFolder("file"), std::string(1001, 'x'));
+        QCOMPARE(status.error().code, ErrorCode::Io);
+        QCOMPARE(status.error().message, "Cannot write \"" + inFolder("file").string() + "\": File too large.");
+        QCOMPARE(*readFile(inFolder("file")), std::string("old"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{1});
+    }
+    void fullDeviceSaysSo() {
+        const Status status = writeFileAtomically("/dev/full", "x");
+        QCOMPARE(status.error().code, ErrorCode::Io);
+        QCOMPARE(status.error().message, std::string("Cannot write \"/dev/full\": No space left on device."));
+    }
+    void deviceIsNotReplaced() {
+        QVERIFY(writeFileAtomically("/dev/null", "x"));
+        QVERIFY(fs::is_character_file("/dev/null"));
+    }
+    void folderInTheWayIsRefused() {
+        fs::create_directory(inFolder("folder"));
+        const Status status = writeFileAtomically(inFolder("folder"), "x");
+        QCOMPARE(status.error().message, "Cannot write \"" + inFolder("folder").string() + "\": Is a directory.");
+        QCOMPARE(entryCount(inFolder("")), std::size_t{1});
+    }
+    void missingFolderIsRefused() {
+        const Status status = writeFileAtomically(inFolder("none/file"), "x");
+        QCOMPARE(status.error().message,
+                 "Cannot write \"" + inFolder("none/file").string() + "\": No such file or directory.");
+    }
+    void unwritableFolderIsRefused() {
+        fs::permissions(inFolder(""), fs::perms(0755));
+        fs::create_directory(inFolder("locked"));
+        QVERIFY(writeFileAtomically(inFolder("locked/file"), "old"));
+        fs::permissions(inFolder("locked/file"), fs::perms(0666));
+        fs::permissions(inFolder("locked"), fs::perms(0555));
+        {
+            const AsNobody nobody;
+            const Status status = writeFileAtomically(inFolder("locked/file"), "new");
+            QCOMPARE(status.error().message,
+                     "Cannot write \"" + inFolder("locked/file").string() + "\": Permission denied.");
+            QCOMPARE(*readFile(inFolder("locked/file")), std::string("old"));
+        }
+        fs::permissions(inFolder("locked"), fs::perms(0755));
+    }
+    void protectedFileIsRefused() {
+        fs::permissions(inFolder(""), fs::perms(0777));
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        fs::permissions(inFolder("file"), fs::perms(0444));
+        const AsNobody nobody;
+        QCOMPARE(writeFileAtomically(inFolder("file"), "new").error().code, ErrorCode::Io);
+        QCOMPARE(*readFile(inFolder("file")), std::string("old"));
+    }
+    void permissionsAndLinksAreKept() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        fs::permissions(inFolder("file"), fs::perms(0660));
+        fs::create_symlink("file", inFolder("link"));
+        QVERIFY(writeFileAtomically(inFolder("link"), "new"));
+        QVERIFY(fs::is_symlink(inFolder("link")));
+        QCOMPARE(*readFile(inFolder("file")), std::string("new"));
+        QCOMPARE(fs::status(inFolder("file")).permissions(), fs::perms(0660));
+    }
+    void missingFileIsNotFound() {
+        const Result<std::string> read = readFile(inFolder("none"));
+        QCOMPARE(read.error().code, ErrorCode::NotFound);
+        QCOMPARE(read.error().message, "Cannot read \"" + inFolder("none").string() + "\": No such file or directory.");
+    }
+    void folderCannotBeRead() { QCOMPARE(readFile(inFolder("")).error().code, ErrorCode::Io); }
+    void hugeFileIsRefused() {
+        std::ofstream(inFolder("huge")).put('x');
+        fs::resize_file(inFolder("huge"), (std::uintmax_t{1} << 30) + 1);  // a hole: takes no room
+        const Result<std::string> read = readFile(inFolder("huge"));
+        QCOMPARE(read.error().code, ErrorCode::Limit);
+        QCOMPARE(read.error().message, "Cannot read \"" + inFolder("huge").string() + "\": it is larger than 1 GiB.");
+    }
+    void pipeIsReadToItsEnd() {
+        int ends[2];
+        QCOMPARE(::pipe(ends), 0);
+        const std::string bytes(50000, 'x');
+        QCOMPARE(::write(ends[1], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+        ::close(ends[1]);
+        QCOMPARE(*readFile("/dev/fd/" + std::to_string(ends[0])), bytes);
+        ::close(ends[0]);
+    }
+};
+
+QTEST_APPLESS_MAIN(AtomicFileTest)
+#include "AtomicFileTest.moc"
