@@ -14,7 +14,7 @@ struct Prism {
 
 /// The prism with its outline in canonical winding.
 ///
-/// Errors: those of validated(Polygon); BadInput where the depth is not finite, zero or negative.
+/// Errors: those of validated(Polygon); BadInput where the depth is not finite, zero, negative or out of range.
 Result<Prism> validated(Prism prism);
 
 }  // namespace rubble
