@@ -135,10 +135,10 @@ Result<std::string> readFile(const std::filesystem::path& path) {
     if (!file.isOpen()) return cannotRead(path, errno);
     struct stat status {};
     if (::fstat(file.descriptor(), &status) != 0) return cannotRead(path, errno);
+    if (status.st_size > static_cast<off_t>(kLargestFile)) return tooLarge(path);
     std::string bytes(status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : 65536, '\0');
     std::size_t used = 0;
     for (;;) {
-        if (bytes.size() > kLargestFile + 1) return tooLarge(path);
         const ssize_t count = ::read(file.descriptor(), bytes.data() + used, bytes.size() - used);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return cannotRead(path, errno);

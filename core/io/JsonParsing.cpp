@@ -1,0 +1,144 @@
+#include "core/io/JsonReading.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kLargestText = std::size_t{256} << 20;  // bytes; a value takes at most 12 times its text
+constexpr std::size_t kDeepest = 64;                          // our own formats nest a dozen levels
+
+struct TextPosition {
+    std::size_t line = 1;
+    std::size_t column = 1;
+};
+
+/// Where the byte before `position` stands; both count from 1.
+TextPosition textPosition(std::string_view text, std::size_t position) {
+    TextPosition result;
+    const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
+    result.line += static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    const std::size_t lineStart = before.rfind('\n');
+    result.column += before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
+    return result;
+}
+
+/// What the library says, without its prefix and without the bytes it read last: "unexpected ']'; expected ...".
+std::string parserReason(std::string_view message) {
+    if (message.find("number overflow") != std::string_view::npos) return "a number is too large";
+    const std::size_t start = message.find(" - ");
+    if (start != std::string_view::npos) message.remove_prefix(start + 3);
+    const std::size_t lastRead = message.find("; last read: '");
+    return std::string(message.substr(0, lastRead));
+}
+
+}  // namespace
+
+/// Takes the library's events and lays the values out in a row.
+class JsonDocument::Builder {
+public:
+    Builder(JsonDocument& document, std::string_view text) : m_document(document), m_text(text) {}
+
+    bool null() { return add(Kind::Null, 0); }
+    bool boolean(bool value) { return add(value ? Kind::True : Kind::False, 0); }
+    bool number_integer(std::int64_t value) { return add(Kind::Negative, std::bit_cast<std::uint64_t>(value)); }
+    bool number_unsigned(std::uint64_t value) { return add(Kind::Unsigned, value); }
+    bool number_float(double value, const std::string&) { return add(Kind::Real, std::bit_cast<std::uint64_t>(value)); }
+    bool string(std::string& value) { return add(Kind::Text, kept(value)); }
+    bool binary(std::vector<std::uint8_t>&) { return false; }  // JSON text has none
+    bool key(std::string& value) {
+        m_key = kept(value);
+        return true;
+    }
+    bool start_object(std::size_t) { return open(Kind::Object); }
+    bool start_array(std::size_t) { return open(Kind::Array); }
+    bool end_array() { return close(); }
+    bool end_object() { return close() && keysDiffer(static_cast<std::uint32_t>(m_last)); }
+
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& fault) {
+        const TextPosition at = textPosition(m_text, position);
+        return refuse({ErrorCode::BadInput, "The text is not JSON at line " + std::to_string(at.line) + ", column " +
+                                                std::to_string(at.column) + ": " + parserReason(fault.what()) + "."});
+    }
+
+private:
+    bool refuse(Error error) {
+        m_document.m_fault = std::move(error);
+        return false;
+    }
+
+    std::uint32_t kept(const std::string& text) {
+        const auto at = static_cast<std::uint32_t>(m_document.m_texts.size());
+        const auto length = static_cast<std::uint32_t>(text.size());
+        char bytes[sizeof length];
+        std::memcpy(bytes, &length, sizeof length);
+        m_document.m_texts.append(bytes, sizeof length).append(text);
+        return at;
+    }
+
+    bool add(Kind kind, std::uint64_t bits) {
+        std::vector<Node>& nodes = m_document.m_nodes;
+        if (!m_open.empty()) ++nodes[m_open.back()].count;
+        nodes.push_back({bits, m_key, static_cast<std::uint32_t>(nodes.size() + 1), 0, kind});
+        return true;
+    }
+
+    bool open(Kind kind) {
+        if (m_open.size() == kDeepest) {
+            return refuse(
+                {ErrorCode::Limit, "The JSON is nested deeper than " + std::to_string(kDeepest) + " levels."});
+        }
+        add(kind, 0);
+        m_open.push_back(static_cast<std::uint32_t>(m_document.m_nodes.size() - 1));
+        m_document.m_nodes.back().end = 0xffffffffu;  // until it is closed: whatever comes lies inside
+        return true;
+    }
+
+    bool close() {
+        m_last = m_open.back();
+        m_open.pop_back();
+        m_document.m_nodes[m_last].end = static_cast<std::uint32_t>(m_document.m_nodes.size());
+        return true;
+    }
+
+    bool keysDiffer(std::uint32_t object) {
+        const std::vector<Node>& nodes = m_document.m_nodes;
+        m_keys.clear();
+        for (std::uint32_t child = object + 1; child < nodes[object].end; child = nodes[child].end)
+            m_keys.push_back(m_document.textAt(nodes[child].key));
+        std::ranges::sort(m_keys);
+        const auto twice = std::ranges::adjacent_find(m_keys);
+        if (twice == m_keys.end()) return true;
+        return refuse({ErrorCode::BadInput, m_document.pathOf(object) + ": the key \"" +
+                                                std::string(twice->substr(0, 40)) + "\" comes twice."});
+    }
+
+    JsonDocument& m_document;
+    std::string_view m_text;
+    std::vector<std::uint32_t> m_open;  // containers, outermost first
+    std::uint32_t m_key = 0;
+    std::uint32_t m_last = 0;  // the container closed last
+    std::vector<std::string_view> m_keys;
+};
+
+Result<JsonDocument> JsonDocument::parse(std::string_view text) {
+    if (text.size() > kLargestText)
+        return Error{ErrorCode::Limit, "The JSON is larger than 256 MiB: " + std::to_string(text.size()) + " bytes."};
+    JsonDocument document;
+    Builder builder(document, text);
+    if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return *document.m_fault;
+    return document;
+}
+
+JsonValue JsonDocument::root() { return {this, 0}; }
+
+std::string_view JsonDocument::textAt(std::uint64_t at) const {
+    std::uint32_t length = 0;
+    std::memcpy(&length, m_texts.data() + at, sizeof length);
+    return std::string_view(m_texts).substr(at + sizeof length, length);
+}
+
+}  // namespace rubble
