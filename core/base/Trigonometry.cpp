@@ -1,0 +1,78 @@
+#include "core/base/Trigonometry.h"
+
+#include "core/base/Assert.h"
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+/// angle = quarterTurns · pi/2 + high + low, |high| <= pi/4 and a little.
+struct ReducedAngle {
+    int quarterTurns;  // modulo four
+    double high;
+    double low;
+};
+
+ReducedAngle reduced(double angle) {
+    // pi/2 in parts of 33 bits: a product with a number of turns below 2^20 is exact.
+    constexpr double kFirst = 0x1.921fb544p+0;
+    constexpr double kSecond = 0x1.0b4611a6p-34;
+    constexpr double kRest = 0x1.3198a2e037073p-69;
+    constexpr double kTurnsPerRadian = 0x1.45f306dc9c883p-1;
+    RUBBLE_ASSERT(std::abs(angle) <= kLargestAngle);
+    const double turns = std::nearbyint(angle * kTurnsPerRadian);
+    const double afterFirst = angle - turns * kFirst;
+    const double second = turns * kSecond;
+    const double high = afterFirst - second;
+    const double bVirtual = afterFirst - high;
+    const double lost = (afterFirst - (high + bVirtual)) + (bVirtual - second);
+    const double low = lost - turns * kRest;
+    // Once more rounded to a pair: near a multiple of pi/2 `low` matters as much as `high`.
+    const double sum = high + low;
+    return {static_cast<int>(static_cast<long long>(turns) & 3), sum, (high - sum) + low};
+}
+
+double sineNearZero(double x, double tail) {
+    constexpr double kS1 = -1.66666666666666324348e-01, kS2 = 8.33333333332248946124e-03,
+                     kS3 = -1.98412698298579493134e-04, kS4 = 2.75573137070700676789e-06,
+                     kS5 = -2.50507602534068634195e-08, kS6 = 1.58969099521155010221e-10;
+    const double z = x * x;
+    const double r = kS2 + z * (kS3 + z * kS4) + z * (z * z) * (kS5 + z * kS6);
+    const double cube = z * x;
+    return x - ((z * (0.5 * tail - cube * r) - tail) - cube * kS1);
+}
+
+double cosineNearZero(double x, double tail) {
+    constexpr double kC1 = 4.16666666666666019037e-02, kC2 = -1.38888888888741095749e-03,
+                     kC3 = 2.48015872894767294178e-05, kC4 = -2.75573143513906633035e-07,
+                     kC5 = 2.08757232129817482790e-09, kC6 = -1.13596475577881948265e-11;
+    const double z = x * x;
+    const double square = z * z;
+    const double r = z * (kC1 + z * (kC2 + z * kC3)) + square * square * (kC4 + z * (kC5 + z * kC6));
+    const double half = 0.5 * z;
+    const double first = 1.0 - half;
+    return first + (((1.0 - first) - half) + (z * r - x * tail));
+}
+
+double sineOf(const ReducedAngle& angle) {
+    switch (angle.quarterTurns) {
+        case 0: return sineNearZero(angle.high, angle.low);
+        case 1: return cosineNearZero(angle.high, angle.low);
+        case 2: return -sineNearZero(angle.high, angle.low);
+        default: return -cosineNearZero(angle.high, angle.low);
+    }
+}
+
+}  // namespace
+
+double sine(double angle) { return sineOf(reduced(angle)); }
+
+double cosine(double angle) {
+    ReducedAngle ahead = reduced(angle);
+    ahead.quarterTurns = (ahead.quarterTurns + 1) & 3;
+    return sineOf(ahead);
+}
+
+}  // namespace rubble
