@@ -1,0 +1,54 @@
+#include "app/cli/Verb.h"
+#include "core/io/FractureJson.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter = R"(Input, from FILE or standard input:
+  {"outline":[[x,y],...], "holes":[[[x,y],...],...], "depth":d, "seeds":[[x,y],...]}
+"holes" may be left out; rings are not closed by a repeated point; metres.
+
+Output, on one line:
+  {"cells":[{"seed":i,"area":a,"centroid":[x,y],"pieces":[{"outer":[...],"holes":[...]}],"neighbours":[...]},...],
+   "triangles":[[a,b,c],...], "report":[{"code":"DuplicateSeed","seed":j,"of":i,"message":"..."},...]}
+Cells stand in seed order, for every seed that has one; indices are the input's.
+
+Examples:
+  rubble-cli fracture pane.json > cells.json
+  echo '{"outline":[[0,0],[1,0],[1,1],[0,1]],"depth":1,"seeds":[[0.2,0.5],[0.7,0.5]]}' | rubble-cli fracture)";
+
+struct FractureOptions {
+    std::string input = "-";
+    FractureMethod method = FractureMethod::Exact;
+};
+
+Status fracture(const FractureOptions& options, const CliContext& context) {
+    const Result<std::string> text = readInput(options.input, context);
+    if (!text) return text.error();
+    const Result<FractureInput> input = readFractureInput(*text);
+    if (!input) return input.error();
+    const Result<std::string> json = fractureJson(*input, options.method, {.cancel = context.cancel});
+    if (!json) return json.error();
+    return writeOutput("-", *json, context);
+}
+
+}  // namespace
+
+Verb addFracture(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("fracture", "Cut one outline into Voronoi cells, JSON to JSON");
+    const auto options = std::make_shared<FractureOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->input, "The input; - for standard input")->capture_default_str();
+    const std::map<std::string, FractureMethod> methods = {{"exact", FractureMethod::Exact},
+                                                           {"thesis", FractureMethod::Thesis}};
+    command->add_option("--method", options->method, "exact, or thesis: the reference method with its faults")
+        ->transform(CLI::CheckedTransformer(methods).description(""))
+        ->option_text("exact|thesis");
+    return {command, [options](const CliContext& context) { return fracture(*options, context); }};
+}
+
+}  // namespace rubble

@@ -1,0 +1,98 @@
+#include "core/io/CellList.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// A piece in the input's coordinates. The origin was subtracted from the outline's own points without rounding, so that
+/// adding it gives their bits back.
+Polygon moved(Polygon local, Vec2 origin) {
+    for (Vec2& corner : local.outer) corner += origin;
+    for (Ring& hole : local.holes) {
+        for (Vec2& corner : hole) corner += origin;
+    }
+    return local;
+}
+
+/// The seeds behind the edges of pieces [first, end) that share at least `least` with them altogether.
+std::vector<std::uint32_t> neighboursOf(const Partition& partition, std::uint32_t first, std::uint32_t end,
+                                        double least) {
+    std::map<std::uint32_t, double> shared;  // m of common edges by seed
+    for (std::uint32_t piece = first; piece < end; ++piece) {
+        for (const Contact& contact : contactsOf(partition, piece, 0.0)) {
+            shared[partition.seedOfPiece[contact.piece]] += contact.length;
+        }
+    }
+    std::vector<std::uint32_t> neighbours;
+    for (const auto& [seed, length] : shared) {
+        if (length > least) neighbours.push_back(seed);
+    }
+    return neighbours;
+}
+
+Cell cellOf(const Partition& partition, std::uint32_t seed, double least) {
+    Cell cell{.seed = seed};
+    const std::uint32_t first = partition.pieceOfSeed[seed];
+    std::uint32_t piece = first;
+    Vec2 moment(0.0);
+    for (; piece < partition.pieceCount() && partition.seedOfPiece[piece] == seed; ++piece) {
+        Polygon local = pieceOutline(partition, piece);
+        const double pieceArea = area(local);
+        cell.area += pieceArea;
+        moment += pieceArea * centroid(local);
+        cell.pieces.push_back(moved(std::move(local), partition.origin));
+    }
+    // An area below the smallest number is zero, and then any corner is its centre.
+    cell.centroid = cell.area > 0.0 ? partition.origin + moment / cell.area : cell.pieces[0].outer[0];
+    cell.neighbours = neighboursOf(partition, first, piece, least);
+    return cell;
+}
+
+/// The seeds that a triangle joins to one, ascending.
+std::vector<std::uint32_t> joinedTo(std::uint32_t seed, const ThesisDiagram& diagram) {
+    std::vector<std::uint32_t> others;
+    for (const auto& triangle : diagram.triangles) {
+        if (std::find(triangle.begin(), triangle.end(), seed) == triangle.end()) continue;
+        for (const std::uint32_t other : triangle) {
+            if (other != seed) others.push_back(other);
+        }
+    }
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    return others;
+}
+
+bool isCell(const Ring& ring) {
+    return ring.size() >= 3 && std::all_of(ring.begin(), ring.end(), [](Vec2 corner) {
+               return std::isfinite(corner.x) && std::isfinite(corner.y);
+           });
+}
+
+}  // namespace
+
+std::vector<Cell> cellList(const Partition& partition, double least) {
+    std::vector<Cell> cells;
+    for (std::uint32_t seed = 0; seed < partition.pieceOfSeed.size(); ++seed) {
+        if (partition.pieceOfSeed[seed] != kNone) cells.push_back(cellOf(partition, seed, least));
+    }
+    return cells;
+}
+
+std::vector<Cell> cellList(const ThesisDiagram& diagram) {
+    std::vector<Cell> cells;
+    for (std::uint32_t seed = 0; seed < diagram.cells.size(); ++seed) {
+        if (!isCell(diagram.cells[seed])) continue;
+        Cell& cell = cells.emplace_back(Cell{.seed = seed});
+        cell.pieces.push_back(withCanonicalWinding({.outer = diagram.cells[seed], .holes = {}}));
+        cell.area = area(cell.pieces[0]);
+        cell.centroid = centroid(cell.pieces[0]);
+        cell.neighbours = joinedTo(seed, diagram);
+    }
+    return cells;
+}
+
+}  // namespace rubble
