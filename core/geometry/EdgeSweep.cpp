@@ -76,7 +76,7 @@ public:
         std::sort(m_contacts.begin(), m_contacts.end());
         m_contacts.erase(std::unique(m_contacts.begin(), m_contacts.end()), m_contacts.end());
         if (!m_contacts.empty()) m_parent.clear();
-        return {std::move(m_contacts), std::move(m_parent)};
+        return {std::move(m_contacts), std::move(m_parent), !m_suspects.empty()};
     }
 
 private:

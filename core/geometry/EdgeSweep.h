@@ -27,6 +27,7 @@ struct RingArrangement {
     std::vector<BoundaryContact> contacts;  // ascending, each once
     std::vector<std::uint32_t> parent;      // the ring directly around each ring, kNoRing where there is none;
                                             // empty where there are contacts
+    bool doEdgesCollide = false;  // whether two edges have more in common than one end; exact whatever `most` is
 };
 inline constexpr std::uint32_t kNoRing = 0xffffffffu;
 

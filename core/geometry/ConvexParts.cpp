@@ -1,0 +1,133 @@
+#include "core/geometry/ConvexParts.h"
+
+#include "core/geometry/EdgeSweep.h"
+#include "core/geometry/LinkedTriangles.h"
+#include "core/geometry/PolygonFaults.h"
+#include "core/geometry/Predicates.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rubble {
+
+namespace {
+
+/// True where a ring never turns right, goes round once and nowhere turns back on itself.
+bool isSimpleAndConvex(const Ring& ring) {
+    const std::size_t count = ring.size();
+    if (count < 3 || !std::all_of(ring.begin(), ring.end(), [](Vec2 point) { return isExactlyUsable(point); }))
+        return false;
+    int turningPoints = 0;  // corners at which the ring goes over from left to right or back
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 before = ring[i == 0 ? count - 1 : i - 1], here = ring[i], after = ring[i + 1 == count ? 0 : i + 1];
+        const bool turnsBack = sweepsBefore(before, here) != sweepsBefore(here, after);
+        const int turn = orient2d(before, here, after);
+        if (before == here || turn < 0 || (turn == 0 && turnsBack)) return false;
+        turningPoints += turnsBack ? 1 : 0;
+    }
+    return turningPoints == 2;
+}
+
+/// True where a sweep can look at the corners: usable, and no two neighbours equal.
+bool areSweepable(const NumberedCorners& corners) {
+    if (corners.points.empty()) return false;
+    for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner)
+        if (!isExactlyUsable(corners.points[corner]) || corners.points[corner] == corners.points[corners.next[corner]])
+            return false;
+    return true;
+}
+
+std::optional<LinkedTriangles> delaunayTriangles(const NumberedCorners& corners) {
+    if (!areSweepable(corners) || arrangementOf(corners, 1).doEdgesCollide) return std::nullopt;
+    const std::optional<std::vector<CornerTriangle>> swept = sweptTriangles(corners);
+    if (!swept) return std::nullopt;
+    std::optional<LinkedTriangles> triangles = linked(*swept, corners);
+    if (triangles) makeDelaunay(*triangles, corners);
+    return triangles;
+}
+
+Error notCuttable(const Polygon& polygon) {
+    const std::vector<PolygonFault> faults = polygonFaults(polygon, 1);
+    const std::string reason = faults.empty() ? "Its rings run the wrong way round." : faults[0].message;
+    return {ErrorCode::Crossing, "The polygon cannot be cut into convex parts. " + reason};
+}
+
+/// The faces that are left when half-edges are taken out of triangles.
+struct Faces {
+    explicit Faces(const LinkedTriangles& triangles)
+        : next(triangles.origin.size()), previous(triangles.origin.size()), isRemoved(triangles.origin.size()) {
+        for (std::uint32_t halfEdge = 0; halfEdge < triangles.halfEdgeCount(); ++halfEdge) {
+            next[halfEdge] = LinkedTriangles::next(halfEdge);
+            previous[halfEdge] = LinkedTriangles::previous(halfEdge);
+        }
+    }
+    void remove(std::uint32_t halfEdge, std::uint32_t twin) {
+        join(previous[halfEdge], next[twin]);
+        join(previous[twin], next[halfEdge]);
+        isRemoved[halfEdge] = isRemoved[twin] = true;
+    }
+    void join(std::uint32_t first, std::uint32_t second) {
+        next[first] = second;
+        previous[second] = first;
+    }
+
+    std::vector<std::uint32_t> next;
+    std::vector<std::uint32_t> previous;
+    std::vector<bool> isRemoved;
+};
+
+/// Takes out every inner edge that leaves both its ends convex.
+void removeNeedlessDiagonals(Faces& faces, const LinkedTriangles& triangles, const NumberedCorners& corners) {
+    const auto point = [&](std::uint32_t halfEdge) { return corners.points[triangles.origin[halfEdge]]; };
+    // The corner at the start of a half-edge as it will be when its twin's face has been joined.
+    const auto staysConvex = [&](std::uint32_t halfEdge, std::uint32_t twin) {
+        return orient2d(point(faces.previous[halfEdge]), point(halfEdge), point(faces.next[faces.next[twin]])) >= 0;
+    };
+    for (std::uint32_t halfEdge = 0; halfEdge < triangles.halfEdgeCount(); ++halfEdge) {
+        const std::uint32_t twin = triangles.twin[halfEdge];
+        if (twin == LinkedTriangles::kBoundary || twin < halfEdge) continue;
+        if (staysConvex(halfEdge, twin) && staysConvex(twin, halfEdge)) faces.remove(halfEdge, twin);
+    }
+}
+
+/// Every face as a loop from its lowest corner, in ascending order.
+IndexLoops loopsOf(const Faces& faces, const LinkedTriangles& triangles) {
+    IndexLoops loops;
+    std::vector<bool> isDone = faces.isRemoved;
+    for (std::uint32_t first = 0; first < triangles.halfEdgeCount(); ++first) {
+        if (isDone[first]) continue;
+        std::vector<std::uint32_t>& loop = loops.emplace_back();
+        for (std::uint32_t halfEdge = first; !isDone[halfEdge]; halfEdge = faces.next[halfEdge]) {
+            loop.push_back(triangles.origin[halfEdge]);
+            isDone[halfEdge] = true;
+        }
+        std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    }
+    std::sort(loops.begin(), loops.end());
+    return loops;
+}
+
+}  // namespace
+
+Result<IndexLoops> triangles(const Polygon& polygon) {
+    const NumberedCorners corners = numberedCorners(polygon);
+    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(corners);
+    if (!linkedTriangles) return notCuttable(polygon);
+    return loopsOf(Faces(*linkedTriangles), *linkedTriangles);
+}
+
+Result<IndexLoops> convexParts(const Polygon& polygon) {
+    if (polygon.holes.empty() && isSimpleAndConvex(polygon.outer)) {
+        IndexLoops whole(1, std::vector<std::uint32_t>(polygon.outer.size()));
+        std::iota(whole[0].begin(), whole[0].end(), 0u);
+        return whole;
+    }
+    const NumberedCorners corners = numberedCorners(polygon);
+    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(corners);
+    if (!linkedTriangles) return notCuttable(polygon);
+    Faces faces(*linkedTriangles);
+    removeNeedlessDiagonals(faces, *linkedTriangles, corners);
+    return loopsOf(faces, *linkedTriangles);
+}
+
+}  // namespace rubble

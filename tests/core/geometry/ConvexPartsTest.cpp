@@ -1,0 +1,269 @@
+#include "core/geometry/ConvexParts.h"
+
+#include "core/base/Random.h"
+#include "core/geometry/NumberedCorners.h"
+#include "core/geometry/PolygonFaults.h"
+#include "core/geometry/Predicates.h"
+#include "tests/support/Outlines.h"
+#include "tests/support/Polyomino.h"
+
+#include <QTest>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace rubble;
+
+namespace {
+
+using DirectedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+
+/// What is wrong with parts of a polygon; empty where they are convex, fill it and add no corner.
+std::string faultOf(const Polygon& polygon, const IndexLoops& parts) {
+    const NumberedCorners corners = numberedCorners(polygon);
+    DirectedEdges edges;
+    double sum = 0.0;
+    for (const std::vector<std::uint32_t>& part : parts) {
+        Ring ring;
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            if (part[i] >= corners.cornerCount()) return "a corner that is not the polygon's";
+            ring.push_back(corners.points[part[i]]);
+            ++edges[{part[i], part[(i + 1) % part.size()]}];
+        }
+        if (ring.size() < 3 || !isConvex(ring) || !(signedArea(ring) > 0.0)) return "a part that is not convex";
+        sum += signedArea(ring);
+    }
+    const double whole = area(polygon);
+    if (std::abs(sum - whole) > 1e-12 * signedArea(polygon.outer)) return "areas that do not sum up";
+    for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner) {
+        const auto edge = edges.find({corner, corners.next[corner]});
+        if (edge == edges.end() || edge->second != 1) return "an edge of the polygon that is not there once";
+        edges.erase(edge);
+    }
+    for (const auto& [edge, count] : edges)
+        if (count != 1 || !edges.contains({edge.second, edge.first})) return "an inner edge without its opposite";
+    return {};
+}
+
+/// True where no corner beyond an inner edge lies inside the circle of the triangle before it.
+bool isConstrainedDelaunay(const Polygon& polygon, const IndexLoops& parts) {
+    const NumberedCorners corners = numberedCorners(polygon);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> apex;
+    for (const auto& part : parts)
+        for (std::size_t i = 0; i < 3; ++i) apex[{part[i], part[(i + 1) % 3]}] = part[(i + 2) % 3];
+    const auto at = [&](std::uint32_t corner) { return corners.points[corner]; };
+    for (const auto& [edge, corner] : apex) {
+        const auto other = apex.find({edge.second, edge.first});
+        if (other != apex.end() && inCircle(at(edge.first), at(edge.second), at(corner), at(other->second)) > 0)
+            return false;
+    }
+    return true;
+}
+
+/// Triangles and parts of a polygon that can be cut; empty where both are right.
+std::string faultOf(const Polygon& polygon) {
+    const Result<IndexLoops> cut = triangles(polygon);
+    const Result<IndexLoops> parts = convexParts(polygon);
+    if (!cut || !parts) return cut ? parts.error().message : cut.error().message;
+    std::size_t count = polygon.outer.size() - 2;
+    for (const Ring& hole : polygon.holes) count += hole.size() + 2;
+    if (cut->size() != count) return std::to_string(cut->size()) + " triangles, not " + std::to_string(count);
+    if (!isConstrainedDelaunay(polygon, *cut)) return "triangles that are not Delaunay";
+    if (parts->size() > cut->size()) return "more parts than triangles";
+    const std::string fault = faultOf(polygon, *cut);
+    return fault.empty() ? faultOf(polygon, *parts) : fault;
+}
+
+Ring randomStar(Random& random, std::uint64_t corners, Vec2 centre, double radius) {
+    Ring ring;
+    for (std::uint64_t i = 0; i < corners; ++i) {
+        const double angle =
+            6.283185307179586 * (static_cast<double>(i) + random.unit()) / static_cast<double>(corners);
+        ring.push_back(centre + Vec2(std::cos(angle), std::sin(angle)) * radius * random.between(0.2, 1.0));
+    }
+    return ring;
+}
+
+Ring randomLatticeRing(Random& random, std::uint64_t most, std::uint64_t extent) {
+    Ring ring(3 + random.below(most - 2));
+    for (Vec2& point : ring)
+        point = {static_cast<double>(random.below(extent)), static_cast<double>(random.below(extent))};
+    return ring;
+}
+
+/// A big star with a grid of small stars as holes.
+Polygon starWithHoles(Random& random, std::uint64_t corners, int holesAcross, std::uint64_t holeCorners) {
+    Polygon polygon{randomStar(random, corners, {0, 0}, 10.0), {}};
+    const double pitch = 2.0 / holesAcross;  // the holes fill a square of side 2; a star of radius 2 lies around it
+    for (int i = 0; i < holesAcross * holesAcross; ++i) {
+        const Vec2 centre = Vec2(i % holesAcross, i / holesAcross) * pitch + Vec2(pitch / 2.0 - 1.0);
+        polygon.holes.push_back(randomStar(random, holeCorners, centre, 0.45 * pitch));
+    }
+    return withCanonicalWinding(std::move(polygon));
+}
+
+bool isSoundButForPinches(const Polygon& polygon) {
+    for (const PolygonFault& fault : polygonFaults(polygon)) {
+        if (fault.kind != PolygonFaultKind::Touching || fault.message.find("meet") == std::string::npos) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+class ConvexPartsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aConvexPolygonIsOnePart() {
+        QCOMPARE(*convexParts(unitSquare()), (IndexLoops{{0, 1, 2, 3}}));
+        const Polygon withStraightCorner{{{0, 0}, {1, 0}, {2, 0}, {2, 2}}, {}};
+        QCOMPARE(*convexParts(withStraightCorner), (IndexLoops{{0, 1, 2, 3}}));
+    }
+    void aSquareIsTwoTriangles() {
+        QCOMPARE(triangles(unitSquare())->size(), std::size_t{2});
+        QCOMPARE(faultOf(unitSquare()), std::string());
+    }
+    void anLShapeIsTwoParts() {
+        QCOMPARE(convexParts(lShape())->size(), std::size_t{2});
+        QCOMPARE(triangles(lShape())->size(), std::size_t{4});
+        QCOMPARE(faultOf(lShape()), std::string());
+    }
+    void aSquareRingIsFourParts() {
+        QCOMPARE(triangles(squareRing())->size(), std::size_t{8});
+        QCOMPARE(convexParts(squareRing())->size(), std::size_t{4});
+        QCOMPARE(faultOf(squareRing()), std::string());
+    }
+    void theShorterDiagonalIsTaken() {
+        const Polygon kite{{{0, 0}, {4, -1}, {8, 0}, {4, 1}}, {}};
+        QCOMPARE(*triangles(kite), (IndexLoops{{0, 1, 3}, {1, 2, 3}}));
+    }
+    void straightCornersAreKept() {
+        Ring ring;  // a square of side 10 with a corner every metre, and a notch so that it is not convex
+        for (int i = 0; i < 10; ++i) ring.push_back({i, 0});
+        for (int i = 0; i < 10; ++i) ring.push_back({10, i});
+        for (int i = 10; i > 0; --i) ring.push_back({i, 10});
+        ring.push_back({0, 10});
+        ring.push_back({5, 5});
+        QCOMPARE(faultOf({ring, {}}), std::string());
+        QCOMPARE(convexParts({ring, {}})->size(), std::size_t{2});
+    }
+    void sliversAreCutExactly() {
+        // The notch is one unit in the last place deep.
+        const Polygon notched{{{0, 0}, {1, 0}, {1, 1}, {0.5, std::nextafter(1.0, 0.0)}, {0, 1}}, {}};
+        QCOMPARE(convexParts(notched)->size(), std::size_t{2});
+        const Polygon plank{{{0, 0}, {1, 0}, {1, 1e-3}, {0.5, 1e-18}, {0, 1e-3}}, {}};
+        QCOMPARE(faultOf(plank), std::string());
+    }
+    void aFaceThatTouchesItselfIsCut() {
+        // Two squares that meet in (1, 1), joined by a frame: the hole's corner lies on the outer boundary.
+        Polyomino cells(3, 3);
+        for (int x = 0; x < 3; ++x)
+            for (int y = 0; y < 3; ++y) cells.set(x, y, !(x == 1 && y == 1) && !(x == 2 && y == 2));
+        const Polygon face = cells.componentAt(0, 0);
+        QCOMPARE(face.outer.size(), std::size_t{16});
+        QVERIFY(face.holes.empty() && !polygonFaults(face).empty());
+        QCOMPARE(faultOf(face), std::string());
+    }
+    void badPolygonsAreRefusedWithTheirFault() {
+        const auto message = [](const Polygon& polygon) {
+            const Result<IndexLoops> parts = convexParts(polygon);
+            if (parts || triangles(polygon)) return std::string("not refused");
+            return parts.error().code == ErrorCode::Crossing ? parts.error().message : std::string("wrong code");
+        };
+        const std::string start = "The polygon cannot be cut into convex parts. ";
+        QCOMPARE(message({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}),
+                 start + "The outline crosses itself between points 0 and 2, at (0.5, 0.5).");
+        QCOMPARE(message({}), start + "The outline needs at least 3 points but has 0.");
+        QCOMPARE(message({{{0, 0}, {1, 0}}, {}}), start + "The outline needs at least 3 points but has 2.");
+        QCOMPARE(message({{{0, 0}, {1, 0}, {2, 0}}, {}}),
+                 start + "The outline encloses no area: all its points lie on one line.");
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(message({{{0, 0}, {1, nan}, {1, 1}}, {}}),
+                 start + "Point 1 of the outline is not a finite number: (1, nan).");
+        Polygon outside = unitSquare();
+        outside.holes = {reversed(rectangle({2, 2}, {3, 3}))};
+        QCOMPARE(message(outside), start + "Hole 0 lies outside the outline.");
+        QCOMPARE(message({reversed(unitSquare().outer), {}}), start + "Its rings run the wrong way round.");
+        Polygon wrongHole = squareRing();
+        wrongHole.holes[0] = reversed(wrongHole.holes[0]);
+        QCOMPARE(message(wrongHole), start + "Its rings run the wrong way round.");
+        // Convex turns only, but twice around.
+        QVERIFY(
+            message({{{0, -3}, {2, 3}, {-3, -1}, {3, -1}, {-2, 3}}, {}}).starts_with(start + "The outline crosses"));
+        // A spike turns nowhere to the right either.
+        QVERIFY(message({{{0, 0}, {2, 0}, {1, 0}, {0, 1}}, {}}).starts_with(start + "The outline touches itself"));
+    }
+    void randomStarsAreCut() {
+        Random random(logged(101));
+        for (int round = 0; round < 1000; ++round) {
+            const Polygon polygon{randomStar(random, 3 + random.below(30), {1e3, -1e3}, 1.0), {}};
+            if (!polygonFaults(polygon).empty()) continue;
+            QCOMPARE(faultOf(withCanonicalWinding(polygon)), std::string());
+        }
+    }
+    void starsWithHolesAreCut() {
+        Random random(logged(102));
+        for (int round = 0; round < 100; ++round) {
+            const Polygon polygon = starWithHoles(random, 12 + random.below(50), 1 + round % 5, 3 + random.below(9));
+            if (!polygonFaults(polygon).empty()) continue;
+            QCOMPARE(faultOf(polygon), std::string());
+        }
+    }
+    void latticePolygonsAreCutOrRefused() {
+        Random random(logged(103));
+        int cut = 0;
+        for (int round = 0; round < 20000; ++round) {
+            const std::uint64_t extent = 3 + random.below(8);
+            Polygon polygon{randomLatticeRing(random, 8, extent), {}};
+            for (std::uint64_t holes = random.below(3); holes > 0; --holes)
+                polygon.holes.push_back(randomLatticeRing(random, 4, extent));
+            polygon = withCanonicalWinding(std::move(polygon));
+            const Result<IndexLoops> parts = convexParts(polygon);
+            if (polygonFaults(polygon).empty()) {
+                QCOMPARE(faultOf(polygon), std::string());
+                ++cut;
+            } else if (parts) {
+                QVERIFY(isSoundButForPinches(polygon));
+                QCOMPARE(faultOf(polygon, *parts), std::string());
+            }
+        }
+        QVERIFY(cut > 1000);
+    }
+    void facesOfLatticesAreCutWhereverTheyTouchThemselves() {
+        Random random(logged(104));
+        int pinched = 0;
+        for (int round = 0; round < 2000; ++round) {
+            const int width = 3 + static_cast<int>(random.below(5)), height = 3 + static_cast<int>(random.below(5));
+            Polyomino cells(width, height);
+            for (int x = 0; x < width; ++x)
+                for (int y = 0; y < height; ++y) cells.set(x, y, random.below(10) < 7);
+            cells.set(0, 0, true);
+            const Polygon face = cells.componentAt(0, 0);
+            pinched += polygonFaults(face).empty() ? 0 : 1;
+            QVERIFY2(faultOf(face).empty(), qPrintable(QString("round %1: %2").arg(round).arg(faultOf(face).c_str())));
+        }
+        QVERIFY(pinched > 300);
+    }
+    void thousandsOfCornersTakeMilliseconds() {
+        Random random(logged(105));
+        const Polygon polygon = starWithHoles(random, 1000, 20, 25);  // 11,000 corners
+        QVERIFY(polygonFaults(polygon).empty());
+        const auto start = std::chrono::steady_clock::now();
+        const Result<IndexLoops> parts = convexParts(polygon);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        qInfo("%.1f ms for %zu parts", taken.count() * 1e3, parts->size());
+        QVERIFY(taken.count() < 1.0);  // ear clipping without a grid takes longer
+        QCOMPARE(faultOf(polygon, *parts), std::string());
+    }
+
+private:
+    static std::uint64_t logged(std::uint64_t seed) {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        return seed;
+    }
+};
+
+QTEST_APPLESS_MAIN(ConvexPartsTest)
+#include "ConvexPartsTest.moc"
