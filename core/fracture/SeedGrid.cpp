@@ -1,7 +1,5 @@
 #include "core/fracture/SeedGrid.h"
 
-#include "core/base/Random.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +8,9 @@ namespace {
 
 double squaredLength(Vec2 vector) { return vector.x * vector.x + vector.y * vector.y; }
 
+/// Cells of one row lie side by side, so that a neighbourhood is three places in memory.
 std::size_t slotOf(std::int64_t column, std::int64_t row, std::size_t slots) {
-    return mixedWith(static_cast<std::uint64_t>(column), static_cast<std::uint64_t>(row)) & (slots - 1);
+    return static_cast<std::size_t>(column + row * 0x9e3779b1) & (slots - 1);
 }
 
 }  // namespace
@@ -68,6 +67,7 @@ bool SeedGrid::isFree(Vec2 point) const {
 
 bool SeedGrid::isCovered(Vec2 squareMin, double side) const {
     const Vec2 half{side / 2.0, side / 2.0};
+    if (squaredLength(half) >= m_distanceSquared) return false;
     return anyAround(squareMin + half, [&](Vec2 other) {
         return squaredLength(glm::abs(squareMin + half - other) + half) < m_distanceSquared;
     });
