@@ -1,0 +1,84 @@
+#include "core/asset/Bake.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// Raised when bake() gives something else for the same asset, so that what was made before is made anew.
+constexpr std::uint64_t kBakeVersion = 1;
+
+void add(Hasher& hasher, Vec2 point) {
+    hasher.add(point.x);
+    hasher.add(point.y);
+}
+
+void add(Hasher& hasher, const Ring& ring) {
+    hasher.add(std::uint64_t{ring.size()});
+    for (const Vec2 corner : ring) add(hasher, corner);
+}
+
+void add(Hasher& hasher, const Prism& prism) {
+    add(hasher, prism.outline.outer);
+    hasher.add(std::uint64_t{prism.outline.holes.size()});
+    for (const Ring& hole : prism.outline.holes) add(hasher, hole);
+    hasher.add(prism.depth);
+}
+
+// One a kind of layer.
+void add(Hasher& hasher, const UniformScatter& scatter) {
+    hasher.add(std::uint64_t{scatter.count});
+    hasher.add(static_cast<std::uint64_t>(scatter.domain));
+}
+void add(Hasher& hasher, const BlueNoise& noise) {
+    hasher.add(noise.minimumDistance);
+    hasher.add(std::uint64_t{noise.count});
+    hasher.add(static_cast<std::uint64_t>(noise.domain));
+}
+void add(Hasher& hasher, const PlacedSeeds& placed) {
+    hasher.add(std::uint64_t{placed.seeds.size()});
+    for (const PlacedSeeds::Seed& seed : placed.seeds) {
+        hasher.add(std::uint64_t{seed.index});
+        add(hasher, seed.position);
+    }
+}
+void add(Hasher& hasher, const LloydRelaxation& relaxation) { hasher.add(std::uint64_t{relaxation.rounds}); }
+
+void add(Hasher& hasher, const PatternLayer& layer) {
+    hasher.add(std::uint64_t{layer.id});
+    hasher.add(layer.randomSeed);
+    hasher.add(std::uint64_t{layer.parameters.index()});
+    std::visit([&](const auto& parameters) { add(hasher, parameters); }, layer.parameters);
+    hasher.add(std::uint64_t{layer.overrides.size()});
+    for (const SeedOverride& change : layer.overrides) {
+        hasher.add(std::uint64_t{change.index});
+        hasher.add(std::uint64_t{change.isDeleted});
+        add(hasher, change.isDeleted ? Vec2{0.0, 0.0} : change.position);
+    }
+}
+
+/// Layers that are off do nothing and do not count.
+void add(Hasher& hasher, const Pattern& pattern) {
+    hasher.add(static_cast<std::uint64_t>(std::ranges::count(pattern.layers, true, &PatternLayer::isOn)));
+    for (const PatternLayer& layer : pattern.layers) {
+        if (layer.isOn) add(hasher, layer);
+    }
+}
+
+}  // namespace
+
+ContentHash bakeInputHash(const Asset& asset) {
+    Hasher hasher;
+    hasher.add(kBakeVersion);
+    hasher.add(std::uint64_t{asset.id});
+    add(hasher, asset.prism);
+    add(hasher, asset.pattern);
+    hasher.add(std::uint64_t{asset.levels.size()});
+    for (const Level& level : asset.levels) {
+        hasher.add(level.minimumVolume);
+        add(hasher, level.pattern);
+    }
+    return hasher.digest();
+}
+
+}  // namespace rubble

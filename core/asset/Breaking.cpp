@@ -1,0 +1,42 @@
+#include "core/asset/Breaking.h"
+
+#include "core/base/Hash.h"
+#include "core/base/Random.h"
+#include "core/fracture/VoronoiPartition.h"
+
+namespace rubble {
+
+Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext& task) {
+    Result<Prism> valid = validated(std::move(prism));
+    if (!valid) return valid.error();
+    Result<Seeds> seeds = seedsOf(pattern, valid->outline, task);
+    if (!seeds) return seeds.error();
+    Result<Delaunay> delaunay = triangulate(seeds->positions, task);
+    if (!delaunay) return delaunay.error();
+    Result<Partition> partition = voronoiPartition(valid->outline, *delaunay, task);
+    if (!partition) return partition.error();
+    Result<Fragments> fragments = extrudedFragments(*valid, *partition, task);
+    if (!fragments) return fragments.error();
+    return Breaking{std::move(*valid), std::move(*seeds), std::move(*delaunay), std::move(*partition),
+                    std::move(*fragments)};
+}
+
+Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
+    const std::uint64_t fragment = contentHash(fragmentId).low;
+    for (PatternLayer& layer : pattern.layers) layer.randomSeed = mixedWith(layer.randomSeed, fragment);
+    return pattern;
+}
+
+std::vector<std::string> fragmentIds(const std::string& parentId, const Breaking& breaking) {
+    std::vector<std::string> ids;
+    ids.reserve(breaking.fragments.fragments.size());
+    for (const Fragment& fragment : breaking.fragments.fragments) {
+        const SeedId seed = fragment.seed == kNone ? SeedId{} : breaking.seeds.ids[fragment.seed];
+        std::string id = parentId + "/" + seed.text();
+        if (fragment.piecesOfSeed > 1) id += "." + std::to_string(fragment.piece);
+        ids.push_back(std::move(id));
+    }
+    return ids;
+}
+
+}  // namespace rubble

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/asset/Project.h"
+#include "core/fracture/Delaunay.h"
+#include "core/fracture/Fragment.h"
+#include "core/fracture/Partition.h"
+
+#include <string>
+
+namespace rubble {
+
+/// All stages of breaking one solid by one pattern.
+struct Breaking {
+    Prism prism;  // validated
+    Seeds seeds;
+    Delaunay delaunay;
+    Partition partition;
+    Fragments fragments;
+};
+
+/// Prism, seeds, triangulation, partition and fragments.
+///
+/// Errors: those of validated(Prism), seedsOf, triangulate; Cancelled.
+Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext& task);
+
+/// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments break alike.
+Pattern patternFor(const std::string& fragmentId, Pattern pattern);
+
+/// The ids of the fragments of a breaking, below the id of the whole or of the fragment that was broken:
+/// "3/5.17", or "3/5.17.1" where the outline cuts the cell apart; "3/0.0" where there are no seeds.
+std::vector<std::string> fragmentIds(const std::string& parentId, const Breaking& breaking);
+
+}  // namespace rubble

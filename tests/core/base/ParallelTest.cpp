@@ -1,0 +1,25 @@
+#include "core/base/Parallel.h"
+
+#include <QTest>
+
+#include <vector>
+
+using namespace rubble;
+
+class ParallelTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyIndexIsDoneOnceAtAnyNumberOfThreads() {
+        for (const int threads : {-1, 0, 1, 2, 7, 100}) {
+            std::vector<int> calls(50, 0);
+            forEachIndex(calls.size(), threads, [&](std::size_t index) { ++calls[index]; });
+            QCOMPARE(calls, std::vector<int>(50, 1));
+        }
+    }
+    void nothingIsDoneForNoIndices() {
+        forEachIndex(0, 4, [](std::size_t) { QFAIL("there is no index to work on"); });
+    }
+};
+
+QTEST_APPLESS_MAIN(ParallelTest)
+#include "ParallelTest.moc"
