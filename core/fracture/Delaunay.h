@@ -26,8 +26,7 @@ struct Delaunay {
 
     std::vector<Vec2> sites;            // distinct, in insertion order
     std::vector<std::uint32_t> seedOf;  // input index of each site
-    std::vector<Triangle> triangles;    // with ghosts; empty where fewer than 3 sites or all on one line
-    std::vector<std::uint32_t> line;    // sites in order along the line, where there are no triangles
+    std::vector<Triangle> triangles;    // with ghosts, 2n - 2 for n sites; ghosts only where all lie on one line
     std::vector<std::array<std::uint32_t, 2>>
         duplicates;  // {input index, input index of the seed it equals}, ascending
 
@@ -38,13 +37,16 @@ struct Delaunay {
     std::uint32_t twin(std::uint32_t halfEdge) const { return triangles[halfEdge >> 2].twin[halfEdge & 3]; }
 };
 
-/// Triangulates sites in O(n log n) expected time. Any number, any place: one, two or collinear sites give a
-/// `line`, equal ones are dropped in favour of the lowest index. Sites on one circle are joined to the one of lowest
+/// Triangulates sites in O(n log n) expected time. Any number, any place: sites on one line are joined by edges with a
+/// ghost on either side, equal ones are dropped in favour of the lowest index. Sites on one circle are joined to the one of lowest
 /// index (as if its lifted point had been pulled down), so that the result does not depend on the order of insertion.
 ///
 /// Errors: BadInput where a coordinate is not finite, naming the seed; Cancelled.
 /// Source: Bowyer 1981; Watson 1981; predicates after Shewchuk 1997.
 Result<Delaunay> triangulate(std::span<const Vec2> seeds, const TaskContext& task = {});
+
+/// For each site the half-edge of some triangle that starts at it. Only where there are triangles.
+std::vector<std::uint32_t> outgoingHalfEdges(const Delaunay& delaunay);
 
 /// The triangles by input indices: counter-clockwise, smallest index first, sorted.
 std::vector<std::array<std::uint32_t, 3>> triangleList(const Delaunay& delaunay);

@@ -14,7 +14,7 @@ namespace rubble {
 /// piece's edge. Voronoi cells, bricks and slices all come as this.
 ///
 /// All flat arrays. Piece p has the rings [ringsOfPiece[p], ringsOfPiece[p + 1]), the outer one first
-/// (counter-clockwise), then its holes (clockwise). Ring r has the corners [cornersOfRing[r], cornersOfRing[r + 1]).
+/// (counter-clockwise), then its holes (clockwise); rings of a piece may touch in single points. Ring r has the corners [cornersOfRing[r], cornersOfRing[r + 1]).
 /// Corner c starts the edge to the next corner of its ring; `across[c]` is the piece behind that edge.
 /// The pieces of one seed are consecutive, ordered by their smallest corner (x, then y); seeds stand in an order that is
 /// good for memory: use `pieceOfSeed` to go through them by index.
@@ -41,6 +41,9 @@ struct Partition {
 /// The piece as a polygon, in the outline's coordinates less `partition.origin`.
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece);
 double pieceArea(const Partition& partition, std::uint32_t piece);
+
+/// Whether one of the piece's rings runs from one point straight to another.
+bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to);
 
 /// A pair of touching pieces.
 struct Contact {

@@ -2,6 +2,8 @@
 
 #include "core/geometry/Expansion.h"
 
+#include <charconv>
+
 namespace rubble {
 
 namespace {
@@ -30,6 +32,18 @@ int orient3dExact(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 }
 
 }  // namespace
+
+std::optional<std::string> coordinateFault(Vec2 point) {
+    for (const double coordinate : {point.x, point.y}) {
+        if (isExactlyUsable(coordinate)) continue;
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, coordinate).ptr;
+        const std::string value(text, end);
+        if (!std::isfinite(coordinate)) return "has a coordinate that is not finite: " + value;
+        return "has a coordinate beyond what can be computed with (0, or 1e-60 to 1e60 in magnitude): " + value;
+    }
+    return std::nullopt;
+}
 
 int orient2dExact(Vec2 a, Vec2 b, Vec2 c) { return exactCross(exactOffset(a, c), exactOffset(b, c)).sign(); }
 

@@ -3,6 +3,8 @@
 #include "core/geometry/Vec.h"
 
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace rubble {
 
@@ -19,6 +21,10 @@ inline bool isExactlyUsable(Vec2 point) { return isExactlyUsable(point.x) && isE
 inline bool isExactlyUsable(Vec3 point) {
     return isExactlyUsable(point.x) && isExactlyUsable(point.y) && isExactlyUsable(point.z);
 }
+
+/// What keeps a point from being used, as the end of a sentence with the value in it ("has a coordinate that is not
+/// finite: nan"), or nothing.
+std::optional<std::string> coordinateFault(Vec2 point);
 
 /// +1 where a, b, c turn left (counter-clockwise), -1 where they turn right, 0 where they lie on one line.
 int orient2d(Vec2 a, Vec2 b, Vec2 c);

@@ -1,0 +1,225 @@
+#include "core/fracture/Verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rubble {
+
+namespace {
+
+using Fault = std::optional<std::string>;
+using PointPair = std::array<std::uint32_t, 2>;
+
+constexpr double kAreaTolerance = 1e-9;      // of the outline's area, or of its diagonal squared
+constexpr double kDistanceTolerance = 1e-9;  // of the outline's diagonal
+
+std::string text(std::uint64_t number) { return std::to_string(number); }
+
+bool isAscendingTo(const std::vector<std::uint32_t>& offsets, std::size_t entries, std::size_t last) {
+    return offsets.size() == entries + 1 && offsets.front() == 0 && offsets.back() == last &&
+           std::is_sorted(offsets.begin(), offsets.end());
+}
+
+Fault verifyArrays(const Partition& p) {
+    if (!isAscendingTo(p.cornersOfRing, p.cornersOfRing.size() - 1, p.corners.size()) ||
+        !isAscendingTo(p.ringsOfPiece, p.seedOfPiece.size(), p.cornersOfRing.size() - 1) ||
+        p.across.size() != p.corners.size()) {
+        return "The partition's arrays do not fit each other.";
+    }
+    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
+        if (p.ringsOfPiece[piece] == p.ringsOfPiece[piece + 1]) return "Piece " + text(piece) + " has no ring.";
+        const std::uint32_t seed = p.seedOfPiece[piece];
+        if (seed != kNone && (seed >= p.pieceOfSeed.size() || p.pieceOfSeed[seed] > piece)) {
+            return "Seed " + text(seed) + " does not know its piece " + text(piece) + ".";
+        }
+    }
+    for (std::size_t corner = 0; corner < p.corners.size(); ++corner) {
+        if (p.corners[corner] >= p.points.size()) return "Corner " + text(corner) + " names a point that is not there.";
+        const Vec2 point = p.points[p.corners[corner]];
+        if (!std::isfinite(point.x) || !std::isfinite(point.y)) return "Corner " + text(corner) + " is not finite.";
+    }
+    return std::nullopt;
+}
+
+Ring pointsOfRing(const Partition& partition, std::uint32_t ring) {
+    Ring points;
+    for (const std::uint32_t corner : partition.ringCorners(ring)) points.push_back(partition.points[corner]);
+    return points;
+}
+
+/// Which piece has each directed edge, and which edges have nothing behind them.
+struct Edges {
+    std::map<PointPair, std::uint32_t> pieces;
+    std::map<std::uint32_t, std::uint32_t> outlineNext;  // from each point to the next along the outline
+};
+
+Fault collectEdges(const Partition& p, Edges& edges) {
+    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
+        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
+            const std::uint32_t begin = p.cornersOfRing[ring], end = p.cornersOfRing[ring + 1];
+            for (std::uint32_t corner = begin; corner < end; ++corner) {
+                const std::uint32_t from = p.corners[corner], to = p.corners[corner + 1 < end ? corner + 1 : begin];
+                const bool isNew = from != to && edges.pieces.emplace(PointPair{from, to}, piece).second;
+                if (!isNew)
+                    return "Piece " + text(piece) + " repeats the edge from point " + text(from) + " to " + text(to) +
+                           ".";
+                if (p.across[corner] == kNone && !edges.outlineNext.emplace(from, to).second) {
+                    return "Two edges along the outline start at point " + text(from) + ".";
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Fault verifyNeighbours(const Partition& p, const Edges& edges) {
+    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
+        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
+            const std::uint32_t begin = p.cornersOfRing[ring], end = p.cornersOfRing[ring + 1];
+            for (std::uint32_t corner = begin; corner < end; ++corner) {
+                const std::uint32_t from = p.corners[corner], to = p.corners[corner + 1 < end ? corner + 1 : begin];
+                const auto reverse = edges.pieces.find({to, from});
+                const std::uint32_t behind = reverse == edges.pieces.end() ? kNone : reverse->second;
+                if (behind != p.across[corner] || behind == piece) {
+                    return "Piece " + text(piece) + " does not have the right neighbour behind its edge from point " +
+                           text(from) + " to " + text(to) + ".";
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// No ring meets itself.
+Fault verifyRingsAreSimple(const Partition& p) {
+    for (std::uint32_t ring = 0; ring + 1 < p.cornersOfRing.size(); ++ring) {
+        const std::span<const std::uint32_t> corners = p.ringCorners(ring);
+        std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
+        std::sort(sorted.begin(), sorted.end());
+        if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
+            return "Ring " + text(ring) + " meets itself in point " + text(*twice) + ".";
+        }
+    }
+    return std::nullopt;
+}
+
+/// The edges with nothing behind them run along the outline, through all of its own points.
+Fault verifyOutlineIsKept(const Partition& p, const Edges& edges, const Polygon& outline, double tolerance) {
+    std::map<std::array<double, 2>, std::uint32_t> pointAt;
+    for (const auto& [from, to] : edges.outlineNext)
+        pointAt.emplace(std::array{p.points[from].x, p.points[from].y}, from);
+    std::size_t used = 0;
+    const auto follow = [&](const Ring& ring, const std::string& name) -> Fault {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 start = ring[i] - p.origin, end = ring[i + 1 < ring.size() ? i + 1 : 0] - p.origin;
+            const auto found = pointAt.find({start.x, start.y});
+            if (found == pointAt.end()) return "Point " + text(i) + " of " + name + " is not a corner of any piece.";
+            const Vec2 direction = end - start;
+            const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+            std::uint32_t point = found->second;
+            do {
+                const auto next = edges.outlineNext.find(point);
+                if (next == edges.outlineNext.end() || ++used > edges.outlineNext.size())
+                    return "The pieces leave " + name + " behind point " + text(i) + ".";
+                const Vec2 step = p.points[next->second] - p.points[point];
+                const Vec2 offset = p.points[next->second] - start;
+                if (step.x * direction.x + step.y * direction.y <= 0.0 ||
+                    std::abs(cross(direction, offset)) > tolerance * length) {
+                    return "The pieces leave " + name + " behind point " + text(i) + ".";
+                }
+                point = next->second;
+            } while (p.points[point] != end);
+        }
+        return std::nullopt;
+    };
+    if (Fault fault = follow(outline.outer, "the outline")) return fault;
+    for (std::size_t hole = 0; hole < outline.holes.size(); ++hole) {
+        if (Fault fault = follow(outline.holes[hole], "hole " + text(hole))) return fault;
+    }
+    if (used != edges.outlineNext.size()) return "Some edges have nothing behind them, inside the outline.";
+    return std::nullopt;
+}
+
+Fault verifyAreas(const Partition& p, const Polygon& outline, double diagonal) {
+    const double slack = 1e-3 * kAreaTolerance * diagonal * diagonal;
+    double sum = 0.0;
+    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
+        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
+            const double ringArea = signedArea(pointsOfRing(p, ring));
+            const bool isOuter = ring == p.ringsOfPiece[piece];
+            if (p.cornersOfRing[ring + 1] - p.cornersOfRing[ring] < 3 ||
+                (isOuter ? ringArea < -slack : ringArea > slack)) {
+                return "Ring " + text(ring - p.ringsOfPiece[piece]) + " of piece " + text(piece) +
+                       " runs the wrong way or has no area.";
+            }
+            sum += ringArea;
+        }
+    }
+    const double expected = area(outline) - p.gap;
+    if (std::abs(sum - expected) > kAreaTolerance * area(outline)) {
+        return "The pieces' areas sum to " + std::to_string(sum) + " m^2 instead of " + std::to_string(expected) +
+               " m^2.";
+    }
+    return std::nullopt;
+}
+
+/// Finds nearest seeds in seeds sorted by x.
+class NearestSeeds {
+public:
+    explicit NearestSeeds(std::span<const Vec2> seeds) : m_sorted(seeds.begin(), seeds.end()) {
+        std::sort(m_sorted.begin(), m_sorted.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    }
+    double distance(Vec2 point, double atMost) const {
+        double best = atMost;
+        const auto middle =
+            std::lower_bound(m_sorted.begin(), m_sorted.end(), point.x, [](Vec2 a, double x) { return a.x < x; });
+        for (auto right = middle; right != m_sorted.end() && right->x - point.x < best; ++right)
+            best = std::min(best, apart(*right, point));
+        for (auto left = middle; left != m_sorted.begin() && point.x - std::prev(left)->x < best; --left)
+            best = std::min(best, apart(*std::prev(left), point));
+        return best;
+    }
+    static double apart(Vec2 a, Vec2 b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
+
+private:
+    std::vector<Vec2> m_sorted;
+};
+
+}  // namespace
+
+std::optional<std::string> verifyPartition(const Partition& partition, const Polygon& outline) {
+    const double diagonal = boundsOf(outline.outer).diagonal();
+    if (Fault fault = verifyArrays(partition)) return fault;
+    Edges edges;
+    if (Fault fault = collectEdges(partition, edges)) return fault;
+    if (Fault fault = verifyNeighbours(partition, edges)) return fault;
+    if (Fault fault = verifyRingsAreSimple(partition)) return fault;
+    if (Fault fault = verifyOutlineIsKept(partition, edges, outline, 1e-3 * kDistanceTolerance * diagonal))
+        return fault;
+    return verifyAreas(partition, outline, diagonal);
+}
+
+std::optional<std::string> verifyNearestSeed(const Partition& partition, std::span<const Vec2> seeds) {
+    const NearestSeeds nearest(seeds);
+    Box2 box;
+    for (const std::uint32_t corner : partition.corners) box.include(partition.points[corner]);
+    const double tolerance = kDistanceTolerance * box.diagonal();
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        if (partition.seedOfPiece[piece] == kNone) continue;
+        const Vec2 seed = seeds[partition.seedOfPiece[piece]];
+        for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
+            for (const std::uint32_t corner : partition.ringCorners(ring)) {
+                const Vec2 point = partition.points[corner] + partition.origin;
+                const double own = NearestSeeds::apart(seed, point);
+                if (nearest.distance(point, own) < own - tolerance) {
+                    return "Piece " + text(piece) + " has a corner that is nearer to another seed than to seed " +
+                           text(partition.seedOfPiece[piece]) + ".";
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/fracture/OutlineTrace.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// A corner of a piece while a partition is being put together.
+struct PieceCorner {
+    std::uint32_t point;
+    std::uint32_t across;  // site behind the edge that starts here; kNone: the outline
+};
+
+/// The pieces of one cell that the outline enters: per piece its rings, the outer one first.
+struct CellPieces {
+    std::vector<PieceCorner> corners;
+    std::vector<std::uint32_t> ringEnds;   // in corners
+    std::vector<std::uint32_t> pieceEnds;  // in ringEnds
+    void clear();
+};
+
+/// How points of a partition over a triangulation are numbered: a Voronoi corner has its triangle's number, then come the
+/// outline's vertices, then the crossings.
+struct PointNumbers {
+    std::uint32_t vertices = 0;   // number of the first outline vertex
+    std::uint32_t crossings = 0;  // number of the first crossing
+};
+
+/// Cuts cells along the outline's passages: the face of the two to the left of the outline. Keeps its memory between cells.
+/// Source: Weiler, Atherton 1977, with exact signs and no degenerate case.
+class CellCutter {
+public:
+    CellCutter(const Delaunay& delaunay, const std::vector<std::uint32_t>& outgoing, const OutlineTrace& trace,
+               PointNumbers numbers, std::span<const Vec2> points);
+
+    /// The pieces of a cell with at least one passage, ordered by their smallest corner (x, then y).
+    void cut(std::uint32_t site, CellPieces& pieces);
+
+private:
+    /// A place on the cell's boundary where the outline crosses it.
+    struct Mark {
+        std::uint32_t spoke;  // place of the Voronoi edge counter-clockwise around the cell
+        std::uint32_t crossing;
+        std::uint32_t passage;  // which leaves here, or enters here
+        bool isEntry;
+        bool isDone;
+    };
+
+    void collect(std::uint32_t site);
+    std::uint32_t spokeOf(std::uint32_t halfEdge) const;
+    void sortMarks(std::uint32_t site);
+    void followFrom(std::size_t mark, CellPieces& pieces);
+    void appendPassage(const OutlinePassage& passage, CellPieces& pieces) const;
+    void appendBoundary(const Mark& exit, const Mark& entry, bool goesRound, CellPieces& pieces) const;
+    void appendWholeCell(CellPieces& pieces) const;
+    void addHoles(CellPieces& pieces) const;
+
+    const Delaunay& m_delaunay;
+    PerturbedDiagram m_diagram;
+    const std::vector<std::uint32_t>& m_outgoing;
+    const OutlineTrace& m_trace;
+    PointNumbers m_numbers;
+    std::span<const Vec2> m_points;
+
+    std::vector<std::uint32_t> m_spokes;  // half-edges around the site
+    std::vector<Mark> m_marks;            // counter-clockwise
+    std::vector<std::uint32_t> m_closed;  // passages that are whole rings
+};
+
+}  // namespace rubble

@@ -1,0 +1,101 @@
+#include "core/fracture/Delaunay.h"
+
+#include "core/base/Random.h"
+#include "core/fracture/Verify.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace rubble;
+
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+Triangles trianglesOf(const std::vector<Vec2>& seeds) {
+    const Result<Delaunay> delaunay = triangulate(seeds);
+    return delaunay ? triangleList(*delaunay) : Triangles{};
+}
+
+std::string faultOf(const std::vector<Vec2>& seeds) {
+    const Result<Delaunay> delaunay = triangulate(seeds);
+    return delaunay ? verifyDelaunay(*delaunay, seeds).value_or("") : delaunay.error().message;
+}
+
+}  // namespace
+
+class DelaunayTest : public QObject {
+    Q_OBJECT
+private slots:
+    void threeSitesAreOneTriangle() { QCOMPARE(trianglesOf({{0, 0}, {0, 1}, {1, 0}}), (Triangles{{0, 2, 1}})); }
+    void fourOnACircleAreJoinedToTheLowestIndex() {
+        QCOMPARE(trianglesOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+        QCOMPARE(trianglesOf({{1, 0}, {0, 0}, {0, 1}, {1, 1}}), (Triangles{{0, 2, 1}, {0, 3, 2}}));
+    }
+    void aFlatTriangleIsNotLost() {
+        QCOMPARE(trianglesOf({{0.1, 0.5}, {0.5, 0.5000001}, {0.9, 0.5}}), (Triangles{{0, 2, 1}}));
+    }
+    void sitesOnALineHaveNoTriangles() {
+        const std::vector<Vec2> seeds = {{3, 3}, {1, 1}, {0, 0}, {2, 2}};
+        QCOMPARE(trianglesOf(seeds), Triangles{});
+        QCOMPARE(faultOf(seeds), std::string());
+        QCOMPARE(triangulate(seeds)->triangles.size(), std::size_t{6});
+    }
+    void nothingOneAndTwoAreFine() {
+        QCOMPARE(faultOf({}), std::string());
+        QCOMPARE(faultOf({{1, 2}}), std::string());
+        QCOMPARE(faultOf({{1, 2}, {3, 4}}), std::string());
+    }
+    void equalSeedsGiveWayToTheFirst() {
+        const Result<Delaunay> delaunay = triangulate(std::vector<Vec2>{{1, 1}, {0, 0}, {1, 1}, {0, 1}, {1, 1}});
+        QCOMPARE(delaunay->duplicates, (std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {4, 0}}));
+        QCOMPARE(triangleList(*delaunay), (Triangles{{0, 3, 1}}));
+    }
+    void coordinatesThatCannotBeUsedAreNamed() {
+        QCOMPARE(faultOf({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}}),
+                 std::string("Seed 1 has a coordinate that is not finite: nan."));
+        QCOMPARE(triangulate(std::vector<Vec2>{{1e300, 0}}).error().code, ErrorCode::BadInput);
+    }
+    void cancelStops() {
+        std::vector<Vec2> seeds;
+        Random random(1);
+        for (int i = 0; i < 10000; ++i) seeds.push_back({random.unit(), random.unit()});
+        TaskContext task;
+        task.cancel.cancel();
+        QCOMPARE(triangulate(seeds, task).error().code, ErrorCode::Cancelled);
+    }
+    void trianglesDoNotDependOnWhereTiesFall() {
+        // The same lattice points far away, and scaled: the ties are the same, the order of insertion is not.
+        Random random(8);
+        std::vector<Vec2> seeds, moved;
+        for (int i = 0; i < 400; ++i) {
+            seeds.push_back({static_cast<double>(random.below(30)), static_cast<double>(random.below(30))});
+            moved.push_back(Vec2{-seeds.back().y, seeds.back().x} * 8.0 + Vec2{1000, 500});  // turned: same orientation
+        }
+        QCOMPARE(trianglesOf(seeds), trianglesOf(moved));
+    }
+    void everyKindOfInputVerifies() {
+        const std::uint64_t seed = 11;
+        Random random(seed);
+        for (int round = 0; round < 600; ++round) {
+            std::vector<Vec2> seeds;
+            const std::uint64_t count = 1 + random.below(round % 20 == 0 ? 2000 : 40);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const double a = static_cast<double>(random.below(9)), b = static_cast<double>(random.below(9));
+                switch (round % 5) {
+                    case 0: seeds.push_back({random.unit(), random.unit()}); break;
+                    case 1: seeds.push_back({a, b}); break;
+                    case 2: seeds.push_back({random.unit(), 1e-3 * random.unit()}); break;
+                    case 3: seeds.push_back({0.5 + a * 0x1p-53, 0.5 + b * 0x1p-53}); break;
+                    case 4: seeds.push_back({1e6 + 1e-6 * a, -1e6 + 1e-6 * b}); break;
+                }
+            }
+            const std::string fault = faultOf(seeds);
+            QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(DelaunayTest)
+#include "DelaunayTest.moc"

@@ -1,0 +1,132 @@
+#include "core/fracture/VoronoiPartition.h"
+
+#include "core/base/Random.h"
+#include "core/fracture/Verify.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+const Polygon kUnitSquare = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
+const Polygon kEll = {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
+const Polygon kFrame = {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{2, 2}, {2, 6}, {6, 6}, {6, 2}}}};
+/// Four teeth, a hole, and outline points in the middle of straight edges.
+const Polygon kComb = {
+    {{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {7, 8}, {7, 1}, {6, 1}, {6, 8}, {5, 8}, {5, 1}, {4, 1}, {4, 8}, {0, 8}},
+    {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
+
+double areaOfSeed(const Partition& partition, std::uint32_t seed) {
+    double sum = 0.0;
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        if (partition.seedOfPiece[piece] != seed) continue;
+        for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
+            Ring points;
+            for (const std::uint32_t corner : partition.ringCorners(ring)) points.push_back(partition.points[corner]);
+            sum += signedArea(points);
+        }
+    }
+    return sum;
+}
+
+std::string faultOf(const Polygon& outline, const std::vector<Vec2>& seeds) {
+    const Result<Partition> partition = voronoiPartition(outline, seeds);
+    if (!partition) return partition.error().message;
+    if (const auto fault = verifyPartition(*partition, outline)) return *fault;
+    return verifyNearestSeed(*partition, seeds).value_or("");
+}
+
+}  // namespace
+
+class VoronoiPartitionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void withoutSeedsTheOutlineIsOnePiece() {
+        const Result<Partition> partition = voronoiPartition(kFrame, std::vector<Vec2>{});
+        QCOMPARE(partition->pieceCount(), 1u);
+        QCOMPARE(partition->seedOfPiece[0], kNone);
+        QCOMPARE(verifyPartition(*partition, kFrame).value_or(""), std::string());
+    }
+    void collinearSeedsGiveStrips() {
+        const std::vector<Vec2> seeds = {{0.125, 0.5}, {0.375, 0.5}, {0.625, 0.5}, {0.875, 0.5}};
+        const Result<Partition> partition = voronoiPartition(kUnitSquare, seeds);
+        for (std::uint32_t seed = 0; seed < 4; ++seed) QCOMPARE(areaOfSeed(*partition, seed), 0.25);
+        QCOMPARE(faultOf(kUnitSquare, seeds), std::string());
+    }
+    void fourOnACircleMeetInOnePoint() {
+        const std::vector<Vec2> seeds = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+        const Result<Partition> partition = voronoiPartition(kUnitSquare, seeds);
+        QCOMPARE(partition->corners.size(), std::size_t{16});
+        QCOMPARE(faultOf(kUnitSquare, seeds), std::string());
+    }
+    void anEllCutsACellApart() {
+        // The far corner of the square that the L leaves out lies between both ends of the cell of seed 0.
+        // The bisector runs exactly through the L's inner corner.
+        for (const bool farFirst : {true, false}) {
+            const std::vector<Vec2> seeds =
+                farFirst ? std::vector<Vec2>{{2, 2}, {0, 0}} : std::vector<Vec2>{{0, 0}, {2, 2}};
+            const Result<Partition> partition = voronoiPartition(kEll, seeds);
+            QCOMPARE(partition->pieceCount(), 3u);
+            QCOMPARE(areaOfSeed(*partition, farFirst ? 0 : 1), 1.0);
+            QCOMPARE(partition->reports.size(), std::size_t{1});
+            QCOMPARE(QString::fromStdString(partition->reports[0].message),
+                     QString("The outline cuts the cell of seed %1 into 2 pieces.").arg(farFirst ? 0 : 1));
+            QCOMPARE(faultOf(kEll, seeds), std::string());
+        }
+    }
+    void aSeedFarOutsideHasNoCell() {
+        const Result<Partition> partition = voronoiPartition(kUnitSquare, std::vector<Vec2>{{0.5, 0.5}, {100, 100}});
+        QCOMPARE(partition->pieceOfSeed, (std::vector<std::uint32_t>{0, kNone}));
+        QCOMPARE(partition->reports[0].code, ReportCode::SeedWithoutCell);
+    }
+    void aHoleInsideOneCellStaysAHole() {
+        const std::vector<Vec2> seeds = {{4, 4}, {4, 40}};
+        const Result<Partition> partition = voronoiPartition(kFrame, seeds);
+        QCOMPARE(partition->ringsOfPiece, (std::vector<std::uint32_t>{0, 2}));
+        QCOMPARE(areaOfSeed(*partition, 0), 48.0);
+    }
+    void bisectorsAlongTheOutlineLeaveNoSliver() {
+        // The bisector x = 1 is the L's own edge from (1, 1) to (1, 2).
+        for (const std::vector<Vec2>& seeds : {std::vector<Vec2>{{0.5, 0.5}, {1.5, 0.5}}, {{1.5, 0.5}, {0.5, 0.5}}}) {
+            const Result<Partition> partition = voronoiPartition(kEll, seeds);
+            QCOMPARE(partition->pieceCount(), 2u);
+            QCOMPARE(partition->corners.size(), std::size_t{9});
+            QCOMPARE(faultOf(kEll, seeds), std::string());
+        }
+    }
+    void farFromTheOriginNothingIsLost() {
+        Polygon outline;
+        for (const Vec2 point : kUnitSquare.outer) outline.outer.push_back(point * 0x1p-20 + Vec2{0x1p20, -0x1p20});
+        const std::vector<Vec2> seeds = {outline.outer[0] + Vec2{0x1p-22, 0x1p-21},
+                                         outline.outer[0] + Vec2{0x1.8p-21, 0x1p-21}};
+        const Result<Partition> partition = voronoiPartition(outline, seeds);
+        QCOMPARE(areaOfSeed(*partition, 0), 0x1p-41);
+        QCOMPARE(areaOfSeed(*partition, 1), 0x1p-41);
+    }
+    void everyKindOfInputVerifies() {
+        const std::uint64_t seed = 3;
+        Random random(seed);
+        const auto lattice = [&](std::uint64_t size) { return static_cast<double>(random.below(size)); };
+        for (int round = 0; round < 1500; ++round) {
+            std::vector<Vec2> seeds;
+            const std::uint64_t count = 1 + random.below(round % 10 == 0 ? 200 : 12);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                switch (round % 4) {
+                    case 0: seeds.push_back(Vec2{random.unit(), random.unit()} * 8.0); break;
+                    case 1: seeds.push_back({lattice(9), lattice(9)}); break;
+                    case 2: seeds.push_back(Vec2{lattice(17), lattice(17)} * 0.5); break;
+                    case 3: seeds.push_back({4.0 + lattice(9) * 0x1p-50, lattice(9)}); break;
+                }
+            }
+            for (const Polygon& outline : {kUnitSquare, kEll, kFrame, kComb}) {
+                const std::string fault = faultOf(outline, seeds);
+                QVERIFY2(fault.empty(),
+                         qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(VoronoiPartitionTest)
+#include "VoronoiPartitionTest.moc"
