@@ -3,6 +3,9 @@
 #include "core/geometry/Vec.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -32,6 +35,23 @@ struct Mesh {
     std::vector<Vec3> normals;  // length 1
     std::vector<MeshCorner> corners;
     std::vector<MeshFace> faces;
+
+    std::span<const MeshCorner> cornersOf(const MeshFace& face) const {
+        return std::span(corners).subspan(face.firstCorner, face.cornerCount);
+    }
 };
+
+/// The volume inside a closed mesh, m^3; negative where its faces look inward.
+double volumeOf(const Mesh& mesh);
+
+/// The same surface in triangles. A face across the z axis (a prism's cap) of four or more corners is cut from a new
+/// vertex at its centre, any other along diagonals from its first corner. Faces are convex.
+/// Source: the thesis, 4.3.
+Mesh triangulated(const Mesh& mesh);
+
+/// Says what is wrong: an index out of range, a face of fewer than three corners, a normal that is not of length 1 or
+/// does not fit its face, an inside face before an outside one, an edge that has not exactly two faces running along
+/// it in opposite ways, a volume other than `volume` (relative 1e-9). Nothing where all is well.
+std::optional<std::string> verifyMesh(const Mesh& mesh, double volume);
 
 }  // namespace rubble

@@ -1,0 +1,79 @@
+#include "core/asset/Bake.h"
+#include "core/asset/ExtrudedMesh.h"
+
+namespace rubble {
+
+namespace {
+
+// An edge nearer to the asset's outline than this part of its diameter lies on it.
+constexpr double kOnOutline = 1e-9;
+
+/// A ring's corners in the solid's outline, without those that fell together with the corner after them.
+/// `sideOf(i)` tells what lies behind the ring's edge i.
+template <class SideOf>
+void addRing(const Ring& ring, SideOf sideOf, Ring& corners, ExtrudedSolid& solid) {
+    const auto first = static_cast<std::uint32_t>(solid.sides.size());
+    corners.reserve(ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
+        if (ring[i] == ring[next]) continue;
+        const auto index = static_cast<std::uint32_t>(solid.sides.size());
+        corners.push_back(ring[i]);
+        solid.sides.push_back(sideOf(i, ring[i], ring[next]));
+        solid.sides.back().from = index;
+        solid.sides.back().to = index + 1;
+    }
+    if (solid.sides.size() > first) solid.sides.back().to = first;
+}
+
+ExtrudedSide outsideSide(const Asset& asset, Vec2 a, Vec2 b) {
+    return {0, 0, FaceSide::Outside, outlineStretch(asset.prism.outline, a, b)};
+}
+
+/// A side of a fragment. Below the first level nobody behind it means the surface of the parent: outside only where
+/// that is the asset's own.
+ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std::uint32_t across, Vec2 a, Vec2 b) {
+    if (across != kNone) return {0, 0, FaceSide::Inside, {}};
+    const Vec2 offset{fragment.solid.offset.x, fragment.solid.offset.y};
+    ExtrudedSide side = outsideSide(asset, a + offset, b + offset);
+    const double reach = kOnOutline * boundsOf(asset.prism.outline.outer).diagonal();
+    if (fragment.level > 0 && side.stretch.distance > reach) side.side = FaceSide::Inside;
+    return side;
+}
+
+}  // namespace
+
+Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset) {
+    const Fragment& piece = fragment.solid;
+    ExtrudedSolid solid{{}, {}, piece.depth, piece.offset, piece.hulls.size() <= 1};
+    std::size_t ring = 0;
+    const auto sideOf = [&](std::size_t edge, Vec2 a, Vec2 b) {
+        return sideBetween(fragment, asset, piece.across[ring][edge], a, b);
+    };
+    solid.sides.reserve(piece.outline.outer.size());
+    addRing(piece.outline.outer, sideOf, solid.outline.outer, solid);
+    for (const Ring& hole : piece.outline.holes) {
+        ++ring;
+        addRing(hole, sideOf, solid.outline.holes.emplace_back(), solid);
+    }
+    return extrudedMesh(solid, asset);
+}
+
+Mesh wholeMesh(const Bake& bake, const Asset& asset) {
+    const Polygon outline = withCanonicalWinding(asset.prism.outline);
+    const Vec3 centre = bake.whole.centre;
+    ExtrudedSolid solid{{}, {}, asset.prism.depth, centre, bake.wholeHulls.size() <= 1};
+    const auto sideOf = [&](std::size_t, Vec2 a, Vec2 b) {
+        const Vec2 offset{centre.x, centre.y};
+        return outsideSide(asset, a + offset, b + offset);
+    };
+    const auto addMoved = [&](Ring ring, Ring& corners) {
+        for (Vec2& corner : ring) corner -= Vec2(centre.x, centre.y);
+        addRing(ring, sideOf, corners, solid);
+    };
+    addMoved(outline.outer, solid.outline.outer);
+    for (const Ring& hole : outline.holes) addMoved(hole, solid.outline.holes.emplace_back());
+    return extrudedMesh(solid, asset);
+}
+
+}  // namespace rubble

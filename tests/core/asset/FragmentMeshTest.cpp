@@ -1,0 +1,177 @@
+#include "core/asset/Bake.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+const Ring kSquare{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+
+Asset assetOf(Polygon outline, double depth) {
+    Asset asset;
+    asset.prism = {std::move(outline), depth};
+    return asset;
+}
+
+/// A piece with its outline about `offset`, as an outline of the prism's frame is given.
+BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::uint32_t>> across, double depth, Vec2 offset) {
+    for (Vec2& corner : outline.outer) corner -= offset;
+    for (Ring& hole : outline.holes) {
+        for (Vec2& corner : hole) corner -= offset;
+    }
+    BakedFragment fragment;
+    fragment.solid.outline = std::move(outline);
+    fragment.solid.across = std::move(across);
+    fragment.solid.depth = depth;
+    fragment.solid.offset = {offset.x, offset.y, 0.0};
+    fragment.solid.hulls.resize(1);
+    return fragment;
+}
+
+/// The left half of the unit square, cut off at x = 0.5, 2 deep; its neighbour is fragment 1.
+BakedFragment leftHalf() {
+    return fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}}, {}}, {{kNone, 1, kNone, kNone}}, 2.0,
+                      {0.25, 0.5});
+}
+
+std::vector<Vec2> uvsOf(const Mesh& mesh, std::size_t face) {
+    std::vector<Vec2> uvs;
+    for (const MeshCorner corner : mesh.cornersOf(mesh.faces[face])) uvs.push_back(mesh.uvs[corner.uv]);
+    return uvs;
+}
+
+long insideFaces(const Mesh& mesh) {
+    return std::count_if(mesh.faces.begin(), mesh.faces.end(),
+                         [](const MeshFace& face) { return face.side == FaceSide::Inside; });
+}
+
+std::string faultOf(const Mesh& mesh, double volume) { return verifyMesh(mesh, volume).value_or(""); }
+
+}  // namespace
+
+class FragmentMeshTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aHalfHasOneInsideFace() {
+        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({kSquare, {}}, 2.0));
+        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(mesh.positions.size(), std::size_t{8});
+        QCOMPARE(mesh.faces.size(), std::size_t{6});
+        QCOMPARE(insideFaces(mesh), 1L);
+        QVERIFY(mesh.faces.back().side == FaceSide::Inside);
+        QVERIFY(mesh.normals[mesh.faces.back().normal] == Vec3(1.0, 0.0, 0.0));
+        QVERIFY(mesh.positions[0] == Vec3(-0.25, -0.5, 1.0));
+        QVERIFY(mesh.positions[4] == Vec3(-0.25, -0.5, -1.0));
+    }
+    void outsideTexturesAreTheOutlineInMetres() {
+        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({kSquare, {}}, 2.0));
+        const std::vector<Vec2> front = {{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}};
+        QVERIFY(uvsOf(mesh, 0) == front);
+        // The left side is the last of the outline's four: 3 m to 4 m along it.
+        const std::vector<Vec2> left = {{3.0, 1.0}, {3.0, -1.0}, {4.0, -1.0}, {4.0, 1.0}};
+        QVERIFY(uvsOf(mesh, 4) == left);
+        // The top runs from (0.5, 1) to (0, 1): half of the third side.
+        const std::vector<Vec2> top = {{2.5, 1.0}, {2.5, -1.0}, {3.0, -1.0}, {3.0, 1.0}};
+        QVERIFY(uvsOf(mesh, 3) == top);
+    }
+    void insideTexturesBeginAtTheCut() {
+        Asset asset = assetOf({kSquare, {}}, 2.0);
+        asset.insideUvScale = 4.0;
+        const std::vector<Vec2> cut = {{0.0, 4.0}, {0.0, -4.0}, {4.0, -4.0}, {4.0, 4.0}};
+        QVERIFY(uvsOf(fragmentMesh(leftHalf(), asset), 5) == cut);
+    }
+    void anOutlineOfTheOtherWindingIsNotMirrored() {
+        Ring clockwise(kSquare.rbegin(), kSquare.rend());
+        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({clockwise, {}}, 2.0));
+        const std::vector<Vec2> left = uvsOf(mesh, 4);
+        QCOMPARE(left[2].x - left[0].x, 1.0);
+    }
+    void aCornerOnAStraightSideStays() {
+        // The neighbours above and below meet at (0.5, 0.5): the cap has five corners, so must the sides.
+        const BakedFragment fragment = fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
+                                                  {{kNone, 1, 2, kNone, kNone}}, 2.0, {0.25, 0.5});
+        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 2.0));
+        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(mesh.faces.size(), std::size_t{7});
+        QCOMPARE(mesh.faces[0].cornerCount, 5u);
+        QCOMPARE(insideFaces(mesh), 2L);
+    }
+    void cornersThatFellTogetherAreOne() {
+        const BakedFragment fragment = fragmentOf({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
+                                                  {{kNone, 1, 2, kNone, kNone, kNone}}, 1.0, {0.5, 0.5});
+        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 1.0));
+        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(mesh.positions.size(), std::size_t{8});
+    }
+    void aConcavePieceHasConvexCaps() {
+        const Polygon corner{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
+        BakedFragment fragment = fragmentOf(corner, {{kNone, kNone, 1, 1, kNone, kNone}}, 1.0, {0.5, 0.5});
+        fragment.solid.hulls.resize(2);
+        const Mesh mesh = fragmentMesh(fragment, assetOf({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, 1.0));
+        QCOMPARE(faultOf(mesh, 3.0), "");
+        QCOMPARE(mesh.faces.size(), std::size_t{2 + 2 + 6});
+        QCOMPARE(mesh.positions.size(), std::size_t{12});
+        QCOMPARE(insideFaces(mesh), 2L);
+        QCOMPARE(faultOf(triangulated(mesh), 3.0), "");
+    }
+    void aPieceWithAHoleIsClosed() {
+        const Polygon frame{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
+        BakedFragment fragment =
+            fragmentOf(frame, {{kNone, kNone, kNone, kNone}, {kNone, kNone, kNone, 7}}, 0.5, {1.5, 1.5});
+        fragment.solid.hulls.resize(4);
+        const Mesh mesh = fragmentMesh(fragment, assetOf(frame, 0.5));
+        QCOMPARE(faultOf(mesh, 4.0), "");
+        QCOMPARE(faultOf(triangulated(mesh), 4.0), "");
+        QCOMPARE(insideFaces(mesh), 1L);
+        // The hole's first side runs up from (1, 1): out of the solid is to its right, +x.
+        QVERIFY(mesh.normals[mesh.faces[mesh.faces.size() - 4].normal] == Vec3(1.0, 0.0, 0.0));
+    }
+    void belowTheFirstLevelTheParentsCutIsInside() {
+        // A piece of the left half: its right side has no sibling behind it, but is the parent's cut.
+        BakedFragment fragment = leftHalf();
+        fragment.level = 1;
+        fragment.solid.across = {{kNone, kNone, 5, kNone}};
+        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 2.0));
+        QCOMPARE(insideFaces(mesh), 2L);
+        QCOMPARE(faultOf(mesh, 1.0), "");
+    }
+    void theWholeIsAllOutside() {
+        const Asset asset = assetOf({kSquare, {{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}}, 2.0);
+        Bake bake;
+        bake.whole = massOfPrism(asset.prism.outline, asset.prism.depth);
+        bake.wholeHulls.resize(4);
+        const Mesh mesh = wholeMesh(bake, asset);
+        QCOMPARE(faultOf(mesh, 1.5), "");
+        QCOMPARE(insideFaces(mesh), 0L);
+        QVERIFY(mesh.positions[0] == Vec3(-0.5, -0.5, 1.0));
+    }
+    void anImportedSurfaceGivesTexturesAndMaterials() {
+        Asset asset = assetOf({kSquare, {}}, 2.0);
+        Surface surface;
+        surface.materials = {"plaster", "paint"};
+        surface.front = {true, {{2.0, 0.0, 0.5, 0.0, 3.0, 0.0}}, 1};
+        surface.back = {true, {{1.0, 0.0, 0.0, 0.0, 1.0, 0.0}}, 0};
+        // One triangle on the left side, large enough for all of it: u = 1 - y and v = z.
+        surface.triangles = {
+            {{Vec3{0, 1, -1}, Vec3{0, -3, -1}, Vec3{0, 1, 3}}, {Vec2{0, -1}, Vec2{4, -1}, Vec2{0, 3}}, 0}};
+        asset.surface = std::make_shared<const Surface>(surface);
+        const Mesh mesh = fragmentMesh(leftHalf(), asset);
+        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(mesh.faces[0].material, 0u);  // faces are ordered by material: the back comes first,
+        QCOMPARE(mesh.faces[4].material, 1u);  // the front last of the outside faces
+        const std::vector<Vec2> front = {{0.5, 0.0}, {1.5, 0.0}, {1.5, 3.0}, {0.5, 3.0}};
+        QVERIFY(uvsOf(mesh, 4) == front);
+        const auto left = std::find_if(mesh.faces.begin(), mesh.faces.end(),
+                                       [&](const MeshFace& face) { return mesh.normals[face.normal].x < 0.0; });
+        const std::vector<Vec2> uvs = uvsOf(mesh, static_cast<std::size_t>(left - mesh.faces.begin()));
+        const std::vector<Vec2> expected = {{0.0, 1.0}, {0.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}};
+        for (std::size_t i = 0; i < 4; ++i) QVERIFY(glm::distance(uvs[i], expected[i]) < 1e-15);
+    }
+};
+
+QTEST_APPLESS_MAIN(FragmentMeshTest)
+#include "FragmentMeshTest.moc"
