@@ -1,5 +1,6 @@
 #include "core/geometry/ConvexParts.h"
 
+#include "core/geometry/CornerSectors.h"
 #include "core/geometry/EdgeSweep.h"
 #include "core/geometry/LinkedTriangles.h"
 #include "core/geometry/PolygonFaults.h"
@@ -37,12 +38,14 @@ bool areSweepable(const NumberedCorners& corners) {
     return true;
 }
 
-std::optional<LinkedTriangles> delaunayTriangles(const NumberedCorners& corners) {
-    if (!areSweepable(corners) || arrangementOf(corners, 1).doEdgesCollide) return std::nullopt;
+std::optional<LinkedTriangles> delaunayTriangles(const Polygon& polygon) {
+    NumberedCorners corners = numberedCorners(polygon);
+    if (!areSweepable(corners) || arrangementOf(corners, 1).doEdgesCollide || !partSectors(corners))
+        return std::nullopt;
     const std::optional<std::vector<CornerTriangle>> swept = sweptTriangles(corners);
     if (!swept) return std::nullopt;
     std::optional<LinkedTriangles> triangles = linked(*swept, corners);
-    if (triangles) makeDelaunay(*triangles, corners);
+    if (triangles) makeDelaunay(*triangles, corners.points);
     return triangles;
 }
 
@@ -77,8 +80,8 @@ struct Faces {
 };
 
 /// Takes out every inner edge that leaves both its ends convex.
-void removeNeedlessDiagonals(Faces& faces, const LinkedTriangles& triangles, const NumberedCorners& corners) {
-    const auto point = [&](std::uint32_t halfEdge) { return corners.points[triangles.origin[halfEdge]]; };
+void removeNeedlessDiagonals(Faces& faces, const LinkedTriangles& triangles, std::span<const Vec2> points) {
+    const auto point = [&](std::uint32_t halfEdge) { return points[triangles.origin[halfEdge]]; };
     // The corner at the start of a half-edge as it will be when its twin's face has been joined.
     const auto staysConvex = [&](std::uint32_t halfEdge, std::uint32_t twin) {
         return orient2d(point(faces.previous[halfEdge]), point(halfEdge), point(faces.next[faces.next[twin]])) >= 0;
@@ -110,8 +113,7 @@ IndexLoops loopsOf(const Faces& faces, const LinkedTriangles& triangles) {
 }  // namespace
 
 Result<IndexLoops> triangles(const Polygon& polygon) {
-    const NumberedCorners corners = numberedCorners(polygon);
-    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(corners);
+    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(polygon);
     if (!linkedTriangles) return notCuttable(polygon);
     return loopsOf(Faces(*linkedTriangles), *linkedTriangles);
 }
@@ -122,11 +124,10 @@ Result<IndexLoops> convexParts(const Polygon& polygon) {
         std::iota(whole[0].begin(), whole[0].end(), 0u);
         return whole;
     }
-    const NumberedCorners corners = numberedCorners(polygon);
-    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(corners);
+    const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(polygon);
     if (!linkedTriangles) return notCuttable(polygon);
     Faces faces(*linkedTriangles);
-    removeNeedlessDiagonals(faces, *linkedTriangles, corners);
+    removeNeedlessDiagonals(faces, *linkedTriangles, numberedCorners(polygon).points);
     return loopsOf(faces, *linkedTriangles);
 }
 

@@ -13,8 +13,9 @@ namespace rubble {
 using IndexLoops = std::vector<std::vector<std::uint32_t>>;
 
 /// Cuts a valid polygon in canonical winding into triangles without new corners: n + 2h - 2 of them for n corners
-/// and h holes. Constrained Delaunay, so that slivers are few; every sign exact; O(n log n) but for the flips. A ring may
-/// touch itself in a corner where its two sides are parted there, as a face of a planar subdivision may.
+/// and h holes. Constrained Delaunay, so that slivers are few; every sign exact; O(n log n) but for the flips.
+/// Rings may also touch themselves and each other in corners, as those of a planar subdivision's face may; of corners
+/// that lie on one point any may then be named.
 /// Each triangle starts with its lowest corner; ascending.
 ///
 /// Errors: Crossing where the polygon is not valid, whatever its fault.

@@ -71,8 +71,8 @@ std::optional<LinkedTriangles> linked(const std::vector<CornerTriangle>& triangl
     return result;
 }
 
-void makeDelaunay(LinkedTriangles& triangles, const NumberedCorners& corners) {
-    const auto point = [&](std::uint32_t halfEdge) { return corners.points[triangles.origin[halfEdge]]; };
+void makeDelaunay(LinkedTriangles& triangles, std::span<const Vec2> points) {
+    const auto point = [&](std::uint32_t halfEdge) { return points[triangles.origin[halfEdge]]; };
     std::vector<std::uint32_t> open;
     for (std::uint32_t halfEdge = 0; halfEdge < triangles.halfEdgeCount(); ++halfEdge)
         if (triangles.twin[halfEdge] != LinkedTriangles::kBoundary && triangles.twin[halfEdge] > halfEdge)

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rubble {
@@ -20,13 +21,13 @@ struct LinkedTriangles {
     std::uint32_t halfEdgeCount() const { return static_cast<std::uint32_t>(origin.size()); }
 };
 
-/// Links the triangles of a polygon; nothing where they do not fill it: an inner edge without its twin, or an edge of the
-/// polygon that no triangle or two have.
+/// Links triangles of positive area that fill a polygon whose inner points the rings wind around once. Nothing where they
+/// do not fill it: where an inner edge lacks its twin, or an edge of the polygon is not had by exactly one triangle.
 std::optional<LinkedTriangles> linked(const std::vector<CornerTriangle>& triangles, const NumberedCorners& corners);
 
 /// Flips inner edges until each is locally Delaunay: the constrained Delaunay triangulation of the polygon.
 /// Cocircular corners stay as they are. Exact, so that it ends; O(n^2) flips at worst, about n on common outlines.
 /// Source: Lawson 1977.
-void makeDelaunay(LinkedTriangles& triangles, const NumberedCorners& corners);
+void makeDelaunay(LinkedTriangles& triangles, std::span<const Vec2> points);
 
 }  // namespace rubble

@@ -67,7 +67,6 @@ public:
             for (std::size_t k = i; k < groupEnd; ++k)
                 if (!meet(order[k])) return std::nullopt;
         }
-        if (m_triangles.size() + 4 != m_corners.points.size() + 2 * m_corners.ringCount()) return std::nullopt;
         return std::move(m_triangles);
     }
 
@@ -102,6 +101,8 @@ private:
     }
 
     bool start(std::uint32_t corner) {
+        const Interval* below = intervalBelow(corner);
+        if (below != nullptr && sideOfUpperEdge(*below, corner) < 0) return false;
         const std::uint32_t node = newNode(corner);
         m_intervals[corner] = {node, node, node};
         return openLowerEdge(corner);
@@ -115,12 +116,14 @@ private:
 
     bool continueAbove(std::uint32_t corner) {
         Interval* interval = intervalBelow(corner);
-        if (interval != nullptr) putAbove(*interval, corner);
-        return interval != nullptr;
+        if (interval == nullptr || !isEndOfUpperEdge(*interval, corner)) return false;
+        putAbove(*interval, corner);
+        return true;
     }
 
     bool end(std::uint32_t corner) {
         Interval& interval = m_intervals[m_corners.previous[corner]];
+        if (!isEndOfUpperEdge(interval, corner)) return false;
         putBelow(interval, corner);
         return m_nodes[interval.bottom].above == interval.top;
     }
@@ -128,7 +131,7 @@ private:
     /// The interval around the corner becomes two, parted by the diagonal to its latest corner.
     bool split(std::uint32_t corner) {
         Interval* lower = intervalBelow(corner);
-        if (lower == nullptr) return false;
+        if (lower == nullptr || sideOfUpperEdge(*lower, corner) >= 0) return false;
         const std::uint32_t seen = lower->latest, copy = newNode(m_nodes[seen].corner);
         Interval upper{copy, lower->top == seen ? copy : lower->top, copy};
         if (m_nodes[seen].above != kNoNode) link(copy, m_nodes[seen].above);
@@ -143,7 +146,7 @@ private:
     /// The intervals below and above the corner become one.
     bool merge(std::uint32_t corner) {
         Interval* lower = intervalBelow(corner);
-        if (lower == nullptr) return false;
+        if (lower == nullptr || !isEndOfUpperEdge(*lower, corner)) return false;
         Interval& upper = m_intervals[m_corners.previous[corner]];
         putAbove(*lower, corner);
         putBelow(upper, corner);
@@ -155,6 +158,17 @@ private:
     Interval* intervalBelow(std::uint32_t corner) {
         const auto above = m_status.lower_bound(point(corner));
         return above == m_status.begin() ? nullptr : &m_intervals[*std::prev(above)];
+    }
+
+    /// Whether the edge above the interval, which ends at the chain's top, starts at the corner.
+    bool isEndOfUpperEdge(const Interval& interval, std::uint32_t corner) const {
+        return m_nodes[interval.top].corner == m_corners.next[corner];
+    }
+
+    /// +1 where the corner lies above the edge above the interval, -1 where it lies below.
+    int sideOfUpperEdge(const Interval& interval, std::uint32_t corner) const {
+        const std::uint32_t top = m_nodes[interval.top].corner;
+        return orient2d(point(top), point(m_corners.previous[top]), point(corner));
     }
 
     std::uint32_t newNode(std::uint32_t corner) {
