@@ -1,0 +1,157 @@
+#include "core/asset/Project.h"
+
+#include <QTest>
+
+#include <functional>
+#include <limits>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// One of everything, ids 1 to 8, all in order.
+Project smallProject() {
+    Project project;
+    project.nextId = 9;
+    project.materials = {{.id = 1, .name = "brick"}};
+    Asset wall{.id = 2, .name = "wall", .material = 1};
+    wall.prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    wall.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 5}}};
+    wall.levels = {{.pattern = {{{.id = 4, .parameters = BlueNoise{}}}}, .minimumVolume = 0.1}};
+    wall.surface = std::make_shared<Surface>(Surface{.materials = {"plaster"}, .triangles = {SurfaceTriangle{}}});
+    project.assets = {wall};
+    project.instances = {{.id = 5, .name = "left", .asset = 2}, {.id = 6, .name = "right", .asset = 2}};
+    project.shots = {{.id = 7, .name = "box", .action = Throw{}}};
+    project.playTests = {{.id = 8, .name = "stands", .shots = {7}, .expectations = {{.instance = 5}}}};
+    return project;
+}
+
+std::shared_ptr<Surface> copyOfSurface(const Project& project) {
+    return std::make_shared<Surface>(*project.assets[0].surface);
+}
+
+using Change = std::function<void(Project&)>;
+
+}  // namespace
+Q_DECLARE_METATYPE(Change)
+
+class VerifyProjectTest : public QObject {
+    Q_OBJECT
+
+    static void row(const char* sentence, const Change& change) { QTest::newRow(sentence) << change; }
+
+private slots:
+    void goodProjectsHaveNoFault() {
+        QVERIFY(!verifyProject(Project{}));
+        const std::optional<std::string> fault = verifyProject(smallProject());
+        QVERIFY2(!fault, fault.value_or("").c_str());
+    }
+
+    void faultsOfIdsAndNamesAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Asset 0 \"wall\" has the id 0, which names nothing.", [](Project& p) { p.assets[0].id = 0; });
+        row("Play-test 8 \"stands\" has an id that is not below the project's next id, 8.",
+            [](Project& p) { p.nextId = 8; });
+        row("Material 2 \"brick\" and Asset 2 \"wall\" have the same id.", [](Project& p) { p.materials[0].id = 2; });
+        row("Layer 5 of asset 2 \"wall\" and Instance 5 \"left\" have the same id.",
+            [](Project& p) { p.assets[0].pattern.layers[0].id = 5; });
+        row("Layer 3 of asset 2 \"wall\" and Layer 3 of asset 2 \"wall\" have the same id.",
+            [](Project& p) { p.assets[0].levels[0].pattern.layers[0].id = 3; });
+        row("Instance 5 \"left\" stands behind the one with id 6; ids must ascend.",
+            [](Project& p) { std::swap(p.instances[0], p.instances[1]); });
+        row("Material 1 has no name.", [](Project& p) { p.materials[0].name.clear(); });
+        row("Instance 6 \"left\" has a name that is already taken.", [](Project& p) { p.instances[1].name = "left"; });
+    }
+    void faultsOfIdsAndNamesAreNamed() { changeIsReported(); }
+
+    void missingReferencesAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Asset 2 \"wall\" names material 9, which is not there.", [](Project& p) { p.assets[0].material = 9; });
+        row("Instance 5 \"left\" names asset 1, which is not there.", [](Project& p) { p.instances[0].asset = 1; });
+        row("Shot 7 \"box\" names asset 4, which is not there.",
+            [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Asset, .asset = 4}; });
+        row("Play-test 8 \"stands\" names shot 6, which is not there.", [](Project& p) {
+            p.playTests[0].shots = {7, 6};
+        });
+        row("Play-test 8 \"stands\" names instance 2, which is not there.",
+            [](Project& p) { p.playTests[0].expectations[0].instance = 2; });
+    }
+    void missingReferencesAreNamed() { changeIsReported(); }
+
+    void numbersOutOfRangeAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Material 1 \"brick\": the density is 0, but it must be finite and above zero.",
+            [](Project& p) { p.materials[0].density = 0.0; });
+        row("Material 1 \"brick\": the friction is -0.1, but it must be finite and not below zero.",
+            [](Project& p) { p.materials[0].friction = -0.1; });
+        row("Material 1 \"brick\": the restitution is 1.5, but it must be from 0 to 1.",
+            [](Project& p) { p.materials[0].restitution = 1.5; });
+        row("Material 1 \"brick\": the colour's green is nan, but it must be from 0 to 1.",
+            [](Project& p) { p.materials[0].inside.green = kNan; });
+        row("Asset 2 \"wall\": the threshold is inf, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].threshold = std::numeric_limits<double>::infinity(); });
+        row("Asset 2 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.assets[0].levels[0].minimumVolume = -1.0; });
+        row("Asset 2 \"wall\": Layer 4: the minimum distance is 0 m, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].levels[0].pattern.layers[0].parameters = BlueNoise{.minimumDistance = 0.0}; });
+        row("Asset 2 \"wall\": triangle 0 of the surface has a coordinate that is not finite.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->triangles[0].corners[1].z = kNan;
+            p.assets[0].surface = surface;
+        });
+        row("Asset 2 \"wall\": the surface's back cap names a material that is not there.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->back.material = 1;
+            p.assets[0].surface = surface;
+        });
+        row("Instance 5 \"left\": the position is (nan, 0, 0), but it must be finite.",
+            [](Project& p) { p.instances[0].pose.position.x = kNan; });
+        row("Instance 5 \"left\": the orientation has the length 2, but it must be 1.", [](Project& p) {
+            p.instances[0].pose.orientation = Quat{2.0, 0.0, 0.0, 0.0};
+        });
+        row("Instance 6 \"right\": the threshold is 0, but it must be finite and above zero.",
+            [](Project& p) { p.instances[1].threshold = 0.0; });
+        row("The ground: the restitution is 2, but it must be from 0 to 1.",
+            [](Project& p) { p.ground.restitution = 2.0; });
+        row("The project: the gravity is (0, nan, 0), but it must be finite.", [](Project& p) { p.gravity.y = kNan; });
+        row("The project: the thesis threshold is 0, but it must be finite and above zero.",
+            [](Project& p) { p.damage.thesisThreshold = 0.0; });
+        row("Shot 7 \"box\": the time is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.shots[0].time = -1.0; });
+        row("Shot 7 \"box\": the size in y is 0, but it must be finite and above zero.", [](Project& p) {
+            p.shots[0].action = Throw{.size = {1.0, 0.0, 1.0}};
+        });
+        row("Shot 7 \"box\": it starts where it aims, so that it has no direction.", [](Project& p) {
+            p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}};
+        });
+        row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be finite.", [](Project& p) {
+            p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
+        });
+        row("Shot 7 \"box\": the radius is 0, but it must be finite and above zero.",
+            [](Project& p) { p.shots[0].action = Explosion{.radius = 0.0}; });
+        row("Play-test 8 \"stands\": the duration is 0, but it must be finite and above zero.",
+            [](Project& p) { p.playTests[0].duration = 0.0; });
+    }
+    void numbersOutOfRangeAreNamed() { changeIsReported(); }
+
+    void prismsThatCannotBeFracturedAreNamed() {
+        Project project = smallProject();
+        project.assets[0].prism.depth = -1.0;
+        const std::optional<std::string> fault = verifyProject(project);
+        QVERIFY(fault.has_value());
+        QVERIFY2(fault->starts_with("Asset 2 \"wall\": ") && fault->find("-1") != std::string::npos, fault->c_str());
+    }
+
+private:
+    void changeIsReported() {
+        QFETCH(Change, change);
+        Project project = smallProject();
+        change(project);
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string(QTest::currentDataTag()));
+    }
+};
+
+QTEST_APPLESS_MAIN(VerifyProjectTest)
+#include "VerifyProjectTest.moc"
