@@ -23,7 +23,7 @@ Examples:
 
 struct FractureOptions {
     std::string input = "-";
-    FractureMethod method = FractureMethod::Exact;
+    std::string method = "exact";
 };
 
 Status fracture(const FractureOptions& options, const CliContext& context) {
@@ -31,7 +31,8 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
     if (!text) return text.error();
     const Result<FractureInput> input = readFractureInput(*text);
     if (!input) return input.error();
-    const Result<std::string> json = fractureJson(*input, options.method, {.cancel = context.cancel});
+    const FractureMethod method = options.method == "thesis" ? FractureMethod::Thesis : FractureMethod::Exact;
+    const Result<std::string> json = fractureJson(*input, method, {.cancel = context.cancel});
     if (!json) return json.error();
     return writeOutput("-", *json, context);
 }
@@ -42,11 +43,9 @@ Verb addFracture(CLI::App& program) {
     CLI::App* command = program.add_subcommand("fracture", "Cut one outline into Voronoi cells, JSON to JSON");
     const auto options = std::make_shared<FractureOptions>();
     command->footer(kFooter);
-    command->add_option("FILE", options->input, "The input; - for standard input")->capture_default_str();
-    const std::map<std::string, FractureMethod> methods = {{"exact", FractureMethod::Exact},
-                                                           {"thesis", FractureMethod::Thesis}};
+    command->add_option("FILE", options->input, "The input; - or nothing for standard input")->type_name("");
     command->add_option("--method", options->method, "exact, or thesis: the reference method with its faults")
-        ->transform(CLI::CheckedTransformer(methods).description(""))
+        ->check(CLI::IsMember({"exact", "thesis"}))
         ->option_text("exact|thesis");
     return {command, [options](const CliContext& context) { return fracture(*options, context); }};
 }

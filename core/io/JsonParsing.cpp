@@ -112,8 +112,7 @@ private:
         std::ranges::sort(m_keys);
         const auto twice = std::ranges::adjacent_find(m_keys);
         if (twice == m_keys.end()) return true;
-        return refuse({ErrorCode::BadInput, m_document.pathOf(object) + ": the key \"" +
-                                                std::string(twice->substr(0, 40)) + "\" comes twice."});
+        return refuse(m_document.faultAt(object, "the key \"" + std::string(twice->substr(0, 40)) + "\" comes twice"));
     }
 
     JsonDocument& m_document;

@@ -70,6 +70,12 @@ std::string JsonDocument::pathOf(std::uint32_t node) const {
     return path;
 }
 
+Error JsonDocument::faultAt(std::uint32_t node, const std::string& reason) const {
+    std::string message = pathOf(node) + ": " + reason + ".";
+    if (node == 0) message[0] = 'T';
+    return {ErrorCode::BadInput, std::move(message)};
+}
+
 std::string JsonDocument::described(std::uint32_t index) const {
     const Node& node = m_nodes[index];
     switch (node.kind) {
@@ -102,10 +108,7 @@ const JsonDocument::Node* JsonValue::readable() const {
 }
 
 void JsonValue::refuse(const std::string& reason) const {
-    if (m_document->m_fault) return;
-    std::string message = path() + ": " + reason + ".";
-    if (m_node == 0) message[0] = 'T';
-    m_document->m_fault = Error{ErrorCode::BadInput, std::move(message)};
+    if (!m_document->m_fault) m_document->m_fault = m_document->faultAt(m_node, reason);
 }
 
 void JsonValue::expected(const std::string& what) const {

@@ -69,6 +69,8 @@ private:
 
     std::string_view textAt(std::uint64_t at) const;
     std::string pathOf(std::uint32_t node) const;
+    /// "assets[2].prism: <reason>."
+    Error faultAt(std::uint32_t node, const std::string& reason) const;
     std::string described(std::uint32_t node) const;
 
     std::vector<Node> m_nodes;

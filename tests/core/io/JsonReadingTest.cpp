@@ -155,6 +155,7 @@ private slots:
     }
     void duplicateKeysAreRefused() {
         QCOMPARE(parseFault(R"({"a": [{"b": 1, "c": 2, "b": 3}]})"), std::string(R"(a[0]: the key "b" comes twice.)"));
+        QCOMPARE(parseFault(R"({"b": 1, "b": 3})"), std::string(R"(The document: the key "b" comes twice.)"));
     }
     void depthIsLimited() {
         const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
