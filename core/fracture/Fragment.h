@@ -39,9 +39,11 @@ struct Fragments {
     std::vector<Report> reports;      // the partition's, then ThinPiece
 };
 
-/// Extrudes a partition: one fragment a piece, with convex hulls, mass properties and bonds. A piece too thin for a
-/// hull (its width below 1e-9 of the outline's diameter) is reported and its mass given to the neighbour with
-/// the longest shared edge.
+/// Extrudes a partition: one fragment a piece, with convex hulls, mass properties and bonds (shared length x depth, where
+/// the length is more than kLeastSharedEdge of the outline's diameter). A piece too thin for a hull (its width below 1e-9
+/// of the outline's, see widthOf) is reported and its mass given to the neighbour with the longest shared edge (see
+/// thinPieceGifts); whom it touched that one touches, and `across` names that one in its place.
+/// O(corners · log corners of a piece) on task.threads.
 ///
 /// Errors: Cancelled.
 Result<Fragments> extrudedFragments(const Prism& prism, const Partition& partition, const TaskContext& task = {});

@@ -77,8 +77,8 @@ Plane sidePlane(Vec2 a, Vec2 b) {
 
 Polytope prismOver(std::span<const Vec2> ring, double zMin, double zMax) {
     const auto count = static_cast<std::uint32_t>(ring.size());
-    RUBBLE_ASSERT(count >= 3);
     Polytope prism;
+    if (count < 3) return prism;
     prism.vertices.resize(2 * ring.size());
     prism.planes.reserve(ring.size() + 2);
     prism.planes.push_back({{0.0, 0.0, 1.0}, zMax});

@@ -36,7 +36,8 @@ struct SignedEdge {
 
 /// The prism over a convex counter-clockwise ring of n corners between two heights. Vertices: n at zMax, then
 /// n at zMin. Edges: n along the front, n along the back, n from front to back. Faces: front, back, then n sides,
-/// side i over the ring's edge from corner i. Corners on a straight side are left out (no two coplanar side faces).
+/// side i over the ring's edge from corner i. Corners on a straight side are left out (no two coplanar side faces), as
+/// are those that rounding made turn right. Empty where fewer than three corners are left.
 Polytope extruded(std::span<const Vec2> convexRing, double zMin, double zMax);
 
 /// The faces as signed edges: closed loops that begin with two edges that are not collinear.

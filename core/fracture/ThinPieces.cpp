@@ -1,0 +1,67 @@
+#include "core/fracture/ThinPieces.h"
+
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// The owner across the longest shared edge, kNone where no neighbour has an owner yet.
+std::uint32_t ownerAcross(const Partition& partition, std::uint32_t piece, const std::vector<std::uint32_t>& owners) {
+    std::uint32_t owner = kNone;
+    double longest = 0.0;
+    for (const Contact& contact : contactsOf(partition, piece, 0.0)) {
+        if (owners[contact.piece] == kNone || contact.length <= longest) continue;
+        owner = owners[contact.piece];
+        longest = contact.length;
+    }
+    return owner;
+}
+
+std::string cellOf(const Partition& partition, std::uint32_t piece) {
+    return "the cell of seed " + std::to_string(partition.seedOfPiece[piece]);
+}
+
+}  // namespace
+
+double widthOf(double area, double perimeter) { return 2.0 * area / perimeter; }
+
+std::vector<ThinPieceGift> thinPieceGifts(const Partition& partition, std::span<const std::uint32_t> thin) {
+    std::vector<std::uint32_t> owners(partition.pieceCount());
+    for (std::uint32_t piece = 0; piece < owners.size(); ++piece) owners[piece] = piece;
+    std::vector<ThinPieceGift> gifts;
+    for (const std::uint32_t piece : thin) {
+        owners[piece] = kNone;
+        gifts.push_back({piece, kNone});
+    }
+    for (bool isAnyDecided = true; isAnyDecided;) {
+        isAnyDecided = false;
+        std::vector<ThinPieceGift> decided;
+        for (const ThinPieceGift& gift : gifts) {
+            if (owners[gift.thin] == kNone) decided.push_back({gift.thin, ownerAcross(partition, gift.thin, owners)});
+        }
+        for (const ThinPieceGift& gift : decided) {
+            owners[gift.thin] = gift.receiver;
+            isAnyDecided |= gift.receiver != kNone;
+        }
+    }
+    for (ThinPieceGift& gift : gifts) gift.receiver = owners[gift.thin];
+    return gifts;
+}
+
+Report thinPieceReport(const Partition& partition, ThinPieceGift gift, double area, double width) {
+    const std::uint32_t seed = partition.seedOfPiece[gift.thin];
+    Report report{ReportCode::ThinPiece, seed, kNone, area, {}};
+    report.message =
+        "A piece of " + cellOf(partition, gift.thin) + " is " + messageText(width) + " m wide, too thin for a hull";
+    if (gift.receiver == kNone) {
+        report.message += "; it is left out.";
+        return report;
+    }
+    report.of = partition.seedOfPiece[gift.receiver];
+    report.message += "; its mass goes to " + cellOf(partition, gift.receiver) + ".";
+    return report;
+}
+
+}  // namespace rubble
