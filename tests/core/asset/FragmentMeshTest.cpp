@@ -1,4 +1,4 @@
-#include "core/asset/Bake.h"
+#include "tests/support/Fragments.h"
 
 #include <QTest>
 
@@ -8,35 +8,6 @@
 using namespace rubble;
 
 namespace {
-
-const Ring kSquare{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
-
-Asset assetOf(Polygon outline, double depth) {
-    Asset asset;
-    asset.prism = {std::move(outline), depth};
-    return asset;
-}
-
-/// A piece with its outline about `offset`, as an outline of the prism's frame is given.
-BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::uint32_t>> across, double depth, Vec2 offset) {
-    for (Vec2& corner : outline.outer) corner -= offset;
-    for (Ring& hole : outline.holes) {
-        for (Vec2& corner : hole) corner -= offset;
-    }
-    BakedFragment fragment;
-    fragment.solid.outline = std::move(outline);
-    fragment.solid.across = std::move(across);
-    fragment.solid.depth = depth;
-    fragment.solid.offset = {offset.x, offset.y, 0.0};
-    fragment.solid.hulls.resize(1);
-    return fragment;
-}
-
-/// The left half of the unit square, cut off at x = 0.5, 2 deep; its neighbour is fragment 1.
-BakedFragment leftHalf() {
-    return fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}}, {}}, {{kNone, 1, kNone, kNone}}, 2.0,
-                      {0.25, 0.5});
-}
 
 std::vector<Vec2> uvsOf(const Mesh& mesh, std::size_t face) {
     std::vector<Vec2> uvs;
@@ -57,7 +28,7 @@ class FragmentMeshTest : public QObject {
     Q_OBJECT
 private slots:
     void aHalfHasOneInsideFace() {
-        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({kSquare, {}}, 2.0));
+        const Mesh mesh = fragmentMesh(leftHalf(), assetOf(unitSquare(), 2.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
         QCOMPARE(mesh.faces.size(), std::size_t{6});
@@ -68,7 +39,7 @@ private slots:
         QVERIFY(mesh.positions[4] == Vec3(-0.25, -0.5, -1.0));
     }
     void outsideTexturesAreTheOutlineInMetres() {
-        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({kSquare, {}}, 2.0));
+        const Mesh mesh = fragmentMesh(leftHalf(), assetOf(unitSquare(), 2.0));
         const std::vector<Vec2> front = {{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}};
         QVERIFY(uvsOf(mesh, 0) == front);
         // The left side is the last of the outline's four: 3 m to 4 m along it.
@@ -79,13 +50,13 @@ private slots:
         QVERIFY(uvsOf(mesh, 3) == top);
     }
     void insideTexturesBeginAtTheCut() {
-        Asset asset = assetOf({kSquare, {}}, 2.0);
+        Asset asset = assetOf(unitSquare(), 2.0);
         asset.insideUvScale = 4.0;
         const std::vector<Vec2> cut = {{0.0, 4.0}, {0.0, -4.0}, {4.0, -4.0}, {4.0, 4.0}};
         QVERIFY(uvsOf(fragmentMesh(leftHalf(), asset), 5) == cut);
     }
     void anOutlineOfTheOtherWindingIsNotMirrored() {
-        Ring clockwise(kSquare.rbegin(), kSquare.rend());
+        const Ring clockwise = reversed(unitSquare().outer);
         const Mesh mesh = fragmentMesh(leftHalf(), assetOf({clockwise, {}}, 2.0));
         const std::vector<Vec2> left = uvsOf(mesh, 4);
         QCOMPARE(left[2].x - left[0].x, 1.0);
@@ -94,7 +65,7 @@ private slots:
         // The neighbours above and below meet at (0.5, 0.5): the cap has five corners, so must the sides.
         const BakedFragment fragment = fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
                                                   {{kNone, 1, 2, kNone, kNone}}, 2.0, {0.25, 0.5});
-        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 2.0));
+        const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{7});
         QCOMPARE(mesh.faces[0].cornerCount, 5u);
@@ -103,7 +74,7 @@ private slots:
     void cornersThatFellTogetherAreOne() {
         const BakedFragment fragment = fragmentOf({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
                                                   {{kNone, 1, 2, kNone, kNone, kNone}}, 1.0, {0.5, 0.5});
-        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 1.0));
+        const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 1.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
     }
@@ -135,12 +106,13 @@ private slots:
         BakedFragment fragment = leftHalf();
         fragment.level = 1;
         fragment.solid.across = {{kNone, kNone, 5, kNone}};
-        const Mesh mesh = fragmentMesh(fragment, assetOf({kSquare, {}}, 2.0));
+        const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(insideFaces(mesh), 2L);
         QCOMPARE(faultOf(mesh, 1.0), "");
     }
     void theWholeIsAllOutside() {
-        const Asset asset = assetOf({kSquare, {{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}}, 2.0);
+        const Asset asset =
+            assetOf({unitSquare().outer, {{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}}, 2.0);
         Bake bake;
         bake.whole = massOfPrism(asset.prism.outline, asset.prism.depth);
         bake.wholeHulls.resize(4);
@@ -150,7 +122,7 @@ private slots:
         QVERIFY(mesh.positions[0] == Vec3(-0.5, -0.5, 1.0));
     }
     void anImportedSurfaceGivesTexturesAndMaterials() {
-        Asset asset = assetOf({kSquare, {}}, 2.0);
+        Asset asset = assetOf(unitSquare(), 2.0);
         Surface surface;
         surface.materials = {"plaster", "paint"};
         surface.front = {true, {{2.0, 0.0, 0.5, 0.0, 3.0, 0.0}}, 1};

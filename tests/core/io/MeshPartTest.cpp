@@ -1,0 +1,51 @@
+#include "core/io/MeshPart.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+Material brick() { return {.id = 1, .name = "brick", .outside = {0.5, 0.5, 0.5}, .inside = {1.0, 0.0, 0.0}}; }
+
+std::vector<std::string> outsideNames(const MeshMaterials& materials) {
+    std::vector<std::string> names;
+    for (const MeshMaterial& material : materials.outside) names.push_back(material.name);
+    return names;
+}
+
+}  // namespace
+
+class MeshPartTest : public QObject {
+    Q_OBJECT
+private slots:
+    void namesBecomeOneWord() {
+        QCOMPARE(meshName("wall"), std::string("wall"));
+        QCOMPARE(meshName("old wall #2"), std::string("old_wall__2"));
+        QCOMPARE(meshName("Größe"), std::string("Größe"));
+        QCOMPARE(meshName(""), std::string("_"));
+    }
+    void materialsAreNamedAfterTheAssets() {
+        const MeshMaterials materials = meshMaterials({}, brick());
+        QVERIFY(outsideNames(materials) == std::vector<std::string>{"brick_outside"});
+        QCOMPARE(materials.inside.name, std::string("brick_inside"));
+        QVERIFY(materials.inside.colour == brick().inside);
+    }
+    void anImportedMeshKeepsItsOwnNames() {
+        Surface surface;
+        surface.materials = {"plaster", "brick_inside", "plaster"};
+        Asset asset;
+        asset.surface = std::make_shared<const Surface>(surface);
+        const MeshMaterials materials = meshMaterials(asset, brick());
+        QVERIFY((outsideNames(materials) == std::vector<std::string>{"plaster", "brick_inside_2", "plaster_2"}));
+        QVERIFY(materials.outside[2].colour == brick().outside);
+    }
+    void anImportedMeshWithoutMaterialsHasTheAssets() {
+        Asset asset;
+        asset.surface = std::make_shared<const Surface>();
+        QVERIFY(outsideNames(meshMaterials(asset, brick())) == std::vector<std::string>{"brick_outside"});
+    }
+};
+
+QTEST_APPLESS_MAIN(MeshPartTest)
+#include "MeshPartTest.moc"

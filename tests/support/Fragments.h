@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/asset/Bake.h"
+#include "tests/support/Outlines.h"
+
+namespace rubble {
+
+inline Asset assetOf(Polygon outline, double depth) {
+    Asset asset;
+    asset.prism = {std::move(outline), depth};
+    return asset;
+}
+
+/// A piece with its outline about `offset`, as an outline of the prism's frame is given.
+inline BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::uint32_t>> across, double depth,
+                                Vec2 offset) {
+    for (Vec2& corner : outline.outer) corner -= offset;
+    for (Ring& hole : outline.holes) {
+        for (Vec2& corner : hole) corner -= offset;
+    }
+    BakedFragment fragment;
+    fragment.solid.outline = std::move(outline);
+    fragment.solid.across = std::move(across);
+    fragment.solid.depth = depth;
+    fragment.solid.offset = {offset.x, offset.y, 0.0};
+    fragment.solid.hulls.resize(1);
+    return fragment;
+}
+
+/// The left half of the unit square, cut off at x = 0.5, 2 deep; its neighbour is fragment 1.
+inline BakedFragment leftHalf() {
+    return fragmentOf({rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {{kNone, 1, kNone, kNone}}, 2.0, {0.25, 0.5});
+}
+
+/// The right half; its neighbour is fragment 0.
+inline BakedFragment rightHalf() {
+    return fragmentOf({rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {{kNone, kNone, kNone, 0}}, 2.0, {0.75, 0.5});
+}
+
+}  // namespace rubble

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/geometry/Mesh.h"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// An object of an OBJ file. Its faces carry the run of usemtl that they stand in as `material`.
+struct ObjObject {
+    std::string name;
+    std::string group;
+    std::vector<std::string> materials;  // in the order of their runs
+    Mesh mesh;                           // indices from the object's own first line on; inside: after the first run
+};
+
+/// A small reader of the OBJ files that we write, and of those alone; independent of the locale.
+inline std::vector<ObjObject> readObj(const std::string& text) {
+    const auto numberOf = [](const std::string& word) {
+        double number = 0.0;
+        std::from_chars(word.data(), word.data() + word.size(), number);
+        return number;
+    };
+    std::vector<ObjObject> objects;
+    std::uint32_t positions = 1, uvs = 1, normals = 1;  // of the objects before
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string keyword, a, b, c;
+        words >> keyword;
+        if (keyword == "o") {
+            if (!objects.empty()) {
+                positions += static_cast<std::uint32_t>(objects.back().mesh.positions.size());
+                uvs += static_cast<std::uint32_t>(objects.back().mesh.uvs.size());
+                normals += static_cast<std::uint32_t>(objects.back().mesh.normals.size());
+            }
+            words >> objects.emplace_back().name;
+        }
+        if (objects.empty()) continue;
+        ObjObject& object = objects.back();
+        Mesh& mesh = object.mesh;
+        if (keyword == "g") words >> object.group;
+        if (keyword == "usemtl") words >> object.materials.emplace_back();
+        if (keyword == "v" && words >> a >> b >> c) mesh.positions.push_back({numberOf(a), numberOf(b), numberOf(c)});
+        if (keyword == "vt" && words >> a >> b) mesh.uvs.push_back({numberOf(a), numberOf(b)});
+        if (keyword == "vn" && words >> a >> b >> c) mesh.normals.push_back({numberOf(a), numberOf(b), numberOf(c)});
+        if (keyword != "f") continue;
+        const auto run = static_cast<std::uint32_t>(object.materials.size() - 1);
+        MeshFace face{static_cast<std::uint32_t>(mesh.corners.size()), 0, 0, run, FaceSide::Outside};
+        for (std::string corner; words >> corner; ++face.cornerCount) {
+            std::replace(corner.begin(), corner.end(), '/', ' ');
+            std::istringstream indices(corner);
+            std::uint32_t position = 0, uv = 0;
+            indices >> position >> uv >> face.normal;
+            mesh.corners.push_back({position - positions, uv - uvs});
+            face.normal -= normals;
+        }
+        mesh.faces.push_back(face);
+    }
+    return objects;
+}
+
+}  // namespace rubble
