@@ -1,5 +1,6 @@
 #include "core/asset/ProjectFaults.h"
 #include "core/base/MessageText.h"
+#include "core/base/Utf8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,9 @@ Sentence surfaceFault(const std::string& owner, const Surface& surface) {
     const auto isNamed = [&](std::uint32_t material) {
         return material < std::max<std::size_t>(surface.materials.size(), 1);
     };
+    if (!std::ranges::all_of(surface.materials, isUtf8)) {
+        return owner + ": a material of the surface has a name that is not text in UTF-8.";
+    }
     for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
         const std::string triangle = owner + ": triangle " + std::to_string(k) + " of the surface ";
         if (!isFinite(surface.triangles[k])) return triangle + "has a coordinate that is not finite.";

@@ -1,4 +1,5 @@
 #include "core/asset/ProjectFaults.h"
+#include "core/base/Utf8.h"
 
 #include <algorithm>
 #include <set>
@@ -66,6 +67,9 @@ Sentence listFault(const std::vector<Element>& elements, const char* kind) {
                    "; ids must ascend.";
         }
         if (elements[k].name.empty()) return owner + " has no name.";
+        if (!isUtf8(elements[k].name)) {
+            return ownerText(kind, elements[k].id, "") + " has a name that is not text in UTF-8.";
+        }
         if (!names.insert(elements[k].name).second) return owner + " has a name that is already taken.";
     }
     return std::nullopt;

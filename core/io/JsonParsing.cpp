@@ -8,8 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kLargestText = std::size_t{256} << 20;  // bytes; a value takes at most 12 times its text
-constexpr std::size_t kDeepest = 64;                          // our own formats nest a dozen levels
+constexpr std::size_t kDeepest = 64;  // our own formats nest a dozen levels
 
 struct TextPosition {
     std::size_t line = 1;
@@ -124,7 +123,7 @@ private:
 };
 
 Result<JsonDocument> JsonDocument::parse(std::string_view text) {
-    if (text.size() > kLargestText)
+    if (text.size() > kLargestJson)
         return Error{ErrorCode::Limit, "The JSON is larger than 256 MiB: " + std::to_string(text.size()) + " bytes."};
     JsonDocument document;
     Builder builder(document, text);

@@ -17,6 +17,9 @@ namespace rubble {
 class JsonValue;
 class JsonElements;
 
+/// The longest JSON text that is read, in bytes; a document takes at most 12 times as much.
+inline constexpr std::size_t kLargestJson = std::size_t{256} << 20;
+
 /// Which numbers a field takes; said in its messages.
 struct NumberRange {
     double min = std::numeric_limits<double>::lowest();

@@ -62,6 +62,7 @@ private slots:
         row("Instance 5 \"left\" stands behind the one with id 6; ids must ascend.",
             [](Project& p) { std::swap(p.instances[0], p.instances[1]); });
         row("Material 1 has no name.", [](Project& p) { p.materials[0].name.clear(); });
+        row("Material 1 has a name that is not text in UTF-8.", [](Project& p) { p.materials[0].name = "br\xfc"; });
         row("Instance 6 \"left\" has a name that is already taken.", [](Project& p) { p.instances[1].name = "left"; });
     }
     void faultsOfIdsAndNamesAreNamed() { changeIsReported(); }
@@ -99,6 +100,11 @@ private slots:
         row("Asset 2 \"wall\": triangle 0 of the surface has a coordinate that is not finite.", [](Project& p) {
             const auto surface = copyOfSurface(p);
             surface->triangles[0].corners[1].z = kNan;
+            p.assets[0].surface = surface;
+        });
+        row("Asset 2 \"wall\": a material of the surface has a name that is not text in UTF-8.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->materials[0] = "\xc0\xaf";
             p.assets[0].surface = surface;
         });
         row("Asset 2 \"wall\": the surface's back cap names a material that is not there.", [](Project& p) {

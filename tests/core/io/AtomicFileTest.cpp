@@ -1,12 +1,10 @@
 #include "core/io/AtomicFile.h"
+#include "tests/support/FileLimits.h"
 
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
 #include <fstream>
 
 using namespace rubble;
@@ -14,38 +12,6 @@ using namespace rubble;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Files above a size cannot be written while it lives, as on a full disk.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        m_oldAction = std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_old);
-        const rlimit limited{bytes, m_old.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limited);
-    }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &m_old);
-        std::signal(SIGXFSZ, m_oldAction);
-    }
-
-private:
-    rlimit m_old{};
-    void (*m_oldAction)(int) = nullptr;
-};
-
-/// Permissions count for root only after it has become somebody else.
-class AsNobody {
-public:
-    AsNobody() : m_wasRoot(::geteuid() == 0 && ::seteuid(65534) == 0) {}
-    ~AsNobody() {
-        if (m_wasRoot) m_isBack = ::seteuid(0) == 0;
-    }
-
-private:
-    bool m_wasRoot;
-    bool m_isBack = false;
-};
 
 std::size_t entryCount(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));

@@ -1,0 +1,175 @@
+#include "core/io/AssetJson.h"
+
+#include "core/io/PatternJson.h"
+
+namespace rubble {
+namespace {
+
+void writeColour(JsonLayout& json, std::string_view key, const Colour& colour) {
+    json.numbers(key, {colour.red, colour.green, colour.blue});
+}
+
+Colour readColour(const JsonValue& value) {
+    const auto [red, green, blue] = value.numbers<3>();
+    return {red, green, blue};
+}
+
+void writePrism(JsonLayout& json, const Prism& prism) {
+    json.openObject("prism");
+    json.number("depth", prism.depth);
+    json.points("outline", prism.outline.outer);
+    json.openArray("holes");
+    for (const Ring& hole : prism.outline.holes) json.points({}, hole);
+    json.close();
+    json.close();
+}
+
+Prism readPrism(const JsonValue& value) {
+    value.requireObject({"depth", "outline", "holes"});
+    Prism prism{.outline = {readPoints(value["outline"]), {}}, .depth = value["depth"].number()};
+    for (const JsonValue hole : value["holes"].elements()) prism.outline.holes.push_back(readPoints(hole));
+    return prism;
+}
+
+void writeLevel(JsonLayout& json, const Level& level) {
+    json.openObject();
+    json.number("minimumVolume", level.minimumVolume);
+    writePattern(json, level.pattern);
+    json.close();
+}
+
+Level readLevel(const JsonValue& value) {
+    value.requireObject({"minimumVolume", "pattern"});
+    return {.pattern = readPattern(value["pattern"]), .minimumVolume = value["minimumVolume"].number()};
+}
+
+void writeCap(JsonLayout& json, std::string_view key, const CapUv& cap) {
+    json.openObject(key, JsonLines::One);
+    json.wholeNumber("material", cap.material);
+    json.boolean("affine", cap.isAffine);
+    json.numbers("map", cap.map.coefficients);
+    json.close();
+}
+
+CapUv readCap(const JsonValue& value) {
+    value.requireObject({"material", "affine", "map"});
+    return {.isAffine = value["affine"].boolean(),
+            .map = {value["map"].numbers<6>()},
+            .material = value["material"].index()};
+}
+
+void writeTriangle(JsonLayout& json, const SurfaceTriangle& triangle) {
+    json.openObject({}, JsonLines::One);
+    json.wholeNumber("material", triangle.material);
+    json.openArray("corners", JsonLines::One);
+    for (const Vec3& corner : triangle.corners) json.numbers({}, {corner.x, corner.y, corner.z});
+    json.close();
+    json.openArray("uvs", JsonLines::One);
+    for (const Vec2& uv : triangle.uvs) json.numbers({}, {uv.x, uv.y});
+    json.close();
+    json.close();
+}
+
+/// Reads an array of three arrays of numbers.
+template <std::size_t Count, class Vector>
+void readThree(const JsonValue& value, std::array<Vector, 3>& vectors) {
+    if (value.elements().size() != 3) return value.refuse("expected an array of 3 points");
+    std::size_t k = 0;
+    for (const JsonValue element : value.elements()) {
+        const std::array<double, Count> numbers = element.numbers<Count>();
+        for (std::size_t i = 0; i < Count; ++i) vectors[k][static_cast<int>(i)] = numbers[i];
+        ++k;
+    }
+}
+
+SurfaceTriangle readTriangle(const JsonValue& value) {
+    value.requireObject({"material", "corners", "uvs"});
+    SurfaceTriangle triangle{.corners = {}, .uvs = {}, .material = value["material"].index()};
+    readThree<3>(value["corners"], triangle.corners);
+    readThree<2>(value["uvs"], triangle.uvs);
+    return triangle;
+}
+
+void writeSurface(JsonLayout& json, const Surface& surface) {
+    json.openObject("surface");
+    json.openArray("materials");
+    for (const std::string& material : surface.materials) json.text({}, material);
+    json.close();
+    writeCap(json, "front", surface.front);
+    writeCap(json, "back", surface.back);
+    json.openArray("triangles");
+    for (const SurfaceTriangle& triangle : surface.triangles) writeTriangle(json, triangle);
+    json.close();
+    json.close();
+}
+
+std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
+    if (value.isNull()) return nullptr;
+    value.requireObject({"materials", "front", "back", "triangles"});
+    Surface surface{.materials = {}, .front = readCap(value["front"]), .back = readCap(value["back"]), .triangles = {}};
+    for (const JsonValue material : value["materials"].elements()) surface.materials.push_back(material.text());
+    for (const JsonValue triangle : value["triangles"].elements()) surface.triangles.push_back(readTriangle(triangle));
+    return std::make_shared<Surface>(std::move(surface));
+}
+
+}  // namespace
+
+void writeMaterial(JsonLayout& json, const Material& material) {
+    json.openObject();
+    json.wholeNumber("id", material.id);
+    json.text("name", material.name);
+    json.number("density", material.density);
+    json.number("friction", material.friction);
+    json.number("restitution", material.restitution);
+    writeColour(json, "outside", material.outside);
+    writeColour(json, "inside", material.inside);
+    json.close();
+}
+
+Material readMaterial(const JsonValue& value) {
+    value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"});
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .density = value["density"].number(),
+            .friction = value["friction"].number(),
+            .restitution = value["restitution"].number(),
+            .outside = readColour(value["outside"]),
+            .inside = readColour(value["inside"])};
+}
+
+void writeAsset(JsonLayout& json, const Asset& asset) {
+    json.openObject();
+    json.wholeNumber("id", asset.id);
+    json.text("name", asset.name);
+    json.wholeNumber("material", asset.material);
+    json.number("threshold", asset.threshold);
+    json.number("insideUvScale", asset.insideUvScale);
+    writePrism(json, asset.prism);
+    writePattern(json, asset.pattern);
+    json.openArray("levels");
+    for (const Level& level : asset.levels) writeLevel(json, level);
+    json.close();
+    if (asset.surface) {
+        writeSurface(json, *asset.surface);
+    } else {
+        json.null("surface");
+    }
+    json.close();
+}
+
+Asset readAsset(const JsonValue& value) {
+    value.requireObject(
+        {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
+    Asset asset{.id = value["id"].index(),
+                .name = value["name"].text(),
+                .material = value["material"].index(),
+                .prism = readPrism(value["prism"]),
+                .pattern = readPattern(value["pattern"]),
+                .threshold = value["threshold"].number(),
+                .insideUvScale = value["insideUvScale"].number(),
+                .surface = readSurface(value["surface"])};
+    for (const JsonValue level : value["levels"].elements()) asset.levels.push_back(readLevel(level));
+    return asset;
+}
+
+}  // namespace rubble

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/asset/Project.h"
+#include "core/io/JsonLayout.h"
+#include "core/io/JsonReading.h"
+
+namespace rubble {
+
+/// Writes a material or an asset as an element of an array.
+void writeMaterial(JsonLayout& json, const Material& material);
+void writeAsset(JsonLayout& json, const Asset& asset);
+
+/// Read what was written by these. Types only: verifyProject() looks at the values.
+Material readMaterial(const JsonValue& value);
+Asset readAsset(const JsonValue& value);
+
+}  // namespace rubble

@@ -1,0 +1,119 @@
+#include "core/io/ProjectFile.h"
+
+#include "core/io/AssetJson.h"
+#include "core/io/AtomicFile.h"
+#include "core/io/SceneJson.h"
+#include "core/io/ShotJson.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+constexpr std::array<std::string_view, 1> kFormat{"rubble-project"};
+
+template <class Element>
+void writeList(JsonLayout& json, std::string_view key, const std::vector<Element>& elements,
+               void (*write)(JsonLayout&, const Element&)) {
+    json.openArray(key);
+    for (const Element& element : elements) write(json, element);
+    json.close();
+}
+
+template <class Element>
+std::vector<Element> readList(const JsonValue& value, Element (*read)(const JsonValue&)) {
+    std::vector<Element> elements;
+    for (const JsonValue element : value.elements()) elements.push_back(read(element));
+    return elements;
+}
+
+Project readVersion1(const JsonValue& root) {
+    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
+                        "damage", "shots", "playTests"});
+    return {.nextId = root["nextId"].index(),
+            .materials = readList(root["materials"], readMaterial),
+            .assets = readList(root["assets"], readAsset),
+            .instances = readList(root["instances"], readInstance),
+            .ground = readGround(root["ground"]),
+            .gravity = readVector(root["gravity"]),
+            .damage = readDamage(root["damage"]),
+            .shots = readList(root["shots"], readShot),
+            .playTests = readList(root["playTests"], readPlayTest)};
+}
+
+/// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
+/// in what their files did not know.
+constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1};
+
+/// Refuses what is no project, or one that is newer than this program; the reader of its version otherwise.
+Result<Project> readAnyVersion(JsonDocument& document) {
+    const JsonValue root = document.root();
+    if (!root.isObject()) root.requireObject({});
+    for (const std::string_view key : {"format", "version"}) {
+        if (!document.fault() && !root[key].isPresent()) root.refuse("the key \"" + std::string(key) + "\" is missing");
+    }
+    root["format"].oneOf(kFormat);
+    const std::uint64_t version = root["version"].wholeNumber(1);
+    if (!document.fault() && version > kProjectVersion) {
+        return Error{ErrorCode::Unsupported, "The project is of version " + std::to_string(version) +
+                                                 ", but this program knows none above " +
+                                                 std::to_string(kProjectVersion) + "; open it with a newer one."};
+    }
+    if (document.fault()) return *document.fault();
+    Project project = kReaders[version - 1](root);
+    if (document.fault()) return *document.fault();
+    return project;
+}
+
+Error about(const char* what, const std::filesystem::path& path, const Error& error) {
+    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
+}
+
+}  // namespace
+
+std::string projectText(const Project& project) {
+    JsonLayout json;
+    json.openObject();
+    json.text("format", kFormat[0]);
+    json.wholeNumber("version", kProjectVersion);
+    json.wholeNumber("nextId", project.nextId);
+    writeList(json, "materials", project.materials, writeMaterial);
+    writeList(json, "assets", project.assets, writeAsset);
+    writeList(json, "instances", project.instances, writeInstance);
+    writeGround(json, project.ground);
+    writeVector(json, "gravity", project.gravity);
+    writeDamage(json, project.damage);
+    writeList(json, "shots", project.shots, writeShot);
+    writeList(json, "playTests", project.playTests, writePlayTest);
+    json.close();
+    return std::move(json).finished();
+}
+
+Result<Project> readProjectText(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    Result<Project> project = readAnyVersion(*document);
+    if (!project) return project;
+    if (const std::optional<std::string> fault = verifyProject(*project)) return Error{ErrorCode::BadInput, *fault};
+    return project;
+}
+
+Result<Project> loadProject(const std::filesystem::path& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    Result<Project> project = readProjectText(*text);
+    if (!project) return about("Cannot read", path, project.error());
+    return project;
+}
+
+Status saveProject(const std::filesystem::path& path, const Project& project) {
+    if (const std::optional<std::string> fault = verifyProject(project))
+        return about("Cannot write", path, {ErrorCode::BadInput, *fault});
+    const std::string text = projectText(project);
+    if (text.size() > kLargestJson) {
+        return about("Cannot write", path, {ErrorCode::Limit, "The project is larger than 256 MiB."});
+    }
+    return writeFileAtomically(path, text);
+}
+
+}  // namespace rubble

@@ -1,0 +1,83 @@
+#include "core/io/SceneJson.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+// In the order of their enumerators.
+constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
+
+}  // namespace
+
+void writeVector(JsonLayout& json, std::string_view key, Vec3 vector) {
+    json.numbers(key, {vector.x, vector.y, vector.z});
+}
+
+Vec3 readVector(const JsonValue& value) {
+    const auto [x, y, z] = value.numbers<3>();
+    return {x, y, z};
+}
+
+void writeInstance(JsonLayout& json, const Instance& instance) {
+    const Quat& turn = instance.pose.orientation;
+    json.openObject();
+    json.wholeNumber("id", instance.id);
+    json.text("name", instance.name);
+    json.wholeNumber("asset", instance.asset);
+    writeVector(json, "position", instance.pose.position);
+    json.numbers("orientation", {turn.w, turn.x, turn.y, turn.z});
+    if (instance.threshold) {
+        json.number("threshold", *instance.threshold);
+    } else {
+        json.null("threshold");
+    }
+    json.boolean("fixed", instance.isFixed);
+    json.close();
+}
+
+Instance readInstance(const JsonValue& value) {
+    value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
+    const auto [w, x, y, z] = value["orientation"].numbers<4>();
+    Instance instance{.id = value["id"].index(),
+                      .name = value["name"].text(),
+                      .asset = value["asset"].index(),
+                      .pose = {readVector(value["position"]), Quat{w, x, y, z}},
+                      .isFixed = value["fixed"].boolean()};
+    if (!value["threshold"].isNull()) instance.threshold = value["threshold"].number();
+    return instance;
+}
+
+void writeGround(JsonLayout& json, const Ground& ground) {
+    json.openObject("ground");
+    json.boolean("on", ground.isOn);
+    json.number("height", ground.height);
+    json.number("friction", ground.friction);
+    json.number("restitution", ground.restitution);
+    json.close();
+}
+
+Ground readGround(const JsonValue& value) {
+    value.requireObject({"on", "height", "friction", "restitution"});
+    return {.isOn = value["on"].boolean(),
+            .height = value["height"].number(),
+            .friction = value["friction"].number(),
+            .restitution = value["restitution"].number()};
+}
+
+void writeDamage(JsonLayout& json, const Damage& damage) {
+    json.openObject("damage");
+    json.text("rule", kRules[static_cast<std::size_t>(damage.rule)]);
+    json.boolean("thesis", damage.isThesis);
+    json.number("thesisThreshold", damage.thesisThreshold);
+    json.close();
+}
+
+Damage readDamage(const JsonValue& value) {
+    value.requireObject({"rule", "thesis", "thesisThreshold"});
+    return {.rule = static_cast<DamageRule>(value["rule"].oneOf(kRules)),
+            .isThesis = value["thesis"].boolean(),
+            .thesisThreshold = value["thesisThreshold"].number()};
+}
+
+}  // namespace rubble

@@ -1,0 +1,132 @@
+#include "core/io/ShotJson.h"
+
+#include "core/io/SceneJson.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+// In the order of their enumerators and of the alternatives of ShotAction.
+constexpr std::array<std::string_view, 4> kProjectiles{"box", "ball", "plank", "asset"};
+constexpr std::array<std::string_view, 3> kActions{"throw", "hammer", "explosion"};
+constexpr std::array<std::string_view, 6> kExpectations{"standsUntouched",   "breaks",       "doesNotBreak",
+                                                        "breaksIntoAtLeast", "nothingAbove", "nothingFaster"};
+static_assert(kActions.size() == std::variant_size_v<ShotAction>);
+
+template <class Enumeration>
+std::size_t indexOf(Enumeration enumerator) {
+    return static_cast<std::size_t>(enumerator);
+}
+
+void writeAction(JsonLayout& json, const Throw& thrown) {
+    json.text("projectile", kProjectiles[indexOf(thrown.kind)]);
+    json.wholeNumber("asset", thrown.asset);
+    writeVector(json, "size", thrown.size);
+    json.number("mass", thrown.mass);
+    writeVector(json, "from", thrown.from);
+    writeVector(json, "to", thrown.to);
+    json.number("speed", thrown.speed);
+}
+
+Throw readThrow(const JsonValue& value) {
+    value.requireObject({"projectile", "asset", "size", "mass", "from", "to", "speed"});
+    return {.kind = static_cast<ProjectileKind>(value["projectile"].oneOf(kProjectiles)),
+            .asset = value["asset"].index(),
+            .size = readVector(value["size"]),
+            .mass = value["mass"].number(),
+            .from = readVector(value["from"]),
+            .to = readVector(value["to"]),
+            .speed = value["speed"].number()};
+}
+
+void writeAction(JsonLayout& json, const Hammer& hammer) {
+    writeVector(json, "at", hammer.at);
+    writeVector(json, "impulse", hammer.impulse);
+}
+
+Hammer readHammer(const JsonValue& value) {
+    value.requireObject({"at", "impulse"});
+    return {.at = readVector(value["at"]), .impulse = readVector(value["impulse"])};
+}
+
+void writeAction(JsonLayout& json, const Explosion& explosion) {
+    writeVector(json, "at", explosion.at);
+    json.number("impulse", explosion.impulse);
+    json.number("radius", explosion.radius);
+}
+
+Explosion readExplosion(const JsonValue& value) {
+    value.requireObject({"at", "impulse", "radius"});
+    return {.at = readVector(value["at"]), .impulse = value["impulse"].number(), .radius = value["radius"].number()};
+}
+
+ShotAction readAction(std::size_t kind, const JsonValue& value) {
+    switch (kind) {
+        case 0: return readThrow(value);
+        case 1: return readHammer(value);
+        default: return readExplosion(value);
+    }
+}
+
+void writeExpectation(JsonLayout& json, const Expectation& expectation) {
+    json.openObject({}, JsonLines::One);
+    json.text("kind", kExpectations[indexOf(expectation.kind)]);
+    json.wholeNumber("instance", expectation.instance);
+    json.number("value", expectation.value);
+    json.close();
+}
+
+Expectation readExpectation(const JsonValue& value) {
+    value.requireObject({"kind", "instance", "value"});
+    return {.kind = static_cast<ExpectationKind>(value["kind"].oneOf(kExpectations)),
+            .instance = value["instance"].index(),
+            .value = value["value"].number()};
+}
+
+}  // namespace
+
+void writeShot(JsonLayout& json, const Shot& shot) {
+    json.openObject();
+    json.wholeNumber("id", shot.id);
+    json.text("name", shot.name);
+    json.number("time", shot.time);
+    json.text("kind", kActions[shot.action.index()]);
+    json.openObject("action");
+    std::visit([&](const auto& action) { writeAction(json, action); }, shot.action);
+    json.close();
+    json.close();
+}
+
+Shot readShot(const JsonValue& value) {
+    value.requireObject({"id", "name", "time", "kind", "action"});
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .time = value["time"].number(),
+            .action = readAction(value["kind"].oneOf(kActions), value["action"])};
+}
+
+void writePlayTest(JsonLayout& json, const PlayTest& test) {
+    json.openObject();
+    json.wholeNumber("id", test.id);
+    json.text("name", test.name);
+    json.openArray("shots", JsonLines::One);
+    for (const Id shot : test.shots) json.wholeNumber({}, shot);
+    json.close();
+    json.number("duration", test.duration);
+    json.openArray("expectations");
+    for (const Expectation& expectation : test.expectations) writeExpectation(json, expectation);
+    json.close();
+    json.close();
+}
+
+PlayTest readPlayTest(const JsonValue& value) {
+    value.requireObject({"id", "name", "shots", "duration", "expectations"});
+    PlayTest test{.id = value["id"].index(), .name = value["name"].text(), .duration = value["duration"].number()};
+    for (const JsonValue shot : value["shots"].elements()) test.shots.push_back(shot.index());
+    for (const JsonValue expectation : value["expectations"].elements())
+        test.expectations.push_back(readExpectation(expectation));
+    return test;
+}
+
+}  // namespace rubble

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/asset/Project.h"
+#include "core/io/JsonLayout.h"
+#include "core/io/JsonReading.h"
+
+namespace rubble {
+
+/// Write what is done to a scene and what is expected of it, each as an element of an array.
+void writeShot(JsonLayout& json, const Shot& shot);
+void writePlayTest(JsonLayout& json, const PlayTest& test);
+
+/// Read what was written by these. Types only: verifyProject() looks at the values.
+Shot readShot(const JsonValue& value);
+PlayTest readPlayTest(const JsonValue& value);
+
+}  // namespace rubble

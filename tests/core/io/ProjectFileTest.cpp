@@ -1,0 +1,201 @@
+#include "core/io/AtomicFile.h"
+#include "core/io/ProjectFile.h"
+#include "tests/support/FileLimits.h"
+#include "tests/support/JsonMutations.h"
+#include "tests/support/Projects.h"
+#include "tests/support/Schemas.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEmptyProject = R"({
+  "format": "rubble-project",
+  "version": 1,
+  "nextId": 2,
+  "materials": [
+    {
+      "id": 1,
+      "name": "brick",
+      "density": 1000,
+      "friction": 0.6,
+      "restitution": 0,
+      "outside": [0.8, 0.8, 0.8],
+      "inside": [0.8, 0.8, 0.8]
+    }
+  ],
+  "assets": [],
+  "instances": [],
+  "ground": {
+    "on": true,
+    "height": 0,
+    "friction": 0.6,
+    "restitution": 0
+  },
+  "gravity": [0, -9.81, 0],
+  "damage": {
+    "rule": "impact",
+    "thesis": false,
+    "thesisThreshold": 1000
+  },
+  "shots": [],
+  "playTests": []
+}
+)";
+
+std::string faultOf(std::string_view json) {
+    const Result<Project> project = readProjectText(json);
+    return project ? "" : project.error().message;
+}
+
+nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject())); }
+
+/// Where a value of another type is as good: in the places that are there or not.
+bool fits(const std::string& place, const nlohmann::json& value) {
+    if (place.ends_with("].surface")) return value.is_null();
+    const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
+    return isOwnThreshold && (value.is_null() || value.is_number());
+}
+
+}  // namespace
+
+class ProjectFileTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    fs::path inFolder(const char* name) const { return fs::path(m_folder.path().toStdString()) / name; }
+
+private slots:
+    void layoutIsForPeople() {
+        Project project;
+        project.nextId = 2;
+        project.materials = {{.id = 1, .name = "brick"}};
+        QCOMPARE(projectText(project), std::string(kEmptyProject));
+    }
+    void everythingComesBackBitForBit() {
+        const std::string text = projectText(fullProject());
+        const Result<Project> read = readProjectText(text);
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QVERIFY(*read == fullProject());
+        QCOMPARE(projectText(*read), text);
+        QCOMPARE(read->assets[0].pattern.layers[0].randomSeed, ~std::uint64_t{0});
+        QCOMPARE(read->assets[0].pattern.layers[2].randomSeed, std::uint64_t{9007199254740993u});
+        QVERIFY(std::signbit(read->instances[1].pose.orientation.x));
+    }
+    void keyOrderIsFreeWhereRead() {
+        QVERIFY(*readProjectText(fullJson().dump()) == fullProject());  // sorted there
+    }
+    void writtenProjectsFitTheSchema() {
+        const test::Schema schema("project.schema.json");
+        QCOMPARE(schema.fault(fullJson()), std::string());
+        QCOMPARE(schema.fault(nlohmann::json::parse(projectText(Project{}))), std::string());
+    }
+    void everyWrongTypeIsPlaced() {
+        const test::Schema schema("project.schema.json");
+        for (const test::JsonMutation& mutation : test::mutationsOf(fullJson(), fits)) {
+            const std::string fault = faultOf(mutation.document.dump());
+            QVERIFY2(fault.starts_with(mutation.place + ": "), (mutation.name + " gives: " + fault).c_str());
+            QVERIFY2(!schema.fault(mutation.document).empty(), mutation.name.c_str());
+        }
+    }
+    void wrongValuesAreNamed_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("value");
+        const auto row = [](const char* sentence, const char* place, const char* value) {
+            QTest::newRow(sentence) << QString(place) << QString(value);
+        };
+        row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
+        row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
+        row("The project is of version 2, but this program knows none above 1; open it with a newer one.", "/version",
+            "2");
+        row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
+        row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
+        row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
+        row("assets[0].prism.depth: expected a number, found \"two\".", "/assets/0/prism/depth", "\"two\"");
+        row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
+            "/assets/0/prism/outline/2", "[1, 2, 3]");
+        row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\" or \"lloyd\", found "
+            "\"bricks\".",
+            "/assets/0/pattern/0/kind", "\"bricks\"");
+        row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
+        row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
+            "[[0, 1], [1, 0]]");
+        row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
+        row("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule", "\"thesis\"");
+        row("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
+        row("Instance 21 \"right\" names asset 8, which is not there.", "/instances/1/asset", "8");
+    }
+    void wrongValuesAreNamed() {
+        QFETCH(QString, place);
+        QFETCH(QString, value);
+        nlohmann::json json = fullJson();
+        json[nlohmann::json::json_pointer(place.toStdString())] = nlohmann::json::parse(value.toStdString());
+        QCOMPARE(faultOf(json.dump()), std::string(QTest::currentDataTag()));
+    }
+    void newerVersionsAreToldApart() {
+        nlohmann::json json = fullJson();
+        json["version"] = 2;
+        json["a key of tomorrow"] = 1;  // what else it holds is not looked at
+        QCOMPARE(readProjectText(json.dump()).error().code, ErrorCode::Unsupported);
+    }
+    void truncatedTextIsRefusedAnywhere() {
+        const std::string text = projectText(fullProject());
+        for (std::size_t size = 0; size + 2 < text.size(); size += 7) {
+            const std::string fault = faultOf(std::string_view(text).substr(0, size));
+            QVERIFY2(fault.starts_with("The text is not JSON at line "), fault.c_str());
+        }
+    }
+    void filesComeBack() {
+        QVERIFY(saveProject(inFolder("full.rubble"), fullProject()));
+        const Result<Project> project = loadProject(inFolder("full.rubble"));
+        QVERIFY(project && *project == fullProject());
+    }
+    void faultsNameTheFile() {
+        QCOMPARE(loadProject(inFolder("none.rubble")).error().code, ErrorCode::NotFound);
+        QVERIFY(writeFileAtomically(inFolder("cut.rubble"), std::string_view(kEmptyProject).substr(0, 40)));
+        const std::string fault = loadProject(inFolder("cut.rubble")).error().message;
+        const std::string file = "Cannot read \"" + inFolder("cut.rubble").string() + "\": ";
+        QVERIFY2(fault.starts_with(file + "The text is not JSON at line 3, column "), fault.c_str());
+    }
+    void projectWithAFaultIsNotSaved() {
+        QVERIFY(saveProject(inFolder("old.rubble"), fullProject()));
+        Project project = fullProject();
+        project.materials[0].density = -1.0;
+        const Status saved = saveProject(inFolder("old.rubble"), project);
+        QCOMPARE(saved.error().message, "Cannot write \"" + inFolder("old.rubble").string() +
+                                            "\": Material 1 \"brick\": the density is -1, but it must be finite and "
+                                            "above zero.");
+        QVERIFY(*loadProject(inFolder("old.rubble")) == fullProject());
+    }
+    void fullDiskLeavesTheOldFileWhole() {
+        QVERIFY(saveProject(inFolder("disk.rubble"), Project{}));
+        {
+            const FileSizeLimit limit(1000);
+            QCOMPARE(saveProject(inFolder("disk.rubble"), fullProject()).error().code, ErrorCode::Io);
+        }
+        QVERIFY(*loadProject(inFolder("disk.rubble")) == Project{});
+        QCOMPARE(saveProject("/dev/full", Project{}).error().message,
+                 std::string("Cannot write \"/dev/full\": No space left on device."));
+    }
+    void readOnlyFolderLeavesTheOldFileWhole() {
+        fs::permissions(inFolder(""), fs::perms(0755));
+        fs::create_directory(inFolder("locked"));
+        QVERIFY(saveProject(inFolder("locked/old.rubble"), Project{}));
+        fs::permissions(inFolder("locked/old.rubble"), fs::perms(0666));
+        fs::permissions(inFolder("locked"), fs::perms(0555));
+        {
+            const AsNobody nobody;
+            QCOMPARE(saveProject(inFolder("locked/old.rubble"), fullProject()).error().code, ErrorCode::Io);
+            QVERIFY(*loadProject(inFolder("locked/old.rubble")) == Project{});
+        }
+        fs::permissions(inFolder("locked"), fs::perms(0755));
+    }
+};
+
+QTEST_APPLESS_MAIN(ProjectFileTest)
+#include "ProjectFileTest.moc"
