@@ -1,0 +1,116 @@
+#include "core/geometry/AxisView.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace rubble {
+namespace {
+
+// A z axis nearer to the vertical than this has no clear "up" across it: cosine of about 25 degrees.
+constexpr double kUpright = 0.9;
+
+Vec2 flat(Vec3 point) { return {point.x, point.y}; }
+
+/// The mean of the heights within the tolerance of a limit; equal heights give exactly theirs.
+double meanHeightNear(const std::vector<Vec3>& points, double limit, double tolerance) {
+    double sum = 0.0;
+    int count = 0;
+    for (const Vec3 point : points) {
+        if (std::abs(point.z - limit) > tolerance) continue;
+        sum += point.z - limit;
+        ++count;
+    }
+    return limit + sum / count;
+}
+
+}  // namespace
+
+Vec3 ViewFrame::fromWorld(Vec3 point) const {
+    const Vec3 offset = point - origin;
+    return {glm::dot(offset, x), glm::dot(offset, y), glm::dot(offset, z)};
+}
+
+ViewFrame frameAlong(Vec3 axis, Vec3 origin) {
+    ViewFrame frame{.origin = origin, .z = axis};
+    if (std::abs(axis.y) < kUpright) {
+        frame.x = glm::normalize(glm::cross(Vec3(0.0, 1.0, 0.0), axis));
+        frame.y = glm::cross(axis, frame.x);
+    } else {
+        frame.y = glm::normalize(glm::cross(axis, Vec3(1.0, 0.0, 0.0)));
+        frame.x = glm::cross(frame.y, axis);
+    }
+    return frame;
+}
+
+bool AxisView::has(FaceLie lie) const { return std::ranges::find(lies, lie) != lies.end(); }
+
+AxisView viewedAlong(const TriangleMesh& mesh, const ViewFrame& frame, double tolerance) {
+    AxisView view{.frame = frame};
+    double lowest = 1e308, highest = -1e308;
+    for (const Vec3 point : mesh.points) {
+        view.points.push_back(frame.fromWorld(point));
+        lowest = std::min(lowest, view.points.back().z);
+        highest = std::max(highest, view.points.back().z);
+    }
+    view.bottom = meanHeightNear(view.points, lowest, tolerance);
+    view.top = meanHeightNear(view.points, highest, tolerance);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto [a, b, c] = mesh.triangles[i];
+        const auto [low, high] = std::minmax({view.points[a].z, view.points[b].z, view.points[c].z});
+        FaceLie lie = high - low <= tolerance ? FaceLie::Between : FaceLie::Leaning;
+        if (low >= highest - tolerance) {
+            lie = FaceLie::Top;
+        } else if (high <= lowest + tolerance) {
+            lie = FaceLie::Bottom;
+        } else if (widthSeen(view, mesh, i) <= tolerance) {
+            lie = FaceLie::Side;
+        }
+        view.lies.push_back(lie);
+    }
+    return view;
+}
+
+double widthSeen(const AxisView& view, const TriangleMesh& mesh, std::size_t triangle) {
+    const auto [a, b, c] = mesh.triangles[triangle];
+    const Vec2 from = flat(view.points[a]), second = flat(view.points[b]), third = flat(view.points[c]);
+    const double longest =
+        std::max({glm::distance(from, second), glm::distance(second, third), glm::distance(third, from)});
+    return longest == 0.0 ? 0.0 : std::abs(cross(second - from, third - from)) / longest;
+}
+
+double leanDegrees(const AxisView& view, const TriangleMesh& mesh, std::size_t triangle) {
+    const Vec3 normal = doubleArea(mesh, triangle);
+    const double along = glm::dot(normal, view.frame.z);
+    return std::atan2(std::abs(along), glm::length(normal - along * view.frame.z)) * (180.0 / 3.14159265358979323846);
+}
+
+std::vector<Ring> boundaryOf(const AxisView& view, const TriangleMesh& mesh, FaceLie lie) {
+    using Edge = std::array<std::uint32_t, 2>;
+    std::set<Edge> edges;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (view.lies[i] != lie) continue;
+        const auto& triangle = mesh.triangles[i];
+        for (int k = 0; k < 3; ++k) {
+            const Edge edge{triangle[k], triangle[(k + 1) % 3]};
+            if (edges.erase({edge[1], edge[0]}) == 0) edges.insert(edge);
+        }
+    }
+    std::vector<Ring> rings;
+    while (!edges.empty()) {
+        Ring& ring = rings.emplace_back();
+        auto edge = edges.begin();
+        while (edge != edges.end()) {
+            const auto [from, to] = *edge;
+            ring.push_back(flat(view.points[from]));
+            edges.erase(edge);
+            edge = edges.lower_bound({to, 0});
+            if (edge != edges.end() && (*edge)[0] != to) edge = edges.end();
+        }
+    }
+    return rings;
+}
+
+}  // namespace rubble

@@ -1,0 +1,88 @@
+#include "core/geometry/SolidMesh.h"
+#include "tests/support/Outlines.h"
+#include "tests/support/Solids.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kTolerance = 1e-5;
+
+std::string faultOf(const TriangleMesh& mesh) {
+    const Result<SolidMesh> solid = solidOf(mesh, kTolerance);
+    return solid ? "" : solid.error().message;
+}
+
+/// Both meshes in one.
+TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
+    const auto count = static_cast<std::uint32_t>(first.points.size());
+    first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+    for (const auto& [a, b, c] : second.triangles) first.triangles.push_back({a + count, b + count, c + count});
+    return first;
+}
+
+}  // namespace
+
+class SolidMeshTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aSolidStaysAsItIs() {
+        const Result<SolidMesh> solid = solidOf(prismSolid(squareRing(), 0.5), kTolerance);
+        QVERIFY(solid.hasValue());
+        QVERIFY(solid->turned.empty());
+        QVERIFY(std::abs(solid->volume - 6.0) < 1e-12);
+    }
+    void trianglesAreTurnedOutwardAndTold() {
+        TriangleMesh box = prismSolid(unitSquare(), 1.0);
+        const auto right = box.triangles;
+        std::swap(box.triangles[3][0], box.triangles[3][1]);
+        std::swap(box.triangles[7][0], box.triangles[7][1]);
+        const Result<SolidMesh> solid = solidOf(box, kTolerance);
+        QCOMPARE(solid->turned, (std::vector<std::uint32_t>{3, 7}));
+        QVERIFY(std::abs(solid->volume - 1.0) < 1e-12);
+        for (auto& triangle : box.triangles) std::swap(triangle[0], triangle[1]);
+        QCOMPARE(solidOf(box, kTolerance)->turned.size(), std::size_t{10});
+    }
+    void faultsAreCounted() {
+        TriangleMesh box = prismSolid(unitSquare(), 1.0);
+        QCOMPARE(faultOf(joined(box, placed(box, {{3, 0, 0}}))), "The mesh consists of 2 parts that are not joined.");
+        TriangleMesh doubled = box;
+        doubled.triangles.push_back(box.triangles[0]);
+        QCOMPARE(faultOf(doubled), "The mesh encloses no clear inside: 3 edges have more than two faces.");
+        box.triangles.pop_back();
+        QCOMPARE(faultOf(box), "The mesh is not closed: 3 edges have one face only.");
+        QCOMPARE(faultOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}), "The mesh encloses no volume.");
+    }
+    void partsThatMeetInAPointAreNoSolid() {
+        const TriangleMesh one{
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+            {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 5, 4}, {0, 4, 6}, {0, 6, 5}, {4, 5, 6}}};
+        QCOMPARE(faultOf(one), "The mesh consists of parts that touch in single points only.");
+    }
+    void theProjectivePlaneHasNoOutside() {
+        const TriangleMesh plane{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}},
+                                 {{0, 1, 2},
+                                  {0, 2, 3},
+                                  {0, 3, 4},
+                                  {0, 4, 5},
+                                  {0, 5, 1},
+                                  {1, 2, 4},
+                                  {2, 3, 5},
+                                  {3, 4, 1},
+                                  {4, 5, 2},
+                                  {5, 1, 3}}};
+        QCOMPARE(faultOf(plane), "The mesh has no outside: its faces cannot all be turned the same way.");
+    }
+    void partsAreNumberedByTheirFirstTriangle() {
+        const TriangleMesh box = prismSolid(unitSquare(), 1.0);
+        const std::vector<std::uint32_t> parts = partsOf(joined(box, placed(box, {{3, 0, 0}})));
+        QCOMPARE(parts.size(), std::size_t{24});
+        QCOMPARE(parts[11], 0u);
+        QCOMPARE(parts[12], 1u);
+    }
+};
+
+QTEST_APPLESS_MAIN(SolidMeshTest)
+#include "SolidMeshTest.moc"

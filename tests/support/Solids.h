@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/geometry/ConvexParts.h"
+#include "core/geometry/TriangleMesh.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace rubble {
+
+/// The prism of an outline, z in [-depth/2, depth/2], closed, welded, counter-clockwise from outside. The points
+/// of the bottom come first, in the order of the outline's.
+inline TriangleMesh prismSolid(const Polygon& outline, double depth) {
+    TriangleMesh solid;
+    std::vector<Ring> rings{outline.outer};
+    rings.insert(rings.end(), outline.holes.begin(), outline.holes.end());
+    std::uint32_t count = 0;
+    for (const Ring& ring : rings) count += static_cast<std::uint32_t>(ring.size());
+    for (const double z : {-depth / 2.0, depth / 2.0})
+        for (const Ring& ring : rings)
+            for (const Vec2 corner : ring) solid.points.emplace_back(corner.x, corner.y, z);
+    const Result<IndexLoops> cap = triangles(outline);
+    RUBBLE_ASSERT(cap.hasValue());
+    for (const auto& loop : *cap) {
+        solid.triangles.push_back({loop[2], loop[1], loop[0]});
+        solid.triangles.push_back({loop[0] + count, loop[1] + count, loop[2] + count});
+    }
+    std::uint32_t first = 0;
+    for (const Ring& ring : rings) {
+        const auto size = static_cast<std::uint32_t>(ring.size());
+        for (std::uint32_t i = 0; i < size; ++i) {
+            const std::uint32_t a = first + i, b = first + (i + 1) % size;
+            solid.triangles.push_back({a, b, b + count});
+            solid.triangles.push_back({a, b + count, a + count});
+        }
+        first += size;
+    }
+    return solid;
+}
+
+/// The same mesh where a pose puts it.
+inline TriangleMesh placed(TriangleMesh mesh, const Pose& pose) {
+    for (Vec3& point : mesh.points) point = pose.position + pose.orientation * point;
+    return mesh;
+}
+
+}  // namespace rubble
