@@ -185,13 +185,14 @@ bool PerturbedDiagram::crossesBefore(std::uint32_t i, std::uint32_t j, const Dir
 Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach) {
     const Vec2 ab = b - a, ac = c - a;
     const double bSquare = ab.x * ab.x + ab.y * ab.y, cSquare = ac.x * ac.x + ac.y * ac.y;
-    const double inverse = 0.5 / cross(ab, ac);
+    const double doubledArea = cross(ab, ac), inverse = 0.5 / doubledArea;
     const Vec2 offset = {(bSquare * ac.y - cSquare * ab.y) * inverse, (cSquare * ab.x - bSquare * ac.x) * inverse};
     // Forward error: six roundings a numerator, five in the denominator.
     const double longest = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ac.x), std::abs(ac.y)});
     const double far = std::max(std::abs(offset.x), std::abs(offset.y));
     const double error = 8.0 * kRounding * longest * inverse * (bSquare + cSquare + 4.0 * longest * far);
-    if (error <= kConstructionError * std::max(reach, far)) return (a - origin) + offset;
+    const bool isSure = doubledArea > 0.0 && error <= kConstructionError * std::max(reach, far);
+    if (isSure) return (a - origin) + offset;
 
     const auto exactB = exactOffset(a, b), exactC = exactOffset(a, c);
     const auto numerator = circumcentreNumerator(exactB, exactC);
