@@ -1,5 +1,7 @@
 #include "core/fracture/PartitionRepair.h"
 
+#include "core/fracture/PieceRings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,12 +10,6 @@
 namespace rubble {
 
 namespace {
-
-struct Corner {
-    std::uint32_t point;
-    std::uint32_t across;
-};
-using Loop = std::vector<Corner>;
 
 /// The points after joining: each names the one that stands for it.
 class JoinedPoints {
@@ -90,18 +86,18 @@ public:
     }
 
 private:
-    /// A piece as it goes back: its rings, the outer one first, and the piece it was.
+    /// A piece as it goes back, and the piece it was.
     struct NewPiece {
-        std::vector<Loop> rings;
+        PieceRings rings;
         std::uint32_t was;
         Vec2 smallest;
     };
 
     void takePiece(std::uint32_t piece) {
-        std::vector<Loop> rings;
+        PieceRings rings;
         for (std::uint32_t ring = m_partition.ringsOfPiece[piece]; ring < m_partition.ringsOfPiece[piece + 1]; ++ring) {
             const std::uint32_t begin = m_partition.cornersOfRing[ring], end = m_partition.cornersOfRing[ring + 1];
-            Loop loop;
+            PieceRing loop;
             for (std::uint32_t corner = begin; corner < end; ++corner) {
                 const std::uint32_t point = m_joined[m_partition.corners[corner]];
                 const std::uint32_t next = m_joined[m_partition.corners[corner + 1 < end ? corner + 1 : begin]];
@@ -128,8 +124,8 @@ private:
             suspect(piece);
             for (std::size_t ring = 0; ring < m_rings[piece].size(); ++ring) {
                 for (std::size_t i = 0; i < m_rings[piece][ring].size(); ++i) {
-                    const Loop& loop = m_rings[piece][ring];
-                    const Corner start = loop[i], end = loop[(i + 1) % loop.size()];
+                    const PieceRing& loop = m_rings[piece][ring];
+                    const PieceCorner start = loop[i], end = loop[(i + 1) % loop.size()];
                     const bool isInside = start.across != kNone && start.point != vertex && end.point != vertex;
                     if (isInside && lies(vertex, start.point, end.point)) splitEdge(piece, ring, i, vertex);
                 }
@@ -146,7 +142,7 @@ private:
     /// edge so that parts of both run along each other. False where there is no such corner.
     bool splitAtSpike(std::uint32_t piece) {
         for (std::size_t ring = 0; ring < m_rings[piece].size(); ++ring) {
-            const Loop& loop = m_rings[piece][ring];
+            const PieceRing& loop = m_rings[piece][ring];
             const std::size_t size = loop.size();
             for (std::size_t i = 0; i < size; ++i) {
                 const std::size_t before = (i + size - 1) % size;
@@ -160,8 +156,8 @@ private:
 
     /// Puts a point into the edge that starts at a corner, on both of its sides.
     bool splitEdge(std::uint32_t piece, std::size_t ring, std::size_t corner, std::uint32_t point) {
-        Loop& loop = m_rings[piece][ring];
-        const Corner start = loop[corner];
+        PieceRing& loop = m_rings[piece][ring];
+        const PieceCorner start = loop[corner];
         const std::uint32_t end = loop[(corner + 1) % loop.size()].point;
         insertAfter(loop, corner, point);
         if (start.across != kNone) {
@@ -173,7 +169,7 @@ private:
         return true;
     }
 
-    static void insertAfter(Loop& loop, std::size_t corner, std::uint32_t point) {
+    static void insertAfter(PieceRing& loop, std::size_t corner, std::uint32_t point) {
         loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(corner) + 1, {point, loop[corner].across});
     }
 
@@ -183,7 +179,7 @@ private:
         std::size_t corner;
     };
     std::optional<Edge> findEdge(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
-        const std::vector<Loop>& rings = m_rings[piece];
+        const PieceRings& rings = m_rings[piece];
         for (std::size_t ring = 0; ring < rings.size(); ++ring) {
             for (std::size_t i = 0; i < rings[ring].size(); ++i) {
                 if (rings[ring][i].point == from && rings[ring][(i + 1) % rings[ring].size()].point == to)
@@ -195,10 +191,10 @@ private:
 
     /// Takes two edges a -> b and b -> a out of a piece. In one ring they part it in two; in two they join them.
     bool cancelOpposite(std::uint32_t piece) {
-        std::vector<Loop>& rings = m_rings[piece];
+        PieceRings& rings = m_rings[piece];
         for (std::size_t ring = 0; ring < rings.size(); ++ring) {
             for (std::size_t i = 0; i < rings[ring].size(); ++i) {
-                const Corner a = rings[ring][i];
+                const PieceCorner a = rings[ring][i];
                 const std::uint32_t b = rings[ring][(i + 1) % rings[ring].size()].point;
                 const std::optional<Edge> reverse = findEdge(piece, b, a.point);
                 if (!reverse) continue;
@@ -212,17 +208,17 @@ private:
         return false;
     }
 
-    static void cancel(std::vector<Loop>& rings, Edge forward, Edge back) {
+    static void cancel(PieceRings& rings, Edge forward, Edge back) {
         // Each ring turned so that it starts behind its edge: from b ... to a, and from a ... to b.
         const auto turned = [&](Edge edge) {
-            Loop loop = std::move(rings[edge.ring]);
+            PieceRing loop = std::move(rings[edge.ring]);
             std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>((edge.corner + 1) % loop.size()),
                         loop.end());
             return loop;
         };
         if (forward.ring != back.ring) {
-            const Loop first = turned(forward), second = turned(back);
-            Loop joined(first.begin(), first.end() - 1);
+            const PieceRing first = turned(forward), second = turned(back);
+            PieceRing joined(first.begin(), first.end() - 1);
             joined.insert(joined.end(), second.begin(), second.end() - 1);
             rings[forward.ring] = std::move(joined);
             rings[back.ring].clear();
@@ -230,7 +226,7 @@ private:
         }
         const std::size_t size = rings[forward.ring].size();
         const std::size_t backCorner = (back.corner + size - (forward.corner + 1)) % size;  // once turned
-        const Loop whole = turned(forward);
+        const PieceRing whole = turned(forward);
         rings[forward.ring].assign(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(backCorner));
         rings.emplace_back(whole.begin() + static_cast<std::ptrdiff_t>(backCorner) + 1, whole.end() - 1);
     }
@@ -243,64 +239,15 @@ private:
         if (piece == across) suspect(piece);
     }
 
-    double areaOf(const Loop& loop) const {
-        Ring ring;
-        for (const Corner& corner : loop) ring.push_back(at(corner.point));
-        return signedArea(ring);
-    }
-
-    /// Parts a ring that meets itself in points into rings that do not; those of fewer than three corners are gone.
-    static void partAtRepeatedPoints(Loop loop, std::vector<Loop>& parts) {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            for (std::size_t j = i + 1; j < loop.size(); ++j) {
-                if (loop[i].point != loop[j].point) continue;
-
-                Loop part(loop.begin() + static_cast<std::ptrdiff_t>(i), loop.begin() + static_cast<std::ptrdiff_t>(j));
-                loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i),
-                           loop.begin() + static_cast<std::ptrdiff_t>(j));
-                partAtRepeatedPoints(std::move(part), parts);
-                j = i;
-            }
-        }
-        if (loop.size() >= 3) parts.push_back(std::move(loop));
-    }
-
-    /// What became of a piece: mostly one piece, none where it had no width, several where its ring met itself.
+    /// What became of a piece: mostly one piece, none where it had no width, several where points cut it apart.
     std::vector<NewPiece> newPieces(std::uint32_t was) {
         std::vector<NewPiece> pieces;
-        std::vector<Loop> holes;
-        for (std::size_t ring = 0; ring < m_rings[was].size(); ++ring) {
-            std::vector<Loop> parts;
-            partAtRepeatedPoints(std::move(m_rings[was][ring]), parts);
-            for (Loop& part : parts) {
-                if (areaOf(part) > 0.0)
-                    pieces.push_back({{std::move(part)}, was, {}});
-                else
-                    holes.push_back(std::move(part));
-            }
-        }
-        for (Loop& hole : holes) {
-            if (!pieces.empty()) pieces[pieceAround(pieces, hole)].rings.push_back(std::move(hole));
-        }
-        for (NewPiece& piece : pieces) {
-            piece.smallest = at(piece.rings[0][0].point);
-            for (const Corner& corner : piece.rings[0])
-                piece.smallest = std::min(piece.smallest, at(corner.point), isSmaller);
+        for (PieceRings& rings : connectedParts(std::move(m_rings[was]), m_partition.points)) {
+            Vec2 smallest = at(rings[0][0].point);
+            for (const PieceCorner& corner : rings[0]) smallest = std::min(smallest, at(corner.point), isSmaller);
+            pieces.push_back({std::move(rings), was, smallest});
         }
         return pieces;
-    }
-
-    std::size_t pieceAround(const std::vector<NewPiece>& pieces, const Loop& hole) const {
-        for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
-            Polygon outer;
-            for (const Corner& corner : pieces[piece].rings[0]) outer.outer.push_back(at(corner.point));
-            for (const Corner& corner : hole) {
-                const Containment place = containment(outer, at(corner.point));
-                if (place == Containment::Inside) return piece;
-                if (place == Containment::Outside) break;
-            }
-        }
-        return pieces.size() - 1;
     }
 
     void writeBack() {
@@ -331,8 +278,8 @@ private:
 
     void append(const NewPiece& piece, std::uint32_t seed) {
         Partition& p = m_partition;
-        for (const Loop& loop : piece.rings) {
-            for (const Corner& corner : loop) {
+        for (const PieceRing& loop : piece.rings) {
+            for (const PieceCorner& corner : loop) {
                 p.corners.push_back(corner.point);
                 p.across.push_back(corner.across);
             }
@@ -361,9 +308,9 @@ private:
     Partition& m_partition;
     JoinedPoints m_joined;
     double m_distance;
-    std::vector<std::vector<Loop>> m_rings;  // of each piece
-    std::vector<std::uint32_t> m_suspects;   // pieces that may have parts without width; grows while it is gone through
-    std::vector<bool> m_isSuspect;           // those that wait their turn
+    std::vector<PieceRings> m_rings;        // of each piece
+    std::vector<std::uint32_t> m_suspects;  // pieces that may have parts without width; grows while it is gone through
+    std::vector<bool> m_isSuspect;          // those that wait their turn
 };
 
 }  // namespace

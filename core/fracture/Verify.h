@@ -17,12 +17,13 @@ namespace rubble {
 /// every seed is a site or a duplicate, the ghosts form one convex hull.
 std::optional<std::string> verifyDelaunay(const Delaunay& delaunay, std::span<const Vec2> seeds);
 
-/// Every edge has its reverse in the piece named by `across` or lies on the outline, whose own points are all there;
-/// rings have area and their right winding; areas sum to the outline's less the gap (relative 1e-9).
+/// Every edge has its reverse in the piece named by `across` or lies on the outline, whose own points are all there; no
+/// ring meets itself, no points cut a piece apart; rings have area and their right winding; areas sum to the outline's
+/// less the gap (relative 1e-9).
 std::optional<std::string> verifyPartition(const Partition& partition, const Polygon& outline);
 
-/// Every corner and every piece's inner point is nearest to the piece's own seed (relative 1e-9 of the outline's
-/// diameter), against all seeds: O(points · log seeds).
+/// Every corner of a piece, and so every point of it, since cells are convex, is nearest to the piece's own seed
+/// (relative 1e-9 of the pieces' diameter), against all seeds: O(corners · log seeds), expected.
 std::optional<std::string> verifyNearestSeed(const Partition& partition, std::span<const Vec2> seeds);
 
 /// Hulls pass verifyPolytope and fill their piece; volumes sum to the prism's less the gap; bonds are mutual; centres

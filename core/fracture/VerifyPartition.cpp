@@ -11,8 +11,8 @@ namespace {
 using Fault = std::optional<std::string>;
 using PointPair = std::array<std::uint32_t, 2>;
 
-constexpr double kAreaTolerance = 1e-9;      // of the outline's area, or of its diagonal squared
-constexpr double kDistanceTolerance = 1e-9;  // of the outline's diagonal
+constexpr double kAreaTolerance = 1e-9;   // of the outline's area, or of its diagonal squared
+constexpr double kLineTolerance = 1e-12;  // of the outline's diagonal
 
 std::string text(std::uint64_t number) { return std::to_string(number); }
 
@@ -104,6 +104,31 @@ Fault verifyRingsAreSimple(const Partition& p) {
     return std::nullopt;
 }
 
+/// Rings that meet in points do so like the leaves of a tree: a chain of them that closes would cut its piece apart.
+Fault verifyPiecesAreConnected(const Partition& p) {
+    std::vector<std::uint32_t> joinedTo(p.cornersOfRing.size());
+    for (std::uint32_t ring = 0; ring < joinedTo.size(); ++ring) joinedTo[ring] = ring;
+    const auto rootOf = [&](std::uint32_t ring) {
+        while (joinedTo[ring] != ring) ring = joinedTo[ring] = joinedTo[joinedTo[ring]];
+        return ring;
+    };
+    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
+        if (p.ringsOfPiece[piece + 1] - p.ringsOfPiece[piece] < 2) continue;
+        std::map<std::uint32_t, std::uint32_t> ringAt;  // the first at each point
+        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
+            for (const std::uint32_t point : p.ringCorners(ring)) {
+                const auto [place, isNew] = ringAt.try_emplace(point, ring);
+                if (isNew) continue;
+                const std::uint32_t one = rootOf(place->second), other = rootOf(ring);
+                if (one == other)
+                    return "Points cut piece " + text(piece) + " apart, one of them is " + text(point) + ".";
+                joinedTo[one] = other;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 /// The edges with nothing behind them run along the outline, through all of its own points.
 Fault verifyOutlineIsKept(const Partition& p, const Edges& edges, const Polygon& outline, double tolerance) {
     std::map<std::array<double, 2>, std::uint32_t> pointAt;
@@ -164,28 +189,6 @@ Fault verifyAreas(const Partition& p, const Polygon& outline, double diagonal) {
     return std::nullopt;
 }
 
-/// Finds nearest seeds in seeds sorted by x.
-class NearestSeeds {
-public:
-    explicit NearestSeeds(std::span<const Vec2> seeds) : m_sorted(seeds.begin(), seeds.end()) {
-        std::sort(m_sorted.begin(), m_sorted.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
-    }
-    double distance(Vec2 point, double atMost) const {
-        double best = atMost;
-        const auto middle =
-            std::lower_bound(m_sorted.begin(), m_sorted.end(), point.x, [](Vec2 a, double x) { return a.x < x; });
-        for (auto right = middle; right != m_sorted.end() && right->x - point.x < best; ++right)
-            best = std::min(best, apart(*right, point));
-        for (auto left = middle; left != m_sorted.begin() && point.x - std::prev(left)->x < best; --left)
-            best = std::min(best, apart(*std::prev(left), point));
-        return best;
-    }
-    static double apart(Vec2 a, Vec2 b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
-
-private:
-    std::vector<Vec2> m_sorted;
-};
-
 }  // namespace
 
 std::optional<std::string> verifyPartition(const Partition& partition, const Polygon& outline) {
@@ -195,31 +198,9 @@ std::optional<std::string> verifyPartition(const Partition& partition, const Pol
     if (Fault fault = collectEdges(partition, edges)) return fault;
     if (Fault fault = verifyNeighbours(partition, edges)) return fault;
     if (Fault fault = verifyRingsAreSimple(partition)) return fault;
-    if (Fault fault = verifyOutlineIsKept(partition, edges, outline, 1e-3 * kDistanceTolerance * diagonal))
-        return fault;
+    if (Fault fault = verifyPiecesAreConnected(partition)) return fault;
+    if (Fault fault = verifyOutlineIsKept(partition, edges, outline, kLineTolerance * diagonal)) return fault;
     return verifyAreas(partition, outline, diagonal);
-}
-
-std::optional<std::string> verifyNearestSeed(const Partition& partition, std::span<const Vec2> seeds) {
-    const NearestSeeds nearest(seeds);
-    Box2 box;
-    for (const std::uint32_t corner : partition.corners) box.include(partition.points[corner]);
-    const double tolerance = kDistanceTolerance * box.diagonal();
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (partition.seedOfPiece[piece] == kNone) continue;
-        const Vec2 seed = seeds[partition.seedOfPiece[piece]];
-        for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
-            for (const std::uint32_t corner : partition.ringCorners(ring)) {
-                const Vec2 point = partition.points[corner] + partition.origin;
-                const double own = NearestSeeds::apart(seed, point);
-                if (nearest.distance(point, own) < own - tolerance) {
-                    return "Piece " + text(piece) + " has a corner that is nearer to another seed than to seed " +
-                           text(partition.seedOfPiece[piece]) + ".";
-                }
-            }
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace rubble
