@@ -165,7 +165,10 @@ Fault fractureFault(const FractureCase& input) {
 }
 
 FractureCase shrunk(FractureCase faulty) {
-    const auto isFaulty = [&faulty] { return validated(faulty.outline) && fractureFault(faulty); };
+    const auto isFaulty = [&faulty] {
+        const auto outline = validated(faulty.outline);
+        return outline && *outline == faulty.outline && fractureFault(faulty);
+    };
     bool hasShrunk = true;
     while (hasShrunk) {
         hasShrunk = shrink(faulty.seeds, 0, isFaulty);

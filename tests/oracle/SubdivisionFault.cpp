@@ -23,11 +23,14 @@ std::string named(const DirectedEdge& edge) {
     return "edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to);
 }
 
+/// Points that are no corner do not count.
 std::optional<std::string> equalPoints(const Partition& partition) {
-    std::map<std::pair<double, double>, std::size_t> seen;
-    for (std::size_t k = 0; k < partition.points.size(); ++k) {
-        const auto [place, isNew] = seen.try_emplace({partition.points[k].x, partition.points[k].y}, k);
-        if (!isNew) return "points " + std::to_string(place->second) + " and " + std::to_string(k) + " are equal";
+    std::map<std::pair<double, double>, PointIndex> seen;
+    for (const PointIndex corner : partition.corners) {
+        const Vec2 point = partition.points[corner];
+        const auto [place, isNew] = seen.try_emplace({point.x, point.y}, corner);
+        if (!isNew && place->second != corner)
+            return "points " + std::to_string(place->second) + " and " + std::to_string(corner) + " are equal";
     }
     return std::nullopt;
 }

@@ -7,7 +7,7 @@
 
 namespace rubble::oracle {
 
-/// Whether a partition is one planar subdivision of the outline, by counting alone: points are distinct; each
+/// Whether a partition is one planar subdivision of the outline, by counting alone: corners lie apart; each
 /// directed edge occurs once and its reverse belongs to the piece named behind it; the edges with nothing behind
 /// them are closed curves through every point of the outline, bit for bit. A T-junction leaves an edge without
 /// reverse. Says what is wrong first, or nothing.

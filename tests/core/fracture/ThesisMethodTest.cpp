@@ -1,9 +1,7 @@
 #include "core/fracture/ThesisMethod.h"
 
-#include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
+#include "tests/support/JsonCases.h"
+
 #include <QTest>
 
 using namespace rubble;
@@ -11,15 +9,7 @@ using namespace rubble;
 namespace {
 
 QJsonArray cases() {
-    QFile file(RUBBLE_SOURCE_DIR "/tests/data/thesis-counterexamples.json");
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    return QJsonDocument::fromJson(file.readAll()).object()["cases"].toArray();
-}
-
-std::vector<Vec2> pointsOf(const QJsonValue& list) {
-    std::vector<Vec2> points;
-    for (const QJsonValue& point : list.toArray()) points.push_back({point[0].toDouble(), point[1].toDouble()});
-    return points;
+    return test::readJson(RUBBLE_SOURCE_DIR "/tests/data/thesis-counterexamples.json")["cases"].toArray();
 }
 
 }  // namespace
@@ -36,7 +26,8 @@ private slots:
     void areasAreThoseOfTheMethodAsWritten() {
         QFETCH(QJsonObject, example);
         const QJsonArray expected = example["thesisMethodAreas"].toArray();
-        const ThesisDiagram diagram = thesisDiagram(pointsOf(example["outline"]), pointsOf(example["seeds"]));
+        const ThesisDiagram diagram =
+            thesisDiagram(test::pointsOf(example["outline"]), test::pointsOf(example["seeds"]));
         QCOMPARE(diagram.cells.size(), std::size_t(expected.size()));
         for (qsizetype seed = 0; seed < expected.size(); ++seed) {
             const double area = std::abs(signedArea(diagram.cells[std::size_t(seed)]));

@@ -1,7 +1,7 @@
 #include "core/fracture/VoronoiPartition.h"
 
 #include "core/base/Random.h"
-#include "core/fracture/Verify.h"
+#include "tests/support/VerifiedPartition.h"
 
 #include <QTest>
 
@@ -17,24 +17,9 @@ const Polygon kComb = {
     {{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {7, 8}, {7, 1}, {6, 1}, {6, 8}, {5, 8}, {5, 1}, {4, 1}, {4, 8}, {0, 8}},
     {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
 
-double areaOfSeed(const Partition& partition, std::uint32_t seed) {
-    double sum = 0.0;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (partition.seedOfPiece[piece] != seed) continue;
-        for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
-            Ring points;
-            for (const std::uint32_t corner : partition.ringCorners(ring)) points.push_back(partition.points[corner]);
-            sum += signedArea(points);
-        }
-    }
-    return sum;
-}
-
 std::string faultOf(const Polygon& outline, const std::vector<Vec2>& seeds) {
-    const Result<Partition> partition = voronoiPartition(outline, seeds);
-    if (!partition) return partition.error().message;
-    if (const auto fault = verifyPartition(*partition, outline)) return *fault;
-    return verifyNearestSeed(*partition, seeds).value_or("");
+    const Result<Partition> partition = verifiedPartition(outline, seeds);
+    return partition ? "" : partition.error().message;
 }
 
 }  // namespace
