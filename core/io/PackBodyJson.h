@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/fracture/Fragment.h"
+
+#include <span>
+#include <string>
+
+namespace rubble {
+
+/// What a pack tells of a body; the rest is borrowed.
+struct BodySource {
+    std::string id;
+    std::string name;
+    std::uint32_t parent = kNone;
+    Vec3 offset{0.0, 0.0, 0.0};            // m
+    Vec3 centreOfMass{0.0, 0.0, 0.0};      // m, in the body's own frame
+    const MassProperties* mass = nullptr;  // at density 1
+    std::span<const Bond> bonds;
+    std::uint32_t firstSibling = 0;  // index of the fragment that the bonds call 0
+    std::span<const Polytope> hulls;
+};
+
+/// The bodies as JSON objects without blanks, one a line, a comma and a line feed between them. `density` in kg/m^3.
+std::string bodiesJson(std::span<const BodySource> bodies, double density);
+
+}  // namespace rubble
