@@ -1,0 +1,129 @@
+#pragma once
+
+#include "tests/support/Outlines.h"
+#include "tests/support/ProjectParts.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace rubble::test {
+
+// The thesis's house: 5 m wide (x), 6 m long (z), its ridge along z at x = 0. Four courses of 20 wall blocks less nine
+// openings, two gables, four roof panels: 77 bodies. Whatever touches in a wall touches exactly: all those coordinates
+// are multiples of 1/4 m and the turns are made of halves, so that nothing is rounded.
+inline constexpr double kGableBase = 5.0;      // m
+inline constexpr double kGableSide = 2.89;     // m
+inline constexpr double kWallHeight = 4.0;     // m
+inline constexpr double kHalfLength = 3.0;     // m, to the outer face of a gable
+inline constexpr double kRoofSlope = 3.5;      // m, from ridge to eaves
+inline constexpr double kRoofAlong = 3.0;      // m, half the ridge
+inline constexpr double kRoofDepth = 0.25;     // m
+inline constexpr double kWallThickness = 0.5;  // m
+
+/// The panels of the roof stand off from all that they lie on, and from each other, by this many metres. The slope is no
+/// machine number: this is a hundred times what rounding makes of a panel's corners, and nothing to see.
+inline constexpr double kRoofGap = 0x1p-40;
+
+inline double gableHeight() { return std::sqrt(kGableSide * kGableSide - kGableBase * kGableBase / 4.0); }
+
+/// A wall of the house: its blocks stand in columns, five a course.
+struct WallRow {
+    std::string name;
+    Vec3 first;                         // where the middle of its lowest first block stands
+    Vec3 step;                          // from column to column
+    Quat orientation;                   // of a block
+    std::array<int, 5> blocksInColumn;  // those left out are the openings: always on top of what stands
+};
+
+/// One of the four turns that take a block to itself, so that neighbours do not break alike.
+inline Quat halfTurn(int number) {
+    constexpr std::array<std::array<double, 4>, 4> kTurns = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    const auto& [w, x, y, z] = kTurns[static_cast<std::size_t>(number % 4)];
+    return {w, x, y, z};
+}
+
+inline void addWall(Project& project, Id asset, const WallRow& row) {
+    for (int column = 0; column < 5; ++column) {
+        for (int course = 0; course < row.blocksInColumn[static_cast<std::size_t>(column)]; ++course) {
+            const Vec3 position = row.first + static_cast<double>(column) * row.step + Vec3(0.0, course, 0.0);
+            const std::string name = row.name + ' ' + std::to_string(column + 1) + '.' + std::to_string(course + 1);
+            addInstance(project, asset, name, {position, row.orientation * halfTurn(3 * column + 2 * course)});
+        }
+    }
+}
+
+inline void addWalls(Project& project, Id wall) {
+    const Quat straight{1.0, 0.0, 0.0, 0.0};
+    const Quat across{0.5, 0.5, 0.5, 0.5};  // x to y, y to z, z to x: the depth goes to x, and every bit is exact
+    const double front = kHalfLength - kWallThickness / 2.0;
+    const double side = kGableBase / 2.0 - kWallThickness / 2.0;
+    addWall(project, wall, {"front", {-2.0, 0.5, front}, {1, 0, 0}, straight, {4, 4, 0, 4, 4}});  // a door
+    addWall(project, wall, {"back", {-2.0, 0.5, -front}, {1, 0, 0}, straight, {4, 4, 3, 4, 4}});  // a window
+    addWall(project, wall, {"left", {-side, 0.5, -2.0}, {0, 0, 1}, across, {4, 3, 4, 3, 4}});     // two windows
+    addWall(project, wall, {"right", {side, 0.5, -2.0}, {0, 0, 1}, across, {4, 3, 4, 3, 4}});     // two windows
+}
+
+/// A panel on the slope towards +x, or towards -x; its local x runs from ridge to eaves, its local z out of the roof.
+inline Pose panelPose(double side, double alongRidge) {
+    const double length = std::sqrt(gableHeight() * gableHeight() + kGableBase * kGableBase / 4.0);
+    const double cosine = kGableBase / 2.0 / length;
+    const double sine = gableHeight() / length;
+    const double above = kRoofDepth / 2.0 + kRoofGap;
+    const Vec3 position{side * (cosine * kRoofSlope / 2.0 + sine * above),
+                        kWallHeight + gableHeight() - sine * kRoofSlope / 2.0 + cosine * above, alongRidge};
+    // A quarter turn about x lays the panel flat, then the slope turns it about z by the angle whose cosine is known.
+    const double w = std::sqrt((1.0 + cosine) / 4.0);
+    const double z = sine / (4.0 * w);
+    const Quat right{w, -w, z, -z};
+    return {position, side > 0.0 ? right : Quat{0.0, 0.0, 1.0, 0.0} * right};
+}
+
+inline void addRoof(Project& project, Id roof) {
+    const double middle = kRoofAlong / 2.0 + kRoofGap;
+    addInstance(project, roof, "roof front left", panelPose(-1.0, middle));
+    addInstance(project, roof, "roof front right", panelPose(1.0, middle));
+    addInstance(project, roof, "roof back left", panelPose(-1.0, -middle));
+    addInstance(project, roof, "roof back right", panelPose(1.0, -middle));
+}
+
+/// Seeds that were moved apart until their cells are of much the same size.
+inline std::vector<LayerParameters> evenSeeds(std::uint32_t count) {
+    return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 2}};
+}
+
+/// projects/house.rubble
+inline Project house() {
+    Project project;
+    const Id plaster = addMaterial(project, {.name = "yellow masonry",
+                                             .density = 1800.0,
+                                             .friction = 0.8,
+                                             .outside = {0.93, 0.77, 0.36},
+                                             .inside = {0.76, 0.66, 0.5}});
+    const Id tiles = addMaterial(project, {.name = "red tiles",
+                                           .density = 1200.0,
+                                           .friction = 0.8,
+                                           .outside = {0.72, 0.2, 0.15},
+                                           .inside = {0.58, 0.33, 0.26}});
+    const Prism wallPrism{{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, kWallThickness};
+    const Prism gablePrism{{{{-kGableBase / 2.0, 0.0}, {kGableBase / 2.0, 0.0}, {0.0, gableHeight()}}, {}},
+                           kWallThickness};
+    const Vec2 half{kRoofSlope / 2.0, kRoofAlong / 2.0};
+    const Prism roofPrism{{rectangle(-half, half), {}}, kRoofDepth};
+    const Id wall =
+        addAsset(project, {.name = "wall", .material = plaster, .prism = wallPrism, .threshold = 900.0}, evenSeeds(4));
+    const Id gable = addAsset(project, {.name = "gable", .material = plaster, .prism = gablePrism, .threshold = 2500.0},
+                              evenSeeds(7));
+    const Id roof =
+        addAsset(project, {.name = "roof", .material = tiles, .prism = roofPrism, .threshold = 2000.0}, evenSeeds(9));
+
+    addWalls(project, wall);
+    const double front = kHalfLength - kWallThickness / 2.0;
+    addInstance(project, gable, "front gable", {.position = {0.0, kWallHeight, front}});
+    addInstance(project, gable, "back gable", {.position = {0.0, kWallHeight, -front}});
+    addRoof(project, roof);
+    project.ground.friction = 0.8;
+    return project;
+}
+
+}  // namespace rubble::test

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/asset/Project.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubble::test {
+
+/// Adds a material with the project's next id.
+inline Id addMaterial(Project& project, Material material) {
+    material.id = project.nextId++;
+    project.materials.push_back(std::move(material));
+    return project.materials.back().id;
+}
+
+/// A recipe of these layers, in this order. A layer's random seed is its id.
+inline Pattern patternOf(Project& project, std::vector<LayerParameters> layers) {
+    Pattern pattern;
+    for (LayerParameters& parameters : layers) {
+        const Id id = project.nextId++;
+        pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = std::move(parameters)});
+    }
+    return pattern;
+}
+
+/// Adds an asset that these layers break.
+inline Id addAsset(Project& project, Asset asset, std::vector<LayerParameters> layers) {
+    asset.id = project.nextId++;
+    asset.pattern = patternOf(project, std::move(layers));
+    project.assets.push_back(std::move(asset));
+    return project.assets.back().id;
+}
+
+inline void addInstance(Project& project, Id asset, const std::string& name, const Pose& pose) {
+    project.instances.push_back({.id = project.nextId++, .name = name, .asset = asset, .pose = pose});
+}
+
+}  // namespace rubble::test
