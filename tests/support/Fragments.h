@@ -11,6 +11,25 @@ inline Asset assetOf(Polygon outline, double depth) {
     return asset;
 }
 
+/// A pattern of one layer that scatters seeds.
+inline Pattern scatterOf(std::uint32_t count, std::uint32_t layer) {
+    Pattern pattern;
+    pattern.layers.push_back({.id = layer, .randomSeed = 7, .parameters = UniformScatter{.count = count}});
+    return pattern;
+}
+
+/// The square ring, half a metre deep, as asset "old ring" in 12 cells, some cut apart by the hole or going around its corners; those of
+/// half a cubic metre and more in three again.
+inline Asset ringAsset() {
+    Asset asset = assetOf(squareRing(), 0.5);
+    asset.id = 3;
+    asset.name = "old ring";
+    asset.material = 1;
+    asset.pattern = scatterOf(12, 4);
+    asset.levels.push_back({scatterOf(3, 5), 0.5});
+    return asset;
+}
+
 /// A piece with its outline about `offset`, as an outline of the prism's frame is given.
 inline BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::uint32_t>> across, double depth,
                                 Vec2 offset) {

@@ -19,7 +19,8 @@ struct ObjObject {
     Mesh mesh;                           // indices from the object's own first line on; inside: after the first run
 };
 
-/// A small reader of the OBJ files that we write, and of those alone; independent of the locale.
+/// A small reader of the OBJ files that we write, and of those alone; independent of the locale. Normals are made of
+/// length 1 again, since they have seven decimals.
 inline std::vector<ObjObject> readObj(const std::string& text) {
     const auto numberOf = [](const std::string& word) {
         double number = 0.0;
@@ -48,7 +49,9 @@ inline std::vector<ObjObject> readObj(const std::string& text) {
         if (keyword == "usemtl") words >> object.materials.emplace_back();
         if (keyword == "v" && words >> a >> b >> c) mesh.positions.push_back({numberOf(a), numberOf(b), numberOf(c)});
         if (keyword == "vt" && words >> a >> b) mesh.uvs.push_back({numberOf(a), numberOf(b)});
-        if (keyword == "vn" && words >> a >> b >> c) mesh.normals.push_back({numberOf(a), numberOf(b), numberOf(c)});
+        if (keyword == "vn" && words >> a >> b >> c) {
+            mesh.normals.push_back(glm::normalize(Vec3{numberOf(a), numberOf(b), numberOf(c)}));
+        }
         if (keyword != "f") continue;
         const auto run = static_cast<std::uint32_t>(object.materials.size() - 1);
         MeshFace face{static_cast<std::uint32_t>(mesh.corners.size()), 0, 0, run, FaceSide::Outside};

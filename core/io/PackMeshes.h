@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/asset/Bake.h"
+#include "core/base/TaskContext.h"
+#include "core/io/ExportFolder.h"
+#include "core/io/MeshPart.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// Which fragments share a mesh file.
+enum class FileSplit {
+    Single,       // those that are not broken again in one file, those of each level that are in another
+    PerFragment,  // a file each
+};
+
+/// What the faces of an OBJ file are. Those of a GLB file are always triangles.
+enum class FaceShape { Polygons, Triangles };
+
+/// Which mesh files an export writes, and how.
+struct MeshOptions {
+    bool obj = true;
+    bool glb = true;
+    FileSplit split = FileSplit::Single;
+    PartPlace place = PartPlace::Assembled;
+    FaceShape faces = FaceShape::Polygons;
+    bool operator==(const MeshOptions&) const = default;
+};
+
+/// What an asset's whole, and its fragment `index` in Bake::fragments, are called in mesh files: "wall", "wall17".
+std::string wholeName(const Asset& asset);
+std::string fragmentName(const Asset& asset, std::size_t index);
+
+/// The mesh files of an asset, in the same order always: the whole, the fragments, materials. docs/formats/obj-glb.md tells
+/// which file holds what.
+///
+/// Errors: those of glbFile(); Cancelled.
+Result<std::vector<ExportFile>> packMeshes(const Bake& bake, const Asset& asset, const Material& material,
+                                           const MeshOptions& options, const TaskContext& task = {});
+
+}  // namespace rubble
