@@ -51,7 +51,7 @@ void appendMeshes(std::string& json, std::span<const PackMeshFile> meshes) {
 }
 
 std::string headJson(const Asset& asset, const Material& material, std::span<const PackMeshFile> meshes) {
-    std::string json = "{\"format\":\"" + std::string(kPackFormat[0]) + "\",\n\"version\":";
+    std::string json = "{\"format\":\"" + std::string(kPackFormat.name) + "\",\n\"version\":";
     appendNumber(json, kPackVersion);
     json += ",\n\"units\":{\"length\":\"m\",\"mass\":\"kg\",\"time\":\"s\"},\n";
     json += "\"axes\":{\"handedness\":\"right\",\"up\":\"y\",\"front\":\"counter-clockwise\"},\n\"asset\":{\"id\":";
@@ -110,7 +110,7 @@ std::string bodyName(const Asset& asset, std::uint32_t fragment) {
 
 ContentHash packHash(const Asset& asset, const Material& material, std::span<const PackMeshFile> meshes) {
     Hasher hasher;
-    addText(hasher, kPackFormat[0]);
+    addText(hasher, kPackFormat.name);
     hasher.add(std::uint64_t{kPackVersion});
     addText(hasher, bakeInputHash(asset).hex());
     addText(hasher, asset.name);

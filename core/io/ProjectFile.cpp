@@ -2,6 +2,7 @@
 
 #include "core/io/AssetJson.h"
 #include "core/io/AtomicFile.h"
+#include "core/io/FormatVersion.h"
 #include "core/io/SceneJson.h"
 #include "core/io/ShotJson.h"
 
@@ -10,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::array<std::string_view, 1> kFormat{"rubble-project"};
+constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
 template <class Element>
 void writeList(JsonLayout& json, std::string_view key, const std::vector<Element>& elements,
@@ -45,22 +46,10 @@ Project readVersion1(const JsonValue& root) {
 /// in what their files did not know.
 constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1};
 
-/// Refuses what is no project, or one that is newer than this program; the reader of its version otherwise.
 Result<Project> readAnyVersion(JsonDocument& document) {
-    const JsonValue root = document.root();
-    if (!root.isObject()) root.requireObject({});
-    for (const std::string_view key : {"format", "version"}) {
-        if (!document.fault() && !root[key].isPresent()) root.refuse("the key \"" + std::string(key) + "\" is missing");
-    }
-    root["format"].oneOf(kFormat);
-    const std::uint64_t version = root["version"].wholeNumber(1);
-    if (!document.fault() && version > kProjectVersion) {
-        return Error{ErrorCode::Unsupported, "The project is of version " + std::to_string(version) +
-                                                 ", but this program knows none above " +
-                                                 std::to_string(kProjectVersion) + "; open it with a newer one."};
-    }
-    if (document.fault()) return *document.fault();
-    Project project = kReaders[version - 1](root);
+    const Result<std::uint32_t> version = versionOf(document, kFormat);
+    if (!version) return version.error();
+    Project project = kReaders[*version - 1](document.root());
     if (document.fault()) return *document.fault();
     return project;
 }
@@ -74,7 +63,7 @@ Error about(const char* what, const std::filesystem::path& path, const Error& er
 std::string projectText(const Project& project) {
     JsonLayout json;
     json.openObject();
-    json.text("format", kFormat[0]);
+    json.text("format", kFormat.name);
     json.wholeNumber("version", kProjectVersion);
     json.wholeNumber("nextId", project.nextId);
     writeList(json, "materials", project.materials, writeMaterial);
