@@ -1,22 +1,24 @@
 #include "core/base/Parallel.h"
 
-#include <algorithm>
-#include <atomic>
-#include <thread>
-#include <vector>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace rubble {
 
 void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t index)>& work) {
-    std::atomic<std::size_t> next{0};
-    const auto takeWork = [&] {
-        for (std::size_t index = next++; index < count; index = next++) work(index);
-    };
-    const std::size_t helpers = std::min(count, static_cast<std::size_t>(std::max(threads, 1))) - (count > 0 ? 1 : 0);
-    std::vector<std::jthread> pool;  // joins at the end of the scope
-    pool.reserve(helpers);
-    for (std::size_t helper = 0; helper < helpers; ++helper) pool.emplace_back(takeWork);
-    takeWork();
+    if (threads <= 1 || count <= 1) {
+        for (std::size_t index = 0; index < count; ++index) work(index);
+        return;
+    }
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t index = range.begin(); index < range.end(); ++index) work(index);
+            },
+            tbb::simple_partitioner());
+    });
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/RawVector.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/Report.h"
@@ -24,9 +25,9 @@ struct Delaunay {
     };
     static constexpr std::uint32_t kGhost = 0xffffffffu;
 
-    std::vector<Vec2> sites;            // distinct, in insertion order
-    std::vector<std::uint32_t> seedOf;  // input index of each site
-    std::vector<Triangle> triangles;    // with ghosts, 2n - 2 for n sites; ghosts only where all lie on one line
+    RawVector<Vec2> sites;            // distinct, in insertion order
+    RawVector<std::uint32_t> seedOf;  // input index of each site
+    RawVector<Triangle> triangles;    // with ghosts, 2n - 2 for n sites; ghosts only where all lie on one line
     std::vector<std::array<std::uint32_t, 2>>
         duplicates;  // {input index, input index of the seed it equals}, ascending
 

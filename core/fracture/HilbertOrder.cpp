@@ -1,18 +1,21 @@
 #include "core/fracture/HilbertOrder.h"
 
+#include "core/base/Parallel.h"
 #include "core/geometry/Polygon.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kBitsAtOnce = 2;         // of x and of y that one table step takes
-constexpr std::size_t kSmallRun = 32;  // sorted by comparison below this
-constexpr int kMostBits = 16;          // of x and of y in a key
+constexpr int kBitsAtOnce = 2;                 // of x and of y that one table step takes
+constexpr std::size_t kSmallRun = 32;          // sorted by comparison below this
+constexpr int kMostBits = 16;                  // of x and of y in a key
+constexpr std::size_t kLeastForParts = 32768;  // points that are worth more passes over them
 
 /// The Hilbert curve as a machine: in a state, a quadrant (2 * xBit + yBit) has a place along the curve and a state
 /// for what is inside it. States: 0 as drawn (up first), 1 mirrored at the diagonal, 2 at both, 3 at the other one.
@@ -66,16 +69,48 @@ int keyBits(std::size_t count) {
 /// A key above, an index below.
 using Keyed = std::uint64_t;
 
-void sortByKey(std::vector<Keyed>& entries, int keyWidth) {
-    std::vector<Keyed> other(entries.size());
-    for (int shift = 32; shift < 32 + keyWidth; shift += 8) {
-        std::array<std::uint32_t, 257> starts{};
-        for (const Keyed entry : entries) ++starts[((entry >> shift) & 255) + 1];
-        for (int i = 1; i < 257; ++i) starts[i] += starts[i - 1];
-        for (const Keyed entry : entries) other[starts[(entry >> shift) & 255]++] = entry;
-        entries.swap(other);
+constexpr int kDigitBits = 8;
+constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+std::size_t digitOf(Keyed entry, int shift) { return (entry >> shift) & (kDigits - 1); }
+
+/// Sorts entries by `passes` digits from bit `shift` on, the lowest first; where they end up, there or in `other`.
+std::span<Keyed> sortByDigits(std::span<Keyed> entries, std::span<Keyed> other, int shift, int passes) {
+    for (; passes > 0; --passes, shift += kDigitBits) {
+        std::array<std::uint32_t, kDigits + 1> starts{};
+        for (const Keyed entry : entries) ++starts[digitOf(entry, shift) + 1];
+        for (std::size_t i = 1; i <= kDigits; ++i) starts[i] += starts[i - 1];
+        for (const Keyed entry : entries) other[starts[digitOf(entry, shift)]++] = entry;
+        std::swap(entries, other);
     }
+    return entries;
 }
+
+/// Points in a square of cells along the curve.
+class CellGrid {
+public:
+    CellGrid(const Box2& box, std::size_t count)
+        : m_min(box.min), m_bits(keyBits(count)), m_cells(static_cast<double>(1u << m_bits)) {
+        const Vec2 size = box.size();
+        const double longest = std::max(size.x, size.y);
+        m_scale = longest > 0.0 ? m_cells / longest : 0.0;
+    }
+    int keyWidth() const { return 2 * m_bits; }
+    Keyed keyed(Vec2 point, std::uint32_t index) const {
+        const Vec2 offset = point - m_min;
+        return Keyed{hilbertKey(cellOf(offset.x), cellOf(offset.y), m_bits)} << 32 | index;
+    }
+
+private:
+    std::uint32_t cellOf(double offset) const {
+        const double cell = offset * m_scale;
+        return cell >= m_cells ? static_cast<std::uint32_t>(m_cells) - 1 : static_cast<std::uint32_t>(cell);
+    }
+
+    Vec2 m_min;
+    int m_bits;
+    double m_cells;
+    double m_scale = 0.0;
+};
 
 void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order);
 
@@ -96,28 +131,8 @@ void sortRun(std::span<const Vec2> points, std::span<std::uint32_t> run) {
     }
 }
 
-void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order) {
-    Box2 box;
-    for (const std::uint32_t index : order) box.include(points[index]);
-    const int bits = keyBits(order.size());
-    const double cells = static_cast<double>(1u << bits);
-    const Vec2 size = box.size();
-    const double longest = std::max(size.x, size.y);
-    const double scale = longest > 0.0 ? cells / longest : 0.0;
-    const auto cellOf = [&](double offset) {
-        const double cell = offset * scale;
-        return cell >= cells ? static_cast<std::uint32_t>(cells) - 1 : static_cast<std::uint32_t>(cell);
-    };
-
-    std::vector<Keyed> entries;
-    entries.reserve(order.size());
-    for (const std::uint32_t index : order) {
-        const Vec2 offset = points[index] - box.min;
-        const std::uint32_t key = hilbertKey(cellOf(offset.x), cellOf(offset.y), bits);
-        entries.push_back(Keyed{key} << 32 | index);
-    }
-    sortByKey(entries, 2 * bits);
-
+/// Writes the indices of sorted entries and orders those of equal keys.
+void takeSorted(std::span<const Keyed> entries, std::span<const Vec2> points, std::span<std::uint32_t> order) {
     for (std::size_t i = 0; i < entries.size(); ++i) order[i] = static_cast<std::uint32_t>(entries[i]);
     for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
         for (end = begin + 1; end < entries.size() && entries[end] >> 32 == entries[begin] >> 32;) ++end;
@@ -125,12 +140,94 @@ void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order
     }
 }
 
+void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order) {
+    Box2 box;
+    for (const std::uint32_t index : order) box.include(points[index]);
+    const CellGrid grid(box, order.size());
+    RawVector<Keyed> entries(order.size()), other(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) entries[i] = grid.keyed(points[order[i]], order[i]);
+    const int passes = (grid.keyWidth() + kDigitBits - 1) / kDigitBits;
+    takeSorted(sortByDigits(entries, other, 32, passes), points, order);
+}
+
+/// Sorts many points: by the highest digit first, part by part, then what shares that digit, all on several threads.
+class ParallelSort {
+public:
+    ParallelSort(std::span<const Vec2> points, std::span<std::uint32_t> order, int threads)
+        : m_points(points),
+          m_order(order),
+          m_threads(threads),
+          m_grid(boundsOf(points), points.size()),
+          m_topShift(32 + std::max(m_grid.keyWidth() - kDigitBits, 0)),
+          m_entries(points.size()),
+          m_buckets(points.size()) {}
+
+    void run() {
+        forEachIndex(kParts, m_threads, [this](std::size_t part) { makeKeys(part); });
+        findPlaces();
+        forEachIndex(kParts, m_threads, [this](std::size_t part) { moveToBuckets(part); });
+        forEachIndex(kDigits, m_threads, [this](std::size_t digit) { sortBucket(digit); });
+    }
+
+private:
+    static constexpr std::size_t kParts = 16;
+
+    void makeKeys(std::size_t part) {
+        const IndexRange range = partOf(m_points.size(), part, kParts);
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            m_entries[i] = m_grid.keyed(m_points[i], static_cast<std::uint32_t>(i));
+            ++m_places[part][digitOf(m_entries[i], m_topShift)];
+        }
+    }
+
+    /// Turns counts into places: a bucket holds what each part has for it, in the parts' order.
+    void findPlaces() {
+        std::uint32_t place = 0;
+        for (std::size_t digit = 0; digit < kDigits; ++digit) {
+            m_bucketStarts[digit] = place;
+            for (std::array<std::uint32_t, kDigits>& places : m_places) {
+                place += std::exchange(places[digit], place);
+            }
+        }
+        m_bucketStarts[kDigits] = place;
+    }
+
+    void moveToBuckets(std::size_t part) {
+        const IndexRange range = partOf(m_points.size(), part, kParts);
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            m_buckets[m_places[part][digitOf(m_entries[i], m_topShift)]++] = m_entries[i];
+        }
+    }
+
+    void sortBucket(std::size_t digit) {
+        const std::size_t begin = m_bucketStarts[digit], size = m_bucketStarts[digit + 1] - begin;
+        const int passes = (m_topShift - 32 + kDigitBits - 1) / kDigitBits;
+        const std::span<Keyed> sorted = sortByDigits(std::span(m_buckets).subspan(begin, size),
+                                                     std::span(m_entries).subspan(begin, size), 32, passes);
+        takeSorted(sorted, m_points, m_order.subspan(begin, size));
+    }
+
+    std::span<const Vec2> m_points;
+    std::span<std::uint32_t> m_order;
+    int m_threads;
+    CellGrid m_grid;
+    int m_topShift;  // of the highest digit
+    RawVector<Keyed> m_entries;
+    RawVector<Keyed> m_buckets;
+    std::array<std::array<std::uint32_t, kDigits>, kParts> m_places{};
+    std::array<std::uint32_t, kDigits + 1> m_bucketStarts{};
+};
+
 }  // namespace
 
-std::vector<std::uint32_t> hilbertOrder(std::span<const Vec2> points) {
-    std::vector<std::uint32_t> order(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-    if (!order.empty()) sortAlongCurve(points, order);
+RawVector<std::uint32_t> hilbertOrder(std::span<const Vec2> points, int threads) {
+    RawVector<std::uint32_t> order(points.size());
+    if (points.size() >= kLeastForParts) {
+        ParallelSort(points, order, threads).run();
+    } else if (!points.empty()) {
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+        sortAlongCurve(points, order);
+    }
     return order;
 }
 

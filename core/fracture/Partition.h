@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/RawVector.h"
 #include "core/fracture/Report.h"
 #include "core/geometry/Polygon.h"
 
@@ -19,18 +20,18 @@ namespace rubble {
 /// The pieces of one seed are consecutive, ordered by their smallest corner (x, then y); seeds stand in an order that is
 /// good for memory: use `pieceOfSeed` to go through them by index.
 struct Partition {
-    Vec2 origin{0.0, 0.0};     // the points are relative to it, which keeps their digits far from zero
-    std::vector<Vec2> points;  // m
+    Vec2 origin{0.0, 0.0};   // the points are relative to it, which keeps their digits far from zero
+    RawVector<Vec2> points;  // m; not every one need be used
 
-    std::vector<std::uint32_t> seedOfPiece;
-    std::vector<std::uint32_t> ringsOfPiece;   // pieces + 1
-    std::vector<std::uint32_t> cornersOfRing;  // rings + 1
-    std::vector<std::uint32_t> corners;        // point of each corner
-    std::vector<std::uint32_t> across;         // piece behind each corner's edge; kNone: the outline
+    RawVector<std::uint32_t> seedOfPiece;
+    RawVector<std::uint32_t> ringsOfPiece;   // pieces + 1
+    RawVector<std::uint32_t> cornersOfRing;  // rings + 1
+    RawVector<std::uint32_t> corners;        // point of each corner
+    RawVector<std::uint32_t> across;         // piece behind each corner's edge; kNone: the outline
 
-    std::vector<std::uint32_t> pieceOfSeed;  // first piece of each input seed; kNone where it has none
-    double gap = 0.0;                        // m^2 of the outline that no piece covers
-    std::vector<Report> reports;             // in seed order
+    RawVector<std::uint32_t> pieceOfSeed;  // first piece of each input seed; kNone where it has none
+    double gap = 0.0;                      // m^2 of the outline that no piece covers
+    std::vector<Report> reports;           // in seed order
 
     std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(seedOfPiece.size()); }
     std::span<const std::uint32_t> ringCorners(std::uint32_t ring) const {

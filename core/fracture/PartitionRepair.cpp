@@ -252,7 +252,7 @@ private:
 
     void writeBack() {
         Partition& p = m_partition;
-        const std::vector<std::uint32_t> seeds = std::move(p.seedOfPiece);
+        const RawVector<std::uint32_t> seeds = std::move(p.seedOfPiece);
         p.ringsOfPiece.assign(1, 0);
         p.seedOfPiece.clear();
         p.cornersOfRing.assign(1, 0);

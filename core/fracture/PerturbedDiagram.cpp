@@ -136,7 +136,7 @@ int PerturbedDiagram::sideOfCorner(const DirectedLine& line, std::uint32_t trian
     for (int k = 0; k < 3; ++k) {
         if (t.corner[k] == kGhost) return sideOfInfinity(line, t.corner[(k + 1) % 3], t.corner[(k + 2) % 3]);
     }
-    const std::vector<Vec2>& sites = m_delaunay.sites;
+    const RawVector<Vec2>& sites = m_delaunay.sites;
     const int side = sideOfCircumcentre(line, sites[t.corner[0]], sites[t.corner[1]], sites[t.corner[2]]);
     return side != 0 ? side : sideOfTiedCorner(line, t);
 }
@@ -182,18 +182,7 @@ bool PerturbedDiagram::crossesBefore(std::uint32_t i, std::uint32_t j, const Dir
     return (m_delaunay.seedOf[i] < m_delaunay.seedOf[j] ? order : -order) < 0;
 }
 
-Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach) {
-    const Vec2 ab = b - a, ac = c - a;
-    const double bSquare = ab.x * ab.x + ab.y * ab.y, cSquare = ac.x * ac.x + ac.y * ac.y;
-    const double doubledArea = cross(ab, ac), inverse = 0.5 / doubledArea;
-    const Vec2 offset = {(bSquare * ac.y - cSquare * ab.y) * inverse, (cSquare * ab.x - bSquare * ac.x) * inverse};
-    // Forward error: six roundings a numerator, five in the denominator.
-    const double longest = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ac.x), std::abs(ac.y)});
-    const double far = std::max(std::abs(offset.x), std::abs(offset.y));
-    const double error = 8.0 * kRounding * longest * inverse * (bSquare + cSquare + 4.0 * longest * far);
-    const bool isSure = doubledArea > 0.0 && error <= kConstructionError * std::max(reach, far);
-    if (isSure) return (a - origin) + offset;
-
+Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin) {
     const auto exactB = exactOffset(a, b), exactC = exactOffset(a, c);
     const auto numerator = circumcentreNumerator(exactB, exactC);
     const double denominator = 2.0 * exactCross(exactB, exactC).estimate();

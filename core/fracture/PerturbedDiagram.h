@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/fracture/Delaunay.h"
+#include "core/geometry/Predicates.h"
 #include "core/geometry/Vec.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace rubble {
@@ -48,9 +51,25 @@ inline constexpr double kConstructionError = 0x1p-48;
 
 /// Circumcentre of a counter-clockwise triangle, relative to `origin`, rounded: off by at most kConstructionError times
 /// the larger of `reach` and its own distance. Falls back to exact numbers where the triangle is thin.
-Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach);
+inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach);
+/// The same, from exact numbers.
+Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin);
 
 /// Where a line crosses the bisector of a and b, relative to `origin`, to the same precision.
 Vec2 crossingWithBisector(const DirectedLine& line, Vec2 a, Vec2 b, Vec2 origin, double reach);
+
+inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach) {
+    const Vec2 ab = b - a, ac = c - a;
+    const double bSquare = ab.x * ab.x + ab.y * ab.y, cSquare = ac.x * ac.x + ac.y * ac.y;
+    const double doubledArea = cross(ab, ac), inverse = 0.5 / doubledArea;
+    const Vec2 offset = {(bSquare * ac.y - cSquare * ab.y) * inverse, (cSquare * ab.x - bSquare * ac.x) * inverse};
+    // Forward error: six roundings a numerator, five in the denominator.
+    const double longest = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ac.x), std::abs(ac.y)});
+    const double far = std::max(std::abs(offset.x), std::abs(offset.y));
+    const double error = 8.0 * kRounding * longest * inverse * (bSquare + cSquare + 4.0 * longest * far);
+    const bool isSure = doubledArea > 0.0 && error <= kConstructionError * std::max(reach, far);
+    if (isSure) return (a - origin) + offset;
+    return circumcentreExactly(a, b, c, origin);
+}
 
 }  // namespace rubble

@@ -16,7 +16,7 @@ constexpr double kLineTolerance = 1e-12;  // of the outline's diagonal
 
 std::string text(std::uint64_t number) { return std::to_string(number); }
 
-bool isAscendingTo(const std::vector<std::uint32_t>& offsets, std::size_t entries, std::size_t last) {
+bool isAscendingTo(std::span<const std::uint32_t> offsets, std::size_t entries, std::size_t last) {
     return offsets.size() == entries + 1 && offsets.front() == 0 && offsets.back() == last &&
            std::is_sorted(offsets.begin(), offsets.end());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fracture/OutlineTrace.h"
+#include "core/fracture/PartitionPoints.h"
 
 #include <cstdint>
 #include <span>
@@ -20,13 +21,6 @@ struct CellPieces {
     std::vector<std::uint32_t> ringEnds;   // in corners
     std::vector<std::uint32_t> pieceEnds;  // in ringEnds
     void clear();
-};
-
-/// How points of a partition over a triangulation are numbered: a Voronoi corner has its triangle's number, then come the
-/// outline's vertices, then the crossings.
-struct PointNumbers {
-    std::uint32_t vertices = 0;   // number of the first outline vertex
-    std::uint32_t crossings = 0;  // number of the first crossing
 };
 
 /// Cuts cells along the outline's passages: the face of the two to the left of the outline. Keeps its memory between cells.

@@ -14,7 +14,7 @@ inline constexpr double kLeastSharedEdge = 1e-9;
 
 /// The outline cut into the Voronoi cells of the seeds. The outline must be validated(). Seeds anywhere compete; no
 /// seeds at all give one piece without a seed. Every sign is exact, ties go to the lower seed index; points are
-/// rounded once. Points closer than 8 units in the last place of the outline's extent are one point.
+/// rounded once. Points nearer than 2^-46 of the outline's reach are one.
 ///
 /// Errors: those of triangulate(); Cancelled.
 Result<Partition> voronoiPartition(const Polygon& outline, const Delaunay& delaunay, const TaskContext& task = {});

@@ -1,10 +1,12 @@
 #include "core/fracture/Delaunay.h"
 
 #include "core/base/Random.h"
+#include "core/base/Trigonometry.h"
 #include "core/fracture/Verify.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <limits>
 
 using namespace rubble;
@@ -21,6 +23,30 @@ Triangles trianglesOf(const std::vector<Vec2>& seeds) {
 std::string faultOf(const std::vector<Vec2>& seeds) {
     const Result<Delaunay> delaunay = triangulate(seeds);
     return delaunay ? verifyDelaunay(*delaunay, seeds).value_or("") : delaunay.error().message;
+}
+
+bool isSame(const Delaunay::Triangle& a, const Delaunay::Triangle& b) {
+    return std::ranges::equal(a.corner, b.corner) && std::ranges::equal(a.twin, b.twin);
+}
+
+/// Enough seeds to be inserted in ranges: spread, on a grid with ties everywhere, in clusters far apart, on a circle, and
+/// on a line with one beside it.
+std::vector<std::vector<Vec2>> manySeeds() {
+    constexpr std::size_t kCount = 50'000;
+    Random random(3);
+    std::vector<std::vector<Vec2>> sets(5);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        const Vec2 point = {random.unit(), random.unit()};
+        const double along = static_cast<double>(i) / kCount;
+        sets[0].push_back(point);
+        sets[1].push_back({static_cast<double>(i % 250), static_cast<double>(i / 250)});
+        sets[2].push_back(1e-3 * point + Vec2{static_cast<double>(i % 7), static_cast<double>(i % 5)});
+        sets[3].push_back({sine(6.0 * along), cosine(6.0 * along)});
+        sets[4].push_back({along, 0.0});
+    }
+    sets[4].push_back({0.3, 0.1});
+    sets[4].push_back({0.5, 0.0});  // there already
+    return sets;
 }
 
 }  // namespace
@@ -56,6 +82,14 @@ private slots:
         QCOMPARE(faultOf({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}}),
                  std::string("Seed 1 has a coordinate that is not finite: nan."));
         QCOMPARE(triangulate(std::vector<Vec2>{{1e300, 0}}).error().code, ErrorCode::BadInput);
+    }
+    void manySitesGiveTheSameOnAnyNumberOfThreads() {
+        for (const std::vector<Vec2>& seeds : manySeeds()) {
+            const Result<Delaunay> one = triangulate(seeds, {.threads = 1}), three = triangulate(seeds, {.threads = 3});
+            QCOMPARE(verifyDelaunay(*one, seeds).value_or(""), std::string());
+            QVERIFY(one->seedOf == three->seedOf && one->duplicates == three->duplicates);
+            QVERIFY(std::ranges::equal(one->triangles, three->triangles, isSame));
+        }
     }
     void cancelStops() {
         std::vector<Vec2> seeds;

@@ -15,7 +15,7 @@ private slots:
         std::vector<Vec2> points;
         for (int x = 0; x < 64; ++x)
             for (int y = 0; y < 64; ++y) points.push_back({x, y});
-        const std::vector<std::uint32_t> order = hilbertOrder(points);
+        const auto order = hilbertOrder(points);
         for (std::size_t i = 1; i < order.size(); ++i) {
             const Vec2 step = points[order[i]] - points[order[i - 1]];
             QCOMPARE(std::abs(step.x) + std::abs(step.y), 1.0);
@@ -30,8 +30,8 @@ private slots:
                 const Vec2 point = {0.5 + spread * random.unit(), 0.5 + 0.001 * spread * random.unit()};
                 points.insert(points.end(), i % 5 == 0 ? 2 : 1, point);
             }
-            const std::vector<std::uint32_t> order = hilbertOrder(points);
-            std::vector<std::uint32_t> sorted = order;
+            const auto order = hilbertOrder(points);
+            RawVector<std::uint32_t> sorted = order;
             std::sort(sorted.begin(), sorted.end());
             for (std::uint32_t i = 0; i < sorted.size(); ++i) QVERIFY2(sorted[i] == i, "seed 5");
             for (std::uint32_t i = 0; i < points.size(); ++i) {

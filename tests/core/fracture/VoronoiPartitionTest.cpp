@@ -62,13 +62,13 @@ private slots:
     }
     void aSeedFarOutsideHasNoCell() {
         const Result<Partition> partition = voronoiPartition(kUnitSquare, std::vector<Vec2>{{0.5, 0.5}, {100, 100}});
-        QCOMPARE(partition->pieceOfSeed, (std::vector<std::uint32_t>{0, kNone}));
+        QCOMPARE(partition->pieceOfSeed, (RawVector<std::uint32_t>{0, kNone}));
         QCOMPARE(partition->reports[0].code, ReportCode::SeedWithoutCell);
     }
     void aHoleInsideOneCellStaysAHole() {
         const std::vector<Vec2> seeds = {{4, 4}, {4, 40}};
         const Result<Partition> partition = voronoiPartition(kFrame, seeds);
-        QCOMPARE(partition->ringsOfPiece, (std::vector<std::uint32_t>{0, 2}));
+        QCOMPARE(partition->ringsOfPiece, (RawVector<std::uint32_t>{0, 2}));
         QCOMPARE(areaOfSeed(*partition, 0), 48.0);
     }
     void bisectorsAlongTheOutlineLeaveNoSliver() {
@@ -88,6 +88,19 @@ private slots:
         const Result<Partition> partition = voronoiPartition(outline, seeds);
         QCOMPARE(areaOfSeed(*partition, 0), 0x1p-41);
         QCOMPARE(areaOfSeed(*partition, 1), 0x1p-41);
+    }
+    void manySeedsGiveTheSameOnAnyNumberOfThreads() {
+        // With seeds outside the outline, whole rings inside cells' stretches, and a cell that is cut apart.
+        Random random(5);
+        std::vector<Vec2> seeds;
+        for (int i = 0; i < 40'000; ++i) seeds.push_back(Vec2{random.unit(), random.unit()} * 9.0 - Vec2{0.5, 0.5});
+        for (const Polygon& outline : {kEll, kFrame, kComb}) {
+            const Result<Partition> one = voronoiPartition(outline, seeds, {.threads = 1});
+            const Result<Partition> two = voronoiPartition(outline, seeds, {.threads = 2});
+            QCOMPARE(verifyPartition(*one, outline).value_or(""), std::string());
+            QVERIFY(one->seedOfPiece == two->seedOfPiece && one->ringsOfPiece == two->ringsOfPiece);
+            QVERIFY(one->corners == two->corners && one->across == two->across && one->points == two->points);
+        }
     }
     void everyKindOfInputVerifies() {
         const std::uint64_t seed = 3;

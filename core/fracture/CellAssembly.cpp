@@ -1,0 +1,148 @@
+#include "core/fracture/CellAssembly.h"
+
+namespace rubble {
+
+namespace {
+
+/// Where a cell lies that the outline does not enter. The values are bits, so that a cell can ask all its neighbours at once.
+enum CellPlace : std::uint8_t { kUnknown = 0, kInside = 1, kOutside = 2 };
+
+class Assembler {
+public:
+    Assembler(const CellSources& sources, std::uint32_t firstSite, std::uint32_t endSite)
+        : m_sources(sources),
+          m_delaunay(sources.delaunay),
+          m_firstSite(firstSite),
+          m_places(endSite - firstSite, kUnknown),
+          m_cutter(sources.delaunay, sources.outgoing, sources.trace, sources.numbers, sources.points) {
+        m_stretch.firstSite = firstSite;
+        m_stretch.firstPieces.reserve(m_places.size() + 1);
+        m_stretch.pieces.corners.reserve(7 * m_places.size());
+        m_stretch.pieces.ringEnds.reserve(m_places.size() + 1);
+        m_stretch.pieces.pieceEnds.reserve(m_places.size() + 1);
+    }
+
+    CellStretch run() && {
+        for (std::uint32_t i = 0; i < m_places.size(); ++i) {
+            const std::uint32_t site = m_firstSite + i;
+            m_stretch.firstPieces.push_back(pieceCount());
+            if (m_sources.trace.firstPassage[site] == kNone) {
+                addUnvisitedCell(site);
+            } else {
+                m_cutter.cut(site, m_cut);
+                addPieces();
+                noteTouchingVertices(site);
+            }
+        }
+        m_stretch.firstPieces.push_back(pieceCount());
+        return std::move(m_stretch);
+    }
+
+private:
+    std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(m_stretch.pieces.pieceEnds.size()); }
+
+    /// Writes the cell's ring and takes it back where it lies outside. It lies where a neighbour of the same kind does, and
+    /// else where its site does.
+    void addUnvisitedCell(std::uint32_t site) {
+        std::vector<PieceCorner>& corners = m_stretch.pieces.corners;
+        const std::size_t begin = corners.size();
+        const std::uint32_t first = m_sources.outgoing[site];
+        std::uint32_t spoke = first, place = kUnknown;
+        do {
+            const Delaunay::Triangle& triangle = m_delaunay.triangles[spoke >> 2];
+            const std::uint32_t back = Delaunay::previous(spoke) & 3;
+            const std::uint32_t neighbour = triangle.corner[back];
+            corners.push_back({spoke >> 2, neighbour});
+            if (neighbour - m_firstSite < m_places.size()) place |= m_places[neighbour - m_firstSite];
+            spoke = triangle.twin[back];
+        } while (spoke != first);
+        if (place == kUnknown) place = placeOfSite(site);
+        m_places[site - m_firstSite] = static_cast<std::uint8_t>(place);
+        if (place == kInside) {
+            endRing();
+            endPiece();
+        } else {
+            corners.resize(begin);
+        }
+    }
+
+    std::uint32_t placeOfSite(std::uint32_t site) const {
+        const bool isOutside = containment(m_sources.outline, m_delaunay.sites[site]) == Containment::Outside;
+        return isOutside ? kOutside : kInside;
+    }
+
+    void addPieces() {
+        std::uint32_t corner = 0, ring = 0;
+        for (const std::uint32_t pieceEnd : m_cut.pieceEnds) {
+            for (; ring < pieceEnd; ++ring) {
+                const std::uint32_t begin = corner;
+                for (; corner < m_cut.ringEnds[ring]; ++corner) {
+                    m_stretch.pieces.corners.push_back(m_cut.corners[corner]);
+                    const std::uint32_t next = corner + 1 < m_cut.ringEnds[ring] ? corner + 1 : begin;
+                    noteIfCoincident(m_cut.corners[corner].point, m_cut.corners[next].point);
+                }
+                endRing();
+            }
+            endPiece();
+        }
+    }
+
+    void endRing() { m_stretch.pieces.ringEnds.push_back(static_cast<std::uint32_t>(m_stretch.pieces.corners.size())); }
+    void endPiece() {
+        m_stretch.pieces.pieceEnds.push_back(static_cast<std::uint32_t>(m_stretch.pieces.ringEnds.size()));
+    }
+
+    void noteIfCoincident(std::uint32_t a, std::uint32_t b) {
+        if (m_sources.frame.areOne(m_sources.points[a], m_sources.points[b])) m_stretch.coincident.push_back({a, b});
+    }
+
+    /// Vertices of the outline that lie on a bisector of their cell, at the precision of the coordinates.
+    void noteTouchingVertices(std::uint32_t site) {
+        const OutlineTrace& trace = m_sources.trace;
+        const std::uint32_t firstPiece = m_stretch.firstPieces.back();
+        if (firstPiece == pieceCount()) return;
+        for (std::uint32_t p = trace.firstPassage[site]; p != kNone; p = trace.passages[p].nextInCell) {
+            const OutlinePassage& passage = trace.passages[p];
+            const std::uint32_t begin = trace.ringStarts[passage.ring], end = trace.ringStarts[passage.ring + 1];
+            for (std::uint32_t i = 0, vertex = passage.firstVertex; i < passage.vertexCount; ++i) {
+                if (isOnBisector(site, trace.vertices[vertex])) {
+                    m_stretch.touches.push_back({m_sources.numbers.vertices + vertex, firstPiece, pieceCount() - 1});
+                }
+                vertex = vertex + 1 == end ? begin : vertex + 1;
+            }
+        }
+    }
+
+    bool isOnBisector(std::uint32_t site, Vec2 point) const {
+        const Vec2 toSite = m_delaunay.sites[site] - point;
+        const std::uint32_t first = m_sources.outgoing[site];
+        std::uint32_t spoke = first;
+        do {
+            const std::uint32_t neighbour = targetOf(m_delaunay, spoke);
+            spoke = nextAround(m_delaunay, spoke);
+            if (neighbour == Delaunay::kGhost) continue;
+            const Vec2 toNeighbour = m_delaunay.sites[neighbour] - point, apart = toNeighbour - toSite;
+            // The distance to the bisector times twice the sites' distance.
+            const double product = apart.x * (toSite.x + toNeighbour.x) + apart.y * (toSite.y + toNeighbour.y);
+            const double limit = 2.0 * m_sources.frame.joinDistance;
+            if (product * product <= limit * limit * (apart.x * apart.x + apart.y * apart.y)) return true;
+        } while (spoke != first);
+        return false;
+    }
+
+    const CellSources& m_sources;
+    const Delaunay& m_delaunay;
+    std::uint32_t m_firstSite;
+    std::vector<std::uint8_t> m_places;  // of the stretch's sites that the outline does not enter
+    CellCutter m_cutter;
+    CellPieces m_cut;
+    CellStretch m_stretch;
+};
+
+}  // namespace
+
+CellStretch assembledCells(const CellSources& sources, std::uint32_t firstSite, std::uint32_t endSite) {
+    return Assembler(sources, firstSite, endSite).run();
+}
+
+}  // namespace rubble

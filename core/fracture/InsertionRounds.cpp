@@ -1,0 +1,128 @@
+#include "core/fracture/InsertionRounds.h"
+
+#include "core/base/Parallel.h"
+#include "core/fracture/SiteInsertion.h"
+#include "core/geometry/Predicates.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr std::uint32_t kGhost = Delaunay::kGhost;
+constexpr std::uint32_t kSitesInRange = 16384;  // at least: so many that few are near the border
+constexpr std::uint32_t kMostRanges = 16;
+
+/// The first triangle, of sites 0, 1 and 2, with its three ghosts.
+void makeFirstTriangle(Delaunay& delaunay) {
+    std::uint32_t b = 1, c = 2;
+    if (orient2d(delaunay.sites[0], delaunay.sites[1], delaunay.sites[2]) < 0) std::swap(b, c);
+    delaunay.triangles[0] = {{0, b, c}, {4, 8, 12}};
+    delaunay.triangles[1] = {{b, 0, kGhost}, {0, 14, 9}};
+    delaunay.triangles[2] = {{c, b, kGhost}, {1, 6, 13}};
+    delaunay.triangles[3] = {{0, c, kGhost}, {2, 10, 5}};
+}
+
+bool isGhost(const Delaunay::Triangle& triangle) {
+    return triangle.corner[0] == kGhost || triangle.corner[1] == kGhost || triangle.corner[2] == kGhost;
+}
+
+class InsertionRounds {
+public:
+    InsertionRounds(Delaunay& delaunay, const TaskContext& task)
+        : m_delaunay(delaunay),
+          m_task(task),
+          m_triangulation(delaunay),
+          m_count(static_cast<std::uint32_t>(delaunay.sites.size())) {}
+
+    Status run() {
+        if (m_count < kLeastForThreads) return insertRound(1, 0, 1);
+        const std::uint32_t ranges = std::min(m_count / kSitesInRange, kMostRanges);
+        if (const Status done = insertRound(64, 0, 1); !done) return done;
+        if (const Status done = insertRound(8, 64, ranges); !done) return done;
+        return insertRound(1, 8, ranges);
+    }
+
+private:
+    /// Inserts the sites whose numbers are multiples of `stride` and not of `done`, which are there already (0: none are).
+    Status insertRound(std::uint32_t stride, std::uint32_t done, std::uint32_t rangeCount) {
+        const std::uint32_t triangleCount = 2 * m_inserted - 2;
+        m_ranges.assign(rangeCount, {});
+        for (std::uint32_t r = 0; r < rangeCount; ++r) takeWork(r, stride, done);
+        if (rangeCount > 1) insertRanges(triangleCount);
+        insertRemaining();
+        m_task.report(static_cast<double>(m_inserted) / m_count);
+        return m_task.isCancelled() ? Status(TaskContext::cancelled()) : success();
+    }
+
+    void takeWork(std::uint32_t r, std::uint32_t stride, std::uint32_t done) {
+        InsertionWork& work = m_ranges[r];
+        const IndexRange range = rangeAt(r);
+        const std::size_t first = (range.begin + stride - 1) / stride * stride;
+        work.sites.reserve(range.size() / stride + 1);
+        for (std::size_t site = first; site < range.end; site += stride) {
+            if (done == 0 || site % done != 0) work.sites.push_back(static_cast<std::uint32_t>(site));
+        }
+        const std::uint32_t begin = 2 * m_inserted - 2;
+        m_inserted += static_cast<std::uint32_t>(work.sites.size());
+        work.free = {{begin, 2 * m_inserted - 2}};
+    }
+
+    /// The numbers of a range's sites, but for 0 to 2, which the first triangle is made of.
+    IndexRange rangeAt(std::size_t r) const {
+        IndexRange range = partOf(m_count, r, m_ranges.size());
+        range.begin = std::max(range.begin, std::size_t{3});
+        return range;
+    }
+    SiteRange sitesAt(std::size_t r) const {
+        return {static_cast<std::uint32_t>(rangeAt(r).begin), static_cast<std::uint32_t>(rangeAt(r).end) - 1};
+    }
+
+    void insertRanges(std::uint32_t triangleCount) {
+        const std::vector<std::uint32_t> starts = ownTriangles(triangleCount);
+        forEachIndex(m_ranges.size(), m_task.threads, [&](std::size_t r) {
+            if (starts[r] != kNone) insertSites(m_triangulation, sitesAt(r), starts[r], m_ranges[r], m_task.cancel);
+        });
+    }
+
+    /// For each range one of the first triangles that is between three of its sites; kNone where there is none yet.
+    std::vector<std::uint32_t> ownTriangles(std::uint32_t triangleCount) const {
+        std::vector<std::uint32_t> found(m_ranges.size(), kNone);
+        for (std::uint32_t t = 0; t < triangleCount; ++t) {
+            const Delaunay::Triangle& triangle = m_delaunay.triangles[t];
+            if (triangle.corner[0] == kGhost) continue;
+            const std::size_t r = triangle.corner[0] * m_ranges.size() / m_count;  // or, seldom, the one after it
+            if (found[r] == kNone && sitesAt(r).owns(triangle)) found[r] = t;
+        }
+        return found;
+    }
+
+    void insertRemaining() {
+        InsertionWork all = std::move(m_ranges[0]);
+        for (std::size_t r = 1; r < m_ranges.size(); ++r) {
+            all.sites.insert(all.sites.end(), m_ranges[r].sites.begin(), m_ranges[r].sites.end());
+            all.free.insert(all.free.end(), m_ranges[r].free.begin(), m_ranges[r].free.end());
+        }
+        std::uint32_t start = 0;
+        while (isGhost(m_delaunay.triangles[start])) ++start;
+        insertSites(m_triangulation, start, all, m_task.cancel);
+    }
+
+    Delaunay& m_delaunay;
+    const TaskContext& m_task;
+    Triangulation m_triangulation;
+    std::uint32_t m_count;
+    std::uint32_t m_inserted = 3;
+    std::vector<InsertionWork> m_ranges;  // of this round, in the sites' order
+};
+
+}  // namespace
+
+Status insertSites(Delaunay& delaunay, const TaskContext& task) {
+    delaunay.triangles.resize(2 * delaunay.sites.size() - 2);
+    makeFirstTriangle(delaunay);
+    return InsertionRounds(delaunay, task).run();
+}
+
+}  // namespace rubble

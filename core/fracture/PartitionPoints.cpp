@@ -1,0 +1,103 @@
+#include "core/fracture/PartitionPoints.h"
+
+#include "core/base/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kCoincident = 0x1p-46;  // of the reach; four times what two constructions can be off
+constexpr std::size_t kTrianglesInPart = 16384;
+
+/// An origin that can be subtracted from the outline without rounding: an axis keeps 0 unless the outline lies farther
+/// from it than it is wide, and then all its coordinates are within a factor of two of each other.
+Vec2 exactOrigin(const Polygon& outline) {
+    const Box2 box = boundsOf(outline.outer);
+    const auto isFar = [](double min, double max) {
+        return std::min(std::abs(min), std::abs(max)) >= max - min && min * max > 0.0;
+    };
+    return {isFar(box.min.x, box.max.x) ? outline.outer[0].x : 0.0,
+            isFar(box.min.y, box.max.y) ? outline.outer[0].y : 0.0};
+}
+
+std::size_t partsOf(const Delaunay& delaunay) {
+    return (delaunay.triangles.size() + kTrianglesInPart - 1) / kTrianglesInPart;
+}
+
+bool isGhost(const Delaunay::Triangle& triangle) {
+    return triangle.corner[0] == Delaunay::kGhost || triangle.corner[1] == Delaunay::kGhost ||
+           triangle.corner[2] == Delaunay::kGhost;
+}
+
+}  // namespace
+
+PointNumbers pointNumbers(const Delaunay& delaunay, const OutlineTrace& trace) {
+    PointNumbers numbers;
+    numbers.vertices = static_cast<std::uint32_t>(delaunay.triangles.size());
+    numbers.crossings = numbers.vertices + static_cast<std::uint32_t>(trace.vertices.size());
+    numbers.count = numbers.crossings + static_cast<std::uint32_t>(trace.crossings.size());
+    return numbers;
+}
+
+PointFrame frameOf(const Polygon& outline) {
+    PointFrame frame;
+    frame.origin = exactOrigin(outline);
+    for (const Vec2 point : outline.outer) {
+        frame.reach = std::max({frame.reach, std::abs(point.x - frame.origin.x), std::abs(point.y - frame.origin.y)});
+    }
+    frame.joinDistance = kCoincident * frame.reach;
+    return frame;
+}
+
+void computeCorners(const Delaunay& delaunay, const PointFrame& frame, int threads, RawVector<Vec2>& points) {
+    const Vec2* sites = delaunay.sites.data();
+    forEachIndex(partsOf(delaunay), threads, [&](std::size_t part) {
+        const IndexRange range = partOf(delaunay.triangles.size(), part, partsOf(delaunay));
+        for (std::size_t t = range.begin; t < range.end; ++t) {
+            const Delaunay::Triangle& triangle = delaunay.triangles[t];
+            points[t] = isGhost(triangle) ? Vec2{HUGE_VAL, HUGE_VAL}
+                                          : circumcentre(sites[triangle.corner[0]], sites[triangle.corner[1]],
+                                                         sites[triangle.corner[2]], frame.origin, frame.reach);
+        }
+    });
+}
+
+void computeOutlinePoints(const Delaunay& delaunay, const OutlineTrace& trace, const PointFrame& frame,
+                          RawVector<Vec2>& points) {
+    std::size_t place = delaunay.triangles.size();
+    for (const Vec2 vertex : trace.vertices) points[place++] = vertex - frame.origin;
+    for (const OutlineCrossing& crossing : trace.crossings) {
+        points[place++] =
+            crossingWithBisector(trace.lineOf(crossing), delaunay.sites[delaunay.origin(crossing.halfEdge)],
+                                 delaunay.sites[targetOf(delaunay, crossing.halfEdge)], frame.origin, frame.reach);
+    }
+}
+
+std::vector<std::array<std::uint32_t, 2>> coincidentCorners(const Delaunay& delaunay, const PointFrame& frame,
+                                                            int threads, const RawVector<Vec2>& points) {
+    std::vector<std::vector<std::array<std::uint32_t, 2>>> found(partsOf(delaunay));
+    forEachIndex(found.size(), threads, [&](std::size_t part) {
+        const IndexRange range = partOf(delaunay.triangles.size(), part, found.size());
+        for (std::size_t t = range.begin; t < range.end; ++t) {
+            const std::uint32_t* twin = delaunay.triangles[t].twin;
+            // One branch that is hardly ever taken: which of two neighbours comes first cannot be predicted.
+            const bool any = frame.areOne(points[t], points[twin[0] >> 2]) |
+                             frame.areOne(points[t], points[twin[1] >> 2]) |
+                             frame.areOne(points[t], points[twin[2] >> 2]);
+            for (int k = 0; any && k < 3; ++k) {
+                const std::uint32_t before = twin[k] >> 2;
+                if (before < t && frame.areOne(points[t], points[before])) {
+                    found[part].push_back({before, static_cast<std::uint32_t>(t)});
+                }
+            }
+        }
+    });
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+    return pairs;
+}
+
+}  // namespace rubble

@@ -1,0 +1,276 @@
+#include "core/fracture/SiteInsertion.h"
+
+#include "core/geometry/Polygon.h"
+#include "core/geometry/Predicates.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+
+namespace {
+
+constexpr std::uint32_t kGhost = Delaunay::kGhost;
+constexpr std::uint32_t kNowhere = 0xffffffffu;
+constexpr std::uint32_t kNext[3] = {1, 2, 0};
+constexpr std::uint32_t kInsertionsBetweenCancelChecks = 4096;
+
+/// The range of all sites, and infinity.
+struct AllSites {
+    static constexpr bool owns(std::uint32_t) { return true; }
+};
+
+/// A corner as the new site sees it: its offset from the site, and that offset's square.
+struct Lifted {
+    double x, y, square;
+};
+double cross(const Lifted& a, const Lifted& b) { return a.x * b.y - a.y * b.x; }
+
+/// An edge of the cavity, which lies on its left. Lifted corners are named by their place in m_lifted.
+struct CavityEdge {
+    std::uint32_t from;  // corner
+    std::uint32_t fromLifted, toLifted;
+};
+
+/// An edge that the cavity has reached, and what lies behind it.
+struct ReachedEdge {
+    CavityEdge edge;
+    std::uint32_t outer;  // the half-edge behind it, which runs towards edge.from
+    std::uint32_t apex;   // the third corner of the triangle behind it
+    std::uint32_t apexLifted;
+    bool inConflict;  // whether that triangle belongs to the cavity too
+};
+
+struct BoundaryEdge {
+    std::uint32_t from;   // corner
+    std::uint32_t outer;  // the half-edge outside, which runs towards `from`
+};
+
+/// Inserts one site after the other: finds the triangle that holds the site, takes away all triangles whose circle holds
+/// it (the cavity), and joins the cavity's boundary to it.
+///
+/// Glossary. Ghost triangle: (b, a, infinity) behind the hull edge a -> b; its "circle" is the open half-plane behind
+/// the edge, and the open edge itself. Conflict: a triangle whose circle holds the new site. The cavity has no vertex
+/// inside, so its triangles form a tree and every one is reached once, without marks.
+template <class Range>
+class Inserter {
+public:
+    Inserter(const Triangulation& triangulation, Range range, std::uint32_t start, std::vector<FreeSlots>& free)
+        : m_in(triangulation), m_range(range), m_last(start), m_free(free) {}
+
+    /// Inserts a site; false, with nothing changed, where a triangle in conflict is not the range's.
+    bool insert(std::uint32_t site) {
+        const std::uint32_t triangle = triangleHolding(site);
+        if (triangle == kNowhere || !openCavity(site, triangle)) return false;
+        fillCavity(site);
+        return true;
+    }
+
+private:
+    /// Walks from the last triangle towards the site; the result is in conflict with it, and the range's own.
+    std::uint32_t triangleHolding(std::uint32_t site) const {
+        const Vec2 p = m_in.sites[site];
+        std::uint32_t triangle = m_last;
+        int entered = -1;
+        for (;;) {
+            const Delaunay::Triangle& here = m_in.triangles[triangle];
+            int leaveBy = -1;
+            for (int k = 0; k < 3 && leaveBy < 0; ++k) {
+                if (k != entered && isRightOf(here.corner[k], here.corner[k == 2 ? 0 : k + 1], p)) leaveBy = k;
+            }
+            if (leaveBy < 0) return triangle;
+            const std::uint32_t across = here.twin[leaveBy];
+            triangle = across >> 2;
+            entered = static_cast<int>(across & 3);
+            const Delaunay::Triangle& there = m_in.triangles[triangle];
+            const std::uint32_t apex = there.corner[entered == 0 ? 2 : entered - 1];
+            if (!m_range.owns(apex)) return kNowhere;
+            if (apex == kGhost) return triangle;
+        }
+    }
+
+    bool isRightOf(std::uint32_t a, std::uint32_t b, Vec2 p) const {
+        const Vec2 start = m_in.sites[a], end = m_in.sites[b];
+        const double determinant = (start.x - p.x) * (end.y - p.y) - (start.y - p.y) * (end.x - p.x);
+        if (determinant > m_in.orientBound) return false;
+        if (determinant < -m_in.orientBound) return true;
+        return orient2d(start, end, p) < 0;
+    }
+
+    /// Collects the slots of all triangles in conflict and the cavity's boundary, counter-clockwise; false where the cavity
+    /// leaves the range.
+    ///
+    /// The stack gives reached edges back counter-clockwise: an edge is boundary, or gives way to the two behind it. Those
+    /// are tested together, because their determinants do not wait for each other.
+    bool openCavity(std::uint32_t site, std::uint32_t first) {
+        m_boundary.clear();
+        m_slots.assign(1, first);
+        m_liftedCount = 3;
+        m_leavesRange = false;
+        const Delaunay::Triangle& triangle = m_in.triangles[first];
+        for (std::uint32_t k = 0; k < 3; ++k) m_lifted[k] = lifted(triangle.corner[k], site);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            lookBehind(site, triangle.twin[k], {triangle.corner[k], k, kNext[k]}, m_reached[2 - k]);
+        }
+        for (std::size_t top = 3; top > 0 && !m_leavesRange;) {
+            if (m_reached[top - 1].inConflict) {
+                growScratch(top);
+                openBehind(site, top++);
+            } else {
+                --top;
+                m_boundary.push_back({m_reached[top].edge.from, m_reached[top].outer});
+            }
+        }
+        return !m_leavesRange;
+    }
+
+    /// Takes the triangle behind the top edge into the cavity and replaces that edge by the triangle's two others.
+    void openBehind(std::uint32_t site, std::size_t top) {
+        // Copied field by field: a copy in wide loads would wait for the narrow stores that have just been made.
+        const ReachedEdge& reached = m_reached[top - 1];
+        const CavityEdge edge = {reached.edge.from, reached.edge.fromLifted, reached.edge.toLifted};
+        const std::uint32_t outer = reached.outer, apex = reached.apex, apexLifted = reached.apexLifted;
+        const Delaunay::Triangle& behind = m_in.triangles[outer >> 2];
+        m_slots.push_back(outer >> 2);
+        const std::uint32_t right = kNext[outer & 3], left = kNext[right];
+        lookBehind(site, behind.twin[left], {apex, apexLifted, edge.toLifted}, m_reached[top - 1]);
+        lookBehind(site, behind.twin[right], {edge.from, edge.fromLifted, apexLifted}, m_reached[top]);
+    }
+
+    void growScratch(std::size_t top) {
+        if (top + 1 >= m_reached.size()) m_reached.resize(2 * m_reached.size());
+        if (m_liftedCount + 2 >= m_lifted.size()) m_lifted.resize(2 * m_lifted.size());
+    }
+
+    Lifted lifted(std::uint32_t corner, std::uint32_t site) const {
+        if (corner == kGhost) return {0.0, 0.0, 0.0};
+        const double x = m_in.sites[corner].x - m_in.sites[site].x, y = m_in.sites[corner].y - m_in.sites[site].y;
+        return {x, y, x * x + y * y};
+    }
+
+    /// Finds out what lies behind an edge of the cavity. A range reaches a triangle through two corners of its own, so that
+    /// it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile, but for the twin
+    /// behind this very edge.
+    void lookBehind(std::uint32_t site, std::uint32_t outer, CavityEdge edge, ReachedEdge& reached) {
+        const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
+        const std::uint32_t to = triangle.corner[outer & 3], apex = triangle.corner[kNext[kNext[outer & 3]]];
+        const std::uint32_t apexLifted = m_liftedCount++;
+        const Lifted &a = m_lifted[edge.fromLifted], &b = m_lifted[edge.toLifted];
+        const Lifted c = m_lifted[apexLifted] = lifted(apex, site);
+        const double determinant = b.square * cross(a, c) + a.square * cross(c, b) + c.square * cross(b, a);
+        const bool hasGhost = edge.from == kGhost || to == kGhost || apex == kGhost;
+        const bool isSure = std::abs(determinant) > m_in.inCircleBound && !hasGhost;
+        reached.edge.from = edge.from;
+        reached.edge.fromLifted = edge.fromLifted;
+        reached.edge.toLifted = edge.toLifted;
+        reached.outer = outer;
+        reached.apex = apex;
+        reached.apexLifted = apexLifted;
+        reached.inConflict = isSure ? determinant > 0.0 : isInConflict(site, {to, edge.from, apex});
+        m_leavesRange |= reached.inConflict && !m_range.owns(apex);
+    }
+
+    /// Whether the circle of the corners holds the site: exactly, for any triangle.
+    [[gnu::noinline]] bool isInConflict(std::uint32_t site, std::array<std::uint32_t, 3> corners) const {
+        const Vec2 p = m_in.sites[site];
+        for (int k = 0; k < 3; ++k) {
+            if (corners[k] == kGhost) return isBehindHull(corners[kNext[k]], corners[kNext[kNext[k]]], p);
+        }
+        const int sign = inCircle(m_in.sites[corners[0]], m_in.sites[corners[1]], m_in.sites[corners[2]], p);
+        return sign != 0 ? sign > 0 : tieIsConflict(corners, site);
+    }
+
+    /// Four sites on one circle: the one of lowest index is pulled down in the lifted picture, so all diagonals start
+    /// at it. If that is the new site, it is inside; if it is a corner, the new site is inside where it lies
+    /// beyond the opposite edge.
+    bool tieIsConflict(std::array<std::uint32_t, 3> corners, std::uint32_t site) const {
+        const auto lowest = std::min_element(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return m_in.seedOf[a] < m_in.seedOf[b];
+        });
+        if (m_in.seedOf[site] < m_in.seedOf[*lowest]) return true;
+        std::rotate(corners.begin(), lowest, corners.end());
+        return isRightOf(corners[1], corners[2], m_in.sites[site]);
+    }
+
+    /// The ghost triangle (a, b, infinity): the site lies left of a -> b, or on the open edge.
+    bool isBehindHull(std::uint32_t a, std::uint32_t b, Vec2 p) const {
+        const Vec2 start = m_in.sites[a], end = m_in.sites[b];
+        const int side = orient2d(start, end, p);
+        if (side != 0) return side > 0;
+        const bool alongX = start.x != end.x;
+        const double from = alongX ? start.x : start.y, to = alongX ? end.x : end.y, at = alongX ? p.x : p.y;
+        return (from < at && at < to) || (to < at && at < from);
+    }
+
+    void takeSlots(std::size_t count) {
+        for (; count > 0; --count) {
+            while (m_free[m_nextFree].begin == m_free[m_nextFree].end) ++m_nextFree;
+            m_slots.push_back(m_free[m_nextFree].begin++);
+        }
+    }
+
+    /// Fans the cavity's boundary out from the site, in the cavity's slots and two more.
+    void fillCavity(std::uint32_t site) {
+        takeSlots(m_boundary.size() - m_slots.size());
+        const std::size_t count = m_boundary.size();
+        std::uint32_t previous = m_slots[count - 1];
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t slot = m_slots[i];
+            const std::uint32_t following = m_slots[i + 1 < count ? i + 1 : 0];
+            const BoundaryEdge& edge = m_boundary[i];
+            const std::uint32_t end = m_boundary[i + 1 < count ? i + 1 : 0].from;
+            m_in.triangles[slot] = {{edge.from, end, site}, {edge.outer, 4 * following + 2, 4 * previous + 1}};
+            m_in.triangles[edge.outer >> 2].twin[edge.outer & 3] = 4 * slot;
+            if (edge.from != kGhost && end != kGhost) m_last = slot;
+            previous = slot;
+        }
+    }
+
+    Triangulation m_in;
+    Range m_range;
+    std::uint32_t m_last;  // a triangle without ghost near the last site
+    std::vector<FreeSlots>& m_free;
+    std::size_t m_nextFree = 0;  // in m_free
+
+    std::vector<ReachedEdge> m_reached = std::vector<ReachedEdge>(64);  // a stack
+    std::vector<Lifted> m_lifted = std::vector<Lifted>(64);             // corners seen from the new site
+    std::uint32_t m_liftedCount = 0;
+    bool m_leavesRange = false;  // whether a triangle in conflict is not the range's
+    std::vector<std::uint32_t> m_slots;
+    std::vector<BoundaryEdge> m_boundary;
+};
+
+template <class Range>
+void insertAll(const Triangulation& triangulation, Range range, std::uint32_t start, InsertionWork& work,
+               const CancelToken& cancel) {
+    Inserter<Range> inserter(triangulation, range, start, work.free);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < work.sites.size(); ++i) {
+        if (i % kInsertionsBetweenCancelChecks == 0 && cancel.isCancelled()) break;
+        if (!inserter.insert(work.sites[i])) work.sites[left++] = work.sites[i];
+    }
+    work.sites.resize(left);
+}
+
+}  // namespace
+
+Triangulation::Triangulation(Delaunay& delaunay)
+    : sites(delaunay.sites.data()), seedOf(delaunay.seedOf.data()), triangles(delaunay.triangles.data()) {
+    // The filters' error bounds for the largest differences that can occur.
+    const Vec2 size = boundsOf(delaunay.sites).size() * (1.0 + 4.0 * kRounding);
+    const double product = size.x * size.y;
+    orientBound = 2.0 * kOrientBound * product;
+    inCircleBound = 6.0 * kInCircleBound * product * (size.x * size.x + size.y * size.y);
+}
+
+void insertSites(const Triangulation& triangulation, std::uint32_t start, InsertionWork& work,
+                 const CancelToken& cancel) {
+    insertAll(triangulation, AllSites(), start, work, cancel);
+}
+
+void insertSites(const Triangulation& triangulation, SiteRange range, std::uint32_t start, InsertionWork& work,
+                 const CancelToken& cancel) {
+    insertAll(triangulation, range, start, work, cancel);
+}
+
+}  // namespace rubble
