@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace rubble {
 
@@ -139,7 +140,8 @@ private:
     }
 
     /// Where a ring turns back at a corner b, ... a, b, c ..., and c lies on the edge a b or a on the edge b c, splits that
-    /// edge so that parts of both run along each other. False where there is no such corner.
+    /// edge so that parts of both run along each other. False where there is no such corner. A point parts the edges of
+    /// a piece once: where many narrow cells meet, their tips would go from one to the next for ever.
     bool splitAtSpike(std::uint32_t piece) {
         for (std::size_t ring = 0; ring < m_rings[piece].size(); ++ring) {
             const PieceRing& loop = m_rings[piece][ring];
@@ -147,8 +149,8 @@ private:
             for (std::size_t i = 0; i < size; ++i) {
                 const std::size_t before = (i + size - 1) % size;
                 const std::uint32_t a = loop[before].point, b = loop[i].point, c = loop[(i + 1) % size].point;
-                if (lies(c, a, b)) return splitEdge(piece, ring, before, c);
-                if (lies(a, b, c)) return splitEdge(piece, ring, i, a);
+                if (lies(c, a, b) && m_spikes.insert({piece, c}).second) return splitEdge(piece, ring, before, c);
+                if (lies(a, b, c) && m_spikes.insert({piece, a}).second) return splitEdge(piece, ring, i, a);
             }
         }
         return false;
@@ -310,7 +312,8 @@ private:
     double m_distance;
     std::vector<PieceRings> m_rings;        // of each piece
     std::vector<std::uint32_t> m_suspects;  // pieces that may have parts without width; grows while it is gone through
-    std::vector<bool> m_isSuspect;          // those that wait their turn
+    std::set<std::array<std::uint32_t, 2>> m_spikes;  // {piece, point} that has parted its edges
+    std::vector<bool> m_isSuspect;                    // those that wait their turn
 };
 
 }  // namespace
