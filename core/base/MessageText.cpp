@@ -11,4 +11,11 @@ std::string messageText(double value) {
     return {text.data(), result.ptr};
 }
 
+std::string roundedText(double value, int digits) {
+    std::array<char, 32> text;
+    const std::to_chars_result result =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), result.ptr};
+}
+
 }  // namespace rubble

@@ -8,4 +8,7 @@ namespace rubble {
 /// infinity included, the same in every locale.
 std::string messageText(double value);
 
+/// A measured number with as many significant digits as a reader wants, 1 to 17.
+std::string roundedText(double value, int digits);
+
 }  // namespace rubble

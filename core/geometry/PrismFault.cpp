@@ -1,28 +1,23 @@
 #include "core/geometry/PrismFault.h"
 
+#include "core/base/MessageText.h"
 #include "core/geometry/OutlineCleaning.h"
 #include "core/geometry/PrismFinder.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 namespace rubble {
 namespace {
 
-/// A number with as many digits as a reader wants, the same in every locale.
-std::string rounded(double value, int digits, std::chars_format format = std::chars_format::general) {
-    std::array<char, 512> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, format, digits).ptr};
-}
-
+/// To a tenth of a degree, small angles to two digits.
 std::string degreesText(double degrees) {
-    const std::string text = degrees < 1.0 ? rounded(degrees, 2) : rounded(degrees, 1, std::chars_format::fixed);
-    return text + (text == "1.0" ? " degree" : " degrees");
+    const std::string text =
+        roundedText(degrees < 1.0 ? degrees : std::round(10.0 * degrees) / 10.0, degrees < 1.0 ? 2 : 3);
+    return text + (text == "1" ? " degree" : " degrees");
 }
 
 Polygon canonicalOutline(const AxisView& view, const TriangleMesh& mesh, FaceLie lie, double tolerance) {
@@ -110,14 +105,16 @@ std::string prismFault(const AxisView& view, const TriangleMesh& mesh, double to
 std::string axisText(Vec3 axis) {
     for (int k = 0; k < 3; ++k)
         if (std::abs(axis[k]) == 1.0) return std::string(1, "xyz"[k]);
-    return "(" + rounded(axis.x, 3) + ", " + rounded(axis.y, 3) + ", " + rounded(axis.z, 3) + ")";
+    return "(" + roundedText(axis.x, 3) + ", " + roundedText(axis.y, 3) + ", " + roundedText(axis.z, 3) + ")";
 }
 
 std::string lengthText(double metres) {
     const double size = std::abs(metres);
-    if (size >= 1.0 || size == 0.0) return rounded(metres, 4) + " m";
-    if (size >= 1e-4) return rounded(1e3 * metres, 3) + " mm";
-    return rounded(1e6 * metres, 2) + " micrometres";
+    if (size < 1e-9) return "0 m";  // what computing leaves
+    if (size >= 1e4) return messageText(std::round(metres)) + " m";
+    if (size >= 0.9995) return roundedText(metres, 4) + " m";
+    if (size >= 1e-4) return roundedText(1e3 * metres, 3) + " mm";
+    return roundedText(1e6 * metres, 2) + " micrometres";
 }
 
 }  // namespace rubble

@@ -11,14 +11,15 @@
 namespace rubble {
 namespace {
 
-/// The power of ten of which numbers are made multiples: a ten-thousandth of the tolerance or less.
+/// The power of ten of which numbers are made multiples: a hundredth of the tolerance or less.
 double decimalsOf(double tolerance) {
     double decimals = 1.0;
-    while (decimals * tolerance < 1e4) decimals *= 10.0;
+    while (decimals * tolerance < 100.0) decimals *= 10.0;
     return decimals;
 }
 
-double rounded(double value, double decimals) { return std::round(value * decimals) / decimals; }
+/// Never -0.
+double rounded(double value, double decimals) { return std::round(value * decimals) / decimals + 0.0; }
 
 /// The direction of the outline's longest edge; nothing where one lies along x or y.
 std::optional<Vec2> longestEdge(const Polygon& outline, double tolerance) {

@@ -12,7 +12,7 @@ namespace rubble {
 std::optional<ViewFrame> frameAlongEdge(const ViewFrame& frame, const Polygon& outline, double tolerance);
 
 /// The prism of an outline in a view's frame, as deep as the view, with the middle of the outline's box as origin.
-/// Numbers are made multiples of a power of ten, a ten-thousandth of the tolerance or less, so that files hold 0.2 and
+/// Numbers are made multiples of a power of ten, a hundredth of the tolerance or less, so that files hold 0.2 and
 /// not 0.19999999999999998.
 ///
 /// Errors: those of validated(Polygon).

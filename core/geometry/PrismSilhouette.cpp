@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-// Clipper works on integers; up to this magnitude it needs no wide ones.
-constexpr double kClipperRange = 1 << 29;
+// Clipper works on integers. As fine as single precision: finer ones find crossings where rounding only made them.
+constexpr double kClipperRange = 1 << 24;
 
 ClipperLib::Path projected(const AxisView& view, const std::array<std::uint32_t, 3>& triangle, Vec2 middle,
                            double scale) {
@@ -22,6 +22,19 @@ ClipperLib::Path projected(const AxisView& view, const std::array<std::uint32_t,
     return path;
 }
 
+/// The union of all, two by two: much faster, and more exact, than of all at once.
+ClipperLib::Paths unionOf(std::vector<ClipperLib::Paths> areas) {
+    for (std::size_t step = 1; step < areas.size(); step *= 2) {
+        for (std::size_t i = 0; i + step < areas.size(); i += 2 * step) {
+            ClipperLib::Clipper clipper;
+            clipper.AddPaths(areas[i], ClipperLib::ptSubject, true);
+            clipper.AddPaths(areas[i + step], ClipperLib::ptSubject, true);
+            clipper.Execute(ClipperLib::ctUnion, areas[i], ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+        }
+    }
+    return areas.empty() ? ClipperLib::Paths{} : areas[0];
+}
+
 }  // namespace
 
 std::vector<Ring> silhouetteRings(const AxisView& view, const TriangleMesh& mesh) {
@@ -31,16 +44,13 @@ std::vector<Ring> silhouetteRings(const AxisView& view, const TriangleMesh& mesh
     if (!(size > 0.0)) return {};
     const Vec2 middle = box.min + box.size() / 2.0;
     const double scale = kClipperRange / size;
-    ClipperLib::Clipper clipper;
-    clipper.StrictlySimple(true);
+    std::vector<ClipperLib::Paths> shadows;
     for (const auto& triangle : mesh.triangles) {
         const ClipperLib::Path path = projected(view, triangle, middle, scale);
-        if (ClipperLib::Area(path) != 0.0) clipper.AddPath(path, ClipperLib::ptSubject, true);
+        if (ClipperLib::Area(path) != 0.0) shadows.push_back({path});
     }
-    ClipperLib::Paths paths;
-    clipper.Execute(ClipperLib::ctUnion, paths, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
     std::vector<Ring> rings;
-    for (const ClipperLib::Path& path : paths) {
+    for (const ClipperLib::Path& path : unionOf(std::move(shadows))) {
         Ring& ring = rings.emplace_back();
         for (const ClipperLib::IntPoint point : path)
             ring.push_back(middle + Vec2(static_cast<double>(point.X), static_cast<double>(point.Y)) / scale);

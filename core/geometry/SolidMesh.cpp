@@ -101,14 +101,6 @@ Result<std::vector<char>> turnsOf(const TriangleMesh& mesh, const std::vector<Ed
     return turns;
 }
 
-double volumeOf(const TriangleMesh& mesh) {
-    const Vec3 origin = mesh.points[mesh.triangles[0][0]];
-    double sum = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        sum += glm::dot(mesh.points[mesh.triangles[i][0]] - origin, doubleArea(mesh, i)) / 6.0;
-    return sum;
-}
-
 double areaOf(const TriangleMesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) sum += glm::length(doubleArea(mesh, i)) / 2.0;
@@ -116,6 +108,14 @@ double areaOf(const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+double signedVolume(const TriangleMesh& mesh) {
+    const Vec3 origin = mesh.points[mesh.triangles[0][0]];
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        sum += glm::dot(mesh.points[mesh.triangles[i][0]] - origin, doubleArea(mesh, i)) / 6.0;
+    return sum;
+}
 
 std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> parent(mesh.points.size());
@@ -151,7 +151,7 @@ Result<SolidMesh> solidOf(TriangleMesh mesh, double tolerance) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         if ((*turns)[i]) turn(mesh.triangles[i]);
     SolidMesh solid{std::move(mesh), {}, 0.0};
-    solid.volume = volumeOf(solid.mesh);
+    solid.volume = signedVolume(solid.mesh);
     if (std::abs(solid.volume) <= tolerance * areaOf(solid.mesh)) return degenerate("The mesh encloses no volume.");
     if (solid.volume < 0.0) {
         solid.volume = -solid.volume;

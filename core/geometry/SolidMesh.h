@@ -18,6 +18,9 @@ struct SolidMesh {
 /// several parts, cannot be turned outward (a Möbius strip) or encloses less than the tolerance times its area.
 Result<SolidMesh> solidOf(TriangleMesh mesh, double tolerance);
 
+/// The volume inside a closed mesh, m^3; negative where its triangles run clockwise from outside.
+double signedVolume(const TriangleMesh& mesh);
+
 /// The part that each triangle belongs to, numbered by their first triangles; parts share no point.
 std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh);
 

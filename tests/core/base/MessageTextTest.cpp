@@ -15,6 +15,11 @@ private slots:
         QCOMPARE(messageText(1e-9), std::string("1e-09"));
         QCOMPARE(messageText(0.1 + 0.2), std::string("0.30000000000000004"));
     }
+    void measuredNumbersAreRounded() {
+        QCOMPARE(roundedText(2.0 / 3.0, 3), std::string("0.667"));
+        QCOMPARE(roundedText(12.0, 1), std::string("1e+01"));
+        QCOMPARE(roundedText(-2.2250738585072014e-308, 17), std::string("-2.2250738585072014e-308"));
+    }
     void longestAndOddNumbersFit() {
         QCOMPARE(messageText(-2.2250738585072014e-308), std::string("-2.2250738585072014e-308"));
         QCOMPARE(messageText(std::numeric_limits<double>::quiet_NaN()), std::string("nan"));
