@@ -1,20 +1,22 @@
 # How every target of this project is compiled. Results must be the same bits everywhere,
-# so contraction to FMA is off and fast-math never on.
+# so contraction to FMA is off and fast-math never on. rubble_language is for the one program that is never sanitised.
+add_library(rubble_language INTERFACE)
 add_library(rubble_compile INTERFACE)
-target_include_directories(rubble_compile INTERFACE
+target_link_libraries(rubble_compile INTERFACE rubble_language)
+target_include_directories(rubble_language INTERFACE
   ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
-target_compile_options(rubble_compile INTERFACE
+target_compile_options(rubble_language INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   -Wold-style-cast -Woverloaded-virtual -Werror -ffp-contract=off
   # Structs are made with designated initialisers; what they leave out has its default.
   -Wno-missing-field-initializers)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarm on assigning a literal to a std::string: GCC bug 105329.
-  target_compile_options(rubble_compile INTERFACE -Wno-restrict)
+  target_compile_options(rubble_language INTERFACE -Wno-restrict)
 endif()
-target_compile_definitions(rubble_compile INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
+target_compile_definitions(rubble_language INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
 if(RUBBLE_ASSERTS)
-  target_compile_definitions(rubble_compile INTERFACE RUBBLE_ASSERTS=1)
+  target_compile_definitions(rubble_language INTERFACE RUBBLE_ASSERTS=1)
 endif()
 if(RUBBLE_SANITIZE)
   target_compile_options(rubble_compile INTERFACE

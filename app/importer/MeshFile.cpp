@@ -1,0 +1,226 @@
+#include "app/importer/MeshFile.h"
+
+#include "core/base/Utf8.h"
+
+#include <glm/matrix.hpp>
+
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+using Mat4 = glm::dmat4;
+
+/// The number that was meant: of the decimals that single precision takes for the same, the shortest.
+double decimalOf(float value) {
+    if (!std::isfinite(value)) return static_cast<double>(value);
+    std::array<char, 32> text;
+    const char* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    double result = 0.0;
+    std::from_chars(text.data(), end, result);
+    return result;
+}
+
+Vec3 pointOf(const aiVector3D& point) { return {decimalOf(point.x), decimalOf(point.y), decimalOf(point.z)}; }
+
+Mat4 matrixOf(const aiMatrix4x4& matrix) {
+    Mat4 result;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            result[static_cast<int>(column)][static_cast<int>(row)] = decimalOf(matrix[row][column]);
+    return result;
+}
+
+/// True where one of a reader's endings, which stand between spaces, is ours.
+bool isOurs(const aiImporterDesc& description) {
+    const std::string endings = std::string(" ") + description.mFileExtensions + " ";
+    return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl ", " ply "},
+                               [&](const char* ending) { return endings.find(ending) != std::string::npos; });
+}
+
+/// A name of the file as UTF-8, on one line; what is not UTF-8 is taken to be Latin-1.
+std::string nameOf(const aiString& source) {
+    const std::string bytes = source.C_Str();
+    std::string name;
+    for (const char letter : bytes) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (code < 0x20 || code == 0x7f) {
+            name += ' ';
+        } else if (code < 0x80 || isUtf8(bytes)) {
+            name += letter;
+        } else {
+            name += static_cast<char>(0xc0 | code >> 6);
+            name += static_cast<char>(0x80 | (code & 0x3f));
+        }
+    }
+    return name;
+}
+
+/// Only the formats that we answer for: the library's other readers are never run.
+void keepOurFormats(Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        // Its type is not public, so that it cannot be deleted: it goes with the process.
+        if (!isOurs(*importer.GetImporterInfo(i))) importer.UnregisterLoader(importer.GetImporter(i));
+    }
+}
+
+std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+/// The first line of what the library said, as the end of a sentence.
+std::string reasonOf(const Assimp::Importer& importer) {
+    std::string reason = importer.GetErrorString();
+    reason.erase(std::min(reason.find_first_of("\r\n"), reason.size()));
+    while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
+    return reason.empty() ? "no reason is given" : reason;
+}
+
+/// A number of the file's own description, whatever its type.
+template <class Number>
+std::optional<Number> described(const aiScene& scene, const char* key) {
+    if (scene.mMetaData == nullptr) return std::nullopt;
+    Number number{};
+    if (scene.mMetaData->Get(key, number)) return number;
+    return std::nullopt;
+}
+
+enum class Format { Gltf, Fbx, Other };
+
+Format formatOf(const Assimp::Importer& importer, const aiScene& scene) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    const aiImporterDesc* description = index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
+    const std::string endings = description == nullptr ? "" : description->mFileExtensions;
+    if (endings.find("gltf") != std::string::npos) return Format::Gltf;
+    return endings.find("fbx") != std::string::npos || described<int>(scene, "UpAxis") ? Format::Fbx : Format::Other;
+}
+
+double metresPerUnit(const aiScene& scene, Format format) {
+    if (format == Format::Gltf) return 1.0;
+    if (format != Format::Fbx) return 0.0;
+    const auto asFloat = described<float>(scene, "UnitScaleFactor");
+    const double centimetres =
+        asFloat ? decimalOf(*asFloat) : described<double>(scene, "UnitScaleFactor").value_or(1.0);
+    return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres / 100.0 : 0.01;
+}
+
+/// Linear to sRGB, to three decimals: none that an eye can tell.
+double encoded(double linear) {
+    const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    return std::round(1e3 * value) / 1e3;
+}
+
+std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
+    std::vector<SourceMaterial> materials;
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+        const aiMaterial& source = *scene.mMaterials[i];
+        SourceMaterial& material = materials.emplace_back();
+        material.name = nameOf(source.GetName());
+        if (material.name == AI_DEFAULT_MATERIAL_NAME) material.name.clear();
+        aiColor4D colour(0.8f, 0.8f, 0.8f, 1.0f);
+        if (source.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS) source.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+        for (int k = 0; k < 3; ++k) {
+            const float part = colour[static_cast<unsigned>(k)];
+            const double value = std::isfinite(part) ? std::clamp(decimalOf(part), 0.0, 1.0) : 0.8;
+            material.colour[k] = format == Format::Gltf ? encoded(value) : value;
+        }
+    }
+    if (materials.empty()) materials.emplace_back();
+    return materials;
+}
+
+/// Adds a mesh's triangles to an object. A mirroring transform turns them round.
+void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
+    const auto first = static_cast<std::uint32_t>(object.points.size());
+    const bool isMirrored = glm::determinant(Mat3(fromMesh)) < 0.0;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+        object.points.push_back(Vec3(fromMesh * glm::dvec4(pointOf(mesh.mVertices[i]), 1.0)));
+    const aiVector3D* uvs = mesh.mTextureCoords[0];
+    object.hasUvs |= uvs != nullptr;
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices != 3) continue;
+        SourceTriangle& triangle = object.triangles.emplace_back();
+        triangle.material = mesh.mMaterialIndex;
+        for (int k = 0; k < 3; ++k) {
+            const unsigned index = face.mIndices[isMirrored ? 2 - k : k];
+            triangle.points[k] = first + index;
+            if (uvs != nullptr) triangle.uvs[k] = Vec2(decimalOf(uvs[index].x), decimalOf(uvs[index].y));
+        }
+    }
+}
+
+/// Walks through the nodes, an object for each with triangles.
+class SceneReader {
+public:
+    explicit SceneReader(const aiScene& source, SourceScene& scene) : m_source(source), m_scene(scene) {}
+
+    Status addNode(const aiNode& node, const Mat4& fromParent) {
+        const Mat4 fromNode = fromParent * matrixOf(node.mTransformation);
+        SourceObject object{.name = nameOf(node.mName)};
+        for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+            const aiMesh& mesh = *m_source.mMeshes[node.mMeshes[i]];
+            m_triangles += mesh.mNumFaces;
+            if (m_triangles > kMostTriangles)
+                return Error{ErrorCode::Limit,
+                             "holds more than " + std::to_string(kMostTriangles) + " triangles, too many to be read"};
+            addMesh(mesh, fromNode, object);
+        }
+        if (!object.triangles.empty()) m_scene.objects.push_back(std::move(object));
+        for (unsigned i = 0; i < node.mNumChildren; ++i)
+            if (const Status added = addNode(*node.mChildren[i], fromNode); !added) return added;
+        return success();
+    }
+
+private:
+    const aiScene& m_source;
+    SourceScene& m_scene;
+    std::size_t m_triangles = 0;
+};
+
+/// The first number in the scene that is not finite, as the end of a sentence.
+std::optional<std::string> numberFault(const SourceScene& scene) {
+    const auto isFinite = [](const auto& vector) {
+        return !glm::any(glm::isnan(vector)) && !glm::any(glm::isinf(vector));
+    };
+    for (const SourceObject& object : scene.objects) {
+        const bool hasPoints = std::ranges::all_of(object.points, isFinite);
+        const bool hasUvs = std::ranges::all_of(object.triangles, [&](const SourceTriangle& triangle) {
+            return std::ranges::all_of(triangle.uvs, isFinite);
+        });
+        if (!hasPoints) return "has a point in \"" + object.name + "\" that is not a finite number";
+        if (!hasUvs) return "has texture coordinates in \"" + object.name + "\" that are not finite numbers";
+    }
+    return std::nullopt;
+}
+
+Error fault(ErrorCode code, const std::string& path, const std::string& what) {
+    return {code, "\"" + fileName(path) + "\" " + what + "."};
+}
+
+}  // namespace
+
+Result<SourceScene> readMeshFile(const std::string& path) {
+    Assimp::Importer importer;
+    keepOurFormats(importer);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene* source = importer.ReadFile(path, aiProcess_Triangulate);
+    if (source == nullptr || source->mRootNode == nullptr)
+        return fault(ErrorCode::Unsupported, path,
+                     "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reasonOf(importer));
+    const Format format = formatOf(importer, *source);
+    SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
+    const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
+    if (!added) return fault(added.error().code, path, added.error().message);
+    if (scene.objects.empty()) return fault(ErrorCode::Degenerate, path, "holds no triangle");
+    if (const std::optional<std::string> what = numberFault(scene)) return fault(ErrorCode::BadInput, path, *what);
+    return scene;
+}
+
+}  // namespace rubble
