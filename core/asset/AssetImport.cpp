@@ -1,0 +1,133 @@
+#include "core/asset/AssetImport.h"
+
+#include "core/asset/ImportedSolid.h"
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+/// What a fault is about, for files with several objects: `"Ball": The mesh ...`.
+Error about(const std::string& name, Error error) {
+    error.message = "\"" + name + "\": " + error.message;
+    return error;
+}
+
+template <class Element>
+bool isTaken(const std::vector<Element>& elements, const std::string& name) {
+    return std::ranges::find(elements, name, &Element::name) != elements.end();
+}
+
+/// The name, or the first of "name 2", "name 3", ... that is free.
+template <class Element>
+std::string freeName(const std::vector<Element>& elements, const std::string& name) {
+    std::string result = name;
+    for (int number = 2; isTaken(elements, result); ++number) result = name + " " + std::to_string(number);
+    return result;
+}
+
+/// The parts to be imported, by their assets' names.
+Result<std::vector<ImportPart>> wantedParts(const SourceScene& scene, const std::string& fileName, double metresPerUnit,
+                                            const ImportOptions& options) {
+    std::vector<ImportPart> all;
+    const bool hasSeveral = scene.objects.size() > 1;
+    const bool isNamed = std::ranges::find(scene.objects, options.asset, &SourceObject::name) != scene.objects.end();
+    if (!options.asset.empty() && hasSeveral && !isNamed) {
+        std::string names;
+        for (const SourceObject& object : scene.objects) names += (names.empty() ? "\"" : ", \"") + object.name + "\"";
+        return Error{ErrorCode::NotFound,
+                     "The file has several objects and none named \"" + options.asset + "\"; it has " + names + "."};
+    }
+    for (const SourceObject& object : scene.objects) {
+        if (!options.asset.empty() && hasSeveral && object.name != options.asset) continue;
+        const std::string name = object.name.empty() ? fileName : object.name;
+        Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up);
+        if (!parts) return about(name, parts.error());
+        for (ImportPart& part : *parts) {
+            part.name = options.asset.empty() ? name : options.asset;
+            all.push_back(std::move(part));
+        }
+    }
+    if (!options.asset.empty() && all.size() > 1)
+        return Error{ErrorCode::Degenerate, "\"" + options.asset + "\" would be of " + std::to_string(all.size()) +
+                                                " parts that are not joined; an asset is one."};
+    return all;
+}
+
+/// The project's material for one of the file's, added where it is not there.
+Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::string>& notes) {
+    if (source.name.empty() && !project.materials.empty()) return project.materials.front().id;
+    const auto same = std::ranges::find(project.materials, source.name, &Material::name);
+    if (same != project.materials.end()) return same->id;
+    const Colour colour{source.colour.x, source.colour.y, source.colour.z};
+    Material material{.id = project.nextId++, .name = source.name.empty() ? "default" : source.name};
+    material.outside = material.inside = colour;
+    notes.push_back("The material \"" + material.name + "\" was added, with a density of " +
+                    messageText(material.density) + " kg/m^3.");
+    project.materials.push_back(material);
+    return material.id;
+}
+
+/// What an asset is broken by at first.
+Pattern firstPattern(Project& project) {
+    const Id id = project.nextId++;
+    return {{{.id = id, .randomSeed = id, .parameters = UniformScatter{}}}};
+}
+
+void placeInstance(Project& project, const Asset& asset, const Pose& pose) {
+    const std::string name = freeName(project.instances, asset.name);
+    project.instances.push_back({.id = project.nextId++, .name = name, .asset = asset.id, .pose = pose});
+}
+
+/// Puts a solid into the project, as a new asset or in place of one's prism.
+ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
+                    const ImportOptions& options, Project& project) {
+    ImportedAsset result{.isStandIn = solid.isStandIn, .prism = solid.found, .tolerance = part.tolerance};
+    result.notes = solid.notes;
+    const Prism prism{solid.found.outline, solid.found.depth};
+    const auto old =
+        options.asset.empty() ? project.assets.end() : std::ranges::find(project.assets, options.asset, &Asset::name);
+    if (old != project.assets.end()) {
+        result.asset = old->id;
+        result.isReplaced = true;
+        old->prism = prism;
+        old->surface = solid.look.surface;
+        return result;
+    }
+    Asset asset{.name = freeName(project.assets, part.name), .prism = prism, .surface = solid.look.surface};
+    if (asset.name != part.name)
+        result.notes.push_back("The name \"" + part.name + "\" is taken; the asset is named \"" + asset.name + "\".");
+    asset.material = materialFor(scene.materials[solid.material], project, result.notes);
+    asset.id = result.asset = project.nextId++;
+    asset.pattern = firstPattern(project);
+    placeInstance(project, asset, solid.found.pose);
+    project.assets.push_back(std::move(asset));
+    return result;
+}
+
+}  // namespace
+
+Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
+                                   const ImportOptions& options, const TaskContext& context) {
+    const double inFile = scene.metresPerUnit > 0.0 ? scene.metresPerUnit : 1.0;
+    const double metresPerUnit = options.metresPerUnit.value_or(inFile);
+    if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
+        return Error{ErrorCode::BadInput,
+                     "The unit is " + messageText(metresPerUnit) + " m; it must be finite and greater than zero."};
+    Result<std::vector<ImportPart>> parts = wantedParts(scene, fileName, metresPerUnit, options);
+    if (!parts) return parts.error();
+    ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
+    for (std::size_t i = 0; i < parts->size(); ++i) {
+        if (context.isCancelled()) return TaskContext::cancelled();
+        const ImportPart& part = (*parts)[i];
+        const Result<ImportedSolid> solid = importedSolid(part, scene, options);
+        if (!solid) return about(part.name, solid.error());
+        outcome.assets.push_back(added(part, *solid, scene, options, outcome.project));
+        context.report(static_cast<double>(i + 1) / static_cast<double>(parts->size()));
+    }
+    return outcome;
+}
+
+}  // namespace rubble
