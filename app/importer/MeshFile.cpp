@@ -1,6 +1,6 @@
 #include "app/importer/MeshFile.h"
 
-#include "core/base/Utf8.h"
+#include "app/importer/AssimpValues.h"
 
 #include <glm/matrix.hpp>
 
@@ -10,58 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 namespace rubble {
 namespace {
 
-using Mat4 = glm::dmat4;
-
-/// The number that was meant: of the decimals that single precision takes for the same, the shortest.
-double decimalOf(float value) {
-    if (!std::isfinite(value)) return static_cast<double>(value);
-    std::array<char, 32> text;
-    const char* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    double result = 0.0;
-    std::from_chars(text.data(), end, result);
-    return result;
-}
-
-Vec3 pointOf(const aiVector3D& point) { return {decimalOf(point.x), decimalOf(point.y), decimalOf(point.z)}; }
-
-Mat4 matrixOf(const aiMatrix4x4& matrix) {
-    Mat4 result;
-    for (unsigned row = 0; row < 4; ++row)
-        for (unsigned column = 0; column < 4; ++column)
-            result[static_cast<int>(column)][static_cast<int>(row)] = decimalOf(matrix[row][column]);
-    return result;
-}
-
 /// True where one of a reader's endings, which stand between spaces, is ours.
 bool isOurs(const aiImporterDesc& description) {
     const std::string endings = std::string(" ") + description.mFileExtensions + " ";
     return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl ", " ply "},
                                [&](const char* ending) { return endings.find(ending) != std::string::npos; });
-}
-
-/// A name of the file as UTF-8, on one line; what is not UTF-8 is taken to be Latin-1.
-std::string nameOf(const aiString& source) {
-    const std::string bytes = source.C_Str();
-    std::string name;
-    for (const char letter : bytes) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (code < 0x20 || code == 0x7f) {
-            name += ' ';
-        } else if (code < 0x80 || isUtf8(bytes)) {
-            name += letter;
-        } else {
-            name += static_cast<char>(0xc0 | code >> 6);
-            name += static_cast<char>(0x80 | (code & 0x3f));
-        }
-    }
-    return name;
 }
 
 /// Only the formats that we answer for: the library's other readers are never run.
@@ -135,6 +94,21 @@ std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
     return materials;
 }
 
+/// The library hands on what files say: indices of points and materials that are not there.
+std::optional<std::string> indexFault(const aiMesh& mesh, std::size_t materialCount) {
+    if (mesh.mMaterialIndex >= materialCount)
+        return "names material " + std::to_string(mesh.mMaterialIndex) + " of " + std::to_string(materialCount);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        for (unsigned k = 0; k < face.mNumIndices; ++k) {
+            if (face.mIndices[k] < mesh.mNumVertices) continue;
+            return "has a face that names point " + std::to_string(face.mIndices[k]) + " of " +
+                   std::to_string(mesh.mNumVertices);
+        }
+    }
+    return std::nullopt;
+}
+
 /// Adds a mesh's triangles to an object. A mirroring transform turns them round.
 void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     const auto first = static_cast<std::uint32_t>(object.points.size());
@@ -170,6 +144,8 @@ public:
             if (m_triangles > kMostTriangles)
                 return Error{ErrorCode::Limit,
                              "holds more than " + std::to_string(kMostTriangles) + " triangles, too many to be read"};
+            if (std::optional<std::string> what = indexFault(mesh, m_scene.materials.size()))
+                return Error{ErrorCode::BadInput, *what};
             addMesh(mesh, fromNode, object);
         }
         if (!object.triangles.empty()) m_scene.objects.push_back(std::move(object));

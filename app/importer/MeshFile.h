@@ -13,7 +13,7 @@ namespace rubble {
 /// says its up axis and is turned y up.
 ///
 /// Errors: Unsupported where the file is of no such kind or is damaged, with the reader's reason; Degenerate
-/// where it holds no triangle; Limit above kMostTriangles.
+/// where it holds no triangle; BadInput where an index or a number is wrong; Limit above kMostTriangles.
 Result<SourceScene> readMeshFile(const std::string& path);
 
 /// More would not fit into the memory that the program is given.

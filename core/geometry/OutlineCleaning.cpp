@@ -83,16 +83,16 @@ double distanceFromBoundary(const Polygon& polygon, Vec2 point) {
     return nearest;
 }
 
-double distanceBetween(const Polygon& a, const Polygon& b) {
+double distanceFromBoundary(const Polygon& polygon, const std::vector<Ring>& rings) {
     double farthest = 0.0;
-    const auto lookFrom = [&](const Polygon& from, const Polygon& to) {
-        for (const Vec2 corner : from.outer) farthest = std::max(farthest, distanceFromBoundary(to, corner));
-        for (const Ring& hole : from.holes)
-            for (const Vec2 corner : hole) farthest = std::max(farthest, distanceFromBoundary(to, corner));
-    };
-    lookFrom(a, b);
-    lookFrom(b, a);
+    for (const Ring& ring : rings)
+        for (const Vec2 point : ring) farthest = std::max(farthest, distanceFromBoundary(polygon, point));
     return farthest;
+}
+
+double distanceBetween(const Polygon& a, const Polygon& b) {
+    return std::max({distanceFromBoundary(b, {a.outer}), distanceFromBoundary(b, a.holes),
+                     distanceFromBoundary(a, {b.outer}), distanceFromBoundary(a, b.holes)});
 }
 
 }  // namespace rubble

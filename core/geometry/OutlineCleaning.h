@@ -23,6 +23,8 @@ Polygon fromSmallestCorners(Polygon polygon);
 
 /// The farthest that a corner of one polygon lies from the boundary of the other, m.
 double distanceBetween(const Polygon& a, const Polygon& b);
+/// The farthest that a point of the rings lies from the polygon's boundary, m.
+double distanceFromBoundary(const Polygon& polygon, const std::vector<Ring>& rings);
 /// The distance of a point from the nearest edge, m.
 double distanceFromBoundary(const Polygon& polygon, Vec2 point);
 

@@ -34,12 +34,11 @@ struct Attempt {
     double misplaced = 0.0;  // m; how far some face would have to move to be part of a cap or a side
 };
 
-/// The farthest that a point lies from the surface of the prism with an outline.
+/// The farthest that a point lies from the surface of the prism with an outline, those within the caps apart.
 double deviationFrom(const AxisView& view, const Polygon& outline, double tolerance) {
     double farthest = 0.0;
     for (const Vec3 point : view.points) {
         const double fromCap = std::min(std::abs(point.z - view.top), std::abs(point.z - view.bottom));
-        // Points on caps may lie anywhere in the outline.
         farthest =
             std::max(farthest, fromCap <= tolerance ? fromCap : distanceFromBoundary(outline, {point.x, point.y}));
     }
@@ -65,7 +64,8 @@ Result<FoundPrism> prismIn(const AxisView& view, const TriangleMesh& mesh, doubl
         return prismIn(viewedAlong(mesh, *frame, tolerance), mesh, tolerance);
     Result<FoundPrism> prism = placedPrism(view, *outline, tolerance);
     if (!prism) return prism;
-    prism->deviation = deviation;
+    prism->deviation =
+        std::max({deviation, distanceFromBoundary(*outline, rings), distanceFromBoundary(*outline, bottomRings)});
     prism->straightCorners = cornersOf(rings) - cornersOf(*outline);
     return prism;
 }

@@ -39,6 +39,23 @@ double farthestFromCorners(const FoundPrism& prism, const TriangleMesh& mesh) {
     return farthest;
 }
 
+Pose anyPose(Random& random) {
+    const Quat turn(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    return {{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}, glm::normalize(turn)};
+}
+
+/// An outline around the origin whose corners are at any distance between 0.5 and 1.5, every second one farther out.
+Polygon star(Random& random) {
+    constexpr double kTurn = 6.283185307179586;
+    const int count = 3 + static_cast<int>(random.below(20));
+    Polygon polygon;
+    for (int k = 0; k < count; ++k) {
+        const double radius = k % 2 == 0 ? random.between(0.5, 0.8) : random.between(1.0, 1.5);
+        polygon.outer.push_back({radius * std::cos(kTurn * k / count), radius * std::sin(kTurn * k / count)});
+    }
+    return polygon;
+}
+
 /// A box of the given size with a corner at the origin.
 TriangleMesh box(Vec3 size) {
     return placed(prismSolid({rectangle({0, 0}, {size.x, size.y}), {}}, size.z), {{0, 0, size.z / 2.0}});
@@ -123,10 +140,7 @@ private slots:
             for (const double depth : {0.01, 0.5, 30.0}) {
                 Random random(7);
                 for (int round = 0; round < 40; ++round) {
-                    const Quat turn = glm::normalize(Quat(random.between(-1, 1), random.between(-1, 1),
-                                                          random.between(-1, 1), random.between(-1, 1)));
-                    const Pose pose{{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}, turn};
-                    const TriangleMesh mesh = placed(prismSolid(outline, depth), pose);
+                    const TriangleMesh mesh = placed(prismSolid(outline, depth), anyPose(random));
                     const Result<FoundPrism> prism = found(mesh);
                     QVERIFY2(prism.hasValue(), qPrintable(faultOf(mesh)));
                     QVERIFY(prism->otherAxes.empty());
@@ -136,6 +150,24 @@ private slots:
                 }
             }
         }
+    }
+    void starsOfAnyShapeAreFound() {
+        Random random(2024);
+        for (int round = 0; round < 300; ++round) {
+            const TriangleMesh mesh = placed(prismSolid(star(random), random.between(0.1, 3.0)), anyPose(random));
+            const Result<FoundPrism> prism = found(mesh);
+            QVERIFY2(prism.hasValue(), qPrintable(QString("round %1: ").arg(round) + faultOf(mesh)));
+            QVERIFY(farthestFromCorners(*prism, mesh) < 1e-6);
+            TriangleMesh bent = mesh;  // by ten times the tolerance
+            bent.points[0] += 1e-4 * boundsOf(mesh).diagonal() * prism->axis;
+            QVERIFY(!found(bent).hasValue());
+        }
+    }
+    void whatWasLeftOutIsMeasured() {
+        const Polygon bulged{{{0, 0}, {1, -1e-5}, {2, 0}, {2, 1}, {0, 1}}, {}};
+        const Result<FoundPrism> prism = found(prismSolid(bulged, 0.5));
+        QCOMPARE(prism->straightCorners, std::size_t{1});
+        QVERIFY(std::abs(prism->deviation - 1e-5) < 1e-9);
     }
     void singlePrecisionIsNoFault() {
         Random random(11);

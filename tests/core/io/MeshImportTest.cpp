@@ -84,6 +84,20 @@ private slots:
                  std::string("Cannot read \"none.obj\": No such file or directory."));
         QVERIFY(imported(kMeshes).error().message.ends_with("Is a directory."));
     }
+    void damagedFilesCostASentence() {
+        QTemporaryDir folder;
+        const auto fault = [&](const char* points, const char* face) {
+            const std::filesystem::path file = folder.filePath("bad.ply").toStdString();
+            std::ofstream(file) << "ply\nformat ascii 1.0\nelement vertex " << points
+                                << "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+                                << face << '\n';
+            return QString::fromStdString(imported(file).error().message);
+        };
+        QCOMPARE(fault("3", "3 0 1 77777777"), "\"bad.ply\" has a face that names point 77777777 of 3.");
+        QCOMPARE(fault("4000000000", "3 0 1 2"),
+                 "\"bad.ply\" needs more than 1 GiB to be read; it is too large or damaged.");
+    }
     void aChildThatFailsCostsASentence() {
         QCOMPARE(FakeImporter("kill -SEGV $$").fault(), "\"wall.ply\" crashed the mesh reader; the file is damaged.");
         QCOMPARE(FakeImporter("exit 3").fault(),
