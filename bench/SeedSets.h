@@ -4,28 +4,34 @@
 #include "core/geometry/Vec.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace rubble::bench {
 
-/// Sets of uniform random seeds in the unit square, made beforehand and handed out in turn, so that no run sees the
-/// input of the one before.
-class SeedSets {
-public:
-    explicit SeedSets(std::size_t count) {
-        m_sets.resize(std::clamp<std::size_t>(kSeedsInAll / count, 3, 256));
-        Random random(kFirstSeed);
-        for (std::vector<Vec2>& seeds : m_sets) {
-            seeds.resize(count);
-            for (Vec2& seed : seeds) seed = {random.unit(), random.unit()};
-        }
+using SeedSet = std::vector<Vec2>;
+
+/// Sets of uniform random seeds in the unit square: at least three, more of few seeds, the same in every run.
+inline std::vector<SeedSet> seedSets(std::size_t seedsInEach) {
+    constexpr std::size_t kSeedsInAll = 200'000;
+    constexpr std::uint64_t kRandomSeed = 2;
+    std::vector<SeedSet> sets(std::clamp<std::size_t>(kSeedsInAll / seedsInEach, 3, 256), SeedSet(seedsInEach));
+    Random random(kRandomSeed);
+    for (SeedSet& seeds : sets) {
+        for (Vec2& seed : seeds) seed = {random.unit(), random.unit()};
     }
-    const std::vector<Vec2>& next() { return m_sets[++m_turn % m_sets.size()]; }
+    return sets;
+}
+
+/// Inputs made beforehand and handed out in turn, so that no round of a benchmark sees the input of the one before.
+template <class Input>
+class InTurn {
+public:
+    explicit InTurn(std::vector<Input> inputs) : m_inputs(std::move(inputs)) {}
+    const Input& next() { return m_inputs[++m_turn % m_inputs.size()]; }
 
 private:
-    static constexpr std::size_t kSeedsInAll = 200'000;
-    static constexpr std::uint64_t kFirstSeed = 2;
-    std::vector<std::vector<Vec2>> m_sets;
+    std::vector<Input> m_inputs;
     std::size_t m_turn = 0;
 };
 

@@ -1,0 +1,43 @@
+// How long an asset takes to bake in memory: seeds, cells, fragments with hulls, masses and bonds. CGAL's time is that of
+// the triangulation and its dual alone.
+#include "bench/BoxAssets.h"
+#include "bench/Peers.h"
+#include "bench/RatioReporter.h"
+#include "core/asset/Bake.h"
+
+using namespace rubble;
+using namespace rubble::bench;
+
+namespace {
+
+constexpr std::size_t kPieces = 50'000;
+
+template <class Input, class Work>
+benchmark::internal::Benchmark* add(const char* name, std::vector<Input> (*make)(std::size_t), Work work) {
+    const auto measure = [make, work](benchmark::State& state) {
+        InTurn<Input> inputs(make(static_cast<std::size_t>(state.range(0))));
+        auto last = work(inputs.next());  // warms memory up
+        for (auto _ : state) {
+            last = work(inputs.next());
+            benchmark::DoNotOptimize(last);
+        }
+    };
+    return benchmark::RegisterBenchmark(name, measure)->Arg(kPieces)->Unit(benchmark::kMillisecond);
+}
+
+Bake baked(const Asset& asset, int threads) {
+    TaskContext task;
+    task.threads = threads;
+    return bake(asset, task).value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    add("ours", boxAssets, [](const Asset& asset) { return baked(asset, 1); });
+    add("ours on 2 threads", boxAssets, [](const Asset& asset) { return baked(asset, 2); })->UseRealTime();
+    add("CGAL", seedSets, [](const SeedSet& seeds) { return dualByCgal(seeds); });
+    RatioReporter reporter("pieces", {"ours", "ours on 2 threads", "CGAL"},
+                           {{"CGAL", "ours"}, {"CGAL", "ours on 2 threads"}});
+    return runBenchmarks(argc, argv, reporter);
+}

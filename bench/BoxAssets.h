@@ -1,0 +1,27 @@
+#pragma once
+
+#include "bench/SeedSets.h"
+#include "core/asset/Project.h"
+
+namespace rubble::bench {
+
+/// A box of 1 x 1 x 0.5 m, broken by seeds placed by hand.
+inline Asset boxAsset(const SeedSet& seeds) {
+    PlacedSeeds placed;
+    for (std::uint32_t seed = 0; seed < seeds.size(); ++seed) placed.seeds.push_back({seed, seeds[seed]});
+    Asset asset;
+    asset.id = 1;
+    asset.name = "box";
+    asset.material = 1;
+    asset.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+    asset.pattern.layers.push_back({.id = 1, .parameters = std::move(placed)});
+    return asset;
+}
+
+inline std::vector<Asset> boxAssets(std::size_t seedsInEach) {
+    std::vector<Asset> assets;
+    for (const SeedSet& seeds : seedSets(seedsInEach)) assets.push_back(boxAsset(seeds));
+    return assets;
+}
+
+}  // namespace rubble::bench
