@@ -41,7 +41,7 @@ void append(const Breaking& breaking, std::uint32_t parent, Bake& bake) {
     }
     for (std::size_t k = 0; k < ids.size(); ++k) {
         BakedFragment fragment{.id = ids[k], .parent = parent, .level = level};
-        fragment.solid = breaking.fragments.fragments[k];
+        fragment.solid = std::move(breaking.fragments.fragments[k]);
         fragment.solid.offset += origin;
         bake.fragments.push_back(std::move(fragment));
     }

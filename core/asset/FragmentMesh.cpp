@@ -45,16 +45,17 @@ ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std:
 
 Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset) {
     const Fragment& piece = fragment.solid;
-    ExtrudedSolid solid{{}, {}, piece.depth, piece.offset, piece.hulls.size() <= 1};
-    std::size_t ring = 0;
+    ExtrudedSolid solid{{}, {}, piece.depth, piece.offset, piece.parts.empty()};
+    std::size_t firstEdge = 0;  // of the ring in `across`
     const auto sideOf = [&](std::size_t edge, Vec2 a, Vec2 b) {
-        return sideBetween(fragment, asset, piece.across[ring][edge], a, b);
+        return sideBetween(fragment, asset, piece.across[firstEdge + edge], a, b);
     };
     solid.sides.reserve(piece.outline.outer.size());
     addRing(piece.outline.outer, sideOf, solid.outline.outer, solid);
+    firstEdge = piece.outline.outer.size();
     for (const Ring& hole : piece.outline.holes) {
-        ++ring;
         addRing(hole, sideOf, solid.outline.holes.emplace_back(), solid);
+        firstEdge += hole.size();
     }
     return extrudedMesh(solid, asset);
 }

@@ -1,9 +1,10 @@
 #include "core/fracture/Fragment.h"
 
 #include "core/base/Parallel.h"
-#include "core/fracture/PieceHulls.h"
+#include "core/fracture/PieceParts.h"
 #include "core/fracture/ThinPieces.h"
 #include "core/fracture/VoronoiPartition.h"
+#include "core/geometry/NumberedCorners.h"
 
 #include <glm/geometric.hpp>
 
@@ -17,27 +18,30 @@ constexpr std::size_t kBlock = 128;  // fragments that a thread makes between tw
 constexpr double kThinnest = 1e-9;   // of the outline's width
 constexpr double kFlat = 1e-12;      // of the outline's diameter: far above the rounding of constructed points
 
-/// A piece of the partition among those of its seed.
-struct PieceOfSeed {
-    std::uint32_t piece = 0;
-    std::uint32_t index = 0;
-    std::uint32_t count = 1;
+/// What becomes of a piece.
+struct Place {
+    std::uint32_t fragment = 0;      // its index; that of the receiver where it is too thin
+    std::uint32_t index = 0;         // among the pieces of its seed
+    std::uint32_t piecesOfSeed = 1;  // thin ones too
+    bool isThin = false;
 };
 
-/// All pieces, by seed, then by index.
-std::vector<PieceOfSeed> piecesBySeed(const Partition& partition) {
-    std::vector<PieceOfSeed> pieces;
-    if (partition.pieceOfSeed.empty()) pieces.resize(partition.pieceCount());  // the outline, unbroken
-    pieces.reserve(partition.pieceCount());
+/// Numbers fragments by seed, then by piece, with none for thin pieces. Gives how many there are.
+std::uint32_t numberFragments(const Partition& partition, std::vector<Place>& places) {
+    if (partition.pieceOfSeed.empty()) return partition.pieceCount();  // the outline, unbroken
+    std::uint32_t count = 0;
     for (const std::uint32_t first : partition.pieceOfSeed) {
         if (first == kNone) continue;
         std::uint32_t end = first + 1;
-        while (end < partition.pieceCount() && partition.seedOfPiece[end] == partition.seedOfPiece[first]) ++end;
+        while (end < places.size() && partition.seedOfPiece[end] == partition.seedOfPiece[first]) ++end;
         for (std::uint32_t piece = first; piece < end; ++piece) {
-            pieces.push_back({piece, piece - first, end - first});
+            Place& place = places[piece];
+            place.index = piece - first;
+            place.piecesOfSeed = end - first;
+            place.fragment = place.isThin ? kNone : count++;
         }
     }
-    return pieces;
+    return count;
 }
 
 void sortByFragmentAndJoin(double least, double depth, std::vector<Bond>& bonds) {
@@ -59,82 +63,76 @@ void sortByFragmentAndJoin(double least, double depth, std::vector<Bond>& bonds)
 class Extrusion {
 public:
     Extrusion(const Prism& prism, const Partition& partition)
-        : m_partition(partition), m_depth(prism.depth), m_pieces(piecesBySeed(partition)) {
+        : m_partition(partition), m_depth(prism.depth), m_places(partition.pieceCount()) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
-        double around = perimeter(prism.outline.outer);
-        for (const Ring& hole : prism.outline.holes) around += perimeter(hole);
-        m_tolerance = {kThinnest * widthOf(area(prism.outline), around), kFlat * diameter};
+        m_tolerance = {kThinnest * widthOf(prism.outline), kFlat * diameter};
         m_leastEdge = kLeastSharedEdge * diameter;
-        nameFragments();
     }
 
-    /// Makes one fragment a piece, but for thin ones. Makes all again when a thin piece is found, as its neighbours
+    /// Makes one fragment a piece, but for thin ones. Makes all again when thin pieces are found, as their neighbours
     /// change. False where the task was cancelled.
     bool run(const TaskContext& task) {
         while (true) {
-            m_fragments.clear();
-            m_fragments.resize(m_pieces.size());
-            std::vector<std::uint8_t> isThin(m_pieces.size());
-            forEachIndex((m_pieces.size() + kBlock - 1) / kBlock, task.threads, [&](std::size_t block) {
+            m_fragments = std::vector<Fragment>(numberFragments(m_partition, m_places));
+            for (const ThinPieceGift& gift : m_gifts) {
+                if (gift.receiver != kNone) m_places[gift.thin].fragment = m_places[gift.receiver].fragment;
+            }
+            std::atomic<bool> isAnyThin = false;
+            forEachIndex((m_places.size() + kBlock - 1) / kBlock, task.threads, [&](std::size_t block) {
                 if (task.isCancelled()) return;
-                const std::size_t end = std::min(m_pieces.size(), (block + 1) * kBlock);
-                for (std::size_t i = block * kBlock; i < end; ++i) isThin[i] = !make(m_pieces[i], m_fragments[i]);
+                if (!makeBlock(block * kBlock)) isAnyThin = true;
             });
             if (task.isCancelled()) return false;
-            if (std::ranges::count(isThin, 1) == 0) return true;
-            takeOut(isThin);
+            if (!isAnyThin) return true;
+            giveAwayThinPieces();
         }
     }
 
     Fragments result() {
         Fragments result{std::move(m_fragments), m_partition.reports};
-        for (const ThinPieceGift& gift : m_gifts) {
-            const Polygon outline = pieceOutline(m_partition, gift.thin);
-            double around = perimeter(outline.outer);
-            for (const Ring& hole : outline.holes) around += perimeter(hole);
-            const double size = area(outline);
-            result.reports.push_back(thinPieceReport(m_partition, gift, size, widthOf(size, around)));
-        }
+        for (const ThinPieceGift& gift : m_gifts) result.reports.push_back(thinPieceReport(m_partition, gift));
         return result;
     }
 
 private:
-    void nameFragments() {
-        m_fragmentOf.assign(m_partition.pieceCount(), kNone);
-        for (std::uint32_t i = 0; i < m_pieces.size(); ++i) m_fragmentOf[m_pieces[i].piece] = i;
-        for (const ThinPieceGift& gift : m_gifts) {
-            if (gift.receiver != kNone) m_fragmentOf[gift.thin] = m_fragmentOf[gift.receiver];
+    /// Makes the fragments of a block of pieces, as they stand in memory. False where one was found to be thin.
+    bool makeBlock(std::size_t begin) {
+        const auto end = static_cast<std::uint32_t>(std::min(m_places.size(), begin + kBlock));
+        bool isAnyThin = false;
+        for (auto piece = static_cast<std::uint32_t>(begin); piece < end; ++piece) {
+            Place& place = m_places[piece];
+            if (place.isThin || make(piece, m_fragments[place.fragment])) continue;
+            place.isThin = isAnyThin = true;
         }
+        return !isAnyThin;
     }
 
-    void takeOut(const std::vector<std::uint8_t>& isThin) {
-        std::vector<PieceOfSeed> kept;
-        for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-            if (isThin[i])
-                m_thin.push_back(m_pieces[i].piece);
-            else
-                kept.push_back(m_pieces[i]);
+    void giveAwayThinPieces() {
+        std::vector<std::uint32_t> thin;
+        for (std::uint32_t piece = 0; piece < m_places.size(); ++piece) {
+            if (m_places[piece].isThin) thin.push_back(piece);
         }
-        m_pieces = std::move(kept);
-        m_gifts = thinPieceGifts(m_partition, m_thin);
-        nameFragments();
+        std::ranges::stable_sort(thin, {}, [&](std::uint32_t piece) { return m_partition.seedOfPiece[piece]; });
+        m_gifts = thinPieceGifts(m_partition, thin);
     }
 
     /// False where the piece is too thin.
-    bool make(const PieceOfSeed& from, Fragment& fragment) const {
-        fragment.seed = m_partition.seedOfPiece[from.piece];
-        fragment.piece = from.index;
-        fragment.piecesOfSeed = from.count;
+    bool make(std::uint32_t piece, Fragment& fragment) const {
+        fragment.seed = m_partition.seedOfPiece[piece];
+        fragment.piece = m_places[piece].index;
+        fragment.piecesOfSeed = m_places[piece].piecesOfSeed;
         fragment.depth = m_depth;
-        fragment.outline = pieceOutline(m_partition, from.piece);
+        fragment.outline = pieceOutline(m_partition, piece);
         fragment.mass = massOfPrism(fragment.outline, m_depth);
-        const double around = addNeighbours(from.piece, fragment);
+        const double around = addNeighbours(piece, fragment);
         if (!(widthOf(fragment.mass.volume / m_depth, around) > m_tolerance.thinnest)) return false;
-        if (!m_gifts.empty()) addGifts(from.piece, fragment);
+        if (!m_gifts.empty()) addGifts(piece, fragment);
         sortByFragmentAndJoin(m_leastEdge, m_depth, fragment.bonds);
         moveToCentre(fragment);
-        fragment.hulls = hullsOfPiece(fragment.outline, m_depth, m_tolerance);
-        return !fragment.hulls.empty();
+        std::optional<IndexLoops> parts = hullParts(fragment.outline, m_tolerance);
+        if (!parts) return false;
+        fragment.parts = std::move(*parts);
+        return true;
     }
 
     /// Calls visit(fragment behind it, length) for every edge of a ring.
@@ -145,7 +143,7 @@ private:
         for (std::uint32_t corner = begin; corner < end; ++corner) {
             const Vec2 to = m_partition.points[m_partition.corners[corner + 1 < end ? corner + 1 : begin]];
             const std::uint32_t across = m_partition.across[corner];
-            visit(across == kNone ? kNone : m_fragmentOf[across], glm::distance(from, to));
+            visit(across == kNone ? kNone : m_places[across].fragment, glm::distance(from, to));
             from = to;
         }
     }
@@ -154,16 +152,15 @@ private:
     /// area. Gives the length of all edges.
     double addNeighbours(std::uint32_t piece, Fragment& fragment) const {
         const std::uint32_t first = m_partition.ringsOfPiece[piece], end = m_partition.ringsOfPiece[piece + 1];
-        const std::uint32_t self = m_fragmentOf[piece];
+        const std::uint32_t self = m_places[piece].fragment;
         double around = 0.0;
-        fragment.across.resize(end - first);
-        fragment.bonds.reserve(m_partition.cornersOfRing[end] - m_partition.cornersOfRing[first]);
+        const std::size_t edges = m_partition.cornersOfRing[end] - m_partition.cornersOfRing[first];
+        fragment.across.reserve(edges);
+        fragment.bonds.reserve(edges);
         for (std::uint32_t ring = first; ring < end; ++ring) {
-            std::vector<std::uint32_t>& across = fragment.across[ring - first];
-            across.reserve(m_partition.ringCorners(ring).size());
             forEachEdge(ring, [&](std::uint32_t behind, double length) {
                 around += length;
-                across.push_back(behind);
+                fragment.across.push_back(behind);
                 if (behind != kNone && behind != self) fragment.bonds.push_back({behind, length});
             });
         }
@@ -172,7 +169,7 @@ private:
 
     /// The mass and the neighbours of the thin pieces that a piece receives.
     void addGifts(std::uint32_t piece, Fragment& fragment) const {
-        const std::uint32_t self = m_fragmentOf[piece];
+        const std::uint32_t self = m_places[piece].fragment;
         std::vector<MassProperties> masses{fragment.mass};
         for (const ThinPieceGift& gift : m_gifts) {
             if (gift.receiver != piece) continue;
@@ -200,15 +197,33 @@ private:
     const Partition& m_partition;
     double m_depth;
     HullTolerance m_tolerance;
-    double m_leastEdge = 0.0;                 // m
-    std::vector<PieceOfSeed> m_pieces;        // one a fragment
-    std::vector<std::uint32_t> m_fragmentOf;  // of each piece; of the receiver for a thin one
-    std::vector<std::uint32_t> m_thin;        // by seed, then piece, of those that each round found
-    std::vector<ThinPieceGift> m_gifts;       // one a thin piece
+    double m_leastEdge = 0.0;            // m
+    std::vector<Place> m_places;         // one a piece
+    std::vector<ThinPieceGift> m_gifts;  // one a thin piece, by seed, then piece
     std::vector<Fragment> m_fragments;
 };
 
+void addHull(std::span<const Vec2> ring, double depth, std::vector<Polytope>& hulls) {
+    Polytope hull = extruded(ring, -depth / 2.0, depth / 2.0);
+    if (!hull.vertices.empty()) hulls.push_back(std::move(hull));
+}
+
 }  // namespace
+
+std::vector<Polytope> hullsOf(const Fragment& fragment) {
+    std::vector<Polytope> hulls;
+    if (fragment.parts.empty()) {
+        addHull(fragment.outline.outer, fragment.depth, hulls);
+        return hulls;
+    }
+    const std::vector<Vec2> corners = numberedCorners(fragment.outline).points;
+    for (const std::vector<std::uint32_t>& part : fragment.parts) {
+        Ring ring;
+        for (const std::uint32_t corner : part) ring.push_back(corners[corner]);
+        addHull(ring, fragment.depth, hulls);
+    }
+    return hulls;
+}
 
 Result<Fragments> extrudedFragments(const Prism& prism, const Partition& partition, const TaskContext& task) {
     Extrusion extrusion(prism, partition);

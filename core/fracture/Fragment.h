@@ -4,6 +4,7 @@
 #include "core/base/TaskContext.h"
 #include "core/fracture/Partition.h"
 #include "core/fracture/Prism.h"
+#include "core/geometry/ConvexParts.h"
 #include "core/geometry/MassProperties.h"
 #include "core/geometry/Polytope.h"
 
@@ -20,18 +21,22 @@ struct Bond {
 
 /// One solid piece of a prism. Its own frame has the prism's axes and its centre of mass as origin.
 struct Fragment {
-    std::uint32_t seed = kNone;      // input index
-    std::uint32_t piece = 0;         // k-th piece of its seed's cell
-    std::uint32_t piecesOfSeed = 1;  // how many the outline cut that cell into
-    Polygon outline;                 // the exact piece, m, in the fragment's own frame
-    std::vector<std::vector<std::uint32_t>>
-        across;                   // per ring (outer first), per edge: fragment behind it, kNone outside
-    double depth = 0.0;           // m
-    Vec3 offset{0.0, 0.0, 0.0};   // centre of mass in the prism's frame, m
-    MassProperties mass;          // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
-    std::vector<Polytope> hulls;  // in the fragment's own frame
-    std::vector<Bond> bonds;      // ascending fragment
+    std::uint32_t seed = kNone;         // input index
+    std::uint32_t piece = 0;            // k-th piece of its seed's cell
+    std::uint32_t piecesOfSeed = 1;     // how many the outline cut that cell into
+    Polygon outline;                    // the exact piece, m, in the fragment's own frame
+    std::vector<std::uint32_t> across;  // behind each edge, ring after ring (outer first): a fragment; kNone: outside
+    IndexLoops parts;            // convex parts of the outline, which hulls stand on; none where it is convex itself
+    double depth = 0.0;          // m
+    Vec3 offset{0.0, 0.0, 0.0};  // centre of mass in the prism's frame, m
+    MassProperties mass;         // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
+    std::vector<Bond> bonds;     // ascending fragment
 };
+
+/// The convex hulls that fill a fragment, in its own frame: one where its outline is convex, else one a part. Corners on
+/// straight sides, and those that turn right by no more than rounding, are left out. Made when asked for: a bake of
+/// 50,000 fragments would spend most of its time on them.
+std::vector<Polytope> hullsOf(const Fragment& fragment);
 
 /// The pieces of a partition of the prism's outline, extruded.
 struct Fragments {

@@ -27,6 +27,12 @@ std::string cellOf(const Partition& partition, std::uint32_t piece) {
 
 double widthOf(double area, double perimeter) { return 2.0 * area / perimeter; }
 
+double widthOf(const Polygon& polygon) {
+    double around = perimeter(polygon.outer);
+    for (const Ring& hole : polygon.holes) around += perimeter(hole);
+    return widthOf(area(polygon), around);
+}
+
 std::vector<ThinPieceGift> thinPieceGifts(const Partition& partition, std::span<const std::uint32_t> thin) {
     std::vector<std::uint32_t> owners(partition.pieceCount());
     for (std::uint32_t piece = 0; piece < owners.size(); ++piece) owners[piece] = piece;
@@ -50,11 +56,12 @@ std::vector<ThinPieceGift> thinPieceGifts(const Partition& partition, std::span<
     return gifts;
 }
 
-Report thinPieceReport(const Partition& partition, ThinPieceGift gift, double area, double width) {
+Report thinPieceReport(const Partition& partition, ThinPieceGift gift) {
     const std::uint32_t seed = partition.seedOfPiece[gift.thin];
-    Report report{ReportCode::ThinPiece, seed, kNone, area, {}};
-    report.message =
-        "A piece of " + cellOf(partition, gift.thin) + " is " + messageText(width) + " m wide, too thin for a hull";
+    const Polygon outline = pieceOutline(partition, gift.thin);
+    Report report{ReportCode::ThinPiece, seed, kNone, area(outline), {}};
+    report.message = "A piece of " + cellOf(partition, gift.thin) + " is " + messageText(widthOf(outline)) +
+                     " m wide, too thin for a hull";
     if (gift.receiver == kNone) {
         report.message += "; it is left out.";
         return report;

@@ -9,6 +9,7 @@ namespace rubble {
 
 /// How wide an area is: twice its size over its perimeter, which is the width of a long strip, bent or straight.
 double widthOf(double area, double perimeter);
+double widthOf(const Polygon& polygon);
 
 /// The mass of a piece that is too thin for a hull, given to a piece that is not.
 struct ThinPieceGift {
@@ -22,6 +23,6 @@ struct ThinPieceGift {
 std::vector<ThinPieceGift> thinPieceGifts(const Partition& partition, std::span<const std::uint32_t> thin);
 
 /// The sentence that tells the user about a gift.
-Report thinPieceReport(const Partition& partition, ThinPieceGift gift, double area, double width);
+Report thinPieceReport(const Partition& partition, ThinPieceGift gift);
 
 }  // namespace rubble

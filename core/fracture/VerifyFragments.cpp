@@ -23,13 +23,14 @@ double perimeterOf(const Polygon& polygon) {
     return sum;
 }
 
-/// Calls visit(ring, ring of `across`) for the outer ring and every hole.
+/// Calls visit(from, to) for every edge, in the order of `across`.
 template <class Visit>
-void forEachRing(const Fragment& fragment, Visit visit) {
-    visit(fragment.outline.outer, fragment.across[0]);
-    for (std::size_t hole = 0; hole < fragment.outline.holes.size(); ++hole) {
-        visit(fragment.outline.holes[hole], fragment.across[hole + 1]);
-    }
+void forEachEdge(const Polygon& outline, Visit visit) {
+    const auto visitRing = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    };
+    visitRing(outline.outer);
+    for (const Ring& hole : outline.holes) visitRing(hole);
 }
 
 Fault numberFault(const Fragment& fragment, double depth) {
@@ -42,35 +43,32 @@ Fault numberFault(const Fragment& fragment, double depth) {
 }
 
 Fault acrossFault(const Fragment& fragment, std::size_t count) {
-    if (fragment.across.size() != fragment.outline.holes.size() + 1) return "has rings without neighbours.";
-    Fault fault;
-    forEachRing(fragment, [&](const Ring& ring, const std::vector<std::uint32_t>& across) {
-        if (ring.size() != across.size()) fault = "has edges without neighbours.";
-        for (const std::uint32_t behind : across) {
-            if (behind != kNone && behind >= count) fault = "names a neighbour that is not there.";
-        }
-    });
-    return fault;
+    std::size_t edges = 0;
+    forEachEdge(fragment.outline, [&](Vec2, Vec2) { ++edges; });
+    if (fragment.across.size() != edges) return "has edges without neighbours.";
+    for (const std::uint32_t behind : fragment.across) {
+        if (behind != kNone && behind >= count) return "names a neighbour that is not there.";
+    }
+    return std::nullopt;
 }
 
 /// Hull corners are corners of the outline on the front or the back; hulls fill the piece up to `slack` m^3.
 Fault hullFault(const Fragment& fragment, double slack) {
     std::vector<std::array<double, 2>> corners;
-    forEachRing(fragment, [&](const Ring& ring, const std::vector<std::uint32_t>&) {
-        for (const Vec2 corner : ring) corners.push_back({corner.x, corner.y});
-    });
+    forEachEdge(fragment.outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });
     std::sort(corners.begin(), corners.end());
     double volume = 0.0;
-    for (std::size_t k = 0; k < fragment.hulls.size(); ++k) {
+    const std::vector<Polytope> hulls = hullsOf(fragment);
+    for (std::size_t k = 0; k < hulls.size(); ++k) {
         const std::string hull = "has a hull " + text(k);
-        if (const Fault fault = verifyPolytope(fragment.hulls[k])) return hull + " that is no polytope: " + *fault;
-        for (const Vec3& vertex : fragment.hulls[k].vertices) {
+        if (const Fault fault = verifyPolytope(hulls[k])) return hull + " that is no polytope: " + *fault;
+        for (const Vec3& vertex : hulls[k].vertices) {
             if (std::abs(vertex.z) != fragment.depth / 2.0 ||
                 !std::binary_search(corners.begin(), corners.end(), std::array{vertex.x, vertex.y})) {
                 return hull + " with a corner that is not the piece's.";
             }
         }
-        volume += massOf(fragment.hulls[k]).volume;
+        volume += massOf(hulls[k]).volume;
     }
     const double expected = area(fragment.outline) * fragment.depth;
     if (!(std::abs(volume - expected) <= slack + kRelative * expected)) {
@@ -97,17 +95,16 @@ Fault bondFault(const std::vector<Fragment>& fragments, std::uint32_t index, dou
             return "has a bond to fragment " + text(bond.fragment) + " that is not mutual.";
         }
     }
-    std::vector<Bond> missing;
-    forEachRing(fragment, [&](const Ring& ring, const std::vector<std::uint32_t>& across) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            if (across[i] == kNone || across[i] == index || findBond(fragment, across[i])) continue;
-            missing.push_back({across[i], fragment.depth * glm::distance(ring[i], ring[(i + 1) % ring.size()])});
+    Fault fault;
+    std::size_t edge = 0;
+    forEachEdge(fragment.outline, [&](Vec2 from, Vec2 to) {
+        const std::uint32_t behind = fragment.across[edge++];
+        if (behind == kNone || behind == index || findBond(fragment, behind)) return;
+        if (!(fragment.depth * glm::distance(from, to) <= slack)) {
+            fault = "has no bond to fragment " + text(behind) + ", which it touches.";
         }
     });
-    for (const Bond& bond : missing) {
-        if (bond.area > slack) return "has no bond to fragment " + text(bond.fragment) + ", which it touches.";
-    }
-    return std::nullopt;
+    return fault;
 }
 
 Fault orderFault(const std::vector<Fragment>& fragments) {

@@ -4,10 +4,11 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace rubble {
 
-/// What a pack tells of a body; the rest is borrowed.
+/// What a pack tells of a body.
 struct BodySource {
     std::string id;
     std::string name;
@@ -17,7 +18,7 @@ struct BodySource {
     const MassProperties* mass = nullptr;  // at density 1
     std::span<const Bond> bonds;
     std::uint32_t firstSibling = 0;  // index of the fragment that the bonds call 0
-    std::span<const Polytope> hulls;
+    std::vector<Polytope> hulls;
 };
 
 /// The bodies as JSON objects without blanks, one a line, a comma and a line feed between them. `density` in kg/m^3.

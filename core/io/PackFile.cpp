@@ -88,7 +88,7 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
                           .mass = &solid.mass,
                           .bonds = solid.bonds,
                           .firstSibling = fragment.parent == kNone ? 0 : bake.fragments[fragment.parent].firstChild,
-                          .hulls = solid.hulls});
+                          .hulls = hullsOf(solid)});
     }
     return bodiesJson(bodies, density);
 }

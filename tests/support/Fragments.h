@@ -31,8 +31,7 @@ inline Asset ringAsset() {
 }
 
 /// A piece with its outline about `offset`, as an outline of the prism's frame is given.
-inline BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::uint32_t>> across, double depth,
-                                Vec2 offset) {
+inline BakedFragment fragmentOf(Polygon outline, std::vector<std::uint32_t> across, double depth, Vec2 offset) {
     for (Vec2& corner : outline.outer) corner -= offset;
     for (Ring& hole : outline.holes) {
         for (Vec2& corner : hole) corner -= offset;
@@ -42,18 +41,17 @@ inline BakedFragment fragmentOf(Polygon outline, std::vector<std::vector<std::ui
     fragment.solid.across = std::move(across);
     fragment.solid.depth = depth;
     fragment.solid.offset = {offset.x, offset.y, 0.0};
-    fragment.solid.hulls.resize(1);
     return fragment;
 }
 
 /// The left half of the unit square, cut off at x = 0.5, 2 deep; its neighbour is fragment 1.
 inline BakedFragment leftHalf() {
-    return fragmentOf({rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {{kNone, 1, kNone, kNone}}, 2.0, {0.25, 0.5});
+    return fragmentOf({rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {kNone, 1, kNone, kNone}, 2.0, {0.25, 0.5});
 }
 
 /// The right half; its neighbour is fragment 0.
 inline BakedFragment rightHalf() {
-    return fragmentOf({rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {{kNone, kNone, kNone, 0}}, 2.0, {0.75, 0.5});
+    return fragmentOf({rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {kNone, kNone, kNone, 0}, 2.0, {0.75, 0.5});
 }
 
 }  // namespace rubble

@@ -64,7 +64,7 @@ private slots:
     void aCornerOnAStraightSideStays() {
         // The neighbours above and below meet at (0.5, 0.5): the cap has five corners, so must the sides.
         const BakedFragment fragment = fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
-                                                  {{kNone, 1, 2, kNone, kNone}}, 2.0, {0.25, 0.5});
+                                                  {kNone, 1, 2, kNone, kNone}, 2.0, {0.25, 0.5});
         const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{7});
@@ -73,15 +73,15 @@ private slots:
     }
     void cornersThatFellTogetherAreOne() {
         const BakedFragment fragment = fragmentOf({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
-                                                  {{kNone, 1, 2, kNone, kNone, kNone}}, 1.0, {0.5, 0.5});
+                                                  {kNone, 1, 2, kNone, kNone, kNone}, 1.0, {0.5, 0.5});
         const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 1.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
     }
     void aConcavePieceHasConvexCaps() {
         const Polygon corner{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
-        BakedFragment fragment = fragmentOf(corner, {{kNone, kNone, 1, 1, kNone, kNone}}, 1.0, {0.5, 0.5});
-        fragment.solid.hulls.resize(2);
+        BakedFragment fragment = fragmentOf(corner, {kNone, kNone, 1, 1, kNone, kNone}, 1.0, {0.5, 0.5});
+        fragment.solid.parts.resize(2);
         const Mesh mesh = fragmentMesh(fragment, assetOf({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, 1.0));
         QCOMPARE(faultOf(mesh, 3.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{2 + 2 + 6});
@@ -92,8 +92,8 @@ private slots:
     void aPieceWithAHoleIsClosed() {
         const Polygon frame{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
         BakedFragment fragment =
-            fragmentOf(frame, {{kNone, kNone, kNone, kNone}, {kNone, kNone, kNone, 7}}, 0.5, {1.5, 1.5});
-        fragment.solid.hulls.resize(4);
+            fragmentOf(frame, {kNone, kNone, kNone, kNone, kNone, kNone, kNone, 7}, 0.5, {1.5, 1.5});
+        fragment.solid.parts.resize(4);
         const Mesh mesh = fragmentMesh(fragment, assetOf(frame, 0.5));
         QCOMPARE(faultOf(mesh, 4.0), "");
         QCOMPARE(faultOf(triangulated(mesh), 4.0), "");
@@ -105,7 +105,7 @@ private slots:
         // A piece of the left half: its right side has no sibling behind it, but is the parent's cut.
         BakedFragment fragment = leftHalf();
         fragment.level = 1;
-        fragment.solid.across = {{kNone, kNone, 5, kNone}};
+        fragment.solid.across = {kNone, kNone, 5, kNone};
         const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(insideFaces(mesh), 2L);
         QCOMPARE(faultOf(mesh, 1.0), "");

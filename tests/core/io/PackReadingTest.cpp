@@ -61,9 +61,10 @@ private slots:
             QVERIFY(read.offset == written.solid.offset);
             QCOMPARE(read.volume, written.solid.mass.volume);
             QVERIFY(read.inertia == 1800.0 * written.solid.mass.inertia);
-            QCOMPARE(read.hulls.size(), written.solid.hulls.size());
-            QVERIFY(read.hulls[0].polytope.vertices == written.solid.hulls[0].vertices);
-            QVERIFY(read.hulls[0].polytope.planes == written.solid.hulls[0].planes);
+            const std::vector<Polytope> hulls = hullsOf(written.solid);
+            QCOMPARE(read.hulls.size(), hulls.size());
+            QVERIFY(read.hulls[0].polytope.vertices == hulls[0].vertices);
+            QVERIFY(read.hulls[0].polytope.planes == hulls[0].planes);
             QCOMPARE(read.neighbours.size(), written.solid.bonds.size());
         }
     }

@@ -1,7 +1,6 @@
-#include "core/fracture/PieceHulls.h"
+#include "core/fracture/PieceParts.h"
 
 #include "core/fracture/ThinPieces.h"
-#include "core/geometry/ConvexParts.h"
 #include "core/geometry/NumberedCorners.h"
 #include "core/geometry/Predicates.h"
 
@@ -28,29 +27,20 @@ bool isNearlyConvex(const Ring& ring, double flat) {
     return true;
 }
 
-void addHull(const Ring& ring, double depth, std::vector<Polytope>& hulls) {
-    Polytope hull = extruded(ring, -depth / 2.0, depth / 2.0);
-    if (!hull.vertices.empty()) hulls.push_back(std::move(hull));
-}
-
 }  // namespace
 
-std::vector<Polytope> hullsOfPiece(const Polygon& piece, double depth, const HullTolerance& tolerance) {
-    std::vector<Polytope> hulls;
-    if (piece.holes.empty() && isNearlyConvex(piece.outer, tolerance.flat)) {
-        addHull(piece.outer, depth, hulls);
-        return hulls;
-    }
-    const Result<IndexLoops> parts = convexParts(piece);
-    if (!parts) return hulls;
+std::optional<IndexLoops> hullParts(const Polygon& piece, const HullTolerance& tolerance) {
+    if (piece.holes.empty() && isNearlyConvex(piece.outer, tolerance.flat)) return IndexLoops{};
+    Result<IndexLoops> parts = convexParts(piece);
+    if (!parts) return std::nullopt;
     const std::vector<Vec2> corners = numberedCorners(piece).points;
-    for (const std::vector<std::uint32_t>& part : *parts) {
+    std::erase_if(*parts, [&](const std::vector<std::uint32_t>& part) {
         Ring ring;
-        ring.reserve(part.size());
         for (const std::uint32_t corner : part) ring.push_back(corners[corner]);
-        if (widthOf(signedArea(ring), perimeter(ring)) > tolerance.thinnest) addHull(ring, depth, hulls);
-    }
-    return hulls;
+        return !(widthOf(signedArea(ring), perimeter(ring)) > tolerance.thinnest);
+    });
+    if (parts->empty()) return std::nullopt;
+    return std::move(*parts);
 }
 
 }  // namespace rubble
