@@ -14,6 +14,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # False alarm on assigning a literal to a std::string: GCC bug 105329.
   target_compile_options(rubble_language INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # a | b of two truths saves a branch that cannot be predicted.
+  target_compile_options(rubble_language INTERFACE -Wno-bitwise-instead-of-logical)
+endif()
 target_compile_definitions(rubble_language INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
 if(RUBBLE_ASSERTS)
   target_compile_definitions(rubble_language INTERFACE RUBBLE_ASSERTS=1)
@@ -26,4 +30,7 @@ endif()
 if(RUBBLE_COVERAGE)
   target_compile_options(rubble_compile INTERFACE --coverage)
   target_link_options(rubble_compile INTERFACE --coverage)
+endif()
+if(RUBBLE_FUZZ)
+  target_compile_options(rubble_compile INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -114,8 +114,7 @@ void sortCounterClockwise(std::vector<Vec2>& corners) {
     for (const Vec2 corner : corners) centre += corner / static_cast<double>(corners.size());
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
     std::ranges::sort(corners, {}, [&](Vec2 corner) { return std::atan2(corner.y - centre.y, corner.x - centre.x); });
-    const auto repeated = std::ranges::unique(corners);
-    corners.erase(repeated.begin(), repeated.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
 }
 
 /// Sutherland and Hodgman against one side of the box: what has coordinate `axis` below `limit`, or above it for a

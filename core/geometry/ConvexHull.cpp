@@ -19,10 +19,10 @@ constexpr std::uint32_t kNoIndex = 0xffffffffu;
 constexpr double kNeedle = 1e-8;
 
 bool areCoplanar(std::span<const Vec3> points, const HullTriangle& triangle, const HullTriangle& other) {
-    const auto [a, b, c] = triangle.corners;
+    const std::array<std::uint32_t, 3>& base = triangle.corners;
     return std::all_of(other.corners.begin(), other.corners.end(), [&](std::uint32_t corner) {
-        return corner == a || corner == b || corner == c ||
-               orient3d(points[a], points[b], points[c], points[corner]) == 0;
+        return std::find(base.begin(), base.end(), corner) != base.end() ||
+               orient3d(points[base[0]], points[base[1]], points[base[2]], points[corner]) == 0;
     });
 }
 

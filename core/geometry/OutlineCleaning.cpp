@@ -30,11 +30,11 @@ double distanceFromRing(const Ring& ring, Vec2 point) {
 Ring fromFarthest(std::span<const Vec2> ring) {
     Ring turned(ring.begin(), ring.end());
     const auto distance = [&](Vec2 point) { return glm::distance(point, ring[0]); };
-    std::ranges::rotate(turned, std::ranges::max_element(turned, {}, distance));
+    std::rotate(turned.begin(), std::ranges::max_element(turned, {}, distance), turned.end());
     return turned;
 }
 
-void beginAtSmallest(Ring& ring) { std::ranges::rotate(ring, std::ranges::min_element(ring, isBefore)); }
+void beginAtSmallest(Ring& ring) { std::rotate(ring.begin(), std::ranges::min_element(ring, isBefore), ring.end()); }
 
 }  // namespace
 

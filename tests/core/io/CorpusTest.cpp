@@ -1,0 +1,55 @@
+#include "core/io/AtomicFile.h"
+#include "tests/support/FuzzedReaders.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace rubble;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Reader = test::Sentence (*)(std::string_view);
+
+const std::vector<std::pair<const char*, Reader>> kReaders{
+    {"FractureJson", test::fractureFault}, {"Project", test::projectFault}, {"Pack", test::packFault}};
+
+std::vector<fs::path> inputsOf(const char* target) {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(fs::path(RUBBLE_SOURCE_DIR) / "tests/corpus" / target)) {
+        paths.push_back(entry.path());
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+}  // namespace
+Q_DECLARE_METATYPE(Reader)
+
+/// Replays what fuzzing begins with and all that it ever found.
+class CorpusTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyInputIsReadOrRefused_data() {
+        QTest::addColumn<Reader>("reader");
+        QTest::addColumn<QString>("path");
+        for (const auto& [target, reader] : kReaders) {
+            for (const fs::path& path : inputsOf(target)) {
+                QTest::addRow("%s/%s", target, path.filename().c_str())
+                    << reader << QString::fromStdString(path.string());
+            }
+        }
+    }
+    void everyInputIsReadOrRefused() {
+        QFETCH(Reader, reader);
+        QFETCH(QString, path);
+        const Result<std::string> bytes = readFile(path.toStdString());
+        QVERIFY(bytes);
+        QCOMPARE(QString::fromStdString(reader(*bytes).value_or("")), QString());
+    }
+};
+
+QTEST_APPLESS_MAIN(CorpusTest)
+#include "CorpusTest.moc"

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/fracture/ThesisMethod.h"
+#include "core/fracture/Verify.h"
+#include "core/fracture/VoronoiPartition.h"
+#include "core/geometry/NumberedCorners.h"
+#include "core/io/FractureJson.h"
+#include "core/io/PackFile.h"
+#include "core/io/ProjectFile.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rubble::test {
+
+/// What fuzz targets do with bytes, and the corpus test with those that once went wrong: reads them, carries out what was
+/// accepted and says what is wrong with it, or nothing. Bigger input than this is read only.
+inline constexpr std::size_t kMostFuzzedSeeds = 64;
+inline constexpr std::size_t kMostFuzzedCorners = 64;
+
+using Sentence = std::optional<std::string>;
+
+/// Every refusal says something.
+inline Sentence refusalFault(const Error& error) {
+    if (!error.message.empty() && error.message.back() == '.') return std::nullopt;
+    return "The refusal \"" + error.message + "\" is no sentence.";
+}
+
+inline std::size_t cornersOf(const Polygon& polygon) {
+    std::size_t corners = polygon.outer.size();
+    for (const Ring& hole : polygon.holes) corners += hole.size();
+    return corners;
+}
+
+inline double distanceToEdge(Vec2 point, Vec2 from, Vec2 to) {
+    const Vec2 along = to - from;
+    const double share = std::clamp(glm::dot(point - from, along) / glm::dot(along, along), 0.0, 1.0);
+    return glm::distance(point, from + share * along);
+}
+
+/// True where a corner of the outline is nearer to an edge that is not its own than what all is held to: nothing is
+/// promised of such needles but that they are cut, and that nothing crashes or hangs.
+inline bool hasNeedles(const Polygon& outline) {
+    const NumberedCorners corners = numberedCorners(outline);
+    const double least = kLeastSharedEdge * boundsOf(outline.outer).diagonal();
+    for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
+        const std::uint32_t end = corners.next[edge];
+        for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner) {
+            if (corner == edge || corner == end) continue;
+            if (!(distanceToEdge(corners.points[corner], corners.points[edge], corners.points[end]) > least))
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Every stage of cutting a prism.
+inline Sentence stageFault(const FractureInput& input) {
+    const Result<Delaunay> delaunay = triangulate(input.seeds);
+    if (!delaunay) return refusalFault(delaunay.error());
+    if (Sentence fault = verifyDelaunay(*delaunay, input.seeds)) return fault;
+    const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay);
+    if (!partition) return refusalFault(partition.error());
+    if (Sentence fault = verifyPartition(*partition, input.prism.outline)) return fault;
+    if (Sentence fault = verifyNearestSeed(*partition, input.seeds)) return fault;
+    const Result<Fragments> fragments = extrudedFragments(input.prism, *partition);
+    if (!fragments) return refusalFault(fragments.error());
+    return verifyFragments(*fragments, input.prism, partition->gap);
+}
+
+inline Sentence fractureFault(std::string_view bytes) {
+    const Result<FractureInput> input = readFractureInput(bytes);
+    if (!input) return refusalFault(input.error());
+    if (input->seeds.size() > kMostFuzzedSeeds || cornersOf(input->prism.outline) > kMostFuzzedCorners)
+        return std::nullopt;
+    for (const FractureMethod method : {FractureMethod::Exact, FractureMethod::Thesis}) {
+        const Result<std::string> json = fractureJson(*input, method);
+        if (!json) return refusalFault(json.error());
+    }
+    const Sentence fault = stageFault(*input);
+    return hasNeedles(input->prism.outline) ? std::nullopt : fault;
+}
+
+/// A project that is read must come back from its own text, and the text from it.
+inline Sentence projectFault(std::string_view bytes) {
+    const Result<Project> project = readProjectText(bytes);
+    if (!project) return refusalFault(project.error());
+    if (Sentence fault = verifyProject(*project)) return fault;
+    const std::string text = projectText(*project);
+    const Result<Project> again = readProjectText(text);
+    if (!again) return "What was written is refused: " + again.error().message;
+    if (projectText(*again) != text) return "What was written reads back as something else.";
+    return std::nullopt;
+}
+
+/// A pack may be wrong in itself; saying so must not fail.
+inline Sentence packFault(std::string_view bytes) {
+    const Result<Pack> pack = readPack(bytes);
+    if (!pack) return refusalFault(pack.error());
+    const Sentence fault = verifyPack(*pack);
+    return fault ? refusalFault({ErrorCode::BadInput, *fault}) : std::nullopt;
+}
+
+}  // namespace rubble::test
