@@ -38,6 +38,11 @@ std::string lengthText(double metres) {
     return numberText(rounded > 0.0 ? rounded : metres);
 }
 
+/// "1 seed", "20 seeds"
+std::string countText(std::size_t count, const char* noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 /// Where a panel stands on the sheet and how its metres become pixels.
 struct Frame {
     Box2 bounds;         // of the outline, m
@@ -48,11 +53,13 @@ struct Frame {
     Vec2 pixels(Vec2 point) const { return corner + Vec2(point.x - bounds.min.x, bounds.max.y - point.y) * scale; }
 };
 
-Frame frameOf(const PatternPanel& panel) {
+/// The frame of a panel that takes some columns' width, and height in proportion.
+Frame frameOf(const PatternPanel& panel, double columns) {
     Frame frame;
     frame.bounds = boundsOf(panel.prism.outline.outer);
     const Vec2 size = frame.bounds.size();
-    frame.scale = std::min((kColumnWidth - 2.0 * kBleed) / size.x, (kTallest - 2.0 * kBleed) / size.y);
+    frame.scale =
+        std::min((columns * kColumnWidth - 2.0 * kBleed) / size.x, (columns * kTallest - 2.0 * kBleed) / size.y);
     return frame;
 }
 
@@ -65,7 +72,7 @@ double arrange(std::vector<Frame>& frames) {
         for (std::size_t i = row; i < end; ++i) tallest = std::max(tallest, frames[i].size().y);
         for (std::size_t i = row; i < end; ++i) {
             const double left = kSpace + static_cast<double>(i - row) * (kColumnWidth + kSpace) + kBleed;
-            frames[i].corner = {left, top + kTitleHeight + kBleed + (tallest - frames[i].size().y)};
+            frames[i].corner = {left, top + kTitleHeight + kBleed};
         }
         top += kTitleHeight + 2.0 * kBleed + tallest + kScaleBarHeight + kSpace;
     }
@@ -135,7 +142,7 @@ void drawTriangles(SvgText& svg, const Frame& frame, const PatternPanel& panel) 
 /// Small enough for a crowd of seeds not to hide its cells.
 double dotRadius(const Frame& frame, std::size_t seedCount) {
     const Vec2 size = frame.size();
-    return std::clamp(0.1 * std::sqrt(size.x * size.y / static_cast<double>(seedCount)), 0.6, 3.2);
+    return std::clamp(0.07 * std::sqrt(size.x * size.y / static_cast<double>(seedCount)), 0.6, 3.2);
 }
 
 void drawSeeds(SvgText& svg, const Frame& frame, const PatternPanel& panel) {
@@ -165,13 +172,12 @@ void drawScaleBar(SvgText& svg, const Frame& frame) {
 
 void drawTitle(SvgText& svg, const Frame& frame, double top, const PatternPanel& panel) {
     const Vec2 size = frame.bounds.size();
-    const auto cells = panel.partition.pieceOfSeed.size() -
-                       static_cast<std::size_t>(
-                           std::count(panel.partition.pieceOfSeed.begin(), panel.partition.pieceOfSeed.end(), kNone));
+    const auto cells = static_cast<std::size_t>(
+        std::ranges::count_if(panel.partition.pieceOfSeed, [](std::uint32_t piece) { return piece != kNone; }));
     svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top << "\" font-size=\"17\" font-weight=\"bold\">";
     svg << escapedXml(panel.title) << "</text>\n";
     svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top + 19.0 << "\" font-size=\"12\" fill=\"#555\">";
-    svg << std::to_string(panel.seeds.size()) << " seeds, " << std::to_string(cells) << " cells; ";
+    svg << countText(panel.seeds.size(), "seed") << ", " << countText(cells, "cell") << "; ";
     svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth) << " m</text>\n";
 }
 
@@ -193,7 +199,11 @@ void drawPanel(SvgText& svg, const Frame& frame, std::size_t index, const Patter
     drawScaleBar(svg, frame);
 }
 
-void drawLegend(SvgText& svg, double top, const PatternShown& shown) {
+bool hasSeedWithoutCell(const PatternPanel& panel) {
+    return std::ranges::find(panel.partition.pieceOfSeed, kNone) != panel.partition.pieceOfSeed.end();
+}
+
+void drawLegend(SvgText& svg, double top, std::span<const PatternPanel> panels, const PatternShown& shown) {
     double left = kSpace + kBleed;
     const auto entry = [&](std::string_view sign, std::string_view text, double width) {
         svg << "<g transform=\"translate(" << left << ' ' << top << ")\">" << sign << "<text x=\"26\" y=\"4\">" << text;
@@ -204,6 +214,8 @@ void drawLegend(SvgText& svg, double top, const PatternShown& shown) {
     entry("<path fill=\"none\" stroke=\"#3a342d\" stroke-width=\"2\" d=\"M0 0H18\"/>", "outline", 96.0);
     if (shown.seeds) {
         entry("<circle cx=\"9\" r=\"3.2\" fill=\"#b3261e\"/>", "seed", 80.0);
+    }
+    if (shown.seeds && std::ranges::any_of(panels, hasSeedWithoutCell)) {
         entry("<circle cx=\"9\" r=\"3.2\" fill=\"none\" stroke=\"#b3261e\"/>", "seed without a cell", 156.0);
     }
     if (shown.triangles) {
@@ -218,10 +230,11 @@ void drawLegend(SvgText& svg, double top, const PatternShown& shown) {
 }  // namespace
 
 std::string patternSvg(std::span<const PatternPanel> panels, const PatternShown& shown) {
+    // The legend needs two columns; a panel that is alone takes them both.
+    const double columnsOfPanel = panels.size() == 1 ? 2.0 : 1.0;
     std::vector<Frame> frames;
-    for (const PatternPanel& panel : panels) frames.push_back(frameOf(panel));
+    for (const PatternPanel& panel : panels) frames.push_back(frameOf(panel, columnsOfPanel));
     const double legendTop = arrange(frames);
-    // The legend needs two columns even where there is one panel.
     const auto columns = static_cast<double>(std::clamp<std::size_t>(panels.size(), 2, kMostColumns));
     const Vec2 size(kSpace + columns * (kColumnWidth + kSpace), legendTop + kLegendHeight + kSpace / 2.0);
 
@@ -230,7 +243,7 @@ std::string patternSvg(std::span<const PatternPanel> panels, const PatternShown&
     svg << "\" viewBox=\"0 0 " << size << "\" font-family=\"sans-serif\">\n";
     svg << "<rect width=\"" << size.x << "\" height=\"" << size.y << "\" fill=\"#fffdf9\"/>\n";
     for (std::size_t i = 0; i < panels.size(); ++i) drawPanel(svg, frames[i], i, panels[i], shown);
-    drawLegend(svg, legendTop, shown);
+    drawLegend(svg, legendTop, panels, shown);
     svg << "</svg>\n";
     return std::move(svg).text();
 }

@@ -27,8 +27,8 @@ struct PatternShown {
     bool seeds = true;
 };
 
-/// Draws patterns as one SVG picture, up to three in a row, y up, each as large as its column allows and with a scale
-/// bar of its own, above a legend. Neighbouring cells differ in colour; seeds that have no cell are rings; what lies
+/// Draws patterns as one SVG picture, up to three in a row (one alone twice as large), y up, each as large as its column
+/// allows and with a scale bar of its own, above a legend. Neighbouring cells differ in colour; seeds that have no cell are rings; what lies
 /// outside a panel is clipped. Coordinates have two decimals of a pixel. Same panels, same bytes.
 std::string patternSvg(std::span<const PatternPanel> panels, const PatternShown& shown = {});
 

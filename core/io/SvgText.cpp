@@ -17,7 +17,7 @@ SvgText& SvgText::operator<<(char letter) {
 }
 
 SvgText& SvgText::operator<<(double value) {
-    appendNumber(m_text, std::round(value * 100.0) / 100.0);
+    appendNumber(m_text, std::round(value * 100.0) / 100.0 + 0.0);  // -0 is written as 0
     return *this;
 }
 
