@@ -89,7 +89,7 @@ inline void addRoof(Project& project, Id roof) {
 
 /// Seeds that were moved apart until their cells are of much the same size.
 inline std::vector<LayerParameters> evenSeeds(std::uint32_t count) {
-    return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 2}};
+    return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 3}};
 }
 
 /// projects/house.rubble

@@ -43,7 +43,8 @@ inline Project pane() {
                       .material = glass,
                       .prism = {{rectangle({-0.625, -0.75}, {0.625, 0.75}), {}}, 0.006},
                       .threshold = 15.0};
-    const Id id = addAsset(project, asset, {impact, BlueNoise{.minimumDistance = 0.08, .count = others}});
+    const Id id = addAsset(project, asset,
+                           {impact, BlueNoise{.minimumDistance = 0.08, .count = others}, LloydRelaxation{.rounds = 2}});
     addInstance(project, id, "pane", {.position = {0.0, 1.75, 0.0}});
     project.instances[0].isFixed = true;
     return project;
