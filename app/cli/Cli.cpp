@@ -49,7 +49,8 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     program.get_formatter()->label("Subcommands", "Verbs");
-    const std::vector<Verb> verbs = {addImport(program), addFracture(program)};
+    const std::vector<Verb> verbs = {addNew(program),    addImport(program), addFracture(program),
+                                     addExport(program), addCheck(program),  addDraw(program)};
     try {
         program.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them back to front

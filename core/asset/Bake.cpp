@@ -9,11 +9,6 @@
 namespace rubble {
 namespace {
 
-Error ofAsset(const Asset& asset, const Error& error) {
-    if (error.code == ErrorCode::Cancelled) return error;
-    return {error.code, "Asset \"" + asset.name + "\": " + error.message};
-}
-
 /// The prism as convex hulls about its centre of mass.
 Result<std::vector<Polytope>> hullsOfWhole(const Prism& prism, const MassProperties& mass) {
     const Result<IndexLoops> parts = convexParts(prism.outline);

@@ -6,6 +6,11 @@
 
 namespace rubble {
 
+Error ofAsset(const Asset& asset, const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return error;
+    return {error.code, "Asset \"" + asset.name + "\": " + error.message};
+}
+
 Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
     if (!valid) return valid.error();

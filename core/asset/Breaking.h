@@ -18,6 +18,9 @@ struct Breaking {
     Fragments fragments;
 };
 
+/// An error with the asset's name before its sentence; a cancellation as it is.
+Error ofAsset(const Asset& asset, const Error& error);
+
 /// Prism, seeds, triangulation, partition and fragments.
 ///
 /// Errors: those of validated(Prism), seedsOf, triangulate; Cancelled.
