@@ -49,4 +49,7 @@ std::optional<std::string> verifyBake(const Bake& bake, const Asset& asset);
 Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset);
 Mesh wholeMesh(const Bake& bake, const Asset& asset);
 
+/// Checks these meshes, the whole's and every fragment's: see verifyMesh().
+std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset);
+
 }  // namespace rubble

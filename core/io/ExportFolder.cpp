@@ -163,6 +163,20 @@ bool isExportOf(const fs::path& folder, const ContentHash& source) {
     });
 }
 
+std::optional<std::string> verifyExportFolder(const fs::path& folder) {
+    const std::optional<Manifest> manifest = manifestOf(folder);
+    if (!manifest) return "The folder " + inQuotes(folder) + " has no " + kManifestName + " that can be read.";
+    for (const ManifestEntry& file : manifest->files) {
+        const Result<std::string> bytes = readFile(folder / file.name);
+        if (!bytes) return bytes.error().message;
+        if (entryOf(file.name, *bytes) != file) return inQuotes(folder / file.name) + " is not as it was exported.";
+    }
+    const Result<std::optional<std::string>> stranger = strangerIn(folder);
+    if (!stranger) return stranger.error().message;
+    if (!*stranger) return std::nullopt;
+    return "The folder " + inQuotes(folder) + " holds " + inQuotes(**stranger) + ", which no export wrote.";
+}
+
 Status writeExportFolder(const fs::path& folder, const ContentHash& source, std::span<const ExportFile> files,
                          const TaskContext& task) {
     if (const Status free = checkReplaceable(folder); !free) return free;

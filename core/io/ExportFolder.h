@@ -5,6 +5,7 @@
 #include "core/base/TaskContext.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,6 +23,10 @@ inline constexpr const char* kManifestName = "manifest.json";
 /// True where the folder is a whole, unaltered export of `source`: the manifest says so and every file is as it lists it.
 /// Reads all files.
 bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
+
+/// Says what is wrong with an export: a manifest that is missing or unreadable, a file that is missing or not as it was
+/// exported, something that no export wrote. Nothing where all is well. Reads all files.
+std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
 /// Puts an export in place as a whole: into a hidden folder beside `folder`, then renamed. An earlier export is moved aside
 /// and removed; on a fault, or when cancelled, it stays as it was and nothing is left behind. Folders above are made.

@@ -22,7 +22,7 @@ inline constexpr const char* kPackName = "pack.json";
 /// Which bodies of a pack a mesh file holds.
 enum class PackMeshBodies {
     Whole,      // the whole alone
-    Fragments,  // all fragments, each as an object of its name
+    Fragments,  // some or all fragments, none a piece of another, each as an object of its name
     Fragment,   // one fragment
 };
 

@@ -3,9 +3,8 @@
 #include "core/asset/Bake.h"
 #include "core/base/TaskContext.h"
 #include "core/io/ExportFolder.h"
-#include "core/io/MeshPart.h"
+#include "core/io/PackFile.h"
 
-#include <string>
 #include <vector>
 
 namespace rubble {
@@ -29,15 +28,17 @@ struct MeshOptions {
     bool operator==(const MeshOptions&) const = default;
 };
 
-/// What an asset's whole, and its fragment `index` in Bake::fragments, are called in mesh files: "wall", "wall17".
-std::string wholeName(const Asset& asset);
-std::string fragmentName(const Asset& asset, std::size_t index);
+/// The mesh files of a pack: how pack.json lists them, and all files, the materials' among them.
+struct PackMeshes {
+    std::vector<PackMeshFile> list;
+    std::vector<ExportFile> files;
+};
 
-/// The mesh files of an asset, in the same order always: the whole, the fragments, materials. docs/formats/obj-glb.md tells
-/// which file holds what.
+/// The meshes of an asset, in the same order always: the whole, then the fragments. docs/formats/obj-glb.md tells which file
+/// holds what.
 ///
 /// Errors: those of glbFile(); Cancelled.
-Result<std::vector<ExportFile>> packMeshes(const Bake& bake, const Asset& asset, const Material& material,
-                                           const MeshOptions& options, const TaskContext& task = {});
+Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const Material& material,
+                              const MeshOptions& options, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -56,6 +56,20 @@ private slots:
         QVERIFY(!isExportOf(m_pack, kSecond));
     }
 
+    void whatIsWrongWithAnExportIsTold() {
+        const auto fault = [&] { return verifyExportFolder(m_pack).value_or(""); };
+        const std::string folder = m_pack.string();
+        QCOMPARE(fault(), "The folder \"" + folder + "\" has no manifest.json that can be read.");
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QCOMPARE(fault(), std::string());
+        QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
+        QCOMPARE(fault(), "The folder \"" + folder + "\" holds \"notes.txt\", which no export wrote.");
+        QVERIFY(writeFileAtomically(m_pack / "wall.mtl", "newmtl b\n"));
+        QCOMPARE(fault(), "\"" + folder + "/wall.mtl\" is not as it was exported.");
+        fs::remove(m_pack / "wall.obj");
+        QCOMPARE(fault(), "Cannot read \"" + folder + "/wall.obj\": No such file or directory.");
+    }
+
     void anEditedMissingOrUnreadableFileIsNoticed() {
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         QVERIFY(writeFileAtomically(m_pack / "wall.obj", "v 0 0 1\n"));

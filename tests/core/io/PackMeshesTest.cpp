@@ -22,7 +22,7 @@ Asset wallAsset() {
 }
 
 std::vector<ExportFile> filesOf(const Asset& asset, const MeshOptions& options) {
-    return packMeshes(bake(asset).value(), asset, kBrick, options).value();
+    return packMeshes(bake(asset).value(), asset, kBrick, options).value().files;
 }
 
 std::vector<std::string> namesOf(const std::vector<ExportFile>& files) {
@@ -73,6 +73,18 @@ private slots:
     void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
     void glbAloneHasNoMaterialFile() {
         QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-whole.glb", "wall.glb"}));
+    }
+    void everyMeshIsListedForThePack() {
+        const Asset asset = wallAsset();
+        const Bake baked = bake(asset).value();
+        const PackMeshes single = packMeshes(baked, asset, kBrick, {.glb = false}).value();
+        const std::vector<PackMeshFile> expected{{"wall-whole.obj", PackMeshBodies::Whole},
+                                                 {"wall.obj", PackMeshBodies::Fragments}};
+        QVERIFY(single.list == expected);
+        const MeshOptions options{.obj = false, .split = FileSplit::PerFragment, .place = PartPlace::Centred};
+        const PackMeshes each = packMeshes(baked, asset, kBrick, options).value();
+        const PackMeshFile last{"wall1.glb", PackMeshBodies::Fragment, 1, PartPlace::Centred};
+        QVERIFY(each.list.back() == last);
     }
     void spacesStayOutOfNames() {
         const std::vector<ExportFile> files = filesOf(ringAsset(), {.glb = false});

@@ -1,0 +1,147 @@
+#include "core/io/PackExport.h"
+
+#include "core/base/Parallel.h"
+#include "core/io/PackFile.h"
+#include "core/io/ProjectFile.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <mutex>
+
+namespace rubble {
+namespace {
+
+/// Raised when the same asset gives other mesh files than before, so that old exports are made anew.
+constexpr std::uint64_t kMeshVersion = 1;
+
+/// The name of an asset's folder as a system sees it that does not tell "Wall" from "wall".
+std::string foldedFolderName(const Asset& asset) {
+    std::string name = safeFileName(asset.name);
+    for (char& letter : name) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return name;
+}
+
+/// All assets of the project count, so that exporting them one by one is no way around it.
+Status checkFolderNames(const Project& project) {
+    std::map<std::string, const Asset*> owners;
+    for (const Asset& asset : project.assets) {
+        const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), &asset);
+        if (isFirst) continue;
+        return Error{ErrorCode::BadInput, "The assets \"" + owner->second->name + "\" and \"" + asset.name +
+                                              "\" would both be exported to the folder \"" + safeFileName(asset.name) +
+                                              "\"; rename one of them."};
+    }
+    return success();
+}
+
+/// Progress of several tasks at once, told as that of one.
+class SharedProgress {
+public:
+    SharedProgress(const TaskContext& task, std::size_t count) : m_task(task), m_fractions(count, 0.0) {}
+
+    /// The context of the task `index`: its share of the whole runs from 0 to 1.
+    TaskContext contextOf(std::size_t index, int threads) {
+        TaskContext context;
+        context.cancel = m_task.cancel;
+        context.threads = threads;
+        context.progress = [this, index](double fraction) { tell(index, fraction); };
+        return context;
+    }
+    void tell(std::size_t index, double fraction) {
+        const std::lock_guard lock(m_mutex);
+        m_sum += fraction - m_fractions[index];
+        m_fractions[index] = fraction;
+        m_task.report(std::clamp(m_sum / static_cast<double>(m_fractions.size()), 0.0, 1.0));
+    }
+
+private:
+    const TaskContext& m_task;
+    std::mutex m_mutex;
+    std::vector<double> m_fractions;
+    double m_sum = 0.0;
+};
+
+/// The same task with its progress between two fractions of the whole.
+TaskContext stage(const TaskContext& task, double from, double to) {
+    TaskContext context = task;
+    context.progress = [&task, from, to](double fraction) { task.report(from + (to - from) * fraction); };
+    return context;
+}
+
+Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
+                 const TaskContext& task, AssetExport& result) {
+    const Material& material = *findMaterial(project, asset.material);
+    Result<Bake> baked = bake(asset, stage(task, 0.0, 0.5));
+    if (!baked) return baked.error();
+    Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, stage(task, 0.5, 0.8));
+    if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
+    if (!meshes) return Error{meshes.error().code, "Asset \"" + asset.name + "\": " + meshes.error().message};
+    std::vector<ExportFile> files = std::move(meshes->files);
+    files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, stage(task, 0.8, 0.9))});
+    result.fragmentCount = baked->fragments.size();
+    result.volume = baked->whole.volume;
+    result.reports = std::move(baked->reports);
+    return writeExportFolder(result.folder, source, files, task);
+}
+
+AssetExport exported(const Project& project, const Asset& asset, const std::filesystem::path& folder,
+                     const MeshOptions& options, const TaskContext& task) {
+    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / safeFileName(asset.name)};
+    if (task.isCancelled()) {
+        result.status = TaskContext::cancelled();
+        return result;
+    }
+    const ContentHash source = packSource(project, asset, options);
+    result.isUnchanged = isExportOf(result.folder, source);
+    if (!result.isUnchanged) result.status = writePack(project, asset, options, source, task, result);
+    task.report(1.0);
+    return result;
+}
+
+}  // namespace
+
+ContentHash packSource(const Project& project, const Asset& asset, const MeshOptions& options) {
+    // A project of nothing but this asset tells all of it.
+    Project alone;
+    alone.nextId = std::numeric_limits<Id>::max();
+    alone.materials = {*findMaterial(project, asset.material)};
+    alone.assets = {asset};
+    Hasher hasher;
+    hasher.add(kMeshVersion);
+    hasher.add(std::uint64_t{kPackVersion});
+    hasher.add(bakeInputHash(asset).high);  // these two for the version of bake()
+    hasher.add(bakeInputHash(asset).low);
+    hasher.add(std::uint64_t{options.obj});
+    hasher.add(std::uint64_t{options.glb});
+    for (const std::uint64_t option :
+         {static_cast<std::uint64_t>(options.split), static_cast<std::uint64_t>(options.place),
+          static_cast<std::uint64_t>(options.faces)}) {
+        hasher.add(option);
+    }
+    hasher.add(projectText(alone));
+    return hasher.digest();
+}
+
+Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
+                                             const std::filesystem::path& folder, const MeshOptions& options,
+                                             const TaskContext& task) {
+    for (const Id id : assets) {
+        if (findAsset(project, id) != nullptr) continue;
+        return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
+    }
+    if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
+    std::vector<AssetExport> results(assets.size());
+    SharedProgress progress(task, assets.size());
+    const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, assets.size())));
+    forEachIndex(assets.size(), task.threads, [&](std::size_t index) {
+        const Asset& asset = *findAsset(project, assets[index]);
+        results[index] = exported(project, asset, folder, options, progress.contextOf(index, threadsEach));
+    });
+    if (task.isCancelled()) return TaskContext::cancelled();
+    return results;
+}
+
+}  // namespace rubble

@@ -1,0 +1,133 @@
+#include "core/io/AtomicFile.h"
+#include "core/io/PackMeshes.h"
+#include "tests/support/Fragments.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+const QString kScript = RUBBLE_SOURCE_DIR "/tests/blender/round_trip.py";
+const QByteArray kMark = "ROUND TRIP ";
+
+/// What Blender says of every file, by the file's name.
+QMap<QString, QJsonObject> imported(const QStringList& paths) {
+    QProcess blender;
+    blender.start(
+        "blender",
+        QStringList{"--background", "--factory-startup", "--python-exit-code", "1", "--python", kScript, "--"} + paths);
+    QMap<QString, QJsonObject> files;
+    if (!blender.waitForFinished(300000) || blender.exitCode() != 0) {
+        qWarning("%s", blender.readAllStandardError().constData());
+        return files;
+    }
+    for (const QByteArray& line : blender.readAllStandardOutput().split('\n')) {
+        if (!line.startsWith(kMark)) continue;
+        const QJsonObject file = QJsonDocument::fromJson(line.mid(kMark.size())).object();
+        files[QFileInfo(file["file"].toString()).fileName()] = file;
+    }
+    return files;
+}
+
+double volumeOf(const QJsonArray& objects) {
+    double sum = 0.0;
+    for (const QJsonValue object : objects) sum += object["volume"].toDouble();
+    return sum;
+}
+
+}  // namespace
+
+/// Exports an asset with concave, holed and cut-apart pieces on two levels, and looks at it with Blender's eyes.
+class RoundTripTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        if (QStandardPaths::findExecutable("blender").isEmpty()) QSKIP("Blender is not installed.");
+        const Asset asset = ringAsset();
+        m_bake = bake(asset).value();
+        QStringList paths;
+        for (const PartPlace place : {PartPlace::Assembled, PartPlace::Centred}) {
+            const MeshOptions options{.place = place};
+            const QString prefix = place == PartPlace::Assembled ? "" : "centred-";
+            const PackMeshes meshes = packMeshes(m_bake, asset, {.id = 1, .name = "brick"}, options).value();
+            for (const ExportFile& file : meshes.files) {
+                // Beside each other, so that each OBJ file finds its materials.
+                const QString name = prefix + QString::fromStdString(file.name);
+                const QString path = m_folder.filePath(name.endsWith(".mtl") ? name.mid(prefix.size()) : name);
+                QVERIFY(writeFileAtomically(path.toStdString(), file.bytes));
+                if (!path.endsWith(".mtl")) paths << path;
+            }
+        }
+        m_files = imported(paths);
+        QCOMPARE(m_files.size(), paths.size());
+    }
+
+    void everyPieceIsClosedAndFillsTheWhole_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<std::size_t>("count");
+        QTest::addColumn<double>("volume");
+        std::size_t broken = 0;
+        double brokenVolume = 0.0;
+        for (const BakedFragment& fragment : m_bake.fragments) {
+            if (fragment.childCount == 0) continue;
+            ++broken;
+            brokenVolume += fragment.solid.mass.volume;
+        }
+        for (const char* ending : {".obj", ".glb"}) {
+            for (const char* prefix : {"", "centred-"}) {
+                const QByteArray stem = QByteArray(prefix) + "old_ring";
+                const auto addRow = [&](const char* part, std::size_t count, double volume) {
+                    const QByteArray name = stem + part + ending;
+                    QTest::newRow(name.constData()) << QString(name) << count << volume;
+                };
+                addRow("-whole", 1, m_bake.whole.volume);
+                addRow("", m_bake.fragments.size() - broken, m_bake.whole.volume);
+                addRow("-level0", broken, brokenVolume);
+            }
+        }
+    }
+    void everyPieceIsClosedAndFillsTheWhole() {
+        QFETCH(QString, file);
+        QFETCH(std::size_t, count);
+        QFETCH(double, volume);
+        const QJsonArray objects = m_files[file]["objects"].toArray();
+        QCOMPARE(static_cast<std::size_t>(objects.size()), count);
+        for (const QJsonValue object : objects) {
+            const QByteArray name = object["name"].toString().toUtf8();
+            QVERIFY2(name.startsWith("old_ring"), name);
+            QVERIFY2(object["closed"].toBool(), name);
+            QVERIFY2(object["manifold"].toBool(), name);
+            QVERIFY2(object["volume"].toDouble() > 0.0, name);
+            QVERIFY2(object["uvs"].toInt() == 1, name);
+            QVERIFY2(object["materials"].toArray().contains("brick_outside"), name);
+        }
+        QVERIFY(std::abs(volumeOf(objects) - volume) < 1e-6 * m_bake.whole.volume);
+    }
+
+    void yIsUpAndPiecesLieAtTheirPlaces() {
+        // Blender has z up: the square of 4 stands on its edge, a quarter metre deep on either side.
+        for (const char* name : {"old_ring.obj", "old_ring.glb", "old_ring-whole.obj", "old_ring-whole.glb"}) {
+            const QJsonArray highest = m_files[name]["highest"].toArray();
+            QVERIFY2(std::abs(highest[0].toDouble() - 4.0) < 1e-5, name);
+            QVERIFY2(std::abs(highest[1].toDouble() - 0.25) < 1e-5, name);
+            QVERIFY2(std::abs(highest[2].toDouble() - 4.0) < 1e-5, name);
+        }
+    }
+
+private:
+    QTemporaryDir m_folder;
+    Bake m_bake;
+    QMap<QString, QJsonObject> m_files;
+};
+
+QTEST_GUILESS_MAIN(RoundTripTest)
+#include "RoundTripTest.moc"

@@ -1,0 +1,51 @@
+"""Imports mesh files into Blender, each into an empty scene, and prints what came in as one line of JSON a file.
+
+blender --background --factory-startup --python round_trip.py -- FILE...
+"""
+import json
+import sys
+
+import bmesh
+import bpy
+
+
+def open_file(path):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if path.endswith(".obj"):
+        bpy.ops.wm.obj_import(filepath=path)  # turns y up into Blender's z up
+    else:
+        bpy.ops.import_scene.gltf(filepath=path, merge_vertices=True)  # flat faces share no vertices in glTF
+
+
+def volume(mesh):
+    """In double precision, which bmesh's own sum is not."""
+    mesh.calc_loop_triangles()
+    total = 0.0
+    for triangle in mesh.loop_triangles:
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (tuple(mesh.vertices[i].co) for i in triangle.vertices)
+        total += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    return total / 6.0
+
+
+def described(thing):
+    shape = bmesh.new()
+    shape.from_mesh(thing.data)
+    result = {
+        "name": thing.name,
+        "closed": all(edge.is_manifold and edge.is_contiguous for edge in shape.edges),
+        "manifold": all(vertex.is_manifold for vertex in shape.verts),
+        "volume": volume(thing.data),
+        "materials": [slot.material.name for slot in thing.material_slots],
+        "uvs": len(thing.data.uv_layers),
+    }
+    shape.free()
+    return result
+
+
+for path in sys.argv[sys.argv.index("--") + 1:]:
+    open_file(path)
+    things = [described(thing) for thing in bpy.data.objects if thing.type == "MESH"]
+    corners = [thing.matrix_world @ vertex.co for thing in bpy.data.objects if thing.type == "MESH"
+               for vertex in thing.data.vertices]
+    highest = [max(corner[axis] for corner in corners) for axis in range(3)]
+    print("ROUND TRIP", json.dumps({"file": path, "objects": things, "highest": highest}))

@@ -1,0 +1,59 @@
+#include "core/io/ProjectFile.h"
+#include "tests/support/Fragments.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+
+#include <csignal>
+
+using namespace rubble;
+
+namespace {
+
+/// Many seconds of work.
+Project largeProject() {
+    Asset asset = assetOf(unitSquare(), 0.5);
+    asset.id = 2;
+    asset.name = "wall";
+    asset.material = 1;
+    asset.pattern = scatterOf(2'000'000, 3);
+    Project project;
+    project.materials = {{.id = 1, .name = "brick"}};
+    project.assets = {asset};
+    project.nextId = 4;
+    return project;
+}
+
+}  // namespace
+
+class InterruptTest : public QObject {
+    Q_OBJECT
+private slots:
+    void controlCLeavesNothingBehind() {
+        QTemporaryDir place;
+        const QString project = place.filePath("pipe.rubble");
+        QCOMPARE(mkfifo(project.toUtf8().constData(), 0600), 0);
+        QProcess program;
+        program.start(RUBBLE_CLI, {"export", project, "--out", place.filePath("packs")});
+        QFile pipe(project);
+        QVERIFY(pipe.open(QIODevice::WriteOnly));  // waits until the program reads it, and so listens to signals
+        pipe.write(QByteArray::fromStdString(projectText(largeProject())));
+        pipe.close();
+        kill(static_cast<pid_t>(program.processId()), SIGINT);
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(program.exitCode(), 130);
+        QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));
+        QCOMPARE(program.readAllStandardOutput(), QByteArray());
+        const QDir packs(place.filePath("packs"));
+        QVERIFY(packs.entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(InterruptTest)
+#include "InterruptTest.moc"
