@@ -7,6 +7,9 @@ import sys
 
 import bmesh
 import bpy
+import numpy
+
+numpy.bool = bool  # Blender 3.4's importer of glTF uses this name, which numpy 1.24 no longer has
 
 
 def open_file(path):
@@ -14,7 +17,14 @@ def open_file(path):
     if path.endswith(".obj"):
         bpy.ops.wm.obj_import(filepath=path)  # turns y up into Blender's z up
     else:
-        bpy.ops.import_scene.gltf(filepath=path, merge_vertices=True)  # flat faces share no vertices in glTF
+        bpy.ops.import_scene.gltf(filepath=path)
+
+
+def weld(shape):
+    """Makes vertices at exactly the same place one: in glTF, faces with normals of their own share none."""
+    first = {}
+    doubles = {vertex: first.setdefault(tuple(vertex.co), vertex) for vertex in shape.verts}
+    bmesh.ops.weld_verts(shape, targetmap={vertex: other for vertex, other in doubles.items() if vertex is not other})
 
 
 def volume(mesh):
@@ -27,9 +37,11 @@ def volume(mesh):
     return total / 6.0
 
 
-def described(thing):
+def described(thing, path):
     shape = bmesh.new()
     shape.from_mesh(thing.data)
+    if path.endswith(".glb"):
+        weld(shape)
     result = {
         "name": thing.name,
         "closed": all(edge.is_manifold and edge.is_contiguous for edge in shape.edges),
@@ -44,7 +56,7 @@ def described(thing):
 
 for path in sys.argv[sys.argv.index("--") + 1:]:
     open_file(path)
-    things = [described(thing) for thing in bpy.data.objects if thing.type == "MESH"]
+    things = [described(thing, path) for thing in bpy.data.objects if thing.type == "MESH"]
     corners = [thing.matrix_world @ vertex.co for thing in bpy.data.objects if thing.type == "MESH"
                for vertex in thing.data.vertices]
     highest = [max(corner[axis] for corner in corners) for axis in range(3)]
