@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace rubble;
@@ -69,6 +70,13 @@ private slots:
         }
         m_files = imported(paths);
         QCOMPARE(m_files.size(), paths.size());
+    }
+
+    void theAssetHasPiecesOfEveryKind() {
+        const auto has = [&](const auto& isSuch) { return std::ranges::any_of(m_bake.fragments, isSuch); };
+        QVERIFY(has([](const BakedFragment& fragment) { return !fragment.solid.outline.holes.empty(); }));
+        QVERIFY(has([](const BakedFragment& fragment) { return fragment.solid.piecesOfSeed > 1; }));
+        QVERIFY(has([](const BakedFragment& fragment) { return fragment.solid.hulls.size() > 1; }));
     }
 
     void everyPieceIsClosedAndFillsTheWhole_data() {

@@ -18,10 +18,12 @@ inline Pattern scatterOf(std::uint32_t count, std::uint32_t layer) {
     return pattern;
 }
 
-/// The square ring, half a metre deep, as asset "old ring" in 12 cells, some cut apart by the hole or going around its corners; those of
-/// half a cubic metre and more in three again.
+/// The square ring with one more hole in its left side, half a metre deep, volume 5.98, as asset "old ring" in 12 cells: some
+/// go around a corner, some are cut apart, one has a hole. Those of half a cubic metre and more are cut in three again.
 inline Asset ringAsset() {
-    Asset asset = assetOf(squareRing(), 0.5);
+    Polygon outline = squareRing();
+    outline.holes.push_back(reversed(rectangle({0.4, 2.0}, {0.6, 2.2})));
+    Asset asset = assetOf(outline, 0.5);
     asset.id = 3;
     asset.name = "old ring";
     asset.material = 1;
