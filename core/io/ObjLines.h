@@ -34,6 +34,7 @@ public:
 
 private:
     static constexpr std::size_t kLongestIndexText = 12;  // "4294967295/" and one to spare
+    static constexpr std::size_t kLongestCorner = 3 * kLongestIndexText;
     /// The text of a double that was written lately.
     struct Written {
         std::uint64_t bits = 0;
@@ -46,13 +47,12 @@ private:
         std::uint32_t length = 0;
     };
 
-    void makeRoom(std::size_t size);
-    void add(char letter) { *m_at++ = letter; }
-    void add(double value);
-    void addDecimals(double value);
-    void add(const IndexText& index) {
-        std::memcpy(m_at, index.text, kLongestIndexText);
-        m_at += index.length;
+    // Those that write give the end of what they wrote: a local pointer stays in a register, a member would not.
+    char* room(std::size_t size);
+    char* write(char* at, double value);
+    static char* write(char* at, const IndexText& index) {
+        std::memcpy(at, index.text, kLongestIndexText);
+        return at + index.length;
     }
     static void number(std::vector<IndexText>& texts, std::size_t count, std::uint32_t& last, char end);
 
