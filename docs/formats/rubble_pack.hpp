@@ -1,0 +1,621 @@
+// rubble_pack.hpp - reads the packs that Rubble exports. One header, C++17, the standard library only, no exceptions.
+//
+//     rubble_pack::Pack pack;
+//     std::string fault;
+//     if (!rubble_pack::load("wall/pack.json", pack, fault)) return fail(fault);
+//     for (const rubble_pack::Body& fragment : pack.fragments) addBody(fragment.mass, fragment.hulls, fragment.offset);
+//
+// What every field means is told in pack.md, which lies beside this file. All indices that a read pack holds are in
+// range, so that they can be used without a check. Metres, kilograms, seconds; right-handed, y up.
+//
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the authors of Rubble
+//
+// Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+// documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+// rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+// persons to whom the Software is furnished to do so, subject to the following conditions:
+//
+// The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+// Software.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+// WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+// COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+// OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <initializer_list>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rubble_pack {
+
+constexpr std::uint32_t kVersion = 1;         // of the packs that this header reads
+constexpr std::uint32_t kNone = 0xffffffffu;  // no fragment
+
+struct Vec3 {
+    double x = 0.0, y = 0.0, z = 0.0;
+};
+
+/// The points p with dot(normal, p) <= offset lie inside; the normal has length 1.
+struct Plane {
+    Vec3 normal;
+    double offset = 0.0;  // m
+};
+
+/// An edge as a face's loop runs along it: +1 from its first vertex to its second, -1 back.
+struct SignedEdge {
+    std::uint32_t edge = 0;
+    int sign = 1;
+};
+
+/// A closed convex solid in its body's frame. Step k of a face runs from vertex faces[f][k] to the next of that loop and
+/// along signedEdges[f][k]; the first two edges of a loop are never on one line.
+struct Hull {
+    std::vector<Vec3> vertices;                        // m
+    std::vector<std::array<std::uint32_t, 2>> edges;   // each once
+    std::vector<std::vector<std::uint32_t>> faces;     // vertices, counter-clockwise from outside
+    std::vector<std::vector<SignedEdge>> signedEdges;  // one loop a face
+    std::vector<Plane> planes;                         // one a face
+};
+
+struct Neighbour {
+    std::uint32_t fragment = 0;  // index in Pack::fragments
+    double area = 0.0;           // m^2 that the two share
+};
+
+/// The whole or a fragment. Its frame has the axes of the asset and its centre of mass as origin.
+struct Body {
+    std::string id;
+    std::string name;                                // of its object in the meshes
+    std::uint32_t parent = kNone;                    // the fragment that it is a piece of; kNone: the whole
+    Vec3 offset;                                     // of its frame in the asset's, m
+    double volume = 0.0;                             // m^3
+    double mass = 0.0;                               // kg
+    Vec3 centreOfMass;                               // in its own frame, m
+    std::array<std::array<double, 3>, 3> inertia{};  // kg m^2, about the centre of mass, by rows
+    std::vector<Neighbour> neighbours;               // ascending
+    std::vector<Hull> hulls;                         // at least one
+};
+
+struct Material {
+    std::string name;
+    double density = 0.0;  // kg/m^3
+    double friction = 0.0;
+    double restitution = 0.0;
+    std::array<double, 3> outside{};  // sRGB
+    std::array<double, 3> inside{};
+};
+
+enum class MeshBodies { Whole, Fragments, Fragment };
+enum class MeshPlace { Assembled, Centred };
+
+/// A mesh file beside pack.json.
+struct Mesh {
+    std::string file;
+    MeshBodies bodies = MeshBodies::Fragments;
+    std::uint32_t fragment = kNone;  // the one that it holds, where it holds one
+    MeshPlace place = MeshPlace::Assembled;
+};
+
+struct Pack {
+    std::uint32_t asset = 0;
+    std::string name;
+    std::string hash;        // equal for equal packs
+    double threshold = 0.0;  // N s; an impact at or above it breaks the body
+    Material material;
+    std::vector<Mesh> meshes;
+    Body whole;
+    std::vector<Body> fragments;  // parents stand before their pieces
+
+    /// The fragments that a body breaks into; kNone: the whole. Empty where it does not break.
+    std::vector<std::uint32_t> piecesOf(std::uint32_t parent) const {
+        std::vector<std::uint32_t> pieces;
+        for (std::uint32_t k = 0; k < fragments.size(); ++k) {
+            if (fragments[k].parent == parent) pieces.push_back(k);
+        }
+        return pieces;
+    }
+};
+
+/// Reads the text of a pack.json. Where it is none, gives false, says why in one sentence and leaves the pack as it was.
+inline bool parse(std::string_view json, Pack& pack, std::string& fault);
+
+/// Reads a file.
+inline bool load(const std::string& path, Pack& pack, std::string& fault);
+
+namespace detail {
+
+enum class Kind { Null, Boolean, Number, Text, Array, Object };
+
+/// JSON values in the order of their text, each container before what it holds: the first child of node i is i + 1, the
+/// one behind a child is at its `end`.
+struct Node {
+    Kind kind = Kind::Null;
+    double number = 0.0;
+    std::uint32_t text = 0;   // index in Document::texts
+    std::uint32_t key = 0;    // the same, of a member of an object
+    std::uint32_t count = 0;  // of children
+    std::uint32_t end = 0;
+};
+struct Document {
+    std::vector<Node> nodes;
+    std::vector<std::string> texts;
+};
+
+/// Takes JSON apart. After a fault everything fails.
+class Parser {
+public:
+    explicit Parser(std::string_view text) : m_text(text) {}
+
+    bool parse(Document& document) {
+        if (!element(document, 0, 0)) return false;
+        skipBlanks();
+        return m_at == m_text.size() || fail("the end");
+    }
+    std::string fault() const {
+        return "The text is not JSON at byte " + std::to_string(m_at) + ": expected " + m_expected + ".";
+    }
+
+private:
+    static constexpr int kDeepest = 32;
+
+    bool fail(const char* expected) {
+        m_expected = expected;
+        return false;
+    }
+    void skipBlanks() {
+        while (isAt(m_at, " \t\r\n")) ++m_at;
+    }
+    bool isAt(std::size_t at, std::string_view letters) const {
+        return at < m_text.size() && letters.find(m_text[at]) != std::string_view::npos;
+    }
+    bool take(char letter) {
+        skipBlanks();
+        if (m_at == m_text.size() || m_text[m_at] != letter) return false;
+        ++m_at;
+        return true;
+    }
+
+    bool element(Document& document, std::uint32_t key, int depth) {
+        if (depth > kDeepest) return fail("fewer levels");
+        skipBlanks();
+        const std::size_t index = document.nodes.size();
+        Node node;
+        node.key = key;
+        document.nodes.push_back(node);
+        if (!content(document, node, depth)) return false;
+        node.end = static_cast<std::uint32_t>(document.nodes.size());
+        document.nodes[index] = node;
+        return true;
+    }
+    bool content(Document& document, Node& node, int depth) {
+        switch (m_at < m_text.size() ? m_text[m_at] : '\0') {
+            case '{': node.kind = Kind::Object; return members(document, node, depth);
+            case '[': node.kind = Kind::Array; return elements(document, node, depth);
+            case '"': node.kind = Kind::Text; return text(document, node.text);
+            case 'n': node.kind = Kind::Null; return word("null");
+            case 't': node.kind = Kind::Boolean; return word("true");
+            case 'f': node.kind = Kind::Boolean; return word("false");
+            default: node.kind = Kind::Number; return number(node.number);
+        }
+    }
+    bool word(std::string_view letters) {
+        if (m_text.substr(m_at, letters.size()) != letters) return fail("a value");
+        m_at += letters.size();
+        return true;
+    }
+    bool members(Document& document, Node& node, int depth) {
+        ++m_at;
+        if (take('}')) return true;
+        do {
+            std::uint32_t key = 0;
+            skipBlanks();
+            if (!isAt(m_at, "\"")) return fail("a key");
+            if (!text(document, key)) return false;
+            if (!take(':')) return fail("':'");
+            if (!element(document, key, depth + 1)) return false;
+            ++node.count;
+        } while (take(','));
+        return take('}') || fail("',' or '}'");
+    }
+    bool elements(Document& document, Node& node, int depth) {
+        ++m_at;
+        if (take(']')) return true;
+        do {
+            if (!element(document, 0, depth + 1)) return false;
+            ++node.count;
+        } while (take(','));
+        return take(']') || fail("',' or ']'");
+    }
+
+    bool text(Document& document, std::uint32_t& index) {
+        index = static_cast<std::uint32_t>(document.texts.size());
+        return text(document.texts.emplace_back());
+    }
+    bool text(std::string& result) {
+        for (++m_at; m_at < m_text.size(); ++m_at) {
+            const char letter = m_text[m_at];
+            if (letter == '"') {
+                ++m_at;
+                return true;
+            }
+            if (static_cast<unsigned char>(letter) < 0x20) break;
+            if (letter != '\\') {
+                result += letter;
+            } else if (!escape(result)) {
+                return fail("an escape");
+            }
+        }
+        return fail("'\"'");
+    }
+    bool escape(std::string& result) {
+        constexpr std::string_view kNames = "\"\\/bfnrt";
+        constexpr std::string_view kLetters = "\"\\/\b\f\n\r\t";
+        if (++m_at == m_text.size()) return false;
+        const std::size_t name = kNames.find(m_text[m_at]);
+        if (name != std::string_view::npos) {
+            result += kLetters[name];
+            return true;
+        }
+        std::uint32_t code = 0;
+        if (m_text[m_at] != 'u' || !hex(code)) return false;
+        if (code >= 0xd800 && code < 0xdc00) {
+            std::uint32_t low = 0;
+            if (m_text.substr(m_at + 1, 2) != "\\u") return false;
+            m_at += 2;
+            if (!hex(low) || low < 0xdc00 || low > 0xdfff) return false;
+            code = 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00);
+        } else if (code >= 0xdc00 && code <= 0xdfff) {
+            return false;
+        }
+        appendUtf8(result, code);
+        return true;
+    }
+    /// Four digits behind the place; leaves the place on the last.
+    bool hex(std::uint32_t& code) {
+        if (m_text.size() - m_at < 5) return false;
+        const char* const first = m_text.data() + m_at + 1;
+        const auto [end, error] = std::from_chars(first, first + 4, code, 16);
+        m_at += 4;
+        return error == std::errc() && end == first + 4;
+    }
+    static void appendUtf8(std::string& text, std::uint32_t code) {
+        const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
+        if (code < 0x80) return add(code);
+        if (code < 0x800) {
+            add(0xc0 | (code >> 6));
+        } else if (code < 0x10000) {
+            add(0xe0 | (code >> 12));
+            add(0x80 | ((code >> 6) & 0x3f));
+        } else {
+            add(0xf0 | (code >> 18));
+            add(0x80 | ((code >> 12) & 0x3f));
+            add(0x80 | ((code >> 6) & 0x3f));
+        }
+        add(0x80 | (code & 0x3f));
+    }
+
+    std::size_t digitsFrom(std::size_t at) const {
+        while (at < m_text.size() && m_text[at] >= '0' && m_text[at] <= '9') ++at;
+        return at;
+    }
+    bool number(double& value) {
+        const std::size_t start = m_at + (isAt(m_at, "-") ? 1 : 0);
+        std::size_t end = digitsFrom(start);
+        if (end == start || (m_text[start] == '0' && end > start + 1)) return fail("a value");
+        if (isAt(end, ".")) {
+            const std::size_t fraction = end + 1;
+            end = digitsFrom(fraction);
+            if (end == fraction) return fail("a number");
+        }
+        if (isAt(end, "eE")) {
+            const std::size_t exponent = end + (isAt(end + 1, "+-") ? 2 : 1);
+            end = digitsFrom(exponent);
+            if (end == exponent) return fail("a number");
+        }
+        if (!toDouble(m_text.substr(m_at, end - m_at), value)) return fail("a number that a double can hold");
+        m_at = end;
+        return true;
+    }
+    /// The nearest double, whatever the locale.
+    static bool toDouble(std::string_view digits, double& value) {
+#if defined(__cpp_lib_to_chars)
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return error == std::errc() && end == digits.data() + digits.size();
+#else
+        std::istringstream stream{std::string(digits)};
+        stream.imbue(std::locale::classic());
+        return (stream >> value) && std::isfinite(value);
+#endif
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    const char* m_expected = "";
+};
+
+/// A value in a document, with the place where it stands.
+struct Value {
+    const Document* document = nullptr;
+    std::uint32_t node = 0;
+    const Value* parent = nullptr;  // null at the root
+    const char* key = nullptr;      // in an object
+    std::size_t number = 0;         // in an array
+
+    const Node& operator*() const { return document->nodes[node]; }
+    const Node* operator->() const { return &document->nodes[node]; }
+    std::string place() const {
+        if (!parent) return "";
+        const std::string before = parent->place();
+        if (!key) return before + "[" + std::to_string(number) + "]";
+        return before.empty() ? key : before + "." + key;
+    }
+};
+
+/// Reads values, and keeps the first fault with its place. After it everything reads as nothing.
+class Reader {
+public:
+    std::string fault;
+
+    void refuse(const Value& value, const std::string& reason) {
+        const std::string place = value.place();
+        if (fault.empty()) fault = (place.empty() ? "The document" : place) + ": " + reason + ".";
+    }
+    bool is(const Value& value, Kind kind, const char* expected) {
+        if (fault.empty() && value->kind != kind) refuse(value, std::string("expected ") + expected);
+        return fault.empty();
+    }
+    /// What `read` makes of a member of an object.
+    template <class Read>
+    auto at(const Value& object, const char* key, Read read) {
+        if (is(object, Kind::Object, "an object")) {
+            const std::vector<Node>& nodes = object.document->nodes;
+            for (std::uint32_t child = object.node + 1; child < object->end; child = nodes[child].end) {
+                if (object.document->texts[nodes[child].key] == key)
+                    return read(Value{object.document, child, &object, key, 0});
+            }
+            refuse(object, std::string("the key \"") + key + "\" is missing");
+        }
+        return decltype(read(object)){};
+    }
+    double number(const Value& value) { return is(value, Kind::Number, "a number") ? value->number : 0.0; }
+    double positive(const Value& value) {
+        const double read = number(value);
+        if (fault.empty() && !(read > 0.0)) refuse(value, "expected a number above 0");
+        return read;
+    }
+    /// A whole number below `end`.
+    std::uint32_t index(const Value& value, std::size_t end) {
+        const double read = number(value);
+        if (fault.empty() && read >= 0.0 && read < static_cast<double>(end) && read == std::floor(read))
+            return static_cast<std::uint32_t>(read);
+        refuse(value, "expected a whole number below " + std::to_string(end));
+        return 0;
+    }
+    /// The same, or null.
+    std::uint32_t link(const Value& value, std::size_t end) {
+        return value->kind == Kind::Null ? kNone : index(value, end);
+    }
+    std::string text(const Value& value) {
+        return is(value, Kind::Text, "a text") ? value.document->texts[value->text] : std::string();
+    }
+    /// Which of the words it is.
+    std::size_t oneOf(const Value& value, std::initializer_list<std::string_view> words) {
+        const std::string read = text(value);
+        std::size_t which = 0;
+        for (const std::string_view word : words) {
+            if (read == word) return which;
+            ++which;
+        }
+        refuse(value, "\"" + read + "\" is not known to this reader");
+        return 0;
+    }
+    /// Calls `visit` with every element of an array.
+    template <class Visit>
+    void forEach(const Value& value, Visit visit) {
+        if (!is(value, Kind::Array, "an array")) return;
+        std::size_t number = 0;
+        for (std::uint32_t child = value.node + 1; child < value->end && fault.empty();) {
+            visit(Value{value.document, child, &value, nullptr, number++});
+            child = value.document->nodes[child].end;
+        }
+    }
+    /// An array, each element by `read`.
+    template <class Read>
+    auto list(const Value& value, Read read) {
+        std::vector<decltype(read(value))> elements;
+        elements.reserve(value->count);
+        forEach(value, [&](const Value& element) { elements.push_back(read(element)); });
+        return elements;
+    }
+    template <std::size_t Count>
+    std::array<double, Count> numbers(const Value& value) {
+        std::array<double, Count> read{};
+        if (is(value, Kind::Array, "an array") && value->count != Count)
+            refuse(value, "expected " + std::to_string(Count) + " numbers");
+        forEach(value, [&](const Value& element) { read[element.number] = number(element); });
+        return read;
+    }
+    Vec3 vector(const Value& value) {
+        const std::array<double, 3> read = numbers<3>(value);
+        return {read[0], read[1], read[2]};
+    }
+    std::string textAt(const Value& object, const char* key) {
+        return at(object, key, [&](const Value& value) { return text(value); });
+    }
+    double numberAt(const Value& object, const char* key) {
+        return at(object, key, [&](const Value& value) { return number(value); });
+    }
+    double positiveAt(const Value& object, const char* key) {
+        return at(object, key, [&](const Value& value) { return positive(value); });
+    }
+    Vec3 vectorAt(const Value& object, const char* key) {
+        return at(object, key, [&](const Value& value) { return vector(value); });
+    }
+    std::size_t oneOfAt(const Value& object, const char* key, std::initializer_list<std::string_view> words) {
+        return at(object, key, [&](const Value& value) { return oneOf(value, words); });
+    }
+    std::uint32_t linkAt(const Value& object, const char* key, std::size_t end) {
+        return at(object, key, [&](const Value& value) { return link(value, end); });
+    }
+    template <class Read>
+    auto listAt(const Value& object, const char* key, Read read) {
+        return at(object, key, [&](const Value& value) { return list(value, read); });
+    }
+
+    Hull hull(const Value& value) {
+        Hull read;
+        read.vertices = listAt(value, "vertices", [&](const Value& v) { return vector(v); });
+        const auto vertex = [&](const Value& v) { return index(v, read.vertices.size()); };
+        read.edges = listAt(value, "edges", [&](const Value& v) {
+            std::array<std::uint32_t, 2> ends{};
+            if (is(v, Kind::Array, "an array") && v->count != 2) refuse(v, "expected 2 vertices");
+            forEach(v, [&](const Value& end) { ends[end.number] = vertex(end); });
+            return ends;
+        });
+        read.faces = listAt(value, "faces", [&](const Value& v) { return list(v, vertex); });
+        const auto signedEdge = [&](const Value& v) {
+            const std::array<double, 2> pair = numbers<2>(v);
+            if (!(pair[0] >= 0.0 && pair[0] < static_cast<double>(read.edges.size()) && pair[0] == std::floor(pair[0])))
+                refuse(v, "expected an edge that is there");
+            if (pair[1] != 1.0 && pair[1] != -1.0) refuse(v, "expected an edge, then 1 or -1");
+            return fault.empty() ? SignedEdge{static_cast<std::uint32_t>(pair[0]), pair[1] > 0.0 ? 1 : -1}
+                                 : SignedEdge{};
+        };
+        read.signedEdges = listAt(value, "signedEdges", [&](const Value& v) { return list(v, signedEdge); });
+        read.planes = listAt(value, "planes", [&](const Value& v) {
+            const std::array<double, 4> plane = numbers<4>(v);
+            return Plane{{plane[0], plane[1], plane[2]}, plane[3]};
+        });
+        bool agree = read.faces.size() == read.planes.size() && read.faces.size() == read.signedEdges.size();
+        for (std::size_t f = 0; agree && f < read.faces.size(); ++f) {
+            agree = read.faces[f].size() >= 3 && read.faces[f].size() == read.signedEdges[f].size();
+        }
+        if (!agree) refuse(value, "faces, signed edges and planes do not agree");
+        return read;
+    }
+    Neighbour neighbour(const Value& value, std::size_t count) {
+        const auto fragment = at(value, "fragment", [&](const Value& v) { return index(v, count); });
+        return {fragment, positiveAt(value, "area")};
+    }
+    /// A body that is a piece of one of the `before` first fragments, of `count`.
+    Body body(const Value& value, std::size_t before, std::size_t count) {
+        Body read;
+        read.id = textAt(value, "id");
+        read.name = textAt(value, "name");
+        read.parent = linkAt(value, "parent", before);
+        read.offset = vectorAt(value, "offset");
+        read.volume = positiveAt(value, "volume");
+        read.mass = positiveAt(value, "mass");
+        read.centreOfMass = vectorAt(value, "centreOfMass");
+        at(value, "inertia", [&](const Value& v) {
+            if (is(v, Kind::Array, "an array") && v->count != 3) refuse(v, "expected 3 rows");
+            forEach(v, [&](const Value& row) { read.inertia[row.number] = numbers<3>(row); });
+            return 0;
+        });
+        read.neighbours = listAt(value, "neighbours", [&](const Value& v) { return neighbour(v, count); });
+        read.hulls = listAt(value, "hulls", [&](const Value& v) { return hull(v); });
+        if (read.hulls.empty()) refuse(value, "expected at least one hull");
+        return read;
+    }
+    Material material(const Value& value) {
+        Material read;
+        read.name = textAt(value, "name");
+        read.density = positiveAt(value, "density");
+        read.friction = numberAt(value, "friction");
+        read.restitution = numberAt(value, "restitution");
+        read.outside = at(value, "outside", [&](const Value& v) { return numbers<3>(v); });
+        read.inside = at(value, "inside", [&](const Value& v) { return numbers<3>(v); });
+        return read;
+    }
+    Mesh mesh(const Value& value, std::size_t count) {
+        Mesh read;
+        read.file = textAt(value, "file");
+        read.bodies = static_cast<MeshBodies>(oneOfAt(value, "bodies", {"whole", "fragments", "fragment"}));
+        read.fragment = linkAt(value, "fragment", count);
+        read.place = static_cast<MeshPlace>(oneOfAt(value, "place", {"assembled", "centred"}));
+        return read;
+    }
+    /// Refuses what is no pack, or none that this header can read.
+    void checkFormat(const Value& root) {
+        oneOfAt(root, "format", {"rubble-pack"});
+        at(root, "version", [&](const Value& version) {
+            if (number(version) != kVersion) refuse(version, "this header reads version " + std::to_string(kVersion));
+            return 0;
+        });
+        at(root, "units", [&](const Value& units) {
+            oneOfAt(units, "length", {"m"});
+            oneOfAt(units, "mass", {"kg"});
+            return oneOfAt(units, "time", {"s"});
+        });
+        at(root, "axes", [&](const Value& axes) {
+            oneOfAt(axes, "handedness", {"right"});
+            oneOfAt(axes, "up", {"y"});
+            return oneOfAt(axes, "front", {"counter-clockwise"});
+        });
+    }
+    Pack pack(const Value& root) {
+        Pack read;
+        checkFormat(root);
+        at(root, "asset", [&](const Value& asset) {
+            read.name = textAt(asset, "name");
+            return read.asset = at(asset, "id", [&](const Value& id) { return index(id, std::size_t{kNone}); });
+        });
+        read.hash = textAt(root, "hash");
+        read.threshold = positiveAt(root, "threshold");
+        read.material = at(root, "material", [&](const Value& value) { return material(value); });
+        read.whole = at(root, "whole", [&](const Value& value) { return body(value, 0, 0); });
+        read.fragments = at(root, "fragments", [&](const Value& value) {
+            const std::size_t count = value->count;
+            return list(value, [&](const Value& element) { return body(element, element.number, count); });
+        });
+        const std::size_t count = read.fragments.size();
+        read.meshes = listAt(root, "meshes", [&](const Value& value) { return mesh(value, count); });
+        return read;
+    }
+};
+
+}  // namespace detail
+
+inline bool parse(std::string_view json, Pack& pack, std::string& fault) {
+    detail::Parser parser(json);
+    detail::Document document;
+    if (!parser.parse(document)) {
+        fault = parser.fault();
+        return false;
+    }
+    detail::Reader reader;
+    Pack read = reader.pack(detail::Value{&document, 0, nullptr, nullptr, 0});
+    if (!reader.fault.empty()) {
+        fault = reader.fault;
+        return false;
+    }
+    pack = std::move(read);
+    return true;
+}
+
+inline bool load(const std::string& path, Pack& pack, std::string& fault) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    if (!file || !(bytes << file.rdbuf())) {
+        fault = "Cannot read \"" + path + "\".";
+        return false;
+    }
+    if (parse(bytes.str(), pack, fault)) return true;
+    fault = "\"" + path + "\": " + fault;
+    return false;
+}
+
+}  // namespace rubble_pack
