@@ -96,23 +96,33 @@ Polytope prismOver(std::span<const Vec2> ring, double zMin, double zMax) {
 /// The edges of a polytope by their ends.
 class EdgeLookup {
 public:
-    explicit EdgeLookup(const Polytope& polytope) {
-        m_keys.reserve(polytope.edges.size());
-        for (std::uint32_t edge = 0; edge < polytope.edges.size(); ++edge) {
-            m_keys.push_back({std::minmax(polytope.edges[edge][0], polytope.edges[edge][1]), edge});
+    explicit EdgeLookup(const Polytope& polytope) : m_polytope(polytope) {}
+
+    std::uint32_t edgeBetween(std::uint32_t a, std::uint32_t b) {
+        // Where prisms have it: an edge along a cap has the number of its first vertex, the upright ones follow.
+        const auto upright = static_cast<std::uint32_t>(m_polytope.vertices.size()) + std::min(a, b);
+        for (const std::uint32_t guess : {a, b, upright}) {
+            if (guess < m_polytope.edges.size() && endsOf(guess) == Ends(std::minmax(a, b))) return guess;
         }
-        std::sort(m_keys.begin(), m_keys.end());
-    }
-    std::uint32_t edgeBetween(std::uint32_t a, std::uint32_t b) const {
-        const Key key{std::minmax(a, b), 0};
-        const auto found = std::lower_bound(m_keys.begin(), m_keys.end(), key);
-        RUBBLE_ASSERT(found != m_keys.end() && found->first == key.first);
-        return found->second;
+        return sortedEdgeBetween(std::minmax(a, b));
     }
 
 private:
-    using Key = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
-    std::vector<Key> m_keys;
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+
+    Ends endsOf(std::uint32_t edge) const { return std::minmax(m_polytope.edges[edge][0], m_polytope.edges[edge][1]); }
+    std::uint32_t sortedEdgeBetween(Ends ends) {
+        for (auto edge = static_cast<std::uint32_t>(m_sorted.size()); edge < m_polytope.edges.size(); ++edge) {
+            m_sorted.push_back({endsOf(edge), edge});
+            if (edge + 1 == m_polytope.edges.size()) std::sort(m_sorted.begin(), m_sorted.end());
+        }
+        const auto found = std::lower_bound(m_sorted.begin(), m_sorted.end(), std::pair(ends, 0u));
+        RUBBLE_ASSERT(found != m_sorted.end() && found->first == ends);
+        return found->second;
+    }
+
+    const Polytope& m_polytope;
+    std::vector<std::pair<Ends, std::uint32_t>> m_sorted;  // empty until it is needed
 };
 
 /// The sine squared of the turn from the loop's edge at `index` to the edge after it.
@@ -147,17 +157,20 @@ Polytope extruded(std::span<const Vec2> convexRing, double zMin, double zMax) {
 }
 
 std::vector<std::vector<SignedEdge>> signedEdgeLoops(const Polytope& polytope) {
-    const EdgeLookup lookup(polytope);
+    EdgeLookup lookup(polytope);
     std::vector<std::vector<SignedEdge>> loops;
     loops.reserve(polytope.faces.size());
     for (const std::vector<std::uint32_t>& face : polytope.faces) {
         const std::size_t start = firstRealTurn(polytope, face);
         std::vector<SignedEdge>& loop = loops.emplace_back();
         loop.reserve(face.size());
-        for (std::size_t step = 0; step < face.size(); ++step) {
-            const std::uint32_t from = face[(start + step) % face.size()];
-            const std::uint32_t edge = lookup.edgeBetween(from, face[(start + step + 1) % face.size()]);
+        std::uint32_t from = face[start];
+        for (std::size_t step = 1; step <= face.size(); ++step) {
+            const std::size_t next = start + step;
+            const std::uint32_t to = face[next < face.size() ? next : next - face.size()];
+            const std::uint32_t edge = lookup.edgeBetween(from, to);
             loop.push_back({edge, polytope.edges[edge][0] == from ? 1 : -1});
+            from = to;
         }
     }
     return loops;

@@ -4,7 +4,7 @@
 #include "core/io/JsonText.h"
 #include "core/io/PackText.h"
 
-#include <memory>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -132,10 +132,10 @@ void writeBody(PackText& json, const BodySource& body, double density) {
 
 }  // namespace
 
-std::string bodiesJson(std::span<const BodySource> bodies, double density) {
+TextBlock bodiesJson(std::span<const BodySource> bodies, double density) {
     std::size_t room = 0;
     for (const BodySource& body : bodies) room += roomFor(body) + 2;
-    const auto memory = std::make_unique_for_overwrite<char[]>(room);
+    auto memory = std::make_unique_for_overwrite<char[]>(room);
     PackText json(memory.get());
     for (const BodySource& body : bodies) {
         if (&body != bodies.data()) json.raw(",\n");
@@ -143,7 +143,7 @@ std::string bodiesJson(std::span<const BodySource> bodies, double density) {
     }
     const auto size = static_cast<std::size_t>(json.end() - memory.get());
     RUBBLE_ASSERT(size <= room);
-    return {memory.get(), size};
+    return {std::move(memory), size};
 }
 
 }  // namespace rubble

@@ -2,9 +2,11 @@
 
 #include "core/fracture/Fragment.h"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
+#include <string_view>
 
 namespace rubble {
 
@@ -21,7 +23,14 @@ struct BodySource {
     std::vector<Polytope> hulls;
 };
 
+/// Text in memory of its own.
+struct TextBlock {
+    std::unique_ptr<char[]> memory;
+    std::size_t size = 0;
+    std::string_view view() const { return {memory.get(), size}; }
+};
+
 /// The bodies as JSON objects without blanks, one a line, a comma and a line feed between them. `density` in kg/m^3.
-std::string bodiesJson(std::span<const BodySource> bodies, double density);
+TextBlock bodiesJson(std::span<const BodySource> bodies, double density);
 
 }  // namespace rubble

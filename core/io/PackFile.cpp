@@ -73,7 +73,7 @@ BodySource sourceOfWhole(const Bake& bake, const Asset& asset) {
             .hulls = bake.wholeHulls};
 }
 
-std::string chunkJson(const Bake& bake, const Asset& asset, double density, std::size_t first) {
+TextBlock chunkJson(const Bake& bake, const Asset& asset, double density, std::size_t first) {
     std::vector<BodySource> bodies;
     const std::size_t end = std::min(first + kChunk, bake.fragments.size());
     bodies.reserve(end - first);
@@ -131,18 +131,20 @@ ContentHash packHash(const Asset& asset, const Material& material, std::span<con
 std::string packJson(const Bake& bake, const Asset& asset, const Material& material,
                      std::span<const PackMeshFile> meshes, const TaskContext& task) {
     const BodySource whole = sourceOfWhole(bake, asset);
-    std::vector<std::string> chunks((bake.fragments.size() + kChunk - 1) / kChunk);
+    std::vector<TextBlock> chunks((bake.fragments.size() + kChunk - 1) / kChunk);
     forEachIndex(chunks.size(), task.threads,
                  [&](std::size_t k) { chunks[k] = chunkJson(bake, asset, material.density, kChunk * k); });
 
     std::string json = headJson(asset, material, meshes);
-    json += "\"whole\":" + bodiesJson({&whole, 1}, material.density) + ",\n\"fragments\":[";
+    json += "\"whole\":";
+    json += bodiesJson({&whole, 1}, material.density).view();
+    json += ",\n\"fragments\":[";
     std::size_t size = json.size() + 8;
-    for (const std::string& chunk : chunks) size += chunk.size() + 2;
+    for (const TextBlock& chunk : chunks) size += chunk.size + 2;
     json.reserve(size);
-    for (const std::string& chunk : chunks) {
+    for (const TextBlock& chunk : chunks) {
         json += &chunk == chunks.data() ? "\n" : ",\n";
-        json += chunk;
+        json += chunk.view();
     }
     json += "]}\n";
     return json;

@@ -47,11 +47,12 @@ public:
     void raw(char letter) { *m_at++ = letter; }
     void number(double value) { m_at = m_numbers.write(m_at, value); }
     void index(std::uint32_t value) {
-        if (value < 10) {
-            *m_at++ = static_cast<char>('0' + value);
-        } else {
+        if (value >= 100) {
             m_at = writeNumber(m_at, value);
+            return;
         }
+        if (value >= 10) *m_at++ = static_cast<char>('0' + value / 10);
+        *m_at++ = static_cast<char>('0' + value % 10);
     }
     /// [a,b,...]: each element by `write`.
     template <class Elements, class Write>
