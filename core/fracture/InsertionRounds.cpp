@@ -5,6 +5,7 @@
 #include "core/geometry/Predicates.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace rubble {
 
@@ -38,7 +39,7 @@ public:
 
     Status run() {
         if (m_count < kLeastForThreads) return insertRound(1, 0, 1);
-        const std::uint32_t ranges = std::min(m_count / kSitesInRange, kMostRanges);
+        const std::uint32_t ranges = std::bit_floor(std::min(m_count / kSitesInRange, kMostRanges));
         if (const Status done = insertRound(64, 0, 1); !done) return done;
         if (const Status done = insertRound(8, 64, ranges); !done) return done;
         return insertRound(1, 8, ranges);
