@@ -76,7 +76,7 @@ private slots:
         const auto has = [&](const auto& isSuch) { return std::ranges::any_of(m_bake.fragments, isSuch); };
         QVERIFY(has([](const BakedFragment& fragment) { return !fragment.solid.outline.holes.empty(); }));
         QVERIFY(has([](const BakedFragment& fragment) { return fragment.solid.piecesOfSeed > 1; }));
-        QVERIFY(has([](const BakedFragment& fragment) { return fragment.solid.hulls.size() > 1; }));
+        QVERIFY(has([](const BakedFragment& fragment) { return hullsOf(fragment.solid).size() > 1; }));
     }
 
     void everyPieceIsClosedAndFillsTheWhole_data() {
