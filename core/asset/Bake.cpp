@@ -48,14 +48,6 @@ void append(const Breaking& breaking, std::uint32_t parent, Bake& bake) {
     }
 }
 
-/// The task without its progress: each stage counts from zero, whereas a bake tells its levels.
-TaskContext silent(const TaskContext& task, int threads) {
-    TaskContext result;
-    result.cancel = task.cancel;
-    result.threads = threads;
-    return result;
-}
-
 /// The work below one level: which fragments break, and what became of each.
 struct LevelWork {
     std::vector<std::uint32_t> parents;
@@ -69,11 +61,12 @@ LevelWork brokenLevel(const Level& level, std::size_t first, const Bake& bake, c
         work.parents.push_back(static_cast<std::uint32_t>(k));
     }
     work.breakings.resize(work.parents.size());
-    const TaskContext single = silent(task, 1);
+    TaskContext quiet;  // progress is told by the work's own thread, level by level
+    quiet.cancel = task.cancel;
     forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
         const BakedFragment& parent = bake.fragments[work.parents[k]];
         work.breakings[k] =
-            brokenBy(patternFor(parent.id, level.pattern), {parent.solid.outline, parent.solid.depth}, single);
+            brokenBy(patternFor(parent.id, level.pattern), {parent.solid.outline, parent.solid.depth}, quiet);
     });
     return work;
 }
@@ -97,7 +90,8 @@ Status appendLevel(const Level& level, std::size_t first, const TaskContext& tas
 }  // namespace
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
-    Result<Breaking> first = brokenBy(asset.pattern, asset.prism, silent(task, task.threads));
+    Result<Breaking> first =
+        brokenBy(asset.pattern, asset.prism, task.stage(0.0, 1.0 / static_cast<double>(asset.levels.size() + 1)));
     if (!first) return ofAsset(asset, first.error());
     Bake result;
     result.asset = asset.id;

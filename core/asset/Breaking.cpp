@@ -14,13 +14,13 @@ Error ofAsset(const Asset& asset, const Error& error) {
 Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
     if (!valid) return valid.error();
-    Result<Seeds> seeds = seedsOf(pattern, valid->outline, task);
+    Result<Seeds> seeds = seedsOf(pattern, valid->outline, task.stage(0.0, 0.2));
     if (!seeds) return seeds.error();
-    Result<Delaunay> delaunay = triangulate(seeds->positions, task);
+    Result<Delaunay> delaunay = triangulate(seeds->positions, task.stage(0.2, 0.6));
     if (!delaunay) return delaunay.error();
-    Result<Partition> partition = voronoiPartition(valid->outline, *delaunay, task);
+    Result<Partition> partition = voronoiPartition(valid->outline, *delaunay, task.stage(0.6, 0.8));
     if (!partition) return partition.error();
-    Result<Fragments> fragments = extrudedFragments(*valid, *partition, task);
+    Result<Fragments> fragments = extrudedFragments(*valid, *partition, task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
     return Breaking{std::move(*valid), std::move(*seeds), std::move(*delaunay), std::move(*partition),
                     std::move(*fragments)};

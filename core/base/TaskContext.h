@@ -30,6 +30,14 @@ struct TaskContext {
     void report(double fraction) const {
         if (progress) progress(fraction);
     }
+    /// The same for a part of the work, whose progress is told between two fractions of the whole.
+    TaskContext stage(double from, double to) const {
+        TaskContext part = *this;
+        if (progress) {
+            part.progress = [whole = progress, from, to](double fraction) { whole(from + (to - from) * fraction); };
+        }
+        return part;
+    }
     /// The fault that a function returns when it was asked to stop.
     static Error cancelled() { return {ErrorCode::Cancelled, "Cancelled."}; }
 };

@@ -64,23 +64,16 @@ private:
     double m_sum = 0.0;
 };
 
-/// The same task with its progress between two fractions of the whole.
-TaskContext stage(const TaskContext& task, double from, double to) {
-    TaskContext context = task;
-    context.progress = [&task, from, to](double fraction) { task.report(from + (to - from) * fraction); };
-    return context;
-}
-
 Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
                  const TaskContext& task, AssetExport& result) {
     const Material& material = *findMaterial(project, asset.material);
-    Result<Bake> baked = bake(asset, stage(task, 0.0, 0.5));
+    Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
-    Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, stage(task, 0.5, 0.8));
+    Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, task.stage(0.5, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
     if (!meshes) return Error{meshes.error().code, "Asset \"" + asset.name + "\": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
-    files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, stage(task, 0.8, 0.9))});
+    files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, task.stage(0.8, 0.9))});
     result.fragmentCount = baked->fragments.size();
     result.volume = baked->whole.volume;
     result.reports = std::move(baked->reports);
