@@ -25,9 +25,9 @@ Result<std::vector<Polytope>> hullsOfWhole(const Prism& prism, const MassPropert
 }
 
 /// Appends what became of a fragment (kNone: of the whole), and names and places it.
-void append(const Breaking& breaking, std::uint32_t parent, Bake& bake) {
+void append(Breaking&& breaking, std::uint32_t parent, Bake& bake) {
     const std::string parentId = parent == kNone ? std::to_string(bake.asset) : bake.fragments[parent].id;
-    const std::vector<std::string> ids = fragmentIds(parentId, breaking);
+    std::vector<std::string> ids = fragmentIds(parentId, breaking);
     const Vec3 origin = parent == kNone ? Vec3{0.0, 0.0, 0.0} : bake.fragments[parent].solid.offset;
     const std::uint32_t level = parent == kNone ? 0 : bake.fragments[parent].level + 1;
     if (parent != kNone) {
@@ -35,13 +35,15 @@ void append(const Breaking& breaking, std::uint32_t parent, Bake& bake) {
         bake.fragments[parent].childCount = static_cast<std::uint32_t>(ids.size());
     }
     for (std::size_t k = 0; k < ids.size(); ++k) {
-        BakedFragment fragment{.id = ids[k], .parent = parent, .level = level};
+        BakedFragment& fragment = bake.fragments.emplace_back();
+        fragment.id = std::move(ids[k]);
+        fragment.parent = parent;
+        fragment.level = level;
         fragment.solid = std::move(breaking.fragments.fragments[k]);
         fragment.solid.offset += origin;
-        bake.fragments.push_back(std::move(fragment));
     }
-    for (const std::vector<Report>* reports : {&breaking.seeds.reports, &breaking.fragments.reports}) {
-        for (Report report : *reports) {
+    for (std::vector<Report>* reports : {&breaking.seeds.reports, &breaking.fragments.reports}) {
+        for (Report& report : *reports) {
             if (parent != kNone) report.message = "Fragment " + parentId + ": " + report.message;
             bake.reports.push_back(std::move(report));
         }
@@ -73,16 +75,16 @@ LevelWork brokenLevel(const Level& level, std::size_t first, const Bake& bake, c
 
 /// Breaks the fragments from `first` on by a level; a fragment that would give one piece stays whole.
 Status appendLevel(const Level& level, std::size_t first, const TaskContext& task, Bake& bake) {
-    const LevelWork work = brokenLevel(level, first, bake, task);
+    LevelWork work = brokenLevel(level, first, bake, task);
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
-        const Result<Breaking>& breaking = *work.breakings[k];
+        Result<Breaking>& breaking = *work.breakings[k];
         const std::uint32_t parent = work.parents[k];
         if (!breaking) {
             if (breaking.error().code == ErrorCode::Cancelled) return breaking.error();
             return Error{breaking.error().code,
                          "Fragment " + bake.fragments[parent].id + ": " + breaking.error().message};
         }
-        if (breaking->fragments.fragments.size() > 1) append(*breaking, parent, bake);
+        if (breaking->fragments.fragments.size() > 1) append(std::move(*breaking), parent, bake);
     }
     return success();
 }
@@ -100,7 +102,8 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     Result<std::vector<Polytope>> hulls = hullsOfWhole(first->prism, result.whole);
     if (!hulls) return ofAsset(asset, hulls.error());
     result.wholeHulls = std::move(*hulls);
-    append(*first, kNone, result);
+    result.fragments.reserve(first->fragments.fragments.size());
+    append(std::move(*first), kNone, result);
     result.seeds = std::move(first->seeds);
     result.partition = std::move(first->partition);
 

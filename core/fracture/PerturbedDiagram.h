@@ -50,7 +50,8 @@ private:
 inline constexpr double kConstructionError = 0x1p-48;
 
 /// Circumcentre of a counter-clockwise triangle, relative to `origin`, rounded: off by at most kConstructionError times
-/// the larger of `reach` and its own distance. Falls back to exact numbers where the triangle is thin.
+/// the larger of `reach` and its own distance. Falls back to exact numbers where the triangle is thin, unless the centre
+/// lies beyond `reach` in x or y anyway; then it is less exact, but beyond it.
 inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach);
 /// The same, from exact numbers.
 Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin);
@@ -67,8 +68,12 @@ inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach) {
     const double longest = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ac.x), std::abs(ac.y)});
     const double far = std::max(std::abs(offset.x), std::abs(offset.y));
     const double error = 8.0 * kRounding * longest * inverse * (bSquare + cSquare + 4.0 * longest * far);
-    const bool isSure = doubledArea > 0.0 && error <= kConstructionError * std::max(reach, far);
-    if (isSure) return (a - origin) + offset;
+    const Vec2 centre = (a - origin) + offset;
+    if (doubledArea > 0.0) {
+        if (error <= kConstructionError * std::max(reach, far)) return centre;
+        // Beyond the reach for certain: no piece has it as a corner. While error < far the bound holds to first order.
+        if (error < far && std::max(std::abs(centre.x), std::abs(centre.y)) - error > reach) return centre;
+    }
     return circumcentreExactly(a, b, c, origin);
 }
 

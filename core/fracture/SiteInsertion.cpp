@@ -26,6 +26,9 @@ struct Lifted {
 };
 double cross(const Lifted& a, const Lifted& b) { return a.x * b.y - a.y * b.x; }
 
+/// Of the triangle (a, b, p), positive where it is counter-clockwise. Rounded.
+double doubledArea(Vec2 a, Vec2 b, Vec2 p) { return (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x); }
+
 /// An edge of the cavity, which lies on its left. Lifted corners are named by their place in m_lifted.
 struct CavityEdge {
     std::uint32_t from;  // corner
@@ -91,7 +94,7 @@ private:
 
     bool isRightOf(std::uint32_t a, std::uint32_t b, Vec2 p) const {
         const Vec2 start = m_in.sites[a], end = m_in.sites[b];
-        const double determinant = (start.x - p.x) * (end.y - p.y) - (start.y - p.y) * (end.x - p.x);
+        const double determinant = doubledArea(start, end, p);
         if (determinant > m_in.orientBound) return false;
         if (determinant < -m_in.orientBound) return true;
         return orient2d(start, end, p) < 0;
@@ -195,6 +198,8 @@ private:
     /// The ghost triangle (a, b, infinity): the site lies left of a -> b, or on the open edge.
     bool isBehindHull(std::uint32_t a, std::uint32_t b, Vec2 p) const {
         const Vec2 start = m_in.sites[a], end = m_in.sites[b];
+        const double determinant = doubledArea(start, end, p);
+        if (std::abs(determinant) > m_in.orientBound) return determinant > 0.0;
         const int side = orient2d(start, end, p);
         if (side != 0) return side > 0;
         const bool alongX = start.x != end.x;
