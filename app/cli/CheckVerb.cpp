@@ -1,3 +1,4 @@
+#include "app/cli/CommonOptions.h"
 #include "app/cli/FragmentsText.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
@@ -12,7 +13,6 @@
 
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace rubble {
 namespace {
@@ -28,7 +28,7 @@ Examples:
 
 struct CheckArguments {
     std::string path;
-    int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    int threads = 1;
 };
 
 /// What the check of one asset found.
@@ -111,9 +111,7 @@ Verb addCheck(CLI::App& program) {
     command->add_option("PATH", arguments->path, "A project, a pack's folder, or its pack.json")
         ->required()
         ->type_name("");
-    command->add_option("--threads", arguments->threads, "How many threads to use: all processors if not given")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->option_text("N");
+    addThreadsOption(*command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return check(*arguments, context); }};
 }
 

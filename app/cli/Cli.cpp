@@ -1,5 +1,6 @@
 #include "app/cli/Cli.h"
 
+#include "app/cli/CommonOptions.h"
 #include "app/cli/Verb.h"
 
 #include <CLI/CLI.hpp>
@@ -22,9 +23,24 @@ Examples:
   rubble-cli draw wall.rubble --out wall.svg
   rubble-cli export wall.rubble --out packs)";
 
+std::string verbNames(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
+    return joinedText(names);
+}
+
+/// Says what is wrong with arguments that nothing takes.
+std::string extrasFault(const CLI::App& program) {
+    const std::vector<std::string> extras = program.remaining(true);
+    const bool isVerb = program.get_subcommands().empty() && !extras.front().starts_with('-');
+    if (isVerb) return '"' + extras.front() + "\" is no verb; the verbs are " + verbNames(program);
+    return "Not expected: " + joinedText(extras);
+}
+
 /// The first line of a fault, as one sentence that also says where help is.
 std::string usageSentence(const CLI::App& program, const CLI::ParseError& fault) {
-    std::string sentence = fault.what();
+    const bool hasExtras = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    std::string sentence = hasExtras ? extrasFault(program) : fault.what();
     sentence.erase(std::min(sentence.find('\n'), sentence.size()));
     while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.pop_back();
     std::string help = "rubble-cli";
@@ -48,9 +64,9 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // none is told below, in our words
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    program.get_formatter()->label("Subcommands", "Verbs");
     const std::vector<Verb> verbs = {addNew(program),    addImport(program), addFracture(program),
                                      addExport(program), addCheck(program),  addDraw(program)};
+    for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them back to front

@@ -1,4 +1,5 @@
 #include "app/cli/ChosenAssets.h"
+#include "app/cli/CommonOptions.h"
 #include "app/cli/Verb.h"
 #include "core/asset/Breaking.h"
 #include "core/fracture/Delaunay.h"
@@ -90,11 +91,11 @@ Verb addDraw(CLI::App& program) {
     command->footer(kFooter);
     command->add_option("FILE", options->file, "The project")->required()->type_name("");
     addAssetOption(*command, options->assets);
-    command->add_option("--out", options->out, "Where to write the picture; - or nothing for standard output")
+    command->add_option("--out", options->out, "Where to write the picture: standard output if not given, or -")
         ->option_text("FILE");
-    command->add_option("--show", options->shown, "What is drawn beside the outline, of cells, triangles and seeds")
+    command->add_option("--show", options->shown, "Only some of cells, triangles and seeds: all if not given")
         ->delimiter(',')
-        ->check(CLI::IsMember({"cells", "triangles", "seeds"}))
+        ->check(oneOf({"cells", "triangles", "seeds"}))
         ->option_text("WHAT,...");
     return {command, [options](const CliContext& context) { return draw(*options, context); }};
 }

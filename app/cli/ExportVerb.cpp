@@ -1,4 +1,5 @@
 #include "app/cli/ChosenAssets.h"
+#include "app/cli/CommonOptions.h"
 #include "app/cli/FragmentsText.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
@@ -9,7 +10,6 @@
 
 #include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,7 +32,7 @@ struct ExportArguments {
     std::vector<std::string> assets;
     Formats formats = Formats::Both;
     MeshOptions meshes;
-    int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    int threads = 1;
 };
 
 template <class Value>
@@ -52,9 +52,7 @@ void addChoice(CLI::App& command, const char* name, const char* help, const Choi
             if (word == chosen) value = meaning;
         }
     };
-    command.add_option_function<std::string>(name, choose, help)
-        ->check(CLI::IsMember(words).description(""))
-        ->option_text(label);
+    command.add_option_function<std::string>(name, choose, help)->check(oneOf(words))->option_text(label);
 }
 
 std::string summaryOf(const AssetExport& asset) {
@@ -68,7 +66,8 @@ Status told(const std::vector<AssetExport>& assets, const CliContext& context) {
     std::string summary;
     std::optional<Error> fault;
     for (const AssetExport& asset : assets) {
-        for (const Report& report : asset.reports) context.err << asset.name << ": " << report.message << '\n';
+        for (const Report& report : asset.reports)
+            context.err << "Asset \"" << asset.name << "\": " << report.message << '\n';
         if (asset.status) {
             summary += summaryOf(asset);
         } else if (fault) {
@@ -118,9 +117,7 @@ Verb addExport(CLI::App& program) {
                          {{"assembled", PartPlace::Assembled}, {"centred", PartPlace::Centred}}, meshes.place);
     addChoice<FaceShape>(*command, "--faces", "What OBJ files hold: polygons if not given",
                          {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
-    command->add_option("--threads", arguments->threads, "How many threads to use: all processors if not given")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->option_text("N");
+    addThreadsOption(*command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
 }
 

@@ -1,3 +1,4 @@
+#include "app/cli/CommonOptions.h"
 #include "app/cli/Verb.h"
 #include "core/io/FractureJson.h"
 
@@ -43,9 +44,10 @@ Verb addFracture(CLI::App& program) {
     CLI::App* command = program.add_subcommand("fracture", "Cut one outline into Voronoi cells, JSON to JSON");
     const auto options = std::make_shared<FractureOptions>();
     command->footer(kFooter);
-    command->add_option("FILE", options->input, "The input; - or nothing for standard input")->type_name("");
-    command->add_option("--method", options->method, "exact, or thesis: the reference method with its faults")
-        ->check(CLI::IsMember({"exact", "thesis"}))
+    command->add_option("FILE", options->input, "The input: standard input if not given, or -")->type_name("");
+    command
+        ->add_option("--method", options->method, "exact if not given; thesis is the reference method, with its faults")
+        ->check(oneOf({"exact", "thesis"}))
         ->option_text("exact|thesis");
     return {command, [options](const CliContext& context) { return fracture(*options, context); }};
 }

@@ -1,3 +1,4 @@
+#include "app/cli/CommonOptions.h"
 #include "app/cli/ImportSummary.h"
 #include "app/cli/Verb.h"
 #include "core/asset/AssetImport.h"
@@ -40,7 +41,19 @@ struct ImportVerbOptions {
     std::string fallback;
 };
 
-const std::map<std::string, double> kUnits = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}};
+const std::map<std::string, std::string> kUnits = {
+    {"mm", "0.001"}, {"cm", "0.01"}, {"m", "1"}, {"in", "0.0254"}, {"ft", "0.3048"}};
+
+/// Turns the name of a unit into metres; a sentence where the text is neither a name nor a number.
+std::string inMetres(std::string& text) {
+    double number = 0.0;
+    if (const auto unit = kUnits.find(text); unit != kUnits.end()) {
+        text = unit->second;
+    } else if (!CLI::detail::lexical_cast(text, number)) {
+        return '"' + text + "\" is neither mm, cm, m, in, ft nor a number of metres";
+    }
+    return {};
+}
 
 /// The project to import into and where it is to be written; a new one where there is none yet.
 struct Target {
@@ -100,21 +113,21 @@ Verb addImport(CLI::App& program) {
     CLI::App* command = program.add_subcommand("import", "Turn the objects of a mesh file into assets");
     const auto options = std::make_shared<ImportVerbOptions>();
     command->footer(kFooter);
-    command->add_option("FILE", options->mesh, "The mesh")->required()->type_name("");
+    command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
     command->add_option("--into", options->project, "The project to import into; made where there is none")
         ->option_text("PROJECT");
-    command->add_option("--unit", options->metresPerUnit, "What one unit of the mesh is, or how many metres")
-        ->transform(CLI::Transformer(kUnits).description(""))
+    command->add_option("--unit", options->metresPerUnit, "What one unit of the file is, by name or in metres")
+        ->transform(CLI::Validator(inMetres, ""))
         ->option_text("mm|cm|m|in|ft|NUMBER");
-    command->add_option("--up", options->up, "Which axis of the mesh is up, y unless given")
-        ->check(CLI::IsMember({"y", "z"}))
+    command->add_option("--up", options->up, "Which axis of the file is up: y if not given")
+        ->check(oneOf({"y", "z"}))
         ->option_text("y|z");
     command->add_option("--axis", options->axis, "Extrude along the axis nearest to this one (y is up)")
-        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->check(oneOf({"x", "y", "z"}))
         ->option_text("x|y|z");
     command->add_option("--asset", options->asset, "Import again into this asset, or make it")->option_text("NAME");
     command->add_option("--fallback", options->fallback, "What to take of an object that is no prism, along --axis")
-        ->check(CLI::IsMember({"silhouette", "cap"}))
+        ->check(oneOf({"silhouette", "cap"}))
         ->option_text("silhouette|cap");
     return {command, [options](const CliContext& context) { return import(*options, context); }};
 }

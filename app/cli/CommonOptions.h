@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Validator;
+}  // namespace CLI
+
+namespace rubble {
+
+/// Lets an option take these words only; what else is given is refused with all of them.
+CLI::Validator oneOf(const std::vector<std::string>& words);
+
+/// Adds --threads, which is all processors unless it is given.
+void addThreadsOption(CLI::App& command, int& threads);
+
+/// `words` as "a, b, c".
+std::string joinedText(const std::vector<std::string>& words);
+
+}  // namespace rubble
