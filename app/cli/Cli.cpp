@@ -72,7 +72,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them back to front
     } catch (const CLI::Success& request) {
         program.exit(request, context.out, context.err);
-        return kExitSuccess;
+        return endedBy(writeOutput("-", "", context), context);
     } catch (const CLI::ParseError& fault) {
         context.err << usageSentence(program, fault) << '\n';
         return kExitUsage;

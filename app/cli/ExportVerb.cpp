@@ -70,10 +70,10 @@ Status told(const std::vector<AssetExport>& assets, const CliContext& context) {
             context.err << "Asset \"" << asset.name << "\": " << report.message << '\n';
         if (asset.status) {
             summary += summaryOf(asset);
-        } else if (fault) {
-            fault->message += '\n' + asset.status.error().message;
-        } else {
+        } else if (!fault) {
             fault = asset.status.error();
+        } else if (!fault->message.ends_with(asset.status.error().message)) {  // one folder fails all of them alike
+            fault->message += '\n' + asset.status.error().message;
         }
     }
     if (const Status written = writeOutput("-", summary, context); !written) return written;

@@ -15,9 +15,17 @@ Error about(const std::string& name, Error error) {
     return error;
 }
 
+/// The name without capitals: "Wall" and "wall" would be one folder on some systems.
+std::string folded(std::string name) {
+    for (char& letter : name) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return name;
+}
+
 template <class Element>
 bool isTaken(const std::vector<Element>& elements, const std::string& name) {
-    return std::ranges::find(elements, name, &Element::name) != elements.end();
+    return std::ranges::any_of(elements, [&](const Element& element) { return folded(element.name) == folded(name); });
 }
 
 /// The name, or the first of "name 2", "name 3", ... that is free.

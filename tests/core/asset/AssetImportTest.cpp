@@ -66,6 +66,13 @@ private slots:
         QCOMPARE(project.assets[0].material, 2u);
         QCOMPARE(project.assets[1].material, 1u);  // without a name: the project's first
     }
+    /// Assets that differ in capitals only could not be exported side by side.
+    void namesThatDifferInCapitalsAreTaken() {
+        const SourceScene scene = sceneOf({objectOf("wall", wallMesh()), objectOf("Wall", wallMesh())});
+        const ImportOutcome outcome = imported({}, scene);
+        QCOMPARE(outcome.project.assets[1].name, std::string("Wall 2"));
+        QCOMPARE(outcome.project.instances[1].name, std::string("Wall 2"));
+    }
     void namesThatAreTakenAreNumberedAndTold() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Wall", wallMesh())});
         const ImportOutcome outcome = imported({}, scene);
