@@ -11,7 +11,9 @@ namespace rubble {
 namespace {
 
 constexpr std::uint32_t kGhost = Delaunay::kGhost;
+constexpr std::size_t kScratch = 64;
 constexpr std::uint32_t kNowhere = 0xffffffffu;
+constexpr std::uint32_t kNoExit = 3;
 constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kInsertionsBetweenCancelChecks = 4096;
 
@@ -74,22 +76,33 @@ private:
     std::uint32_t triangleHolding(std::uint32_t site) const {
         const Vec2 p = m_in.sites[site];
         std::uint32_t triangle = m_last;
-        int entered = -1;
-        for (;;) {
-            const Delaunay::Triangle& here = m_in.triangles[triangle];
-            int leaveBy = -1;
-            for (int k = 0; k < 3 && leaveBy < 0; ++k) {
-                if (k != entered && isRightOf(here.corner[k], here.corner[k == 2 ? 0 : k + 1], p)) leaveBy = k;
-            }
-            if (leaveBy < 0) return triangle;
-            const std::uint32_t across = here.twin[leaveBy];
+        const std::uint32_t* corner = m_in.triangles[triangle].corner;
+        std::uint32_t leaveBy = isRightOf(corner[0], corner[1], p) ? 0 : exitBeside(triangle, 0, p);
+        while (leaveBy != kNoExit) {
+            const std::uint32_t across = m_in.triangles[triangle].twin[leaveBy];
             triangle = across >> 2;
-            entered = static_cast<int>(across & 3);
-            const Delaunay::Triangle& there = m_in.triangles[triangle];
-            const std::uint32_t apex = there.corner[entered == 0 ? 2 : entered - 1];
+            const std::uint32_t apex = m_in.triangles[triangle].corner[kNext[kNext[across & 3]]];
             if (!m_range.owns(apex)) return kNowhere;
             if (apex == kGhost) return triangle;
+            leaveBy = exitBeside(triangle, across & 3, p);
         }
+        return triangle;
+    }
+
+    /// Which of the triangle's edges other than `entered` has the point on its outer side. Both are tested at once and
+    /// chosen from without a branch: which one it is cannot be predicted.
+    std::uint32_t exitBeside(std::uint32_t triangle, std::uint32_t entered, Vec2 p) const {
+        const std::uint32_t* corner = m_in.triangles[triangle].corner;
+        const std::uint32_t left = kNext[entered], right = kNext[left];
+        const Vec2 apex = m_in.sites[corner[right]];
+        const double toLeft = doubledArea(m_in.sites[corner[left]], apex, p);
+        const double toRight = doubledArea(apex, m_in.sites[corner[entered]], p);
+        if (std::min(std::abs(toLeft), std::abs(toRight)) <= m_in.orientBound) {
+            if (isRightOf(corner[left], corner[right], p)) return left;
+            return isRightOf(corner[right], corner[entered], p) ? right : kNoExit;
+        }
+        const std::uint32_t leftOrRight = toLeft < 0.0 ? left : right;
+        return std::min(toLeft, toRight) < 0.0 ? leftOrRight : kNoExit;
     }
 
     bool isRightOf(std::uint32_t a, std::uint32_t b, Vec2 p) const {
@@ -106,8 +119,9 @@ private:
     /// The stack gives reached edges back counter-clockwise: an edge is boundary, or gives way to the two behind it. Those
     /// are tested together, because their determinants do not wait for each other.
     bool openCavity(std::uint32_t site, std::uint32_t first) {
-        m_boundary.clear();
-        m_slots.assign(1, first);
+        m_boundaryCount = 0;
+        m_slotCount = 1;
+        m_slots[0] = first;
         m_liftedCount = 3;
         m_leavesRange = false;
         const Delaunay::Triangle& triangle = m_in.triangles[first];
@@ -117,11 +131,11 @@ private:
         }
         for (std::size_t top = 3; top > 0 && !m_leavesRange;) {
             if (m_reached[top - 1].inConflict) {
-                growScratch(top);
+                if (m_liftedCount + 2 >= m_lifted.size()) growScratch();
                 openBehind(site, top++);
             } else {
                 --top;
-                m_boundary.push_back({m_reached[top].edge.from, m_reached[top].outer});
+                m_boundary[m_boundaryCount++] = {m_reached[top].edge.from, m_reached[top].outer};
             }
         }
         return !m_leavesRange;
@@ -134,42 +148,47 @@ private:
         const CavityEdge edge = {reached.edge.from, reached.edge.fromLifted, reached.edge.toLifted};
         const std::uint32_t outer = reached.outer, apex = reached.apex, apexLifted = reached.apexLifted;
         const Delaunay::Triangle& behind = m_in.triangles[outer >> 2];
-        m_slots.push_back(outer >> 2);
+        m_slots[m_slotCount++] = outer >> 2;
         const std::uint32_t right = kNext[outer & 3], left = kNext[right];
         lookBehind(site, behind.twin[left], {apex, apexLifted, edge.toLifted}, m_reached[top - 1]);
         lookBehind(site, behind.twin[right], {edge.from, edge.fromLifted, apexLifted}, m_reached[top]);
     }
 
-    void growScratch(std::size_t top) {
-        if (top + 1 >= m_reached.size()) m_reached.resize(2 * m_reached.size());
-        if (m_liftedCount + 2 >= m_lifted.size()) m_lifted.resize(2 * m_lifted.size());
+    /// Every entry of the scratch arrays comes with a lifted corner.
+    [[gnu::noinline]] void growScratch() {
+        const std::size_t size = 2 * m_lifted.size();
+        m_reached.resize(size);
+        m_lifted.resize(size);
+        m_slots.resize(size);
+        m_boundary.resize(size);
     }
 
     Lifted lifted(std::uint32_t corner, std::uint32_t site) const {
-        if (corner == kGhost) return {0.0, 0.0, 0.0};
+        if (corner == kGhost) return {0.0, 0.0, m_in.ghostSquare};
         const double x = m_in.sites[corner].x - m_in.sites[site].x, y = m_in.sites[corner].y - m_in.sites[site].y;
         return {x, y, x * x + y * y};
     }
 
-    /// Finds out what lies behind an edge of the cavity. A range reaches a triangle through two corners of its own, so that
+    /// Finds out what lies behind an edge of the cavity. The ghost is at (0, 0, ghostSquare), so that the determinant of a
+    /// ghost triangle is the orientation of its edge and the site, in the scale of inCircleBound. A range reaches a triangle through two corners of its own, so that
     /// it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile, but for the twin
     /// behind this very edge.
     void lookBehind(std::uint32_t site, std::uint32_t outer, CavityEdge edge, ReachedEdge& reached) {
         const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
-        const std::uint32_t to = triangle.corner[outer & 3], apex = triangle.corner[kNext[kNext[outer & 3]]];
+        const std::uint32_t apex = triangle.corner[kNext[kNext[outer & 3]]];
         const std::uint32_t apexLifted = m_liftedCount++;
         const Lifted &a = m_lifted[edge.fromLifted], &b = m_lifted[edge.toLifted];
         const Lifted c = m_lifted[apexLifted] = lifted(apex, site);
         const double determinant = b.square * cross(a, c) + a.square * cross(c, b) + c.square * cross(b, a);
-        const bool hasGhost = edge.from == kGhost || to == kGhost || apex == kGhost;
-        const bool isSure = std::abs(determinant) > m_in.inCircleBound && !hasGhost;
+        const bool isSure = std::abs(determinant) > m_in.inCircleBound;
         reached.edge.from = edge.from;
         reached.edge.fromLifted = edge.fromLifted;
         reached.edge.toLifted = edge.toLifted;
         reached.outer = outer;
         reached.apex = apex;
         reached.apexLifted = apexLifted;
-        reached.inConflict = isSure ? determinant > 0.0 : isInConflict(site, {to, edge.from, apex});
+        reached.inConflict =
+            isSure ? determinant > 0.0 : isInConflict(site, {triangle.corner[outer & 3], edge.from, apex});
         m_leavesRange |= reached.inConflict && !m_range.owns(apex);
     }
 
@@ -207,19 +226,19 @@ private:
         return (from < at && at < to) || (to < at && at < from);
     }
 
-    void takeSlots(std::size_t count) {
+    void takeSlots(std::uint32_t count) {
         for (; count > 0; --count) {
             while (m_free[m_nextFree].begin == m_free[m_nextFree].end) ++m_nextFree;
-            m_slots.push_back(m_free[m_nextFree].begin++);
+            m_slots[m_slotCount++] = m_free[m_nextFree].begin++;
         }
     }
 
     /// Fans the cavity's boundary out from the site, in the cavity's slots and two more.
     void fillCavity(std::uint32_t site) {
-        takeSlots(m_boundary.size() - m_slots.size());
-        const std::size_t count = m_boundary.size();
+        takeSlots(m_boundaryCount - m_slotCount);
+        const std::uint32_t count = m_boundaryCount;
         std::uint32_t previous = m_slots[count - 1];
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t slot = m_slots[i];
             const std::uint32_t following = m_slots[i + 1 < count ? i + 1 : 0];
             const BoundaryEdge& edge = m_boundary[i];
@@ -237,12 +256,13 @@ private:
     std::vector<FreeSlots>& m_free;
     std::size_t m_nextFree = 0;  // in m_free
 
-    std::vector<ReachedEdge> m_reached = std::vector<ReachedEdge>(64);  // a stack
-    std::vector<Lifted> m_lifted = std::vector<Lifted>(64);             // corners seen from the new site
-    std::uint32_t m_liftedCount = 0;
+    // Scratch, all of one size.
+    std::vector<ReachedEdge> m_reached = std::vector<ReachedEdge>(kScratch);  // a stack
+    std::vector<Lifted> m_lifted = std::vector<Lifted>(kScratch);             // corners seen from the new site
+    std::vector<std::uint32_t> m_slots = std::vector<std::uint32_t>(kScratch);
+    std::vector<BoundaryEdge> m_boundary = std::vector<BoundaryEdge>(kScratch);
+    std::uint32_t m_liftedCount = 0, m_slotCount = 0, m_boundaryCount = 0;
     bool m_leavesRange = false;  // whether a triangle in conflict is not the range's
-    std::vector<std::uint32_t> m_slots;
-    std::vector<BoundaryEdge> m_boundary;
 };
 
 template <class Range>
@@ -266,6 +286,7 @@ Triangulation::Triangulation(Delaunay& delaunay)
     const double product = size.x * size.y;
     orientBound = 2.0 * kOrientBound * product;
     inCircleBound = 6.0 * kInCircleBound * product * (size.x * size.x + size.y * size.y);
+    ghostSquare = 0.5 * inCircleBound / orientBound;
 }
 
 void insertSites(const Triangulation& triangulation, std::uint32_t start, InsertionWork& work,

@@ -39,6 +39,7 @@ struct Triangulation {
     Delaunay::Triangle* triangles;  // 2n - 2, those in free slots unset
     double orientBound;             // determinants above these have the right sign, whichever sites they are of
     double inCircleBound;
+    double ghostSquare;  // what turns orientBound into half of inCircleBound
 };
 
 /// Sites that are to be inserted, and where their triangles go.
