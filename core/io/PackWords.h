@@ -8,9 +8,10 @@
 
 namespace rubble {
 
+/// How a pack names itself, and its version.
 inline constexpr FileFormat kPackFormat{.name = "rubble-pack", .noun = "pack", .version = kPackVersion};
 
-// The words of pack.json, in the order of their enumerators.
+/// The words of pack.json, in the order of their enumerators.
 inline constexpr std::array<std::string_view, 3> kMeshBodies{"whole", "fragments", "fragment"};
 inline constexpr std::array<std::string_view, 2> kMeshPlaces{"assembled", "centred"};
 
