@@ -2,26 +2,13 @@
 
 #include "core/base/Parallel.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rubble {
 
 namespace {
 
-constexpr double kCoincident = 0x1p-46;  // of the reach; four times what two constructions can be off
 constexpr std::size_t kTrianglesInPart = 16384;
-
-/// An origin that can be subtracted from the outline without rounding: an axis keeps 0 unless the outline lies farther
-/// from it than it is wide, and then all its coordinates are within a factor of two of each other.
-Vec2 exactOrigin(const Polygon& outline) {
-    const Box2 box = boundsOf(outline.outer);
-    const auto isFar = [](double min, double max) {
-        return std::min(std::abs(min), std::abs(max)) >= max - min && min * max > 0.0;
-    };
-    return {isFar(box.min.x, box.max.x) ? outline.outer[0].x : 0.0,
-            isFar(box.min.y, box.max.y) ? outline.outer[0].y : 0.0};
-}
 
 std::size_t partsOf(const Delaunay& delaunay) {
     return (delaunay.triangles.size() + kTrianglesInPart - 1) / kTrianglesInPart;
@@ -40,16 +27,6 @@ PointNumbers pointNumbers(const Delaunay& delaunay, const OutlineTrace& trace) {
     numbers.crossings = numbers.vertices + static_cast<std::uint32_t>(trace.vertices.size());
     numbers.count = numbers.crossings + static_cast<std::uint32_t>(trace.crossings.size());
     return numbers;
-}
-
-PointFrame frameOf(const Polygon& outline) {
-    PointFrame frame;
-    frame.origin = exactOrigin(outline);
-    for (const Vec2 point : outline.outer) {
-        frame.reach = std::max({frame.reach, std::abs(point.x - frame.origin.x), std::abs(point.y - frame.origin.y)});
-    }
-    frame.joinDistance = kCoincident * frame.reach;
-    return frame;
 }
 
 void computeCorners(const Delaunay& delaunay, const PointFrame& frame, int threads, RawVector<Vec2>& points) {

@@ -2,6 +2,7 @@
 
 #include "core/base/RawVector.h"
 #include "core/fracture/OutlineTrace.h"
+#include "core/geometry/PointFrame.h"
 
 #include <array>
 #include <cstdint>
@@ -17,20 +18,6 @@ struct PointNumbers {
     std::uint32_t count = 0;
 };
 PointNumbers pointNumbers(const Delaunay& delaunay, const OutlineTrace& trace);
-
-/// Where points are measured from, and how far they lie from there.
-struct PointFrame {
-    Vec2 origin{0.0, 0.0};
-    double reach = 0.0;         // the outline's largest coordinate relative to the origin
-    double joinDistance = 0.0;  // points that are nearer in x and in y are one
-
-    bool areOne(Vec2 a, Vec2 b) const {
-        return std::abs(a.x - b.x) <= joinDistance && std::abs(a.y - b.y) <= joinDistance;
-    }
-};
-
-/// The frame for an outline. Subtracting its origin from the outline's points does not round.
-PointFrame frameOf(const Polygon& outline);
 
 /// The Voronoi corners, each rounded once, relative to the frame; of ghost triangles, infinity. Writes them to the first
 /// places of `points`, in up to `threads` threads at a time.

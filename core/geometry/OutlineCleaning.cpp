@@ -12,17 +12,10 @@ namespace {
 
 bool isBefore(Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-double distanceFromSegment(Vec2 point, Vec2 from, Vec2 to) {
-    const Vec2 along = to - from;
-    const double squared = glm::dot(along, along);
-    const double share = squared > 0.0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
-    return glm::distance(point, from + share * along);
-}
-
 double distanceFromRing(const Ring& ring, Vec2 point) {
     double nearest = 1e308;
     for (std::size_t i = 0; i < ring.size(); ++i)
-        nearest = std::min(nearest, distanceFromSegment(point, ring[i], ring[(i + 1) % ring.size()]));
+        nearest = std::min(nearest, distanceFromEdge(point, ring[i], ring[(i + 1) % ring.size()]));
     return nearest;
 }
 
@@ -47,7 +40,7 @@ Ring withoutStraightCorners(std::span<const Vec2> ring, double tolerance) {
     for (std::size_t end = 2; end <= corners.size(); ++end) {
         bool isStraight = true;
         for (std::size_t i = start + 1; i < end && isStraight; ++i)
-            isStraight = distanceFromSegment(corner(i), corner(start), corner(end)) <= tolerance;
+            isStraight = distanceFromEdge(corner(i), corner(start), corner(end)) <= tolerance;
         if (isStraight) continue;
         start = end - 1;
         kept.push_back(corners[start]);
@@ -75,6 +68,13 @@ Polygon fromSmallestCorners(Polygon polygon) {
     std::ranges::for_each(polygon.holes, beginAtSmallest);
     std::ranges::sort(polygon.holes, isBefore, [](const Ring& ring) { return ring[0]; });
     return polygon;
+}
+
+double distanceFromEdge(Vec2 point, Vec2 from, Vec2 to) {
+    const Vec2 along = to - from, offset = point - from;
+    const double squared = glm::dot(along, along);
+    const double share = squared > 0.0 ? std::clamp(glm::dot(offset, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(offset, share * along);
 }
 
 double distanceFromBoundary(const Polygon& polygon, Vec2 point) {

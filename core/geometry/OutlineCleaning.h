@@ -27,5 +27,7 @@ double distanceBetween(const Polygon& a, const Polygon& b);
 double distanceFromBoundary(const Polygon& polygon, const std::vector<Ring>& rings);
 /// The distance of a point from the nearest edge, m.
 double distanceFromBoundary(const Polygon& polygon, Vec2 point);
+/// The distance of a point from an edge, m; off by a few roundings of the longer of its offset and the edge.
+double distanceFromEdge(Vec2 point, Vec2 from, Vec2 to);
 
 }  // namespace rubble

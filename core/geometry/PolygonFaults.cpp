@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/geometry/EdgeSweep.h"
+#include "core/geometry/NarrowPlaces.h"
 #include "core/geometry/Predicates.h"
 
 #include <algorithm>
@@ -167,13 +168,33 @@ std::vector<PolygonFault> allFaults(const Polygon& polygon, std::size_t most) {
     return faults;
 }
 
+std::string narrowText(const NumberedCorners& corners, const NarrowPlace& narrow, const Clearance& clearance) {
+    const RingPoint first = placeOf(corners, narrow.corner), second = placeOf(corners, narrow.other);
+    const std::string a = std::to_string(first.point), b = std::to_string(second.point);
+    const std::string name = ringName(first.ring), where = ", at " + at(corners.points[narrow.corner]);
+    const std::string distance = roundedText(clearance.distance, 2) + " m";
+    switch (narrow.kind) {
+        case NarrowPlace::Kind::ShortEdge:
+            return "points " + a + " and " + b + " of " + name + " are nearer than " + distance + where +
+                   ": leave one of them out";
+        case NarrowPlace::Kind::SharpCorner:
+            return name + " is too sharp at its point " + a + where + ": its edges must be more than " +
+                   roundedText(clearance.sine, 2) + " rad apart";
+        case NarrowPlace::Kind::CornerNearEdge: break;
+    }
+    const std::string end = std::to_string(placeOf(corners, corners.next[narrow.other]).point);
+    return "point " + a + " of " + name + " is nearer than " + distance + " to the edge from point " + b + " to " +
+           end + " of " + ringName(second.ring) + where + ": move it away or leave it out";
+}
+
 ErrorCode codeOf(PolygonFaultKind kind) {
     switch (kind) {
         case PolygonFaultKind::NotFinite:
         case PolygonFaultKind::OutOfRange:
         case PolygonFaultKind::TooFewPoints:
         case PolygonFaultKind::RepeatedPoint: return ErrorCode::BadInput;
-        case PolygonFaultKind::ZeroArea: return ErrorCode::Degenerate;
+        case PolygonFaultKind::ZeroArea:
+        case PolygonFaultKind::TooNear: return ErrorCode::Degenerate;
         case PolygonFaultKind::Crossing:
         case PolygonFaultKind::Touching:
         case PolygonFaultKind::HoleOutside:
@@ -191,9 +212,21 @@ std::vector<PolygonFault> polygonFaults(const Polygon& polygon, int most) {
     return faults;
 }
 
+std::optional<PolygonFault> narrowFault(const Polygon& polygon) {
+    const NumberedCorners corners = numberedCorners(polygon);
+    const Clearance clearance = clearanceOf(polygon);
+    const std::vector<NarrowPlace> places = narrowPlaces(corners, clearance);
+    if (places.empty()) return std::nullopt;
+    const NarrowPlace& first = places[0];
+    return PolygonFault{PolygonFaultKind::TooNear, placeOf(corners, first.corner), placeOf(corners, first.other),
+                        corners.points[first.corner], sentence(narrowText(corners, first, clearance))};
+}
+
 Result<Polygon> validated(Polygon polygon) {
     const std::vector<PolygonFault> faults = polygonFaults(polygon);
     if (!faults.empty()) return Error{codeOf(faults[0].kind), faults[0].message};
+    if (const std::optional<PolygonFault> fault = narrowFault(polygon))
+        return Error{codeOf(fault->kind), fault->message};
     return withCanonicalWinding(std::move(polygon));
 }
 

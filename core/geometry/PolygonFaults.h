@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/geometry/Polygon.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ enum class PolygonFaultKind {
     Touching,       // a point or an edge lies on an edge it is not joined to, or two points coincide
     HoleOutside,    // a hole lies outside the outline
     HolesOverlap,   // a hole lies inside another
+    TooNear,        // places of the boundary are nearer than its clearance: NarrowPlaces.h
 };
 
 /// Which point of which ring: ring 0 is the outer one, ring k hole k - 1.
@@ -36,16 +38,19 @@ struct PolygonFault {
     std::string message;  // "The outline crosses itself between points 4 and 9, at (0.5, 2)."
 };
 
-/// Every fault of the polygon (at most `most` >= 1), in the order of rings and points; empty where it can be
-/// fractured. Decided exactly. O(n log n) for n points, O(most · n) where there are faults. Crossings are looked for
+/// Every fault of the polygon (at most `most` >= 1), in the order of rings and points; empty where there is
+/// none. Decided exactly. O(n log n) for n points, O(most · n) where there are faults. Crossings are looked for
 /// only where no ring has a fault of its own points, the nesting of rings only where none cross or touch.
 /// Sentences count points and holes from 0, as files do.
 std::vector<PolygonFault> polygonFaults(const Polygon& polygon, int most = 64);
 
+/// What makes a polygon without polygonFaults() too narrow to be cut: the first of its narrowPlaces().
+std::optional<PolygonFault> narrowFault(const Polygon& polygon);
+
 /// The polygon in canonical winding.
 ///
-/// Errors: BadInput (not finite, out of range, too few points, repeated point), Degenerate (zero area), Crossing
-/// (crossing, touching, hole outside or overlapping), each with the sentence of the first fault.
+/// Errors: BadInput (not finite, out of range, too few points, repeated point), Degenerate (zero area, too near),
+/// Crossing (crossing, touching, hole outside or overlapping), each with the sentence of the first fault.
 Result<Polygon> validated(Polygon polygon);
 
 }  // namespace rubble

@@ -3,14 +3,10 @@
 #include "core/fracture/ThesisMethod.h"
 #include "core/fracture/Verify.h"
 #include "core/fracture/VoronoiPartition.h"
-#include "core/geometry/NumberedCorners.h"
 #include "core/io/FractureJson.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,28 +32,6 @@ inline std::size_t cornersOf(const Polygon& polygon) {
     return corners;
 }
 
-inline double distanceToEdge(Vec2 point, Vec2 from, Vec2 to) {
-    const Vec2 along = to - from;
-    const double share = std::clamp(glm::dot(point - from, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::distance(point, from + share * along);
-}
-
-/// True where a corner of the outline is nearer to an edge that is not its own than what all is held to: nothing is
-/// promised of such needles but that they are cut, and that nothing crashes or hangs.
-inline bool hasNeedles(const Polygon& outline) {
-    const NumberedCorners corners = numberedCorners(outline);
-    const double least = kLeastSharedEdge * boundsOf(outline.outer).diagonal();
-    for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
-        const std::uint32_t end = corners.next[edge];
-        for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner) {
-            if (corner == edge || corner == end) continue;
-            if (!(distanceToEdge(corners.points[corner], corners.points[edge], corners.points[end]) > least))
-                return true;
-        }
-    }
-    return false;
-}
-
 /// Every stage of cutting a prism.
 inline Sentence stageFault(const FractureInput& input) {
     const Result<Delaunay> delaunay = triangulate(input.seeds);
@@ -81,8 +55,7 @@ inline Sentence fractureFault(std::string_view bytes) {
         const Result<std::string> json = fractureJson(*input, method);
         if (!json) return refusalFault(json.error());
     }
-    const Sentence fault = stageFault(*input);
-    return hasNeedles(input->prism.outline) ? std::nullopt : fault;
+    return stageFault(*input);
 }
 
 /// A project that is read must come back from its own text, and the text from it.

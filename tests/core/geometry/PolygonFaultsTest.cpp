@@ -274,6 +274,30 @@ private slots:
         polygon.holes = {rectangle({2, 2}, {3, 3})};
         QVERIFY(validated(polygon).error().code == ErrorCode::Crossing);
     }
+    void namesNarrowPlaces() {
+        const auto message = [](const Polygon& polygon) {
+            const Result<Polygon> valid = validated(polygon);
+            return valid ? std::string() : valid.error().message;
+        };
+        const double least = 0x1p-42;  // 2^-44 of a reach of 4
+        const auto notched = [](double y) { return Polygon{{{0, 0}, {4, 0}, {4, 4}, {2, y}, {0, 4}}, {}}; };
+        QCOMPARE(message(notched(least)),
+                 std::string("Point 3 of the outline is nearer than 2.3e-13 m to the edge from "
+                             "point 0 to 1 of the outline, at (2, 2.2737367544323206e-13): "
+                             "move it away or leave it out."));
+        QCOMPARE(message(notched(1.01 * least)), std::string());
+        const auto cut = [](double x) { return Polygon{{{0, 0}, {4, 0}, {4, 4}, {x, 4}, {0, 4}}, {}}; };
+        QCOMPARE(message(cut(least)), std::string("Points 3 and 4 of the outline are nearer than 2.3e-13 m, at "
+                                                  "(2.2737367544323206e-13, 4): leave one of them out."));
+        QCOMPARE(message(cut(1.01 * least)), std::string());
+        const auto spike = [](double y) { return Polygon{{{0, 0}, {4, 0}, {4, y}}, {}}; };
+        QVERIFY(message(spike(1e-4)).starts_with("The outline is too sharp at its point 0, at (0, 0): its edges must"));
+        QCOMPARE(message(spike(3e-4)), std::string());
+        Polygon holed{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {rectangle({least / 2.0, 1.0}, {2.0, 2.0})}};
+        QVERIFY(
+            message(holed).starts_with("Point 0 of hole 0 is nearer than 2.3e-13 m to the edge from point 3 to 0 "
+                                       "of the outline, at (1.13"));
+    }
     void agreesWithTheOracleOnRandomLatticePolygons() {
         const std::uint64_t seed = 20240607;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
