@@ -81,9 +81,23 @@ private:
                     const std::uint32_t next = corner + 1 < m_cut.ringEnds[ring] ? corner + 1 : begin;
                     noteIfCoincident(m_cut.corners[corner].point, m_cut.corners[next].point);
                 }
+                noteNarrowTip(std::span(m_cut.corners).subspan(begin, corner - begin));
                 endRing();
             }
             endPiece();
+        }
+    }
+
+    /// A cell's edge may cut a tip off the outline where that is too narrow for two points, though longer than wide: it
+    /// becomes a line without width, which only the outline's own vertex may stand for.
+    void noteNarrowTip(std::span<const PieceCorner> ring) {
+        if (ring.size() != 3) return;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t tip = ring[k].point, a = ring[(k + 1) % 3].point, b = ring[(k + 2) % 3].point;
+            const bool isOutlines = tip >= m_sources.numbers.vertices && tip < m_sources.numbers.crossings;
+            if (!isOutlines || !m_sources.frame.areOne(m_sources.points[a], m_sources.points[b])) continue;
+            m_stretch.coincident.push_back({tip, a});
+            m_stretch.coincident.push_back({tip, b});
         }
     }
 

@@ -1,6 +1,8 @@
 #include "core/fracture/VoronoiPartition.h"
 
 #include "core/base/Random.h"
+#include "core/base/Trigonometry.h"
+#include "core/geometry/PointFrame.h"
 #include "tests/support/VerifiedPartition.h"
 
 #include <QTest>
@@ -78,6 +80,18 @@ private slots:
             QCOMPARE(partition->pieceCount(), 2u);
             QCOMPARE(partition->corners.size(), std::size_t{9});
             QCOMPARE(faultOf(kEll, seeds), std::string());
+        }
+    }
+    void theTipOfASharpCornerIsNotLost() {
+        // A cell's edge cuts off a tip that is narrower than two points can be, and longer.
+        for (const double degrees : {2.0, 10.0, 30.0, 44.0}) {
+            const double angle = degrees * 3.14159265 / 180.0;
+            const Polygon outline = {{{0, 0}, {1, 0}, {cosine(angle), sine(angle)}}, {}};
+            const Vec2 along = {cosine(angle / 2.0), sine(angle / 2.0)};
+            for (const double times : {0.5, 0.99, 1.01, 2.0, 4.0}) {
+                const double tip = times * kJoinedPart / (2.0 * sine(angle / 2.0));
+                QCOMPARE(faultOf(outline, {0.5 * tip * along, 1.5 * tip * along}), std::string());
+            }
         }
     }
     void farFromTheOriginNothingIsLost() {
