@@ -1,6 +1,7 @@
 #include "core/asset/AssetImport.h"
 
 #include "core/asset/ImportedSolid.h"
+#include "core/asset/Names.h"
 #include "core/base/MessageText.h"
 
 #include <algorithm>
@@ -13,27 +14,6 @@ namespace {
 Error about(const std::string& name, Error error) {
     error.message = "\"" + name + "\": " + error.message;
     return error;
-}
-
-/// The name without capitals: "Wall" and "wall" would be one folder on some systems.
-std::string folded(std::string name) {
-    for (char& letter : name) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return name;
-}
-
-template <class Element>
-bool isTaken(const std::vector<Element>& elements, const std::string& name) {
-    return std::ranges::any_of(elements, [&](const Element& element) { return folded(element.name) == folded(name); });
-}
-
-/// The name, or the first of "name 2", "name 3", ... that is free.
-template <class Element>
-std::string freeName(const std::vector<Element>& elements, const std::string& name) {
-    std::string result = name;
-    for (int number = 2; isTaken(elements, result); ++number) result = name + " " + std::to_string(number);
-    return result;
 }
 
 /// The parts to be imported, by their assets' names.

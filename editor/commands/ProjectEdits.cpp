@@ -1,0 +1,187 @@
+#include "editor/commands/ProjectEdits.h"
+
+#include "core/asset/Names.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kDensityOfStone = 2400.0;  // kg/m^3
+constexpr double kGapBetweenAssets = 0.25;  // m, between a new asset and what is in the scene already
+
+QString tr(const char* text, int count = -1) {
+    return QCoreApplication::translate("ProjectEdits", text, nullptr, count);
+}
+
+bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
+
+template <class Value>
+const Value& elementWith(const std::vector<Value>& elements, Id id) {
+    return *std::ranges::find(elements, id, &Value::id);
+}
+
+template <class Value>
+void addRemoval(Id id, Edit& edit) {
+    edit.swaps.push_back(Swap<Value>{id, std::nullopt});
+}
+
+/// Half the width, at most, that an asset's outline takes in any turn about the vertical.
+double reachOf(const Asset& asset) {
+    double reach = asset.prism.depth / 2.0;
+    for (const Vec2 corner : asset.prism.outline.outer) reach = std::max(reach, std::abs(corner.x));
+    return reach;
+}
+
+/// Upright on the ground, to the right of everything.
+Pose besideAll(const Project& project, const Asset& asset) {
+    double right = -reachOf(asset) - kGapBetweenAssets;
+    for (const Instance& instance : project.instances) {
+        const Asset& other = elementWith(project.assets, instance.asset);
+        right = std::max(right, instance.pose.position.x + reachOf(other));
+    }
+    const double bottom = boundsOf(asset.prism.outline.outer).min.y;
+    return {.position = {right + kGapBetweenAssets + reachOf(asset), project.ground.height - bottom, 0.0}};
+}
+
+/// Takes the play-tests' expectations on removed instances and their removed shots out.
+void removeFromPlayTests(const Project& project, std::span<const Id> instances, std::span<const Id> shots, Edit& edit) {
+    for (const PlayTest& test : project.playTests) {
+        PlayTest rest = test;
+        std::erase_if(rest.shots, [&](Id shot) { return isAmong(shots, shot); });
+        std::erase_if(rest.expectations,
+                      [&](const Expectation& expectation) { return isAmong(instances, expectation.instance); });
+        if (rest != test) edit.swaps.push_back(Swap<PlayTest>{rest.id, std::move(rest)});
+    }
+}
+
+std::vector<Id> shotsThrowing(const Project& project, std::span<const Id> assets) {
+    std::vector<Id> shots;
+    for (const Shot& shot : project.shots) {
+        const auto* thrown = std::get_if<Throw>(&shot.action);
+        if (thrown && thrown->kind == ProjectileKind::Asset && isAmong(assets, thrown->asset)) shots.push_back(shot.id);
+    }
+    return shots;
+}
+
+Id appendMaterial(const Project& project, const std::string& name, Edit& edit) {
+    const Id id = edit.takeId(project);
+    edit.swaps.push_back(
+        Swap<Material>{id, Material{.id = id, .name = freeName(project.materials, name), .density = kDensityOfStone}});
+    return id;
+}
+
+/// The project's first material; one that is added where there is none.
+Id firstMaterial(const Project& project, Edit& edit) {
+    return project.materials.empty() ? appendMaterial(project, "stone", edit) : project.materials.front().id;
+}
+
+void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit) {
+    for (PatternLayer& layer : pattern.layers) layer.id = edit.takeId(project);
+}
+
+}  // namespace
+
+Addition addAsset(const Project& project, const std::string& name, const Prism& prism) {
+    Addition addition{{.text = tr("Add asset")}};
+    Asset asset{.name = freeName(project.assets, name), .prism = prism};
+    asset.material = firstMaterial(project, addition.edit);
+    asset.id = addition.id = addition.edit.takeId(project);
+    const Id layer = addition.edit.takeId(project);
+    asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};
+    const Id instance = addition.edit.takeId(project);
+    addition.edit.swaps.push_back(Swap<Instance>{instance, Instance{.id = instance,
+                                                                    .name = freeName(project.instances, asset.name),
+                                                                    .asset = asset.id,
+                                                                    .pose = besideAll(project, asset)}});
+    addition.edit.swaps.push_back(Swap<Asset>{addition.id, std::move(asset)});
+    return addition;
+}
+
+Addition duplicateAsset(const Project& project, Id source) {
+    Addition addition{{.text = tr("Duplicate asset")}};
+    Asset copy = elementWith(project.assets, source);
+    copy.name = freeName(project.assets, copy.name);
+    copy.id = addition.id = addition.edit.takeId(project);
+    takeLayerIds(project, copy.pattern, addition.edit);
+    for (Level& level : copy.levels) takeLayerIds(project, level.pattern, addition.edit);
+    addition.edit.swaps = {Swap<Asset>{addition.id, std::move(copy)}};
+    return addition;
+}
+
+Edit removeAssets(const Project& project, std::span<const Id> assets) {
+    Edit edit{.text = tr("Delete %n asset(s)", static_cast<int>(assets.size()))};
+    std::vector<Id> instances;
+    for (const Instance& instance : project.instances) {
+        if (isAmong(assets, instance.asset)) instances.push_back(instance.id);
+    }
+    const std::vector<Id> shots = shotsThrowing(project, assets);
+    for (const Id id : assets) addRemoval<Asset>(id, edit);
+    for (const Id id : instances) addRemoval<Instance>(id, edit);
+    for (const Id id : shots) addRemoval<Shot>(id, edit);
+    removeFromPlayTests(project, instances, shots, edit);
+    return edit;
+}
+
+Addition addMaterial(const Project& project, const std::string& name) {
+    Addition addition{{.text = tr("Add material")}};
+    addition.id = appendMaterial(project, name, addition.edit);
+    return addition;
+}
+
+Edit removeMaterial(const Project& project, Id material) {
+    Edit edit{.text = tr("Delete material")};
+    const auto other = std::ranges::find_if(project.materials, [&](const Material& m) { return m.id != material; });
+    if (other == project.materials.end()) return edit;
+    addRemoval<Material>(material, edit);
+    for (Asset asset : project.assets) {
+        if (asset.material != material) continue;
+        asset.material = other->id;
+        edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
+    }
+    return edit;
+}
+
+Addition addInstance(const Project& project, Id asset, const Pose& pose) {
+    Addition addition{{.text = tr("Add instance")}};
+    addition.id = addition.edit.takeId(project);
+    const std::string name = freeName(project.instances, elementWith(project.assets, asset).name);
+    addition.edit.swaps = {
+        Swap<Instance>{addition.id, Instance{.id = addition.id, .name = name, .asset = asset, .pose = pose}}};
+    return addition;
+}
+
+Edit duplicateInstances(const Project& project, std::span<const Id> instances, Vec3 by) {
+    Edit edit{.text = tr("Duplicate %n instance(s)", static_cast<int>(instances.size()))};
+    std::vector<Instance> all = project.instances;  // names of copies are taken, too
+    for (const Id id : instances) {
+        Instance copy = elementWith(project.instances, id);
+        copy.id = edit.takeId(project);
+        copy.name = freeName(all, copy.name);
+        copy.pose.position += by;
+        all.push_back(copy);
+        edit.swaps.push_back(Swap<Instance>{copy.id, std::move(copy)});
+    }
+    return edit;
+}
+
+Edit removeInstances(const Project& project, std::span<const Id> instances) {
+    Edit edit{.text = tr("Delete %n instance(s)", static_cast<int>(instances.size()))};
+    for (const Id id : instances) addRemoval<Instance>(id, edit);
+    removeFromPlayTests(project, instances, {}, edit);
+    return edit;
+}
+
+Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters) {
+    Addition addition{{.text = tr("Add layer")}};
+    addition.id = addition.edit.takeId(project);
+    Asset changed = elementWith(project.assets, asset);
+    changed.pattern.layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
+    addition.edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
+    return addition;
+}
+
+}  // namespace rubble

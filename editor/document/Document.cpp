@@ -1,0 +1,59 @@
+#include "editor/document/Document.h"
+
+#include <QUndoCommand>
+
+namespace rubble {
+
+/// A step that can be undone: undo and redo are the same swap.
+class Document::Command : public QUndoCommand {
+public:
+    Command(Document& document, Edit edit) : QUndoCommand(edit.text), m_document(document), m_edit(std::move(edit)) {}
+
+    void undo() override { m_document.apply(m_edit); }
+    void redo() override { m_document.apply(m_edit); }
+
+    int id() const override { return m_edit.stroke == 0 ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* other) override {
+        auto& later = const_cast<Command&>(static_cast<const Command&>(*other));  // it is deleted after this
+        if (later.m_edit.stroke != m_edit.stroke) return false;
+        join(m_edit, std::move(later.m_edit));
+        setObsolete(isNoChange(m_document.project(), m_edit));
+        return true;
+    }
+
+private:
+    Document& m_document;
+    Edit m_edit;
+};
+
+Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
+}
+
+void Document::push(Edit edit) {
+    if (edit.isEmpty() || isNoChange(m_project, edit)) return;
+    m_undoStack.push(new Command(*this, std::move(edit)));
+}
+
+void Document::replace(Project project) {
+    m_project = std::move(project);
+    m_undoStack.clear();
+    m_isUnsaved = false;
+    emit changed({{}, true});
+    emit modifiedChanged(isModified());
+}
+
+void Document::setSaved() {
+    const bool wasUnsaved = std::exchange(m_isUnsaved, false);
+    m_undoStack.setClean();
+    if (wasUnsaved) emit modifiedChanged(isModified());
+}
+
+void Document::setUnsaved() {
+    m_isUnsaved = true;
+    emit modifiedChanged(isModified());
+}
+
+void Document::apply(Edit& edit) { emit changed(swapInto(m_project, edit)); }
+
+}  // namespace rubble

@@ -1,0 +1,62 @@
+#include "editor/document/Selection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+
+void Selection::setAsset(Id asset) {
+    if (asset == m_asset) return;
+    m_asset = asset;
+    m_seeds.clear();
+    m_hiddenSeeds.clear();
+    emit assetChanged(asset);
+    emit seedsChanged();
+    emit hiddenChanged();
+}
+
+void Selection::setSeeds(Seeds seeds) {
+    if (seeds == m_seeds) return;
+    m_seeds = std::move(seeds);
+    emit seedsChanged();
+}
+
+void Selection::toggleSeed(SeedId seed) {
+    if (!m_seeds.insert(seed).second) m_seeds.erase(seed);
+    emit seedsChanged();
+}
+
+void Selection::setHiddenSeeds(Seeds seeds) {
+    if (seeds == m_hiddenSeeds) return;
+    m_hiddenSeeds = std::move(seeds);
+    emit hiddenChanged();
+}
+
+void Selection::setInstances(const Project& project, std::set<Id> instances) {
+    std::set<Id> assets;
+    for (const Instance& instance : project.instances) {
+        if (instances.contains(instance.id)) assets.insert(instance.asset);
+    }
+    if (assets.size() == 1) setAsset(*assets.begin());
+    if (instances == m_instances) return;
+    m_instances = std::move(instances);
+    emit instancesChanged();
+}
+
+void Selection::setMaterial(Id material) {
+    if (material == m_material) return;
+    m_material = material;
+    emit materialChanged();
+}
+
+void Selection::prune(const Project& project) {
+    std::set<Id> instances = m_instances;
+    std::erase_if(instances, [&](Id id) {
+        return std::ranges::find(project.instances, id, &Instance::id) == project.instances.end();
+    });
+    if (!findAsset(project, m_asset)) setAsset(project.assets.empty() ? 0 : project.assets.front().id);
+    if (!findMaterial(project, m_material)) setMaterial(0);
+    setInstances(project, std::move(instances));
+}
+
+}  // namespace rubble

@@ -1,0 +1,46 @@
+#include "core/asset/StarterProject.h"
+#include "core/io/ProjectFile.h"
+#include "editor/document/Document.h"
+#include "tests/support/Projects.h"
+#include "tests/support/RandomEdits.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+/// Whatever is edited can be undone to the last byte, and redone.
+class UndoTest : public QObject {
+    Q_OBJECT
+private slots:
+    void undoingEverythingGivesTheSavedBytes_data() {
+        QTest::addColumn<bool>("isFull");
+        QTest::newRow("a wall") << false;
+        QTest::newRow("everything in it") << true;
+    }
+    void undoingEverythingGivesTheSavedBytes() {
+        QFETCH(bool, isFull);
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+            Document document(isFull ? fullProject() : starterProject());
+            const std::string before = projectText(document.project());
+            Random random(seed);
+            quint64 stroke = 0;
+            for (int step = 0; step < 40; ++step) {
+                if (random.below(3) == 0) stroke = document.newStroke();
+                document.push(randomEdit(document.project(), random, stroke));
+                if (random.below(8) == 0) document.undoStack().undo();
+                const std::optional<std::string> fault = verifyProject(document.project());
+                QVERIFY2(!fault,
+                         qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault.value_or("")))));
+            }
+            const std::string after = projectText(document.project());
+            const int steps = document.undoStack().index();
+            while (document.undoStack().canUndo()) document.undoStack().undo();
+            QVERIFY2(projectText(document.project()) == before, qPrintable(QString("seed %1").arg(seed)));
+            document.undoStack().setIndex(steps);
+            QVERIFY2(projectText(document.project()) == after, qPrintable(QString("seed %1").arg(seed)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(UndoTest)
+#include "UndoTest.moc"

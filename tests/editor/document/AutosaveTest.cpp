@@ -1,0 +1,135 @@
+#include "core/asset/StarterProject.h"
+#include "core/io/ProjectFile.h"
+#include "editor/document/Autosave.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+using namespace rubble;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* kChildFolder = "RUBBLE_AUTOSAVE_CHILD";
+
+void setHeight(Document& document, double height) {
+    SceneSettings scene = sceneSettings(document.project());
+    scene.ground.height = height;
+    document.push({.text = "Move ground", .swaps = {scene}});
+}
+
+double heightIn(const QString& path) {
+    const Result<Project> project = loadProject(path.toStdString());
+    return project ? project->ground.height : -1.0;
+}
+
+/// Edits until it is killed: a height one greater every 20 ms, each saved aside within a second.
+int editForever(const QString& folder) {
+    Document document(starterProject());
+    Autosave autosave(document, folder);
+    autosave.setProjectPath("/home/somebody/wall.rubble");
+    autosave.setInterval(1s);
+    QTimer timer;
+    double height = 0.0;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        setHeight(document, height += 1.0);
+        std::printf("%g\n", height);
+        std::fflush(stdout);
+    });
+    timer.start(20ms);
+    return QCoreApplication::exec();
+}
+
+}  // namespace
+
+class AutosaveTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void nothingChangedIsNothingWritten() {
+        const Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.writeNow();
+        QVERIFY(backups().isEmpty());
+    }
+    void aChangeIsWrittenWithinTheInterval() {
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(1s);
+        setHeight(document, 3.0);
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+        QCOMPARE(heightIn(backups()[0]), 3.0);
+        QVERIFY(leftBackups(m_folder->path()).empty());  // this program lives
+    }
+    void savingAndClosingDropTheBackup() {
+        Document document(starterProject());
+        {
+            Autosave autosave(document, m_folder->path());
+            setHeight(document, 3.0);
+            autosave.writeNow();
+            QCOMPARE(backups().size(), 1);
+            document.setSaved();
+            QVERIFY(backups().isEmpty());
+            setHeight(document, 4.0);
+            autosave.writeNow();
+            QCOMPARE(backups().size(), 1);
+        }
+        QVERIFY(backups().isEmpty());
+    }
+    void aFolderThatCannotBeWrittenIsTold() {
+        Document document(starterProject());
+        const QString file = m_folder->filePath("file");
+        QVERIFY(QFile(file).open(QIODevice::WriteOnly));
+        Autosave autosave(document, file);
+        QString sentence;
+        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        setHeight(document, 3.0);
+        autosave.writeNow();
+        QVERIFY2(sentence.startsWith("The backup could not be written: "), qPrintable(sentence));
+    }
+    void aKilledProgramLosesNothingOlderThanTheInterval() {
+        QProcess child;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(kChildFolder, m_folder->path());
+        child.setProcessEnvironment(environment);
+        child.start(QCoreApplication::applicationFilePath(), QStringList());
+        QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty(), 20000);
+        child.readAllStandardOutput();
+        QTest::qWait(1500);  // at least one interval more
+        const double sureToBeSaved = child.readLine().trimmed().toDouble();
+        ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
+        QVERIFY(child.waitForFinished());
+
+        const std::vector<Backup> left = leftBackups(m_folder->path());
+        QCOMPARE(left.size(), std::size_t{1});
+        QCOMPARE(left[0].projectPath, "/home/somebody/wall.rubble");
+        QVERIFY2(heightIn(left[0].path) >= sureToBeSaved,
+                 qPrintable(QString("%1 < %2").arg(heightIn(left[0].path)).arg(sureToBeSaved)));
+        removeBackup(left[0]);
+        QVERIFY(leftBackups(m_folder->path()).empty());
+    }
+
+private:
+    QStringList backups() const {
+        QStringList paths;
+        for (const QFileInfo& file : QDir(m_folder->path()).entryInfoList({"*.rubble"})) paths += file.filePath();
+        return paths;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+int main(int argc, char** argv) {
+    QCoreApplication program(argc, argv);
+    if (qEnvironmentVariableIsSet(kChildFolder)) return editForever(qEnvironmentVariable(kChildFolder));
+    AutosaveTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "AutosaveTest.moc"

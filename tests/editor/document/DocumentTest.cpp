@@ -1,0 +1,106 @@
+#include "core/asset/StarterProject.h"
+#include "editor/document/Document.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+/// Gives the first asset another threshold.
+Edit thresholdEdit(const Document& document, double threshold, quint64 stroke = 0) {
+    Asset asset = document.project().assets[0];
+    asset.threshold = threshold;
+    const Id id = asset.id;
+    return {.text = "Set threshold", .swaps = {Swap<Asset>{id, std::move(asset)}}, .stroke = stroke};
+}
+
+double threshold(const Document& document) { return document.project().assets[0].threshold; }
+
+}  // namespace
+
+class DocumentTest : public QObject {
+    Q_OBJECT
+private slots:
+    void anEditIsOneStepThatTellsWhatChanged() {
+        Document document(starterProject());
+        const Id asset = document.project().assets[0].id;
+        QList<Changes> told;
+        connect(&document, &Document::changed, this, [&](const Changes& changes) { told.append(changes); });
+        document.push(thresholdEdit(document, 7.0));
+        QCOMPARE(threshold(document), 7.0);
+        QCOMPARE(document.undoStack().undoText(), "Set threshold");
+        document.undoStack().undo();
+        QCOMPARE(threshold(document), 100.0);
+        document.undoStack().redo();
+        QCOMPARE(threshold(document), 7.0);
+        QCOMPARE(told.size(), 3);
+        for (const Changes& changes : told) {
+            QVERIFY((changes.list == std::vector{Change{Part::Asset, asset, ChangeKind::Altered}}));
+            QVERIFY(changes.touches(Part::Asset, asset) && !changes.touches(Part::Material));
+        }
+    }
+    void anEditThatChangesNothingIsNoStep() {
+        Document document(starterProject());
+        document.push(thresholdEdit(document, 100.0));
+        document.push({});
+        QVERIFY(!document.undoStack().canUndo() && !document.isModified());
+    }
+    void theEditsOfADragAreOneStep() {
+        Document document(starterProject());
+        const quint64 stroke = document.newStroke();
+        for (const double value : {1.0, 2.0, 3.0}) document.push(thresholdEdit(document, value, stroke));
+        document.push(thresholdEdit(document, 4.0, document.newStroke()));
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().undo();
+        QCOMPARE(threshold(document), 3.0);
+        document.undoStack().undo();
+        QCOMPARE(threshold(document), 100.0);
+    }
+    void aDragBackToWhereItBeganLeavesNoStep() {
+        Document document(starterProject());
+        const quint64 stroke = document.newStroke();
+        for (const double value : {1.0, 100.0}) document.push(thresholdEdit(document, value, stroke));
+        QCOMPARE(document.undoStack().count(), 0);
+        QVERIFY(!document.isModified());
+    }
+    void itIsModifiedUntilItIsSavedOrUndone() {
+        Document document(starterProject());
+        QSignalSpy spy(&document, &Document::modifiedChanged);
+        document.push(thresholdEdit(document, 7.0));
+        QVERIFY(document.isModified());
+        document.undoStack().undo();
+        QVERIFY(!document.isModified());
+        document.undoStack().redo();
+        document.setSaved();
+        QVERIFY(!document.isModified());
+        document.undoStack().undo();
+        QVERIFY(document.isModified());
+        QCOMPARE(spy.count(), 5);
+    }
+    void aDragIsNotJoinedAcrossASave() {
+        Document document(starterProject());
+        const quint64 stroke = document.newStroke();
+        document.push(thresholdEdit(document, 1.0, stroke));
+        document.setSaved();
+        document.push(thresholdEdit(document, 2.0, stroke));
+        document.undoStack().undo();
+        QCOMPARE(threshold(document), 1.0);
+        QVERIFY(!document.isModified());
+    }
+    void anotherProjectInItsPlaceCannotBeUndone() {
+        Document document(starterProject());
+        document.push(thresholdEdit(document, 7.0));
+        bool isEverything = false;
+        connect(&document, &Document::changed, this,
+                [&](const Changes& changes) { isEverything = changes.isEverything; });
+        document.replace(emptyProject());
+        QVERIFY(isEverything && !document.isModified() && !document.undoStack().canUndo());
+        document.setUnsaved();
+        QVERIFY(document.isModified());
+    }
+};
+
+QTEST_GUILESS_MAIN(DocumentTest)
+#include "DocumentTest.moc"

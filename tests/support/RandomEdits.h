@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/Random.h"
+#include "core/fracture/SeedEdits.h"
+#include "core/geometry/OutlineShapes.h"
+#include "editor/commands/ProjectEdits.h"
+
+namespace rubble {
+
+/// Some edit that a user may make of a project, chosen at random.
+inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
+    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random.below(count)); };
+    const std::size_t kind = below(10);
+    if (project.assets.empty() || kind == 0) {
+        return addAsset(project, "wall", {rectangleOutline(1.0 + random.unit(), 2.0), 0.5}).edit;
+    }
+    Asset asset = project.assets[below(project.assets.size())];
+    switch (kind) {
+        case 1: return duplicateAsset(project, asset.id).edit;
+        case 2: return removeAssets(project, std::vector{asset.id});
+        case 3: return addMaterial(project, "stone").edit;
+        case 4: return removeMaterial(project, project.materials[below(project.materials.size())].id);
+        case 5: return addInstance(project, asset.id, {.position = {random.unit(), 0.0, 0.0}}).edit;
+        case 6: return addLayer(project, asset.id, PlacedSeeds{{{0, {0.1, 0.1}}}}).edit;
+        case 7:
+            if (project.instances.empty()) return {};
+            return removeInstances(project, std::vector{project.instances[below(project.instances.size())].id});
+        case 8: {
+            SceneSettings scene = sceneSettings(project);
+            scene.ground.height = random.unit();
+            return altered("Move ground", scene, stroke);
+        }
+        default: {
+            const PatternLayer& layer = asset.pattern.layers[below(asset.pattern.layers.size())];
+            moveSeed(asset.pattern, {layer.id, 0}, {random.unit(), random.unit()});
+            return altered("Move seed", std::move(asset), stroke);
+        }
+    }
+}
+
+}  // namespace rubble
