@@ -81,24 +81,36 @@ private:
                     const std::uint32_t next = corner + 1 < m_cut.ringEnds[ring] ? corner + 1 : begin;
                     noteIfCoincident(m_cut.corners[corner].point, m_cut.corners[next].point);
                 }
-                noteNarrowTip(std::span(m_cut.corners).subspan(begin, corner - begin));
+                noteTips(std::span(m_cut.corners).subspan(begin, corner - begin));
                 endRing();
             }
             endPiece();
         }
     }
 
-    /// A cell's edge may cut a tip off the outline where that is too narrow for two points, though longer than wide: it
-    /// becomes a line without width, which only the outline's own vertex may stand for.
-    void noteNarrowTip(std::span<const PieceCorner> ring) {
-        if (ring.size() != 3) return;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t tip = ring[k].point, a = ring[(k + 1) % 3].point, b = ring[(k + 2) % 3].point;
-            const bool isOutlines = tip >= m_sources.numbers.vertices && tip < m_sources.numbers.crossings;
-            if (!isOutlines || !m_sources.frame.areOne(m_sources.points[a], m_sources.points[b])) continue;
-            m_stretch.coincident.push_back({tip, a});
-            m_stretch.coincident.push_back({tip, b});
+    /// Joins what lies in the tip of a sharp corner to it: of each corner on an edge of the outline, itself and those
+    /// beside it, in the tips at the edge's ends.
+    void noteTips(std::span<const PieceCorner> ring) {
+        const PointNumbers& numbers = m_sources.numbers;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const std::uint32_t point = ring[i].point;
+            if (point < numbers.vertices) continue;
+            std::uint32_t first = point - numbers.vertices, second = first;
+            if (point >= numbers.crossings) {
+                const OutlineCrossing& crossing = m_sources.trace.crossings[point - numbers.crossings];
+                first = crossing.edge, second = crossing.edgeEnd;
+            }
+            for (const std::size_t k : {(i + ring.size() - 1) % ring.size(), i, (i + 1) % ring.size()}) {
+                noteIfInTip(first, ring[k].point);
+                noteIfInTip(second, ring[k].point);
+            }
         }
+    }
+
+    void noteIfInTip(std::uint32_t vertex, std::uint32_t point) {
+        const std::uint32_t tip = m_sources.numbers.vertices + vertex;
+        if (point != tip && m_sources.tips.contain(vertex, m_sources.points[point]))
+            m_stretch.coincident.push_back({tip, point});
     }
 
     void endRing() { m_stretch.pieces.ringEnds.push_back(static_cast<std::uint32_t>(m_stretch.pieces.corners.size())); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fracture/OutlineTips.h"
 #include "core/fracture/PartitionPoints.h"
 #include "core/fracture/PartitionRepair.h"
 #include "core/fracture/VisitedCell.h"
@@ -18,6 +19,7 @@ struct CellSources {
     const OutlineTrace& trace;
     const PointNumbers& numbers;
     const PointFrame& frame;
+    const OutlineTips& tips;
     std::span<const Vec2> points;
 };
 

@@ -147,7 +147,8 @@ Status cutIntoCells(const Polygon& outline, const Delaunay& delaunay, const Task
     computeCorners(delaunay, frame, task.threads, partition.points);
     computeOutlinePoints(delaunay, trace, frame, partition.points);
 
-    const CellSources sources = {outline, delaunay, outgoing, trace, numbers, frame, partition.points};
+    const OutlineTips tips(outline, frame);
+    const CellSources sources = {outline, delaunay, outgoing, trace, numbers, frame, tips, partition.points};
     const std::size_t siteCount = delaunay.sites.size();
     std::vector<CellStretch> stretches((siteCount + kSitesInStretch - 1) / kSitesInStretch);
     forEachIndex(stretches.size(), task.threads, [&](std::size_t k) {

@@ -94,6 +94,46 @@ private slots:
             }
         }
     }
+    void manyEdgesWithinATipDoNotLoseIt() {
+        const std::uint64_t seed = 11;
+        Random random(seed);
+        for (int round = 0; round < 4000; ++round) {
+            const double angle = (round % 2 == 0 ? 7e-5 : 0.5) * (1.0 + random.unit());
+            const Polygon outline = {{{0, 0}, {1, 0}, {cosine(angle), sine(angle)}}, {}};
+            const Vec2 along = {cosine(angle / 2.0), sine(angle / 2.0)};
+            const double tip = kJoinedPart / (2.0 * sine(angle / 2.0));
+            std::vector<Vec2> seeds;
+            for (std::uint64_t count = 2 + random.below(7); count > 0; --count) {
+                const double aside =
+                    round % 3 == 0 ? 0.0 : random.between(-1.0, 1.0) * (round % 3 == 1 ? kJoinedPart : tip);
+                seeds.push_back(random.between(-0.5, 4.0) * tip * along + aside * Vec2{-along.y, along.x});
+            }
+            const std::string fault = faultOf(outline, seeds);
+            QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
+        }
+    }
+    void justAboveTheNarrowBoundNothingIsLost() {
+        // A notch, a short edge, a sharp corner and a hole, each just farther from the rest than is refused.
+        const double least = 1.01 * 0x1p-42;  // 2^-44 of a reach of 4
+        const std::vector<Polygon> outlines = {
+            {{{0, 0}, {4, 0}, {4, 4}, {2, least}, {0, 4}}, {}},
+            {{{0, 0}, {4, 0}, {4, 4}, {least, 4}, {0, 4}}, {}},
+            {{{0, 0}, {4, 0}, {4, 3e-4}}, {}},
+            {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{least, 1}, {least, 2}, {2, 2}, {2, 1}}}}};
+        const std::vector<Vec2> places = {{2, 0}, {0, 4}, {0, 0}, {0, 1.5}};
+        const std::uint64_t seed = 12;
+        Random random(seed);
+        for (int round = 0; round < 400; ++round) {
+            const std::size_t k = static_cast<std::size_t>(round) % outlines.size();
+            const double spread = round % 3 == 0 ? 4.0 : round % 3 == 1 ? 1e-3 : 4.0 * least;
+            std::vector<Vec2> seeds;
+            const bool isMany = round % 10 == 0 && spread > least * 1e3;  // far apart against the rounding of points
+            for (std::uint64_t count = isMany ? 1000 : 1 + random.below(9); count > 0; --count)
+                seeds.push_back(places[k] + spread * Vec2{random.between(-1.0, 1.0), random.between(-1.0, 1.0)});
+            const std::string fault = faultOf(outlines[k], seeds);
+            QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
+        }
+    }
     void farFromTheOriginNothingIsLost() {
         Polygon outline;
         for (const Vec2 point : kUnitSquare.outer) outline.outer.push_back(point * 0x1p-20 + Vec2{0x1p20, -0x1p20});
