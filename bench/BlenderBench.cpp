@@ -37,10 +37,10 @@ struct Peer {
 
 std::string objOf(const Bake& bake, const Asset& asset) {
     std::vector<MeshPart> parts;
-    parts.reserve(bake.fragments.size());
-    for (std::uint32_t i = 0; i < bake.fragments.size(); ++i) {
-        const BakedFragment& fragment = bake.fragments[i];
-        parts.push_back({bodyName(asset, i), fragmentMesh(fragment, asset), fragment.solid.offset});
+    parts.reserve(bake.fragmentCount());
+    for (std::uint32_t i = 0; i < bake.fragmentCount(); ++i) {
+        const BakedFragment fragment = bake.fragment(i);
+        parts.push_back({bodyName(asset, i), fragmentMesh(fragment, asset), fragment.solid.offset()});
     }
     return objFile(parts, meshMaterials(asset, kStone), PartPlace::Assembled, "box.mtl");
 }
@@ -55,7 +55,7 @@ double exported(const Asset& asset) {
     const Status written = writeExportFolder(kMemory / "box", packHash(asset, kStone, meshes), files);
     if (!written) fail(written.error().message);
     double volume = 0.0;
-    for (const BakedFragment& fragment : bake.fragments) volume += fragment.solid.mass.volume;
+    for (std::uint32_t i = 0; i < bake.fragmentCount(); ++i) volume += bake.fragment(i).solid.volume();
     return volume;
 }
 

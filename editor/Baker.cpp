@@ -20,7 +20,7 @@ std::shared_ptr<const BakedAsset> baked(std::shared_ptr<const Asset> asset, cons
         result->fault = bake.error();
         return result;
     }
-    Result<Delaunay> triangulation = triangulate(bake->seeds.positions, task);
+    Result<Delaunay> triangulation = triangulate(bake->breakings[0].seeds.positions, task);
     if (triangulation) result->triangulation = std::move(*triangulation);
     result->bake = std::make_shared<const Bake>(std::move(*bake));
     return result;

@@ -48,7 +48,7 @@ Finding findingOn(const Asset& asset, const TaskContext& task) {
         if (task.isCancelled()) return {TaskContext::cancelled(), {}};
         if (const auto fault = verify(*baked, asset)) return {Error{ErrorCode::BadInput, *fault}, {}};
     }
-    return {success(), soundText(asset.name, baked->fragments.size(), baked->whole.volume)};
+    return {success(), soundText(asset.name, baked->fragmentCount(), baked->whole.volume)};
 }
 
 /// Prints what is sound; a fault that tells of all that is not.

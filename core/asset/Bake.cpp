@@ -24,30 +24,27 @@ Result<std::vector<Polytope>> hullsOfWhole(const Prism& prism, const MassPropert
     return hulls;
 }
 
-/// Appends what became of a fragment (kNone: of the whole), and names and places it.
+/// Appends what became of a fragment (kNone: of the whole), and places it.
 void append(Breaking&& breaking, std::uint32_t parent, Bake& bake) {
-    const std::string parentId = parent == kNone ? std::to_string(bake.asset) : bake.fragments[parent].id;
-    std::vector<std::string> ids = fragmentIds(parentId, breaking);
-    const Vec3 origin = parent == kNone ? Vec3{0.0, 0.0, 0.0} : bake.fragments[parent].solid.offset;
-    const std::uint32_t level = parent == kNone ? 0 : bake.fragments[parent].level + 1;
-    if (parent != kNone) {
-        bake.fragments[parent].firstChild = static_cast<std::uint32_t>(bake.fragments.size());
-        bake.fragments[parent].childCount = static_cast<std::uint32_t>(ids.size());
-    }
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        BakedFragment& fragment = bake.fragments.emplace_back();
-        fragment.id = std::move(ids[k]);
-        fragment.parent = parent;
-        fragment.level = level;
-        fragment.solid = std::move(breaking.fragments.fragments[k]);
-        fragment.solid.offset += origin;
-    }
     for (std::vector<Report>* reports : {&breaking.seeds.reports, &breaking.fragments.reports}) {
         for (Report& report : *reports) {
-            if (parent != kNone) report.message = "Fragment " + parentId + ": " + report.message;
+            if (parent != kNone) report.message = "Fragment " + bake.fragmentId(parent) + ": " + report.message;
             bake.reports.push_back(std::move(report));
         }
+        reports->clear();
     }
+    BakedBreaking baked{parent, 0, bake.fragmentCount(), std::move(breaking.seeds), std::move(breaking.fragments)};
+    if (parent != kNone) {
+        const BakedFragment whole = bake.fragment(parent);
+        baked.level = whole.level + 1;
+        baked.fragments.origin = whole.solid.offset();
+    }
+    bake.breakings.push_back(std::move(baked));
+}
+
+/// The breaking that a fragment comes from.
+const BakedBreaking& breakingWith(const Bake& bake, std::uint32_t number) {
+    return *std::prev(std::ranges::upper_bound(bake.breakings, number, {}, &BakedBreaking::first));
 }
 
 /// The work below one level: which fragments break, and what became of each.
@@ -56,25 +53,25 @@ struct LevelWork {
     std::vector<std::optional<Result<Breaking>>> breakings;  // one a parent
 };
 
-LevelWork brokenLevel(const Level& level, std::size_t first, const Bake& bake, const TaskContext& task) {
+LevelWork brokenLevel(const Level& level, std::uint32_t first, const Bake& bake, const TaskContext& task) {
     LevelWork work;
-    for (std::size_t k = first; k < bake.fragments.size(); ++k) {
-        if (bake.fragments[k].solid.mass.volume < level.minimumVolume) continue;
-        work.parents.push_back(static_cast<std::uint32_t>(k));
+    for (std::uint32_t k = first; k < bake.fragmentCount(); ++k) {
+        if (bake.fragment(k).solid.volume() >= level.minimumVolume) work.parents.push_back(k);
     }
     work.breakings.resize(work.parents.size());
     TaskContext quiet;  // progress is told by the work's own thread, level by level
     quiet.cancel = task.cancel;
     forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
-        const BakedFragment& parent = bake.fragments[work.parents[k]];
+        const std::uint32_t parent = work.parents[k];
+        const Fragment solid = bake.fragment(parent).solid;
         work.breakings[k] =
-            brokenBy(patternFor(parent.id, level.pattern), {parent.solid.outline, parent.solid.depth}, quiet);
+            brokenBy(patternFor(bake.fragmentId(parent), level.pattern), {solid.outline(), solid.depth()}, quiet);
     });
     return work;
 }
 
 /// Breaks the fragments from `first` on by a level; a fragment that would give one piece stays whole.
-Status appendLevel(const Level& level, std::size_t first, const TaskContext& task, Bake& bake) {
+Status appendLevel(const Level& level, std::uint32_t first, const TaskContext& task, Bake& bake) {
     LevelWork work = brokenLevel(level, first, bake, task);
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         Result<Breaking>& breaking = *work.breakings[k];
@@ -82,14 +79,44 @@ Status appendLevel(const Level& level, std::size_t first, const TaskContext& tas
         if (!breaking) {
             if (breaking.error().code == ErrorCode::Cancelled) return breaking.error();
             return Error{breaking.error().code,
-                         "Fragment " + bake.fragments[parent].id + ": " + breaking.error().message};
+                         "Fragment " + bake.fragmentId(parent) + ": " + breaking.error().message};
         }
-        if (breaking->fragments.fragments.size() > 1) append(std::move(*breaking), parent, bake);
+        if (breaking->fragments.count() > 1) append(std::move(*breaking), parent, bake);
     }
     return success();
 }
 
 }  // namespace
+
+std::uint32_t Bake::fragmentCount() const {
+    return breakings.empty() ? 0 : breakings.back().first + breakings.back().fragments.count();
+}
+
+BakedFragment Bake::fragment(std::uint32_t number) const {
+    const BakedBreaking& breaking = breakingWith(*this, number);
+    BakedFragment fragment{.parent = breaking.parent,
+                           .level = breaking.level,
+                           .firstSibling = breaking.first,
+                           .solid = breaking.fragments[number - breaking.first]};
+    if (const BakedBreaking* pieces = breakingOf(number)) {
+        fragment.firstChild = pieces->first;
+        fragment.childCount = pieces->fragments.count();
+    }
+    return fragment;
+}
+
+std::string Bake::fragmentId(std::uint32_t number) const {
+    const BakedBreaking& breaking = breakingWith(*this, number);
+    const std::string parentId = breaking.parent == kNone ? std::to_string(asset) : fragmentId(breaking.parent);
+    return rubble::fragmentId(parentId, breaking.seeds, breaking.fragments[number - breaking.first]);
+}
+
+const BakedBreaking* Bake::breakingOf(std::uint32_t parent) const {
+    if (parent == kNone) return breakings.empty() ? nullptr : &breakings.front();
+    const auto below = std::span(breakings).subspan(1);
+    const auto found = std::ranges::lower_bound(below, parent, {}, &BakedBreaking::parent);
+    return found != below.end() && found->parent == parent ? &*found : nullptr;
+}
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     Result<Breaking> first =
@@ -102,15 +129,12 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     Result<std::vector<Polytope>> hulls = hullsOfWhole(first->prism, result.whole);
     if (!hulls) return ofAsset(asset, hulls.error());
     result.wholeHulls = std::move(*hulls);
-    result.fragments.reserve(first->fragments.fragments.size());
     append(std::move(*first), kNone, result);
-    result.seeds = std::move(first->seeds);
-    result.partition = std::move(first->partition);
 
-    std::size_t begin = 0;
+    std::uint32_t begin = 0;
     for (std::size_t level = 0; level < asset.levels.size(); ++level) {
         task.report(static_cast<double>(level + 1) / static_cast<double>(asset.levels.size() + 1));
-        const std::size_t end = result.fragments.size();
+        const std::uint32_t end = result.fragmentCount();
         const Status appended = appendLevel(asset.levels[level], begin, task, result);
         if (!appended) return ofAsset(asset, appended.error());
         begin = end;

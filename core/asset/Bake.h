@@ -12,26 +12,42 @@
 
 namespace rubble {
 
-/// One fragment with its place in the asset's tree of levels.
+/// What the whole, or one fragment, was broken into.
+struct BakedBreaking {
+    std::uint32_t parent = kNone;  // the fragment that was broken; kNone: the whole
+    std::uint32_t level = 0;       // 0: the whole
+    std::uint32_t first = 0;       // number of its first fragment in the bake
+    Seeds seeds;
+    Fragments fragments;  // offsets in the asset's frame
+};
+
+/// One fragment with its place in the asset's tree of levels: a view, as `solid` is.
 struct BakedFragment {
-    std::string id;                // "asset/seed", ".k" for a cut-apart cell, one more "/..." a level: "3/5.17.1/9.2"
-    std::uint32_t parent = kNone;  // index of the fragment it is a piece of; kNone: of the whole
+    std::uint32_t parent = kNone;  // the fragment it is a piece of; kNone: of the whole
     std::uint32_t level = 0;       // 0: a piece of the whole
     std::uint32_t firstChild = 0;  // children are consecutive; childCount 0 where it is not broken again
     std::uint32_t childCount = 0;
-    Fragment solid;  // bonds and `across` are indices among its siblings; offset in the prism's frame
+    std::uint32_t firstSibling = 0;  // the fragment that bonds and `across` of `solid` call 0
+    Fragment solid;
 };
 
-/// All that follows from an asset: derived, never saved, shared as const.
+/// All that follows from an asset: derived, never saved, shared as const. Fragments are numbered through: level 0 in seed
+/// order, then level 1, ...
 struct Bake {
     Id asset = 0;
-    ContentHash input;  // of everything it was made from
-    Seeds seeds;
-    Partition partition;                   // of the first level
+    ContentHash input;                     // of everything it was made from
     MassProperties whole;                  // of the prism, at density 1
     std::vector<Polytope> wholeHulls;      // in the frame of the whole's centre of mass
-    std::vector<BakedFragment> fragments;  // level 0 in seed order, then level 1, ...
+    std::vector<BakedBreaking> breakings;  // of the whole, then by parent
     std::vector<Report> reports;
+
+    std::uint32_t fragmentCount() const;
+    /// O(log of the number of breakings), as the others are, too.
+    BakedFragment fragment(std::uint32_t number) const;
+    /// "asset/seed", ".k" for a cut-apart cell, one more "/..." a level: "3/5.17.1/9.2".
+    std::string fragmentId(std::uint32_t number) const;
+    /// What a fragment (kNone: the whole) was broken into; null where it was not.
+    const BakedBreaking* breakingOf(std::uint32_t parent) const;
 };
 
 /// Carries out an asset's recipe: seeds, partition, fragments, level by level.

@@ -20,10 +20,9 @@ Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext
     if (!delaunay) return delaunay.error();
     Result<Partition> partition = voronoiPartition(valid->outline, *delaunay, task.stage(0.6, 0.8));
     if (!partition) return partition.error();
-    Result<Fragments> fragments = extrudedFragments(*valid, *partition, task.stage(0.8, 1.0));
+    Result<Fragments> fragments = extrudedFragments(*valid, std::move(*partition), task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
-    return Breaking{std::move(*valid), std::move(*seeds), std::move(*delaunay), std::move(*partition),
-                    std::move(*fragments)};
+    return Breaking{std::move(*valid), std::move(*seeds), std::move(*delaunay), std::move(*fragments)};
 }
 
 Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
@@ -32,16 +31,10 @@ Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
     return pattern;
 }
 
-std::vector<std::string> fragmentIds(const std::string& parentId, const Breaking& breaking) {
-    std::vector<std::string> ids;
-    ids.reserve(breaking.fragments.fragments.size());
-    for (const Fragment& fragment : breaking.fragments.fragments) {
-        const SeedId seed = fragment.seed == kNone ? SeedId{} : breaking.seeds.ids[fragment.seed];
-        std::string id = parentId + "/" + seed.text();
-        if (fragment.piecesOfSeed > 1) id += "." + std::to_string(fragment.piece);
-        ids.push_back(std::move(id));
-    }
-    return ids;
+std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment) {
+    const SeedId seed = fragment.seed() == kNone ? SeedId{} : seeds.ids[fragment.seed()];
+    const std::string id = parentId + "/" + seed.text();
+    return fragment.piecesOfSeed() > 1 ? id + "." + std::to_string(fragment.pieceOfSeed()) : id;
 }
 
 }  // namespace rubble

@@ -3,7 +3,6 @@
 #include "core/asset/Project.h"
 #include "core/fracture/Delaunay.h"
 #include "core/fracture/Fragment.h"
-#include "core/fracture/Partition.h"
 
 #include <string>
 
@@ -14,8 +13,7 @@ struct Breaking {
     Prism prism;  // validated
     Seeds seeds;
     Delaunay delaunay;
-    Partition partition;
-    Fragments fragments;
+    Fragments fragments;  // with the partition
 };
 
 /// An error with the asset's name before its sentence; a cancellation as it is.
@@ -29,8 +27,8 @@ Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext
 /// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments break alike.
 Pattern patternFor(const std::string& fragmentId, Pattern pattern);
 
-/// The ids of the fragments of a breaking, below the id of the whole or of the fragment that was broken:
+/// The id of a fragment that was broken off by these seeds, below the id of the whole or of the fragment it was a part of:
 /// "3/5.17", or "3/5.17.1" where the outline cuts the cell apart; "3/0.0" where there are no seeds.
-std::vector<std::string> fragmentIds(const std::string& parentId, const Breaking& breaking);
+std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment);
 
 }  // namespace rubble

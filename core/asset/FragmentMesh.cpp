@@ -34,7 +34,7 @@ ExtrudedSide outsideSide(const Asset& asset, Vec2 a, Vec2 b) {
 /// that is the asset's own.
 ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std::uint32_t across, Vec2 a, Vec2 b) {
     if (across != kNone) return {0, 0, FaceSide::Inside, {}};
-    const Vec2 offset{fragment.solid.offset.x, fragment.solid.offset.y};
+    const Vec2 offset{fragment.solid.offset()};
     ExtrudedSide side = outsideSide(asset, a + offset, b + offset);
     const double reach = kOnOutline * boundsOf(asset.prism.outline.outer).diagonal();
     if (fragment.level > 0 && side.stretch.distance > reach) side.side = FaceSide::Inside;
@@ -45,15 +45,17 @@ ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std:
 
 Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset) {
     const Fragment& piece = fragment.solid;
-    ExtrudedSolid solid{{}, {}, piece.depth, piece.offset, piece.parts.empty()};
+    const Polygon outline = piece.outline();
+    const std::vector<std::uint32_t> across = piece.across();
+    ExtrudedSolid solid{{}, {}, piece.depth(), piece.offset(), piece.isConvex()};
     std::size_t firstEdge = 0;  // of the ring in `across`
     const auto sideOf = [&](std::size_t edge, Vec2 a, Vec2 b) {
-        return sideBetween(fragment, asset, piece.across[firstEdge + edge], a, b);
+        return sideBetween(fragment, asset, across[firstEdge + edge], a, b);
     };
-    solid.sides.reserve(piece.outline.outer.size());
-    addRing(piece.outline.outer, sideOf, solid.outline.outer, solid);
-    firstEdge = piece.outline.outer.size();
-    for (const Ring& hole : piece.outline.holes) {
+    solid.sides.reserve(across.size());
+    addRing(outline.outer, sideOf, solid.outline.outer, solid);
+    firstEdge = outline.outer.size();
+    for (const Ring& hole : outline.holes) {
         addRing(hole, sideOf, solid.outline.holes.emplace_back(), solid);
         firstEdge += hole.size();
     }

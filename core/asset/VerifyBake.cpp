@@ -7,64 +7,78 @@ namespace {
 
 using Sentence = std::optional<std::string>;
 
-/// The children of one parent: [first, first + count).
-struct Siblings {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-};
-
-std::uint32_t levelBelow(const Bake& bake, std::uint32_t parent) {
-    return parent == kNone ? 0 : bake.fragments[parent].level + 1;
-}
-
-Siblings childrenOf(const Bake& bake, std::uint32_t parent) {
-    if (parent != kNone) return {bake.fragments[parent].firstChild, bake.fragments[parent].childCount};
-    Siblings siblings;
-    while (siblings.count < bake.fragments.size() && bake.fragments[siblings.count].parent == kNone) ++siblings.count;
-    return siblings;
+std::string idOf(const Bake& bake, std::uint32_t fragment) {
+    return fragment == kNone ? std::to_string(bake.asset) : bake.fragmentId(fragment);
 }
 
 /// Breaks a fragment (kNone: the whole) once more, as bake() did.
 Result<Breaking> brokenAgain(const Bake& bake, const Asset& asset, std::uint32_t parent) {
     if (parent == kNone) return brokenBy(asset.pattern, asset.prism, {});
-    const BakedFragment& fragment = bake.fragments[parent];
+    const BakedFragment fragment = bake.fragment(parent);
     const Pattern& pattern = asset.levels[fragment.level].pattern;
-    return brokenBy(patternFor(fragment.id, pattern), {fragment.solid.outline, fragment.solid.depth}, {});
+    return brokenBy(patternFor(bake.fragmentId(parent), pattern), {fragment.solid.outline(), fragment.solid.depth()},
+                    {});
 }
 
-Sentence stageFault(const Breaking& breaking) {
-    if (Sentence fault = verifyDelaunay(breaking.delaunay, breaking.seeds.positions)) return fault;
-    if (Sentence fault = verifyPartition(breaking.partition, breaking.prism.outline)) return fault;
-    return verifyNearestSeed(breaking.partition, breaking.seeds.positions);
+/// The stored stages are sound, and the triangulation they came from is.
+Sentence stageFault(const BakedBreaking& stored, const Breaking& again) {
+    const Partition& partition = stored.fragments.partition;
+    if (Sentence fault = verifyDelaunay(again.delaunay, again.seeds.positions)) return fault;
+    if (Sentence fault = verifyPartition(partition, again.prism.outline)) return fault;
+    if (Sentence fault = verifyNearestSeed(partition, again.seeds.positions)) return fault;
+    return verifyFragments(stored.fragments, again.prism);
 }
 
-/// The stored siblings with their names and links, as fragments of their parent alone.
-Result<Fragments> storedSiblings(const Bake& bake, std::uint32_t parent, const std::vector<std::string>& ids) {
-    const Siblings siblings = childrenOf(bake, parent);
-    if (siblings.count != ids.size() || siblings.first + std::size_t{siblings.count} > bake.fragments.size()) {
-        return Error{ErrorCode::BadInput, "There are " + std::to_string(siblings.count) + " fragments, but " +
-                                              std::to_string(ids.size()) + " when it is broken again."};
+/// The stored fragments are called and placed as they should be.
+Sentence placeFault(const Bake& bake, const BakedBreaking& stored, const Breaking& again) {
+    const std::string parentId = idOf(bake, stored.parent);
+    if (stored.fragments.count() != again.fragments.count()) {
+        return "There are " + std::to_string(stored.fragments.count()) + " fragments, but " +
+               std::to_string(again.fragments.count()) + " when it is broken again.";
     }
-    Fragments fragments;
-    for (std::uint32_t k = 0; k < siblings.count; ++k) {
-        const BakedFragment& stored = bake.fragments[siblings.first + k];
-        if (stored.id != ids[k] || stored.parent != parent || stored.level != levelBelow(bake, parent)) {
-            return Error{ErrorCode::BadInput, "Fragment " + stored.id + " is not the " + ids[k] + " it should be."};
-        }
-        fragments.fragments.push_back(stored.solid);
-        if (parent != kNone) fragments.fragments.back().offset -= bake.fragments[parent].solid.offset;
+    for (std::uint32_t k = 0; k < stored.fragments.count(); ++k) {
+        const std::string id = bake.fragmentId(stored.first + k);
+        const std::string expected = fragmentId(parentId, again.seeds, again.fragments[k]);
+        if (id != expected) return "Fragment " + id + " is not the " + expected + " it should be.";
     }
-    return fragments;
+    const bool isWhole = stored.parent == kNone;
+    const Vec3 origin = isWhole ? Vec3{0.0, 0.0, 0.0} : bake.fragment(stored.parent).solid.offset();
+    if (stored.fragments.origin != origin) return "The fragments are not where it is.";
+    return std::nullopt;
 }
 
-Sentence breakingFault(const Bake& bake, const Asset& asset, std::uint32_t parent) {
-    const Result<Breaking> breaking = brokenAgain(bake, asset, parent);
-    if (!breaking) return breaking.error().message;
-    if (Sentence fault = stageFault(*breaking)) return fault;
-    const std::string parentId = parent == kNone ? std::to_string(bake.asset) : bake.fragments[parent].id;
-    const Result<Fragments> stored = storedSiblings(bake, parent, fragmentIds(parentId, *breaking));
-    if (!stored) return stored.error().message;
-    return verifyFragments(*stored, breaking->prism, breaking->partition.gap);
+Sentence breakingFault(const Bake& bake, const Asset& asset, const BakedBreaking& stored) {
+    const Result<Breaking> again = brokenAgain(bake, asset, stored.parent);
+    if (!again) return again.error().message;
+    if (Sentence fault = placeFault(bake, stored, *again)) return fault;
+    return stageFault(stored, *again);
+}
+
+/// The k-th breaking is of a fragment that stands before it, of the next one that is broken, and one level below it.
+Sentence linkFault(const Bake& bake, const Asset& asset, std::size_t k) {
+    const BakedBreaking& breaking = bake.breakings[k];
+    const bool isAfterLast = k < 2 || breaking.parent > bake.breakings[k - 1].parent;
+    if (breaking.parent >= breaking.first || !isAfterLast) {
+        return "fragment " + std::to_string(breaking.first) + " is not a piece of the next fragment that is broken.";
+    }
+    const std::uint32_t level = bake.fragment(breaking.parent).level;
+    const std::string name = "fragment " + bake.fragmentId(breaking.parent);
+    if (level >= asset.levels.size()) return name + " has pieces below the last level.";
+    if (breaking.level != level + 1) return name + " has pieces of another level than the next.";
+    return std::nullopt;
+}
+
+/// The breaking of the whole comes first; all fragments are numbered through.
+Sentence treeFault(const Bake& bake, const Asset& asset) {
+    if (bake.breakings.empty() || bake.breakings[0].parent != kNone) return "the whole is not broken.";
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < bake.breakings.size(); ++k) {
+        if (bake.breakings[k].first != count) return "fragment " + std::to_string(count) + " has another number.";
+        count += bake.breakings[k].fragments.count();
+        if (k == 0) continue;
+        if (Sentence fault = linkFault(bake, asset, k)) return fault;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -77,15 +91,11 @@ std::optional<std::string> verifyBake(const Bake& bake, const Asset& asset) {
     for (const Polytope& hull : bake.wholeHulls) {
         if (Sentence fault = verifyPolytope(hull)) return owner + "a hull of the whole: " + *fault;
     }
-    if (Sentence fault = breakingFault(bake, asset, kNone)) return owner + *fault;
-    for (std::uint32_t parent = 0; parent < bake.fragments.size(); ++parent) {
-        if (bake.fragments[parent].childCount == 0) continue;
-        if (bake.fragments[parent].level >= asset.levels.size()) {
-            return owner + "fragment " + bake.fragments[parent].id + " has pieces below the last level.";
-        }
-        if (Sentence fault = breakingFault(bake, asset, parent)) {
-            return owner + "fragment " + bake.fragments[parent].id + ": " + *fault;
-        }
+    if (Sentence fault = treeFault(bake, asset)) return owner + *fault;
+    for (const BakedBreaking& breaking : bake.breakings) {
+        const Sentence fault = breakingFault(bake, asset, breaking);
+        if (!fault) continue;
+        return owner + (breaking.parent == kNone ? "" : "fragment " + bake.fragmentId(breaking.parent) + ": ") + *fault;
     }
     return std::nullopt;
 }

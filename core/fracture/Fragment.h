@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/base/RawVector.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/Partition.h"
+#include "core/fracture/PieceParts.h"
 #include "core/fracture/Prism.h"
-#include "core/geometry/ConvexParts.h"
+#include "core/fracture/ThinPieces.h"
 #include "core/geometry/MassProperties.h"
 #include "core/geometry/Polytope.h"
 
@@ -19,29 +21,67 @@ struct Bond {
     double area = 0.0;           // m^2 shared
 };
 
+struct Fragments;
+
 /// One solid piece of a prism. Its own frame has the prism's axes and its centre of mass as origin.
-struct Fragment {
-    std::uint32_t seed = kNone;         // input index
-    std::uint32_t piece = 0;            // k-th piece of its seed's cell
-    std::uint32_t piecesOfSeed = 1;     // how many the outline cut that cell into
-    Polygon outline;                    // the exact piece, m, in the fragment's own frame
-    std::vector<std::uint32_t> across;  // behind each edge, ring after ring (outer first): a fragment; kNone: outside
-    IndexLoops parts;            // convex parts of the outline, which hulls stand on; none where it is convex itself
-    double depth = 0.0;          // m
-    Vec3 offset{0.0, 0.0, 0.0};  // centre of mass in the prism's frame, m
-    MassProperties mass;         // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
-    std::vector<Bond> bonds;     // ascending fragment
+///
+/// A view: outline, neighbours and hulls are read from the partition whenever they are asked for, in O(corners · log
+/// corners) of the piece, and handed over as values. The fragments must stay where they are meanwhile.
+class Fragment {
+public:
+    Fragment(const Fragments& all, std::uint32_t index) : m_all(&all), m_index(index) {}
+
+    std::uint32_t seed() const;          // input index; kNone where there are no seeds
+    std::uint32_t pieceOfSeed() const;   // k-th piece of its seed's cell
+    std::uint32_t piecesOfSeed() const;  // how many the outline cut that cell into
+    double depth() const;                // m
+    Vec3 offset() const;                 // centre of mass, m: see Fragments::origin
+    double volume() const;               // m^3: that of `mass()`
+    MassProperties mass() const;  // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
+    bool isConvex() const;        // up to rounding
+    Polygon outline() const;      // the exact piece, m, in the fragment's own frame
+    std::vector<std::uint32_t> across() const;  // behind each edge, ring after ring: a fragment; kNone: outside
+    std::vector<Bond> bonds() const;            // ascending fragment
+
+    /// The convex hulls that fill it, in its own frame: one where its outline is convex, else one a convex part. Corners
+    /// on straight sides, and those that turn right by no more than rounding, are left out.
+    std::vector<Polytope> hulls() const;
+
+private:
+    const Fragments* m_all;
+    std::uint32_t m_index;
 };
 
-/// The convex hulls that fill a fragment, in its own frame: one where its outline is convex, else one a part. Corners on
-/// straight sides, and those that turn right by no more than rounding, are left out. Made when asked for: a bake of
-/// 50,000 fragments would spend most of its time on them.
-std::vector<Polytope> hullsOf(const Fragment& fragment);
+/// What is kept of a fragment beside its piece.
+struct FragmentRecord {
+    AreaMoments moments;  // of the exact piece, in the partition's coordinates; `centre` of all that it weighs
+    std::uint32_t piece = 0;
+    bool isConvex = true;
+    bool hasGifts = false;  // it took the mass of thin pieces
+};
 
-/// The pieces of a partition of the prism's outline, extruded.
+/// The mass of a fragment that took that of thin pieces; centre (0, 0, 0).
+struct GiftedMass {
+    std::uint32_t fragment = 0;
+    MassProperties mass;
+};
+
+/// The pieces of a partition of a prism's outline, extruded. All flat arrays; read them through operator[].
 struct Fragments {
-    std::vector<Fragment> fragments;  // by seed, then piece
-    std::vector<Report> reports;      // the partition's, then ThinPiece
+    Partition partition;
+    double depth = 0.0;          // m
+    HullTolerance tolerance;     // that of their hulls
+    double leastEdge = 0.0;      // m: pieces that share less are not bonded
+    Vec3 origin{0.0, 0.0, 0.0};  // of the prism's frame in that of `Fragment::offset()`, m
+
+    RawVector<FragmentRecord> records;         // by seed, then piece
+    RawVector<std::uint32_t> fragmentOfPiece;  // where a piece is too thin, the receiver's; kNone: none took it
+    std::vector<ThinPieceGift> gifts;          // one a thin piece, by seed, then piece
+    std::vector<GiftedMass> giftedMasses;      // ascending fragment
+    std::vector<Report> reports;               // the partition's, then ThinPiece
+
+    std::uint32_t count() const { return static_cast<std::uint32_t>(records.size()); }
+    Fragment operator[](std::uint32_t index) const { return {*this, index}; }
 };
 
 /// Extrudes a partition: one fragment a piece, with convex hulls, mass properties and bonds (shared length x depth, where
@@ -51,6 +91,6 @@ struct Fragments {
 /// O(corners · log corners of a piece) on task.threads.
 ///
 /// Errors: Cancelled.
-Result<Fragments> extrudedFragments(const Prism& prism, const Partition& partition, const TaskContext& task = {});
+Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, const TaskContext& task = {});
 
 }  // namespace rubble

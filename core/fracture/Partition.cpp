@@ -8,31 +8,19 @@ namespace rubble {
 
 namespace {
 
-/// Calls visit(from, to, across) for every edge of a piece, ring by ring.
-template <class Visit>
-void forEachEdge(const Partition& partition, std::uint32_t piece, Visit visit) {
-    for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
-        const std::uint32_t begin = partition.cornersOfRing[ring], end = partition.cornersOfRing[ring + 1];
-        for (std::uint32_t corner = begin; corner < end; ++corner) {
-            const std::uint32_t next = corner + 1 < end ? corner + 1 : begin;
-            visit(partition.corners[corner], partition.corners[next], partition.across[corner]);
-        }
-    }
-}
-
-Ring pointsOf(const Partition& partition, std::uint32_t ring) {
+Ring pointsOf(const Partition& partition, std::uint32_t ring, Vec2 centre) {
     Ring points;
     points.reserve(partition.ringCorners(ring).size());
-    for (const std::uint32_t corner : partition.ringCorners(ring)) points.push_back(partition.points[corner]);
+    for (const std::uint32_t corner : partition.ringCorners(ring)) points.push_back(partition.points[corner] - centre);
     return points;
 }
 
 }  // namespace
 
-Polygon pieceOutline(const Partition& partition, std::uint32_t piece) {
+Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre) {
     const std::uint32_t first = partition.ringsOfPiece[piece], end = partition.ringsOfPiece[piece + 1];
-    Polygon outline{pointsOf(partition, first), {}};
-    for (std::uint32_t ring = first + 1; ring < end; ++ring) outline.holes.push_back(pointsOf(partition, ring));
+    Polygon outline{pointsOf(partition, first, centre), {}};
+    for (std::uint32_t ring = first + 1; ring < end; ++ring) outline.holes.push_back(pointsOf(partition, ring, centre));
     return outline;
 }
 

@@ -39,8 +39,20 @@ struct Partition {
     }
 };
 
-/// The piece as a polygon, in the outline's coordinates less `partition.origin`.
-Polygon pieceOutline(const Partition& partition, std::uint32_t piece);
+/// Calls visit(from, to, across) for every edge of a piece, ring by ring: two points and the piece behind.
+template <class Visit>
+void forEachEdge(const Partition& partition, std::uint32_t piece, Visit visit) {
+    for (std::uint32_t ring = partition.ringsOfPiece[piece]; ring < partition.ringsOfPiece[piece + 1]; ++ring) {
+        const std::uint32_t begin = partition.cornersOfRing[ring], end = partition.cornersOfRing[ring + 1];
+        for (std::uint32_t corner = begin; corner < end; ++corner) {
+            const std::uint32_t next = corner + 1 < end ? corner + 1 : begin;
+            visit(partition.corners[corner], partition.corners[next], partition.across[corner]);
+        }
+    }
+}
+
+/// The piece as a polygon, in the outline's coordinates less `partition.origin` and less `centre`.
+Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre = {0.0, 0.0});
 double pieceArea(const Partition& partition, std::uint32_t piece);
 
 /// Whether one of the piece's rings runs from one point straight to another.

@@ -26,8 +26,8 @@ std::optional<std::string> verifyPartition(const Partition& partition, const Pol
 /// (relative 1e-9 of the pieces' diameter), against all seeds: O(corners · log seeds), expected.
 std::optional<std::string> verifyNearestSeed(const Partition& partition, std::span<const Vec2> seeds);
 
-/// Hulls pass verifyPolytope and fill their piece; volumes sum to the prism's less the gap; bonds are mutual; centres
-/// of mass are origins.
-std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism, double gapArea);
+/// Pieces and fragments name each other; hulls pass verifyPolytope and fill their piece; volumes sum to the prism's less
+/// the gap; bonds are mutual; centres of mass are origins. Looks into the partition: verify that before.
+std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism);
 
 }  // namespace rubble

@@ -33,44 +33,53 @@ void forEachEdge(const Polygon& outline, Visit visit) {
     for (const Ring& hole : outline.holes) visitRing(hole);
 }
 
-Fault numberFault(const Fragment& fragment, double depth) {
-    if (fragment.depth != depth) return "has another depth than the prism.";
-    if (!(fragment.mass.volume > 0.0) || !std::isfinite(fragment.mass.volume)) return "has no volume.";
-    if (!isFinite(fragment.offset)) return "has an offset that is not finite.";
-    if (fragment.mass.centre != Vec3(0.0, 0.0, 0.0)) return "does not have its centre of mass as origin.";
-    if (fragment.piece >= fragment.piecesOfSeed) return "is a piece too many of its seed.";
+/// What all fragments share, and that they and the pieces name each other.
+Fault tableFault(const Fragments& all, const Prism& prism) {
+    if (all.depth != prism.depth) return "The fragments have another depth than the prism.";
+    if (all.fragmentOfPiece.size() != all.partition.pieceCount()) return "There are pieces without a fragment.";
+    for (const std::uint32_t fragment : all.fragmentOfPiece) {
+        if (fragment != kNone && fragment >= all.count()) return "A piece names a fragment that is not there.";
+    }
+    for (std::uint32_t i = 0; i < all.count(); ++i) {
+        const std::uint32_t piece = all.records[i].piece;
+        if (piece >= all.partition.pieceCount() || all.fragmentOfPiece[piece] != i) {
+            return "Fragment " + text(i) + " does not have a piece to itself.";
+        }
+    }
     return std::nullopt;
 }
 
-Fault acrossFault(const Fragment& fragment, std::size_t count) {
-    std::size_t edges = 0;
-    forEachEdge(fragment.outline, [&](Vec2, Vec2) { ++edges; });
-    if (fragment.across.size() != edges) return "has edges without neighbours.";
-    for (const std::uint32_t behind : fragment.across) {
-        if (behind != kNone && behind >= count) return "names a neighbour that is not there.";
+/// A volume, and the centre of mass as origin: that of what was given to it counts, too.
+Fault massFault(const Fragments& all, std::uint32_t index, double slack) {
+    const Fragment fragment = all[index];
+    if (!(fragment.volume() > 0.0) || !std::isfinite(fragment.volume())) return "has no volume.";
+    if (!isFinite(fragment.offset())) return "has an offset that is not finite.";
+    const Vec2 centre = centroid(fragment.outline());
+    if (!all.records[index].hasGifts && !(glm::length(centre) <= slack)) {
+        return "does not have its centre of mass as origin.";
     }
     return std::nullopt;
 }
 
 /// Hull corners are corners of the outline on the front or the back; hulls fill the piece up to `slack` m^3.
-Fault hullFault(const Fragment& fragment, double slack) {
+Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) {
     std::vector<std::array<double, 2>> corners;
-    forEachEdge(fragment.outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });
+    forEachEdge(outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });
     std::sort(corners.begin(), corners.end());
     double volume = 0.0;
-    const std::vector<Polytope> hulls = hullsOf(fragment);
+    const std::vector<Polytope> hulls = fragment.hulls();
     for (std::size_t k = 0; k < hulls.size(); ++k) {
         const std::string hull = "has a hull " + text(k);
         if (const Fault fault = verifyPolytope(hulls[k])) return hull + " that is no polytope: " + *fault;
         for (const Vec3& vertex : hulls[k].vertices) {
-            if (std::abs(vertex.z) != fragment.depth / 2.0 ||
+            if (std::abs(vertex.z) != fragment.depth() / 2.0 ||
                 !std::binary_search(corners.begin(), corners.end(), std::array{vertex.x, vertex.y})) {
                 return hull + " with a corner that is not the piece's.";
             }
         }
         volume += massOf(hulls[k]).volume;
     }
-    const double expected = area(fragment.outline) * fragment.depth;
+    const double expected = area(outline) * fragment.depth();
     if (!(std::abs(volume - expected) <= slack + kRelative * expected)) {
         return "is filled by its hulls with " + std::to_string(volume) + " m^3 in place of " +
                std::to_string(expected) + " m^3.";
@@ -78,50 +87,53 @@ Fault hullFault(const Fragment& fragment, double slack) {
     return std::nullopt;
 }
 
-const Bond* findBond(const Fragment& fragment, std::uint32_t to) {
-    const auto found = std::ranges::lower_bound(fragment.bonds, to, {}, &Bond::fragment);
-    return found != fragment.bonds.end() && found->fragment == to ? &*found : nullptr;
+using BondLists = std::vector<std::vector<Bond>>;  // one a fragment
+
+const Bond* findBond(const std::vector<Bond>& bonds, std::uint32_t to) {
+    const auto found = std::ranges::lower_bound(bonds, to, {}, &Bond::fragment);
+    return found != bonds.end() && found->fragment == to ? &*found : nullptr;
 }
 
 /// Bonds ascend, are mutual, and are those edges that have a fragment behind them.
-Fault bondFault(const std::vector<Fragment>& fragments, std::uint32_t index, double slack) {
-    const Fragment& fragment = fragments[index];
-    for (std::size_t k = 0; k < fragment.bonds.size(); ++k) {
-        const Bond& bond = fragment.bonds[k];
-        if (bond.fragment >= fragments.size() || bond.fragment == index) return "has a bond to nobody.";
-        if (k > 0 && fragment.bonds[k - 1].fragment >= bond.fragment) return "has bonds out of order.";
-        const Bond* back = findBond(fragments[bond.fragment], index);
-        if (!(bond.area > 0.0) || !back || back->area != bond.area) {
-            return "has a bond to fragment " + text(bond.fragment) + " that is not mutual.";
+Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fragment, const Polygon& outline,
+                double slack) {
+    const std::vector<Bond>& bonds = lists[index];
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        if (bonds[k].fragment >= lists.size() || bonds[k].fragment == index) return "has a bond to nobody.";
+        if (k > 0 && bonds[k - 1].fragment >= bonds[k].fragment) return "has bonds out of order.";
+        const Bond* back = findBond(lists[bonds[k].fragment], index);
+        if (!(bonds[k].area > 0.0) || !back || back->area != bonds[k].area) {
+            return "has a bond to fragment " + text(bonds[k].fragment) + " that is not mutual.";
         }
     }
     Fault fault;
+    const std::vector<std::uint32_t> across = fragment.across();
     std::size_t edge = 0;
-    forEachEdge(fragment.outline, [&](Vec2 from, Vec2 to) {
-        const std::uint32_t behind = fragment.across[edge++];
-        if (behind == kNone || behind == index || findBond(fragment, behind)) return;
-        if (!(fragment.depth * glm::distance(from, to) <= slack)) {
+    forEachEdge(outline, [&](Vec2 from, Vec2 to) {
+        const std::uint32_t behind = across[edge++];
+        if (behind == kNone || behind == index || findBond(bonds, behind)) return;
+        if (!(fragment.depth() * glm::distance(from, to) <= slack)) {
             fault = "has no bond to fragment " + text(behind) + ", which it touches.";
         }
     });
     return fault;
 }
 
-Fault orderFault(const std::vector<Fragment>& fragments) {
-    for (std::size_t i = 1; i < fragments.size(); ++i) {
-        const auto key = [](const Fragment& fragment) { return std::pair(fragment.seed, fragment.piece); };
-        if (!(key(fragments[i - 1]) < key(fragments[i]))) return "Fragment " + text(i) + " is out of order.";
+Fault orderFault(const Fragments& fragments) {
+    const auto key = [&](std::uint32_t i) { return std::pair(fragments[i].seed(), fragments[i].pieceOfSeed()); };
+    for (std::uint32_t i = 1; i < fragments.count(); ++i) {
+        if (!(key(i - 1) < key(i))) return "Fragment " + text(i) + " is out of order.";
     }
     return std::nullopt;
 }
 
 /// The fragments together weigh as much as the prism less its gap, about the same centre, with the same inertia.
-Fault sumFault(const std::vector<Fragment>& fragments, const Prism& prism, double gapVolume) {
+Fault sumFault(const Fragments& fragments, const Prism& prism, double gapVolume) {
     const MassProperties whole = massOfPrism(prism.outline, prism.depth);
     std::vector<MassProperties> parts;
-    for (const Fragment& fragment : fragments) {
-        parts.push_back(fragment.mass);
-        parts.back().centre = fragment.offset;
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) {
+        parts.push_back(fragments[i].mass());
+        parts.back().centre = fragments[i].offset() - fragments.origin;
     }
     const MassProperties sum = combined(parts);
     if (!(std::abs(sum.volume + gapVolume - whole.volume) <= kRelative * whole.volume)) {
@@ -143,19 +155,23 @@ Fault sumFault(const std::vector<Fragment>& fragments, const Prism& prism, doubl
 
 }  // namespace
 
-std::optional<std::string> verifyFragments(const Fragments& all, const Prism& prism, double gapArea) {
-    const std::vector<Fragment>& fragments = all.fragments;
+std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism) {
+    if (Fault fault = tableFault(fragments, prism)) return fault;
     const double diameter = boundsOf(prism.outline.outer).diagonal();
-    for (std::uint32_t i = 0; i < fragments.size(); ++i) {
+    BondLists bonds;
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) bonds.push_back(fragments[i].bonds());
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) {
         const auto named = [&](const Fault& fault) { return "Fragment " + text(i) + " " + *fault; };
-        const double hullSlack = kRelative * diameter * perimeterOf(fragments[i].outline) * prism.depth;
-        if (const Fault fault = numberFault(fragments[i], prism.depth)) return named(fault);
-        if (const Fault fault = acrossFault(fragments[i], fragments.size())) return named(fault);
-        if (const Fault fault = hullFault(fragments[i], hullSlack)) return named(fault);
-        if (const Fault fault = bondFault(fragments, i, 2.0 * kRelative * diameter * prism.depth)) return named(fault);
+        const Fragment fragment = fragments[i];
+        const Polygon outline = fragment.outline();
+        const double hullSlack = kRelative * diameter * perimeterOf(outline) * prism.depth;
+        const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
+        if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
+        if (const Fault fault = hullFault(fragment, outline, hullSlack)) return named(fault);
+        if (const Fault fault = bondFault(bonds, i, fragment, outline, bondSlack)) return named(fault);
     }
     if (Fault fault = orderFault(fragments)) return fault;
-    return sumFault(fragments, prism, gapArea * prism.depth);
+    return sumFault(fragments, prism, fragments.partition.gap * prism.depth);
 }
 
 }  // namespace rubble

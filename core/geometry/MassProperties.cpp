@@ -8,7 +8,7 @@ namespace rubble {
 namespace {
 
 /// Integrals over an area: of 1, of (x, y) and of (x², xy, y²).
-struct AreaMoments {
+struct Integrals {
     double area = 0.0;
     Vec2 first{0.0, 0.0};
     double xx = 0.0;
@@ -17,8 +17,8 @@ struct AreaMoments {
 };
 
 /// Integrals over the triangles between `origin` and the ring's edges, in coordinates relative to it.
-AreaMoments momentsOfRing(std::span<const Vec2> ring, Vec2 origin) {
-    AreaMoments moments;
+Integrals integralsOver(std::span<const Vec2> ring, Vec2 origin) {
+    Integrals moments;
     if (ring.empty()) return moments;
     Vec2 a = ring.back() - origin;
     for (const Vec2 corner : ring) {
@@ -35,7 +35,7 @@ AreaMoments momentsOfRing(std::span<const Vec2> ring, Vec2 origin) {
     return moments;
 }
 
-void addScaled(AreaMoments& sum, const AreaMoments& part, double factor) {
+void addScaled(Integrals& sum, const Integrals& part, double factor) {
     sum.area += factor * part.area;
     sum.first += factor * part.first;
     sum.xx += factor * part.xx;
@@ -44,11 +44,11 @@ void addScaled(AreaMoments& sum, const AreaMoments& part, double factor) {
 }
 
 /// The outer ring's moments less the holes', whatever way the rings run.
-AreaMoments momentsOfPolygon(const Polygon& polygon, Vec2 origin) {
-    AreaMoments sum = momentsOfRing(polygon.outer, origin);
-    if (sum.area < 0.0) addScaled(sum, AreaMoments(sum), -2.0);
+Integrals integralsOver(const Polygon& polygon, Vec2 origin) {
+    Integrals sum = integralsOver(polygon.outer, origin);
+    if (sum.area < 0.0) addScaled(sum, Integrals(sum), -2.0);
     for (const Ring& hole : polygon.holes) {
-        const AreaMoments moments = momentsOfRing(hole, origin);
+        const Integrals moments = integralsOver(hole, origin);
         addScaled(sum, moments, moments.area < 0.0 ? 1.0 : -1.0);
     }
     return sum;
@@ -81,21 +81,32 @@ Point meanOf(std::span<const Point> points) {
 
 }  // namespace
 
-MassProperties massOfPrism(const Polygon& outline, double depth) {
-    MassProperties mass;
-    if (outline.outer.empty()) return mass;
+AreaMoments momentsOf(const Polygon& outline) {
+    AreaMoments moments;
+    if (outline.outer.empty()) return moments;
     const Vec2 origin = outline.outer[0];
-    const AreaMoments about = momentsOfPolygon(outline, origin);
-    mass.volume = about.area * depth;
+    const Integrals about = integralsOver(outline, origin);
+    moments.area = about.area;
     const bool isFlat = !(about.area > 0.0);
-    const Vec2 centre = isFlat ? meanOf(std::span<const Vec2>(outline.outer)) : origin + about.first / about.area;
-    mass.centre = {centre.x, centre.y, 0.0};
-    // A second pass about the centre: the first one's moments would cancel where the origin lies far from it.
-    const AreaMoments central = momentsOfPolygon(outline, centre);
+    moments.centre = isFlat ? meanOf(std::span<const Vec2>(outline.outer)) : origin + about.first / about.area;
+    // A second pass about the centre: the first one's integrals would cancel where the origin lies far from it.
+    const Integrals central = integralsOver(outline, moments.centre);
+    moments.xx = central.xx;
+    moments.xy = central.xy;
+    moments.yy = central.yy;
+    return moments;
+}
+
+MassProperties massOfPrism(const AreaMoments& moments, double depth) {
+    MassProperties mass;
+    mass.volume = moments.area * depth;
+    mass.centre = {moments.centre.x, moments.centre.y, 0.0};
     const double zz = mass.volume * depth * depth / 12.0;
-    mass.inertia = inertiaFrom(central.xx * depth, central.yy * depth, zz, central.xy * depth, 0.0, 0.0);
+    mass.inertia = inertiaFrom(moments.xx * depth, moments.yy * depth, zz, moments.xy * depth, 0.0, 0.0);
     return mass;
 }
+
+MassProperties massOfPrism(const Polygon& outline, double depth) { return massOfPrism(momentsOf(outline), depth); }
 
 MassProperties massOf(const Polytope& polytope) {
     MassProperties mass;

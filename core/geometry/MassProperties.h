@@ -13,11 +13,24 @@ struct MassProperties {
     Mat3 inertia{0.0};           // m^5, about the centre, in the body's axes
 };
 
-/// Exact (up to rounding) for a polygon with holes extruded to z in [-depth/2, depth/2].
+/// How a flat area is spread out.
+struct AreaMoments {
+    double area = 0.0;      // m^2
+    Vec2 centre{0.0, 0.0};  // m
+    double xx = 0.0;        // m^4: integrals of x^2, xy and y^2 about the centre
+    double xy = 0.0;
+    double yy = 0.0;
+};
+
+/// Exact (up to rounding) for a polygon with holes.
 /// Source: Green's theorem on the outline; Mirtich 1996.
+AreaMoments momentsOf(const Polygon& outline);
+
+/// The mass of such an area extruded to z in [-depth/2, depth/2].
+MassProperties massOfPrism(const AreaMoments& moments, double depth);
 MassProperties massOfPrism(const Polygon& outline, double depth);
 
-/// The same for any closed polytope, relative to its first vertex.
+/// The mass of any closed polytope, relative to its first vertex.
 MassProperties massOf(const Polytope& polytope);
 
 /// Several bodies as one, by the parallel-axis theorem.

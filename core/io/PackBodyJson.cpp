@@ -110,13 +110,13 @@ void writeBody(PackText& json, const BodySource& body, double density) {
     json.raw(",\"offset\":");
     writeVector(json, body.offset);
     json.raw(",\"volume\":");
-    json.number(body.mass->volume);
+    json.number(body.mass.volume);
     json.raw(",\"mass\":");
-    json.number(density * body.mass->volume);
+    json.number(density * body.mass.volume);
     json.raw(",\"centreOfMass\":");
-    writeVector(json, body.centreOfMass);
+    writeVector(json, {0.0, 0.0, 0.0});
     json.raw(",\"inertia\":");
-    writeInertia(json, body.mass->inertia, density);
+    writeInertia(json, body.mass.inertia, density);
     json.raw(",\"neighbours\":");
     json.list(body.bonds, [&](const Bond& bond) {
         json.raw("{\"fragment\":");

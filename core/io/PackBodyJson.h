@@ -15,10 +15,9 @@ struct BodySource {
     std::string id;
     std::string name;
     std::uint32_t parent = kNone;
-    Vec3 offset{0.0, 0.0, 0.0};            // m
-    Vec3 centreOfMass{0.0, 0.0, 0.0};      // m, in the body's own frame
-    const MassProperties* mass = nullptr;  // at density 1
-    std::span<const Bond> bonds;
+    Vec3 offset{0.0, 0.0, 0.0};  // m
+    MassProperties mass;         // at density 1; its centre is the body's origin
+    std::vector<Bond> bonds;
     std::uint32_t firstSibling = 0;  // index of the fragment that the bonds call 0
     std::vector<Polytope> hulls;
 };

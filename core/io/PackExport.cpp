@@ -74,7 +74,7 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     if (!meshes) return Error{meshes.error().code, "Asset \"" + asset.name + "\": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
     files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, task.stage(0.8, 0.9))});
-    result.fragmentCount = baked->fragments.size();
+    result.fragmentCount = baked->fragmentCount();
     result.volume = baked->whole.volume;
     result.reports = std::move(baked->reports);
     return writeExportFolder(result.folder, source, files, task);

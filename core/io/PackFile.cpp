@@ -69,26 +69,25 @@ BodySource sourceOfWhole(const Bake& bake, const Asset& asset) {
     return {.id = std::to_string(asset.id),
             .name = bodyName(asset),
             .offset = bake.whole.centre,
-            .mass = &bake.whole,
+            .mass = bake.whole,
             .hulls = bake.wholeHulls};
 }
 
 TextBlock chunkJson(const Bake& bake, const Asset& asset, double density, std::size_t first) {
     std::vector<BodySource> bodies;
-    const std::size_t end = std::min(first + kChunk, bake.fragments.size());
+    const std::size_t end = std::min(first + kChunk, std::size_t{bake.fragmentCount()});
     bodies.reserve(end - first);
-    for (std::size_t k = first; k < end; ++k) {
-        const BakedFragment& fragment = bake.fragments[k];
+    for (auto k = static_cast<std::uint32_t>(first); k < end; ++k) {
+        const BakedFragment fragment = bake.fragment(k);
         const Fragment& solid = fragment.solid;
-        bodies.push_back({.id = fragment.id,
-                          .name = bodyName(asset, static_cast<std::uint32_t>(k)),
+        bodies.push_back({.id = bake.fragmentId(k),
+                          .name = bodyName(asset, k),
                           .parent = fragment.parent,
-                          .offset = solid.offset,
-                          .centreOfMass = solid.mass.centre,
-                          .mass = &solid.mass,
-                          .bonds = solid.bonds,
-                          .firstSibling = fragment.parent == kNone ? 0 : bake.fragments[fragment.parent].firstChild,
-                          .hulls = hullsOf(solid)});
+                          .offset = solid.offset(),
+                          .mass = solid.mass(),
+                          .bonds = solid.bonds(),
+                          .firstSibling = fragment.firstSibling,
+                          .hulls = solid.hulls()});
     }
     return bodiesJson(bodies, density);
 }
@@ -131,7 +130,7 @@ ContentHash packHash(const Asset& asset, const Material& material, std::span<con
 std::string packJson(const Bake& bake, const Asset& asset, const Material& material,
                      std::span<const PackMeshFile> meshes, const TaskContext& task) {
     const BodySource whole = sourceOfWhole(bake, asset);
-    std::vector<TextBlock> chunks((bake.fragments.size() + kChunk - 1) / kChunk);
+    std::vector<TextBlock> chunks((bake.fragmentCount() + kChunk - 1) / kChunk);
     forEachIndex(chunks.size(), task.threads,
                  [&](std::size_t k) { chunks[k] = chunkJson(bake, asset, material.density, kChunk * k); });
 

@@ -22,8 +22,8 @@ bool isBroken(const BakedFragment& fragment) { return fragment.childCount > 0; }
 /// A fragment is in another file than its pieces, so that no two of a file overlap.
 std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
     std::vector<PartFile> files{{bodyName(asset), PackMeshBodies::Fragments, {}}};
-    for (std::uint32_t index = 0; index < bake.fragments.size(); ++index) {
-        const BakedFragment& fragment = bake.fragments[index];
+    for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
+        const BakedFragment fragment = bake.fragment(index);
         const std::size_t file = isBroken(fragment) ? fragment.level + 1 : 0;
         while (files.size() <= file) {
             const std::string level = std::to_string(files.size() - 1);
@@ -37,7 +37,7 @@ std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
 
 std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
     std::vector<PartFile> files;
-    for (std::uint32_t index = 0; index < bake.fragments.size(); ++index) {
+    for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
         files.push_back({bodyName(asset, index), PackMeshBodies::Fragment, {index}});
     }
     return files;
@@ -96,10 +96,10 @@ Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const Materi
         parts.reserve(file.fragments.size());
         for (const std::uint32_t index : file.fragments) {
             if (task.isCancelled()) return TaskContext::cancelled();
-            const BakedFragment& fragment = bake.fragments[index];
-            parts.push_back({bodyName(asset, index), fragmentMesh(fragment, asset), fragment.solid.offset});
+            const BakedFragment fragment = bake.fragment(index);
+            parts.push_back({bodyName(asset, index), fragmentMesh(fragment, asset), fragment.solid.offset()});
             if (++made % kTold == 0) {
-                task.report(static_cast<double>(made) / static_cast<double>(bake.fragments.size()));
+                task.report(static_cast<double>(made) / static_cast<double>(bake.fragmentCount()));
             }
         }
         if (const Status added = files.add(file, std::move(parts)); !added) return added.error();

@@ -15,7 +15,7 @@ namespace rubble {
 struct BakedAsset {
     std::shared_ptr<const Asset> asset;  // the state it was baked from
     std::shared_ptr<const Bake> bake;    // null where it failed
-    Delaunay triangulation;              // of bake->seeds; without triangles where there are less than three
+    Delaunay triangulation;              // of its seeds; without triangles where there are less than three
     std::optional<Error> fault;
 };
 

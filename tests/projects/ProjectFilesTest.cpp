@@ -36,7 +36,7 @@ private slots:
         const Project project = test::pane();
         const Result<Bake> baked = bake(project.assets[0]);
         QVERIFY(baked.hasValue());
-        QCOMPARE(baked->fragments.size(), std::size_t{200});
+        QCOMPARE(baked->fragmentCount(), 200u);
         QCOMPARE(baked->reports.size(), std::size_t{0});
         QCOMPARE(verifyBake(*baked, project.assets[0]).value_or(""), std::string());
     }
@@ -45,7 +45,7 @@ private slots:
         const Result<Bake> baked = bake(project.assets[0]);
         QVERIFY(baked.hasValue());
         QCOMPARE(verifyBake(*baked, project.assets[0]).value_or(""), std::string());
-        QVERIFY(baked->seeds.positions.size() == 60 && baked->fragments.back().level == 1);
+        QVERIFY(baked->breakings[0].seeds.positions.size() == 60 && baked->breakings.back().level == 1);
         // 4 x 2.6 m less door and window, 0.24 m thick.
         QCOMPARE(baked->whole.volume, (4.0 * 2.6 - 0.9 * 2.05 - 1.2 * 1.15) * 0.24);
     }

@@ -32,28 +32,43 @@ inline Asset ringAsset() {
     return asset;
 }
 
-/// A piece with its outline about `offset`, as an outline of the prism's frame is given.
-inline BakedFragment fragmentOf(Polygon outline, std::vector<std::uint32_t> across, double depth, Vec2 offset) {
-    for (Vec2& corner : outline.outer) corner -= offset;
-    for (Ring& hole : outline.holes) {
-        for (Vec2& corner : hole) corner -= offset;
+/// A piece with its outline as the prism's frame has it, and the piece behind each edge, ring after ring.
+struct LoosePiece {
+    Polygon outline;
+    std::vector<std::uint32_t> across;
+};
+
+/// A bake of one level with these pieces as fragments, whose corners need not fit together.
+inline Bake bakeOf(const std::vector<LoosePiece>& pieces, double depth) {
+    Partition partition;
+    partition.ringsOfPiece = {0};
+    partition.cornersOfRing = {0};
+    const auto addRing = [&](const Ring& ring) {
+        for (const Vec2 corner : ring) {
+            partition.corners.push_back(static_cast<std::uint32_t>(partition.points.size()));
+            partition.points.push_back(corner);
+        }
+        partition.cornersOfRing.push_back(static_cast<std::uint32_t>(partition.corners.size()));
+    };
+    for (const LoosePiece& piece : pieces) {
+        addRing(piece.outline.outer);
+        for (const Ring& hole : piece.outline.holes) addRing(hole);
+        partition.across.insert(partition.across.end(), piece.across.begin(), piece.across.end());
+        partition.seedOfPiece.push_back(partition.pieceCount());
+        partition.pieceOfSeed.push_back(partition.pieceCount() - 1);
+        partition.ringsOfPiece.push_back(static_cast<std::uint32_t>(partition.cornersOfRing.size()) - 1);
     }
-    BakedFragment fragment;
-    fragment.solid.outline = std::move(outline);
-    fragment.solid.across = std::move(across);
-    fragment.solid.depth = depth;
-    fragment.solid.offset = {offset.x, offset.y, 0.0};
-    return fragment;
+    Bake bake;
+    bake.breakings.resize(1);
+    bake.breakings[0].fragments = *extrudedFragments({pieces[0].outline, depth}, std::move(partition));
+    return bake;
 }
 
-/// The left half of the unit square, cut off at x = 0.5, 2 deep; its neighbour is fragment 1.
-inline BakedFragment leftHalf() {
-    return fragmentOf({rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {kNone, 1, kNone, kNone}, 2.0, {0.25, 0.5});
-}
-
-/// The right half; its neighbour is fragment 0.
-inline BakedFragment rightHalf() {
-    return fragmentOf({rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {kNone, kNone, kNone, 0}, 2.0, {0.75, 0.5});
+/// The unit square cut in two at x = 0.5, 2 deep: fragment 0 is the left half, fragment 1 the right one.
+inline Bake halvedSquare() {
+    return bakeOf({{{rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {kNone, 1, kNone, kNone}},
+                   {{rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {kNone, kNone, kNone, 0}}},
+                  2.0);
 }
 
 }  // namespace rubble

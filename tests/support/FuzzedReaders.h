@@ -37,13 +37,13 @@ inline Sentence stageFault(const FractureInput& input) {
     const Result<Delaunay> delaunay = triangulate(input.seeds);
     if (!delaunay) return refusalFault(delaunay.error());
     if (Sentence fault = verifyDelaunay(*delaunay, input.seeds)) return fault;
-    const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay);
+    Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay);
     if (!partition) return refusalFault(partition.error());
     if (Sentence fault = verifyPartition(*partition, input.prism.outline)) return fault;
     if (Sentence fault = verifyNearestSeed(*partition, input.seeds)) return fault;
-    const Result<Fragments> fragments = extrudedFragments(input.prism, *partition);
+    const Result<Fragments> fragments = extrudedFragments(input.prism, std::move(*partition));
     if (!fragments) return refusalFault(fragments.error());
-    return verifyFragments(*fragments, input.prism, partition->gap);
+    return verifyFragments(*fragments, input.prism);
 }
 
 inline Sentence fractureFault(std::string_view bytes) {

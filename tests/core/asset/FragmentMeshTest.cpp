@@ -20,6 +20,18 @@ long insideFaces(const Mesh& mesh) {
                          [](const MeshFace& face) { return face.side == FaceSide::Inside; });
 }
 
+/// The mesh of the left half of the unit square, cut off at x = 0.5, 2 deep.
+Mesh leftHalfMesh(const Asset& asset) {
+    const Bake bake = halvedSquare();
+    return fragmentMesh(bake.fragment(0), asset);
+}
+
+/// The mesh of a piece with another one behind every edge that is not outside.
+Mesh pieceMesh(const Polygon& outline, const std::vector<std::uint32_t>& across, double depth, const Asset& asset) {
+    const Bake bake = bakeOf({{outline, across}, {outline, across}}, depth);
+    return fragmentMesh(bake.fragment(0), asset);
+}
+
 std::string faultOf(const Mesh& mesh, double volume) { return verifyMesh(mesh, volume).value_or(""); }
 
 }  // namespace
@@ -28,7 +40,7 @@ class FragmentMeshTest : public QObject {
     Q_OBJECT
 private slots:
     void aHalfHasOneInsideFace() {
-        const Mesh mesh = fragmentMesh(leftHalf(), assetOf(unitSquare(), 2.0));
+        const Mesh mesh = leftHalfMesh(assetOf(unitSquare(), 2.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
         QCOMPARE(mesh.faces.size(), std::size_t{6});
@@ -39,7 +51,7 @@ private slots:
         QVERIFY(mesh.positions[4] == Vec3(-0.25, -0.5, -1.0));
     }
     void outsideTexturesAreTheOutlineInMetres() {
-        const Mesh mesh = fragmentMesh(leftHalf(), assetOf(unitSquare(), 2.0));
+        const Mesh mesh = leftHalfMesh(assetOf(unitSquare(), 2.0));
         const std::vector<Vec2> front = {{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}};
         QVERIFY(uvsOf(mesh, 0) == front);
         // The left side is the last of the outline's four: 3 m to 4 m along it.
@@ -53,36 +65,33 @@ private slots:
         Asset asset = assetOf(unitSquare(), 2.0);
         asset.insideUvScale = 4.0;
         const std::vector<Vec2> cut = {{0.0, 4.0}, {0.0, -4.0}, {4.0, -4.0}, {4.0, 4.0}};
-        QVERIFY(uvsOf(fragmentMesh(leftHalf(), asset), 5) == cut);
+        QVERIFY(uvsOf(leftHalfMesh(asset), 5) == cut);
     }
     void anOutlineOfTheOtherWindingIsNotMirrored() {
         const Ring clockwise = reversed(unitSquare().outer);
-        const Mesh mesh = fragmentMesh(leftHalf(), assetOf({clockwise, {}}, 2.0));
+        const Mesh mesh = leftHalfMesh(assetOf({clockwise, {}}, 2.0));
         const std::vector<Vec2> left = uvsOf(mesh, 4);
         QCOMPARE(left[2].x - left[0].x, 1.0);
     }
     void aCornerOnAStraightSideStays() {
         // The neighbours above and below meet at (0.5, 0.5): the cap has five corners, so must the sides.
-        const BakedFragment fragment = fragmentOf({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
-                                                  {kNone, 1, 2, kNone, kNone}, 2.0, {0.25, 0.5});
-        const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
+        const Mesh mesh = pieceMesh({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
+                                    {kNone, 1, 1, kNone, kNone}, 2.0, assetOf(unitSquare(), 2.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{7});
         QCOMPARE(mesh.faces[0].cornerCount, 5u);
         QCOMPARE(insideFaces(mesh), 2L);
     }
     void cornersThatFellTogetherAreOne() {
-        const BakedFragment fragment = fragmentOf({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
-                                                  {kNone, 1, 2, kNone, kNone, kNone}, 1.0, {0.5, 0.5});
-        const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 1.0));
+        const Mesh mesh = pieceMesh({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
+                                    {kNone, 1, 1, kNone, kNone, kNone}, 1.0, assetOf(unitSquare(), 1.0));
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
     }
     void aConcavePieceHasConvexCaps() {
         const Polygon corner{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
-        BakedFragment fragment = fragmentOf(corner, {kNone, kNone, 1, 1, kNone, kNone}, 1.0, {0.5, 0.5});
-        fragment.solid.parts.resize(2);
-        const Mesh mesh = fragmentMesh(fragment, assetOf({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, 1.0));
+        const Mesh mesh = pieceMesh(corner, {kNone, kNone, 1, 1, kNone, kNone}, 1.0,
+                                    assetOf({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, 1.0));
         QCOMPARE(faultOf(mesh, 3.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{2 + 2 + 6});
         QCOMPARE(mesh.positions.size(), std::size_t{12});
@@ -91,10 +100,8 @@ private slots:
     }
     void aPieceWithAHoleIsClosed() {
         const Polygon frame{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
-        BakedFragment fragment =
-            fragmentOf(frame, {kNone, kNone, kNone, kNone, kNone, kNone, kNone, 7}, 0.5, {1.5, 1.5});
-        fragment.solid.parts.resize(4);
-        const Mesh mesh = fragmentMesh(fragment, assetOf(frame, 0.5));
+        const Mesh mesh =
+            pieceMesh(frame, {kNone, kNone, kNone, kNone, kNone, kNone, kNone, 1}, 0.5, assetOf(frame, 0.5));
         QCOMPARE(faultOf(mesh, 4.0), "");
         QCOMPARE(faultOf(triangulated(mesh), 4.0), "");
         QCOMPARE(insideFaces(mesh), 1L);
@@ -103,9 +110,10 @@ private slots:
     }
     void belowTheFirstLevelTheParentsCutIsInside() {
         // A piece of the left half: its right side has no sibling behind it, but is the parent's cut.
-        BakedFragment fragment = leftHalf();
+        const Ring left = rectangle({0.0, 0.0}, {0.5, 1.0});
+        const Bake bake = bakeOf({{{left, {}}, {kNone, kNone, 1, kNone}}, {{left, {}}, {0, 0, 0, 0}}}, 2.0);
+        BakedFragment fragment = bake.fragment(0);
         fragment.level = 1;
-        fragment.solid.across = {kNone, kNone, 5, kNone};
         const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(insideFaces(mesh), 2L);
         QCOMPARE(faultOf(mesh, 1.0), "");
@@ -131,7 +139,7 @@ private slots:
         surface.triangles = {
             {{Vec3{0, 1, -1}, Vec3{0, -3, -1}, Vec3{0, 1, 3}}, {Vec2{0, -1}, Vec2{4, -1}, Vec2{0, 3}}, 0}};
         asset.surface = std::make_shared<const Surface>(surface);
-        const Mesh mesh = fragmentMesh(leftHalf(), asset);
+        const Mesh mesh = leftHalfMesh(asset);
         QCOMPARE(faultOf(mesh, 1.0), "");
         QCOMPARE(mesh.faces[0].material, 0u);  // faces are ordered by material: the back comes first,
         QCOMPARE(mesh.faces[4].material, 1u);  // the front last of the outside faces

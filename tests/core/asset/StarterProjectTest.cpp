@@ -21,7 +21,7 @@ private slots:
     void theWallBreaksIntoTwenty() {
         const Project project = starterProject();
         QCOMPARE(project.assets[0].name, std::string("wall"));
-        QCOMPARE(bake(project.assets[0])->fragments.size(), std::size_t{20});
+        QCOMPARE(bake(project.assets[0])->fragmentCount(), 20u);
     }
     void theWallStandsOnTheGround() {
         const Project project = starterProject();

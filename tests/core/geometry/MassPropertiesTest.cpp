@@ -76,7 +76,7 @@ private slots:
         QVERIFY(std::abs(polytope.inertia[0][0] / (side * side * side * side * side / 6.0) - 1.0) < 1e-13);
     }
     void nothingHasNoMass() {
-        QCOMPARE(massOfPrism({}, 1.0).volume, 0.0);
+        QCOMPARE(massOfPrism(Polygon(), 1.0).volume, 0.0);
         QCOMPARE(massOf({}).volume, 0.0);
         QCOMPARE(combined({}).volume, 0.0);
         const MassProperties flat = massOfPrism({{{0, 0}, {1, 0}, {2, 0}}, {}}, 1.0);

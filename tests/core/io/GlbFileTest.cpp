@@ -20,10 +20,10 @@ std::string bytesOf(const std::vector<MeshPart>& parts, PartPlace place = PartPl
 /// The unit square, 2 deep, cut at x = 0.5.
 std::vector<MeshPart> halves() {
     const Asset asset = assetOf(unitSquare(), 2.0);
-    const BakedFragment left = leftHalf();
-    const BakedFragment right = rightHalf();
-    return {{"wall0", fragmentMesh(left, asset), left.solid.offset},
-            {"wall1", fragmentMesh(right, asset), right.solid.offset}};
+    const Bake bake = halvedSquare();
+    const BakedFragment left = bake.fragment(0), right = bake.fragment(1);
+    return {{"wall0", fragmentMesh(left, asset), left.solid.offset()},
+            {"wall1", fragmentMesh(right, asset), right.solid.offset()}};
 }
 
 Glb opened(const std::string& bytes) {

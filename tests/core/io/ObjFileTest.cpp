@@ -18,10 +18,10 @@ const MeshMaterials kMaterials{{{"brick_outside", {0.5, 0.25, 1.0}}}, {"brick_in
 /// The unit square, 2 deep, cut at x = 0.5.
 std::vector<MeshPart> halves() {
     const Asset asset = assetOf(unitSquare(), 2.0);
-    const BakedFragment left = leftHalf();
-    const BakedFragment right = rightHalf();
-    return {{"wall0", fragmentMesh(left, asset), left.solid.offset},
-            {"wall1", fragmentMesh(right, asset), right.solid.offset}};
+    const Bake bake = halvedSquare();
+    const BakedFragment left = bake.fragment(0), right = bake.fragment(1);
+    return {{"wall0", fragmentMesh(left, asset), left.solid.offset()},
+            {"wall1", fragmentMesh(right, asset), right.solid.offset()}};
 }
 
 std::string assembled(const std::vector<MeshPart>& parts) {

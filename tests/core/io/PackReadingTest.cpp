@@ -51,21 +51,21 @@ private slots:
         QVERIFY(pack.material == material);
         QVERIFY(pack.meshes == packMeshes());
         QCOMPARE(pack.whole.hulls.size(), baked.wholeHulls.size());
-        QCOMPARE(pack.fragments.size(), baked.fragments.size());
-        for (std::size_t k = 0; k < pack.fragments.size(); ++k) {
+        QCOMPARE(pack.fragments.size(), std::size_t{baked.fragmentCount()});
+        for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
             const PackBody& read = pack.fragments[k];
-            const BakedFragment& written = baked.fragments[k];
-            QCOMPARE(read.id, written.id);
+            const BakedFragment written = baked.fragment(k);
+            QCOMPARE(read.id, baked.fragmentId(k));
             QCOMPARE(read.name, "box" + std::to_string(k));
             QCOMPARE(read.parent, written.parent);
-            QVERIFY(read.offset == written.solid.offset);
-            QCOMPARE(read.volume, written.solid.mass.volume);
-            QVERIFY(read.inertia == 1800.0 * written.solid.mass.inertia);
-            const std::vector<Polytope> hulls = hullsOf(written.solid);
+            QVERIFY(read.offset == written.solid.offset());
+            QCOMPARE(read.volume, written.solid.volume());
+            QVERIFY(read.inertia == 1800.0 * written.solid.mass().inertia);
+            const std::vector<Polytope> hulls = written.solid.hulls();
             QCOMPARE(read.hulls.size(), hulls.size());
             QVERIFY(read.hulls[0].polytope.vertices == hulls[0].vertices);
             QVERIFY(read.hulls[0].polytope.planes == hulls[0].planes);
-            QCOMPARE(read.neighbours.size(), written.solid.bonds.size());
+            QCOMPARE(read.neighbours.size(), written.solid.bonds().size());
         }
     }
     void writtenPacksPassVerification() {

@@ -1,0 +1,135 @@
+#include "core/base/Parallel.h"
+#include "core/fracture/Fragment.h"
+#include "core/fracture/VoronoiPartition.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <atomic>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kBlock = 128;  // fragments that a thread makes between two looks at the cancel token
+constexpr double kThinnest = 1e-9;   // of the outline's width
+constexpr double kFlat = 1e-12;      // of the outline's diameter: far above the rounding of constructed points
+
+/// Makes fragments from pieces, of which some may have been found too thin to become one.
+class Extrusion {
+public:
+    Extrusion(const Prism& prism, Partition&& partition) : m_isThin(partition.pieceCount(), 0) {
+        const double diameter = boundsOf(prism.outline.outer).diagonal();
+        m_all.depth = prism.depth;
+        m_all.tolerance = {kThinnest * widthOf(prism.outline), kFlat * diameter};
+        m_all.leastEdge = kLeastSharedEdge * diameter;
+        m_all.partition = std::move(partition);
+    }
+
+    /// Makes one fragment a piece, but for thin ones. Makes all again when thin pieces are found, as their receivers
+    /// change. False where the task was cancelled.
+    bool run(const TaskContext& task) {
+        while (true) {
+            numberFragments();
+            std::atomic<bool> isAnyThin = false;
+            forEachIndex((m_isThin.size() + kBlock - 1) / kBlock, task.threads, [&](std::size_t block) {
+                if (task.isCancelled()) return;
+                if (!makeBlock(block * kBlock)) isAnyThin = true;
+            });
+            if (task.isCancelled()) return false;
+            if (!isAnyThin) return true;
+            giveAwayThinPieces();
+        }
+    }
+
+    Fragments result() && {
+        m_all.reports = std::move(m_all.partition.reports);
+        for (const ThinPieceGift& gift : m_all.gifts) m_all.reports.push_back(thinPieceReport(m_all.partition, gift));
+        for (std::uint32_t fragment = 0; fragment < m_all.count() && !m_all.gifts.empty(); ++fragment) {
+            const FragmentRecord& record = m_all.records[fragment];
+            if (!record.hasGifts) continue;
+            m_all.giftedMasses.push_back({fragment, massWithGifts(record.piece)});
+            m_all.giftedMasses.back().mass.centre = Vec3{0.0, 0.0, 0.0};
+        }
+        return std::move(m_all);
+    }
+
+private:
+    /// Numbers fragments by seed, then by piece, with none for thin pieces, which have the number of their receiver.
+    void numberFragments() {
+        const Partition& partition = m_all.partition;
+        m_all.fragmentOfPiece.assign(m_isThin.size(), kNone);
+        std::uint32_t count = 0;
+        const auto number = [&](std::uint32_t first) {
+            for (std::uint32_t piece = first;
+                 piece < m_isThin.size() && partition.seedOfPiece[piece] == partition.seedOfPiece[first]; ++piece) {
+                if (!m_isThin[piece]) m_all.fragmentOfPiece[piece] = count++;
+            }
+        };
+        for (const std::uint32_t first : partition.pieceOfSeed) {
+            if (first != kNone) number(first);
+        }
+        if (partition.pieceOfSeed.empty()) number(0);  // the outline, unbroken
+        for (const ThinPieceGift& gift : m_all.gifts) {
+            if (gift.receiver != kNone) m_all.fragmentOfPiece[gift.thin] = m_all.fragmentOfPiece[gift.receiver];
+        }
+        m_all.records.resize(count);
+    }
+
+    /// Makes the fragments of a block of pieces, as they stand in memory. False where one was found to be thin.
+    bool makeBlock(std::size_t begin) {
+        const auto end = static_cast<std::uint32_t>(std::min(m_isThin.size(), begin + kBlock));
+        bool isAnyThin = false;
+        for (auto piece = static_cast<std::uint32_t>(begin); piece < end; ++piece) {
+            if (m_isThin[piece] || make(piece, m_all.records[m_all.fragmentOfPiece[piece]])) continue;
+            m_isThin[piece] = isAnyThin = true;
+        }
+        return !isAnyThin;
+    }
+
+    void giveAwayThinPieces() {
+        std::vector<std::uint32_t> thin;
+        for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
+            if (m_isThin[piece]) thin.push_back(piece);
+        }
+        std::ranges::stable_sort(thin, {}, [&](std::uint32_t piece) { return m_all.partition.seedOfPiece[piece]; });
+        m_all.gifts = thinPieceGifts(m_all.partition, thin);
+    }
+
+    /// False where the piece is too thin.
+    bool make(std::uint32_t piece, FragmentRecord& record) const {
+        const Polygon outline = pieceOutline(m_all.partition, piece);
+        const auto isGift = [&](const ThinPieceGift& gift) { return gift.receiver == piece; };
+        record.piece = piece;
+        record.moments = momentsOf(outline);
+        record.hasGifts = std::ranges::any_of(m_all.gifts, isGift);
+        if (!(widthOf(outline) > m_all.tolerance.thinnest)) return false;
+        if (record.hasGifts) record.moments.centre = Vec2{massWithGifts(piece).centre};
+        const std::optional<IndexLoops> parts =
+            hullParts(pieceOutline(m_all.partition, piece, record.moments.centre), m_all.tolerance);
+        record.isConvex = parts && parts->empty();
+        return parts.has_value();
+    }
+
+    /// The mass of a piece and of the thin ones that it receives.
+    MassProperties massWithGifts(std::uint32_t piece) const {
+        std::vector<MassProperties> masses{massOfPrism(pieceOutline(m_all.partition, piece), m_all.depth)};
+        for (const ThinPieceGift& gift : m_all.gifts) {
+            if (gift.receiver != piece) continue;
+            masses.push_back(massOfPrism(pieceOutline(m_all.partition, gift.thin), m_all.depth));
+        }
+        return combined(masses);
+    }
+
+    Fragments m_all;
+    std::vector<std::uint8_t> m_isThin;  // of each piece; not bits, as threads write to neighbours
+};
+
+}  // namespace
+
+Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, const TaskContext& task) {
+    Extrusion extrusion(prism, std::move(partition));
+    if (!extrusion.run(task)) return TaskContext::cancelled();
+    return std::move(extrusion).result();
+}
+
+}  // namespace rubble
