@@ -1,0 +1,81 @@
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QSvgRenderer>
+#include <QTest>
+
+#include <algorithm>
+
+namespace {
+
+constexpr const char* kProgramIcon = "rubble.svg";  // in its own colours and size
+const QDir kIcons(RUBBLE_SOURCE_DIR "/resources/icons");
+
+QByteArray textOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// An icon as the program draws it: its ink in a colour that the renderer knows.
+QImage drawn(QByteArray svg, int pixels) {
+    svg.replace("currentColor", "#232323");
+    QSvgRenderer renderer(svg);
+    QImage image(pixels, pixels, QImage::Format_ARGB32);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    renderer.render(&painter);
+    return image;
+}
+
+/// The greatest opacity along the frame of a picture.
+int opacityOfFrame(const QImage& image) {
+    int most = 0;
+    const int last = image.width() - 1;
+    for (int at = 0; at <= last; ++at) {
+        for (const QPoint point : {QPoint(at, 0), QPoint(at, last), QPoint(0, at), QPoint(last, at)}) {
+            most = std::max(most, image.pixelColor(point).alpha());
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+class IconsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyIconIsDrawnInOneStyle_data() {
+        QTest::addColumn<QByteArray>("svg");
+        for (const QString& name : kIcons.entryList({"*.svg"}, QDir::Files)) {
+            if (name != kProgramIcon) QTest::newRow(qPrintable(name)) << textOf(kIcons.filePath(name));
+        }
+    }
+    void everyIconIsDrawnInOneStyle() {
+        QFETCH(const QByteArray, svg);
+        const QSvgRenderer renderer(svg);
+        QVERIFY(renderer.isValid());
+        QCOMPARE(renderer.viewBox(), QRect(0, 0, 24, 24));
+        QVERIFY(
+            svg.contains("<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.75\" stroke-linecap=\"round\""));
+        const QImage image = drawn(svg, 96);
+        QVERIFY(image != drawn("<svg/>", 96));
+        QCOMPARE(opacityOfFrame(image), 0);  // nothing is cut off
+    }
+    void theProgramsIconIsDrawn() {
+        const QImage image = drawn(textOf(kIcons.filePath(kProgramIcon)), 64);
+        QCOMPARE(image.pixelColor(32, 32).alpha(), 255);
+        QCOMPARE(opacityOfFrame(image), 0);
+    }
+    void theResourceHoldsEveryIcon() {
+        const QString list = textOf(RUBBLE_SOURCE_DIR "/resources/icons.qrc");
+        const QRegularExpression entry("<file alias=\"(.+)\">icons/\\1</file>");
+        QStringList names;
+        for (auto match = entry.globalMatch(list); match.hasNext();) names.append(match.next().captured(1));
+        QCOMPARE(names, kIcons.entryList({"*.svg"}, QDir::Files, QDir::Name));
+    }
+};
+
+QTEST_GUILESS_MAIN(IconsTest)
+#include "IconsTest.moc"
