@@ -41,6 +41,13 @@ void deleteSeed(Pattern& pattern, SeedId seed) {
     if (place != placed->seeds.end() && place->index == seed.index) placed->seeds.erase(place);
 }
 
+void restoreSeed(Pattern& pattern, SeedId seed) {
+    PatternLayer* layer = findLayer(pattern, seed.layer);
+    if (!layer) return;
+    const auto place = placeOf(layer->overrides, seed.index);
+    if (place != layer->overrides.end() && place->index == seed.index) layer->overrides.erase(place);
+}
+
 SeedId placeSeed(PatternLayer& layer, Vec2 position) {
     std::vector<PlacedSeeds::Seed>& seeds = std::get<PlacedSeeds>(layer.parameters).seeds;
     const std::uint32_t index = seeds.empty() ? 0 : seeds.back().index + 1;

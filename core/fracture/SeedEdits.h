@@ -11,6 +11,8 @@ namespace rubble {
 void moveSeed(Pattern& pattern, SeedId seed, Vec2 position);
 /// Deletes a seed.
 void deleteSeed(Pattern& pattern, SeedId seed);
+/// Takes back what was done to a scattered seed: it stands where it was thrown again. Does nothing to others.
+void restoreSeed(Pattern& pattern, SeedId seed);
 /// Adds a seed to a layer of placed seeds and gives its id.
 SeedId placeSeed(PatternLayer& layer, Vec2 position);
 

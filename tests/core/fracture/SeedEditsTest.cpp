@@ -33,6 +33,18 @@ private slots:
         QVERIFY(pattern.layers[1].overrides.empty());
         QVERIFY((placeSeed(pattern.layers[1], {3.0, 3.0}) == SeedId{4, 3}));
     }
+    void aRestoredSeedHasNoOverride() {
+        Pattern pattern = twoLayers();
+        moveSeed(pattern, {3, 4}, {0.5, 0.5});
+        deleteSeed(pattern, {3, 1});
+        restoreSeed(pattern, {3, 4});
+        QVERIFY((pattern.layers[0].overrides == std::vector<SeedOverride>{{.index = 1, .isDeleted = true}}));
+        restoreSeed(pattern, {3, 1});
+        restoreSeed(pattern, {3, 2});
+        restoreSeed(pattern, {4, 2});
+        restoreSeed(pattern, {9, 0});
+        QVERIFY(pattern == twoLayers());
+    }
     void aLayerThatIsNotThereChangesNothing() {
         Pattern pattern = twoLayers();
         moveSeed(pattern, {9, 0}, {0.5, 0.5});
