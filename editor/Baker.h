@@ -1,31 +1,20 @@
 #pragma once
 
-#include "core/base/TaskContext.h"
+#include "editor/BakeQueue.h"
 #include "editor/document/Bakes.h"
-#include "editor/document/Document.h"
-#include "editor/document/Selection.h"
-
-#include <QElapsedTimer>
-#include <QThreadPool>
-
-#include <optional>
-#include <set>
 
 namespace rubble {
 
-/// Bakes a document's assets on a thread of its own whenever they change, the one at hand first, and puts the results into
-/// Bakes. The window never waits for it.
+/// Bakes a document's assets whenever they change, and puts the results into Bakes. The window never waits for it.
 ///
-/// While an asset is being dragged, a bake that has begun is finished and shown, then the newest state is baked: so the
-/// cells follow the hand however long a bake takes. One that has taken long already is cancelled instead. A result never
-/// replaces that of a newer state, and that of an asset which is gone is dropped.
+/// Patterns have a thread of their own and are there as soon as they can be; fragments, which take several times as long,
+/// follow when the pattern has come to rest. A result never replaces that of a newer state.
 class Baker : public QObject {
     Q_OBJECT
 public:
     Baker(const Document& document, const Selection& selection, Bakes& bakes, QObject* parent = nullptr);
-    ~Baker() override;
 
-    bool isBusy() const { return m_running != 0; }
+    bool isBusy() const { return m_patterns.isBusy() || m_fragments.isBusy(); }
     /// Stops what is being baked, and leaves what waits; until the next change nothing is baked.
     void cancel();
 
@@ -35,18 +24,11 @@ signals:
 
 private:
     void take(const Changes& changes);
-    void want(Id asset);
-    void startNext();
-    void finish(Id asset, std::shared_ptr<const BakedAsset> result);
 
     const Document& m_document;
-    const Selection& m_selection;
     Bakes& m_bakes;
-    QThreadPool m_thread;
-    std::set<Id> m_waiting;
-    Id m_running = 0;
-    QElapsedTimer m_runningSince;
-    CancelToken m_cancel;
+    BakeQueue m_patterns;
+    BakeQueue m_fragments;
 };
 
 }  // namespace rubble

@@ -3,6 +3,7 @@
 #include "core/asset/Bake.h"
 #include "core/base/Result.h"
 #include "core/fracture/Delaunay.h"
+#include "core/fracture/Partition.h"
 
 #include <QObject>
 
@@ -11,16 +12,24 @@
 
 namespace rubble {
 
+/// What the pattern of an asset in one state gives in the plane; there long before the fragments.
+struct BakedPattern {
+    std::shared_ptr<const Asset> asset;  // the state it was made from
+    Seeds seeds;
+    Delaunay triangulation;      // of the seeds
+    Partition partition;         // of the prism's outline
+    std::optional<Error> fault;  // what kept it from being made; the rest is empty then
+};
+
 /// What became of an asset in one state: its bake, or the fault that kept it from being baked.
 struct BakedAsset {
     std::shared_ptr<const Asset> asset;  // the state it was baked from
     std::shared_ptr<const Bake> bake;    // null where it failed
-    Delaunay triangulation;              // of its seeds; without triangles where there are less than three
     std::optional<Error> fault;
 };
 
-/// The last finished result of every asset of a document. They stay until better ones come: what is shown may be a moment
-/// older than the document.
+/// The last finished results of every asset of a document. They stay until better ones come: what is shown may be a moment
+/// older than the document, and the fragments a moment older than the pattern.
 class Bakes : public QObject {
     Q_OBJECT
 public:
@@ -30,14 +39,21 @@ public:
     std::shared_ptr<const BakedAsset> find(Id asset) const;
     const std::map<Id, std::shared_ptr<const BakedAsset>>& all() const { return m_results; }
 
+    /// Null until the asset's pattern was made once.
+    std::shared_ptr<const BakedPattern> findPattern(Id asset) const;
+
     void set(Id asset, std::shared_ptr<const BakedAsset> result);
+    void setPattern(Id asset, std::shared_ptr<const BakedPattern> pattern);
     void remove(Id asset);
+    void clear();
 
 signals:
     void changed(rubble::Id asset);
+    void patternChanged(rubble::Id asset);
 
 private:
     std::map<Id, std::shared_ptr<const BakedAsset>> m_results;
+    std::map<Id, std::shared_ptr<const BakedPattern>> m_patterns;
 };
 
 }  // namespace rubble
