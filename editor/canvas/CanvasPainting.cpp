@@ -1,0 +1,229 @@
+#include "editor/canvas/CanvasPainting.h"
+
+#include "editor/canvas/GridPainting.h"
+
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kLargestSeed = 4.0;          // pixels
+constexpr double kSmallestSign = 1.75;        // pixels; smaller seeds are points without a sign
+constexpr double kSeedPart = 0.14;            // of the mean distance between seeds
+constexpr std::size_t kMostFineLines = 9000;  // more lines than these are painted without smoothing, many times as fast
+
+/// Paints one part of the contents.
+class ContentsPainter {
+public:
+    ContentsPainter(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                    const CanvasColours& colours)
+        : m_painter(painter),
+          m_view(view),
+          m_contents(contents),
+          m_colours(colours),
+          m_pattern(*contents.pattern),
+          m_partition(contents.pattern->partition()) {
+        m_part.include(view.metres(part.topLeft()));
+        m_part.include(view.metres(part.bottomRight()));
+        for (std::uint32_t piece = 0; piece < m_partition.pieceCount(); ++piece) {
+            if (isInPart(m_pattern.box(piece))) m_pieces.push_back(piece);
+        }
+    }
+
+    void paintCells() {
+        m_painter.setRenderHint(QPainter::Antialiasing, false);
+        m_painter.setPen(Qt::NoPen);
+        const bool isColoured = m_contents.layers.colouring != CellColouring::None;
+        for (const std::uint32_t piece : m_pieces) {
+            const QColor colour =
+                isColoured ? m_pattern.colour(piece, m_contents.layers.colouring, m_contents.range) : m_colours.cell;
+            fill(piece, colour);
+            if (isHidden(piece)) hatch(piece);
+        }
+        m_painter.setBrush(Qt::NoBrush);
+        drawLines(cellEdges(), m_colours.cellEdge, 1.0);
+    }
+
+    void paintTriangles() {
+        const Delaunay& delaunay = m_pattern.baked().triangulation;
+        QList<QLineF> lines;
+        for (std::uint32_t triangle = 0; triangle < delaunay.triangles.size(); ++triangle) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t halfEdge = 4 * triangle + k;
+                const std::uint32_t from = delaunay.origin(halfEdge);
+                const std::uint32_t to = delaunay.origin(Delaunay::next(halfEdge));
+                if (from == Delaunay::kGhost || to == Delaunay::kGhost || from > to) continue;
+                addLine(delaunay.sites[from], delaunay.sites[to], lines);
+            }
+        }
+        drawLines(lines, m_colours.triangle, 1.0);
+    }
+
+    void paintSeeds() {
+        const double radius = seedRadius(m_pattern, m_view);
+        m_painter.setRenderHint(QPainter::Antialiasing, radius >= kSmallestSign);
+        const double reach = (kLargestSeed + 6.0) / m_view.scale;
+        const Box2 part{m_part.min - Vec2(reach), m_part.max + Vec2(reach)};
+        const std::vector<Vec2>& positions = m_pattern.seeds().positions;
+        for (std::uint32_t seed = 0; seed < positions.size(); ++seed) {
+            const Vec2 at = positions[seed];
+            if (at.x < part.min.x || at.x > part.max.x || at.y < part.min.y || at.y > part.max.y) continue;
+            paintSeed(seed, m_view.pixels(at), radius);
+        }
+    }
+
+private:
+    bool isInPart(const Box2& box) const {
+        return box.max.x >= m_part.min.x && box.min.x <= m_part.max.x && box.max.y >= m_part.min.y &&
+               box.min.y <= m_part.max.y;
+    }
+
+    bool isHidden(std::uint32_t piece) const {
+        const std::uint32_t seed = m_partition.seedOfPiece[piece];
+        return seed != kNone && !m_contents.hiddenSeeds.empty() &&
+               m_contents.hiddenSeeds.contains(m_pattern.seeds().ids[seed]);
+    }
+
+    void fill(std::uint32_t piece, const QBrush& brush) {
+        m_painter.setBrush(brush);
+        const std::uint32_t ring = m_partition.ringsOfPiece[piece];
+        if (m_partition.ringsOfPiece[piece + 1] - ring > 1) {
+            m_painter.drawPath(pathOfPiece(m_pattern, piece, m_view));
+            return;
+        }
+        const std::uint32_t begin = m_partition.cornersOfRing[ring], end = m_partition.cornersOfRing[ring + 1];
+        m_corners.clear();
+        for (std::uint32_t corner = begin; corner < end; ++corner) {
+            m_corners.push_back(m_view.pixels(m_pattern.corner(corner)));
+        }
+        m_painter.drawPolygon(m_corners.data(), static_cast<int>(m_corners.size()));
+    }
+
+    void hatch(std::uint32_t piece) {
+        fill(piece, m_colours.background);
+        fill(piece, QBrush(m_colours.label, Qt::BDiagPattern));
+    }
+
+    /// Each edge once, from the lower of its two pieces.
+    QList<QLineF> cellEdges() const {
+        QList<QLineF> lines;
+        for (const std::uint32_t piece : m_pieces) {
+            for (std::uint32_t ring = m_partition.ringsOfPiece[piece]; ring < m_partition.ringsOfPiece[piece + 1];
+                 ++ring) {
+                const std::uint32_t begin = m_partition.cornersOfRing[ring], end = m_partition.cornersOfRing[ring + 1];
+                for (std::uint32_t corner = begin; corner < end; ++corner) {
+                    const std::uint32_t across = m_partition.across[corner];
+                    const bool isOther = across != kNone && across < piece && isInPart(m_pattern.box(across));
+                    if (isOther) continue;
+                    addLine(m_pattern.corner(corner), m_pattern.corner(corner + 1 < end ? corner + 1 : begin), lines);
+                }
+            }
+        }
+        return lines;
+    }
+
+    void addLine(Vec2 from, Vec2 to, QList<QLineF>& lines) const {
+        Box2 box;
+        box.include(from);
+        box.include(to);
+        if (isInPart(box)) lines.push_back({m_view.pixels(from), m_view.pixels(to)});
+    }
+
+    void drawLines(const QList<QLineF>& lines, const QColor& colour, double width) {
+        const bool isFine = static_cast<std::size_t>(lines.size()) <= kMostFineLines;
+        m_painter.setRenderHint(QPainter::Antialiasing, isFine);
+        QColor shown = colour;
+        if (!isFine) shown.setAlphaF(0.6F);
+        m_painter.setPen(QPen(shown, isFine ? width : 0.0));
+        m_painter.drawLines(lines);
+    }
+
+    void paintSeed(std::uint32_t seed, QPointF at, double radius) {
+        const QColor colour = layerColour(m_pattern.layerNumber(seed));
+        if (radius < kSmallestSign) {
+            m_painter.fillRect(QRectF(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius), colour);
+        } else {
+            const bool isEmpty = m_pattern.hasNoCell(seed);
+            m_painter.setPen(QPen(isEmpty ? colour : m_colours.halo, isEmpty ? 1.5 : 1.0));
+            m_painter.setBrush(isEmpty ? m_colours.background : colour);
+            paintSeedSign(m_painter, at, radius, m_pattern.origin(seed));
+        }
+        if (m_pattern.isDuplicate(seed)) {
+            m_painter.setBrush(Qt::NoBrush);
+            m_painter.setPen(QPen(m_colours.fault, 1.5));
+            m_painter.drawEllipse(at, radius + 3.5, radius + 3.5);
+        }
+    }
+
+    QPainter& m_painter;
+    const CanvasView& m_view;
+    const CanvasContents& m_contents;
+    const CanvasColours& m_colours;
+    const ShownPattern& m_pattern;
+    const Partition& m_partition;
+    Box2 m_part;                          // m
+    std::vector<std::uint32_t> m_pieces;  // that reach into the part
+    std::vector<QPointF> m_corners;
+};
+
+void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
+    if (ring.empty()) return;
+    path.moveTo(view.pixels(ring[0]));
+    for (std::size_t k = 1; k < ring.size(); ++k) path.lineTo(view.pixels(ring[k]));
+    path.closeSubpath();
+}
+
+}  // namespace
+
+void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                   const CanvasColours& colours) {
+    painter.save();
+    painter.setClipRect(part);
+    painter.fillRect(part, colours.background);
+    if (contents.layers.hasGrid) paintGrid(painter, part, view, colours);
+    if (contents.pattern) {
+        ContentsPainter pattern(painter, part, view, contents, colours);
+        if (contents.layers.hasCells) pattern.paintCells();
+        if (contents.layers.hasTriangles) pattern.paintTriangles();
+        if (contents.layers.hasSeeds) pattern.paintSeeds();
+    }
+    painter.restore();
+}
+
+QPainterPath pathOf(const Polygon& polygon, const CanvasView& view) {
+    QPainterPath path;
+    addRing(polygon.outer, view, path);
+    for (const Ring& hole : polygon.holes) addRing(hole, view, path);
+    return path;
+}
+
+QPainterPath pathOfPiece(const ShownPattern& pattern, std::uint32_t piece, const CanvasView& view) {
+    Polygon outline = pieceOutline(pattern.partition(), piece);
+    CanvasView shifted = view;
+    shifted.centre -= pattern.partition().origin;
+    return pathOf(outline, shifted);
+}
+
+double seedRadius(const ShownPattern& pattern, const CanvasView& view) {
+    const auto count = static_cast<double>(std::max<std::size_t>(pattern.seeds().positions.size(), 1));
+    const double spacing = std::sqrt(area(pattern.baked().asset->prism.outline) / count) * view.scale;
+    return std::clamp(kSeedPart * spacing, 0.75, kLargestSeed);
+}
+
+void paintSeedSign(QPainter& painter, QPointF centre, double radius, SeedOrigin origin) {
+    if (origin == SeedOrigin::Scattered) return painter.drawEllipse(centre, radius, radius);
+    if (origin == SeedOrigin::Placed) {
+        const double half = 0.9 * radius;
+        return painter.drawRect(QRectF(centre.x() - half, centre.y() - half, 2.0 * half, 2.0 * half));
+    }
+    const double half = 1.3 * radius;
+    const QPointF corners[] = {centre + QPointF(half, 0.0), centre + QPointF(0.0, half), centre - QPointF(half, 0.0),
+                               centre - QPointF(0.0, half)};
+    painter.drawPolygon(corners, 4);
+}
+
+}  // namespace rubble

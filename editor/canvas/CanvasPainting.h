@@ -1,0 +1,34 @@
+#pragma once
+
+#include "editor/canvas/CanvasColours.h"
+#include "editor/canvas/CanvasView.h"
+#include "editor/canvas/ShownPattern.h"
+
+#include <QPainter>
+
+#include <set>
+
+namespace rubble {
+
+/// What a canvas shows of a pattern; painted where it changes only.
+struct CanvasContents {
+    std::shared_ptr<const ShownPattern> pattern;  // null where there is none
+    CanvasLayers layers;
+    ShownPattern::Range range;  // of layers.colouring
+    std::set<SeedId> hiddenSeeds;
+};
+
+/// Paints background, grid, cells, triangles and seeds into a part of the canvas, in pixels; nothing beyond it.
+void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                   const CanvasColours& colours);
+
+/// A path around a polygon.
+QPainterPath pathOf(const Polygon& polygon, const CanvasView& view);
+QPainterPath pathOfPiece(const ShownPattern& pattern, std::uint32_t piece, const CanvasView& view);
+
+/// How large seeds are drawn, pixels: smaller where they crowd.
+double seedRadius(const ShownPattern& pattern, const CanvasView& view);
+/// A seed's sign: a disc where it was scattered, a diamond where it was moved by hand, a square where it was placed.
+void paintSeedSign(QPainter& painter, QPointF centre, double radius, SeedOrigin origin);
+
+}  // namespace rubble

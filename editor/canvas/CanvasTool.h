@@ -1,0 +1,74 @@
+#pragma once
+
+#include "editor/canvas/CanvasColours.h"
+#include "editor/canvas/CanvasView.h"
+#include "editor/canvas/ShownPattern.h"
+#include "editor/document/Document.h"
+#include "editor/document/Selection.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+
+#include <memory>
+
+namespace rubble {
+
+/// What a canvas and its tools work on.
+struct CanvasState {
+    Document& document;
+    Selection& selection;
+    CanvasView view;
+    std::shared_ptr<const ShownPattern> pattern;  // the last one of the asset at hand; null where there is none
+    bool isSnapping = false;
+
+    /// The asset at hand; null where there is none.
+    const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
+};
+
+/// Where the pointer is and what is held with it.
+struct CanvasPointer {
+    QPointF pixels;
+    Vec2 metres;
+    Qt::KeyboardModifiers modifiers;
+};
+
+/// Where a point comes to lie: on a corner or an edge of the outline, or on the grid, where something is near and snapping
+/// is on; Shift turns it off.
+Vec2 snapped(const CanvasState& state, const CanvasPointer& pointer);
+
+/// What the left mouse button and the keys do on a canvas. A tool pushes edits into the document and keeps what is going on
+/// between press and release.
+class CanvasTool : public QObject {
+    Q_OBJECT
+public:
+    explicit CanvasTool(CanvasState& state) : m_state(state) {}
+
+    virtual void press(const CanvasPointer& pointer) = 0;
+    /// Also while no button is held.
+    virtual void move(const CanvasPointer& pointer) = 0;
+    virtual void release(const CanvasPointer& pointer) = 0;
+    virtual void doubleClick(const CanvasPointer& pointer) { press(pointer); }
+    /// True where the key means something to the tool.
+    virtual bool key(const QKeyEvent& event) = 0;
+    /// Puts back what is being dragged or drawn; false where nothing is.
+    virtual bool cancel() = 0;
+
+    virtual void paint(QPainter& painter, const CanvasColours& colours) const = 0;
+    virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
+    /// One line for the status bar: what can be done now.
+    virtual QString hint() const = 0;
+    /// Adds what can be done where the pointer is.
+    virtual void fillMenu(QMenu& menu, const CanvasPointer& pointer) = 0;
+
+signals:
+    /// What the tool paints, its cursor or its hint is another now.
+    void changed();
+    /// Something to tell the user.
+    void said(const QString& sentence);
+
+protected:
+    CanvasState& m_state;
+};
+
+}  // namespace rubble

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "editor/canvas/CanvasPainting.h"
+#include "editor/canvas/CanvasTool.h"
+
+#include <QImage>
+#include <QRegion>
+#include <QWidget>
+
+#include <array>
+
+namespace rubble {
+
+class SeedTool;
+
+/// Shows the pattern of the asset at hand in the plane, and is where it is drawn: outline, seeds and what they make, with
+/// tools to change them. What was painted is kept; only what changed is painted again.
+class PatternCanvas : public QWidget {
+    Q_OBJECT
+public:
+    PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
+    ~PatternCanvas() override;
+
+    const CanvasLayers& layers() const { return m_contents.layers; }
+    void setLayers(const CanvasLayers& layers);
+    bool isSnapping() const { return m_state.isSnapping; }
+    void setSnapping(bool isSnapping) { m_state.isSnapping = isSnapping; }
+    const CanvasView& view() const { return m_state.view; }
+    void setView(const CanvasView& view);
+    /// Shows all of the outline; it stays so until the view is moved by hand.
+    void fit();
+    void zoomBy(double factor);
+
+    /// What can be done now, for a status bar.
+    QString hint() const;
+    SeedTool& seedTool() { return *m_seedTool; }
+    /// What is shown; null where nothing is.
+    const ShownPattern* shownPattern() const { return m_contents.pattern.get(); }
+    QSize sizeHint() const override { return {800, 600}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+signals:
+    /// Something to tell the user.
+    void said(const QString& sentence);
+    void hintChanged(const QString& hint);
+    /// The pointer stands there, m.
+    void pointed(double x, double y);
+    void pointerLeft();
+    void layersChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void takeChanges(const Changes& changes);
+    void takeAsset();
+    void takePattern();
+    void toolChanged();
+    CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
+    void point(const CanvasPointer& pointer);
+
+    void repaintAll();
+    void repaintPart(const Box2& part);
+    void updatePicture();
+    void paintOutline(QPainter& painter) const;
+    void paintChosen(QPainter& painter) const;
+    void paintHovered(QPainter& painter) const;
+    QString sentenceInstead() const;
+
+    const Bakes& m_bakes;
+    CanvasState m_state;
+    CanvasContents m_contents;
+    CanvasColours m_colours;
+    std::unique_ptr<SeedTool> m_seedTool;
+    CanvasTool* m_tool = nullptr;
+
+    QImage m_picture;        // the contents as they were painted
+    CanvasView m_painted;    // at this view
+    QRectF m_stale;          // what is to be painted again, pixels
+    bool m_isFitted = true;  // until the view is moved by hand
+    std::optional<CanvasPointer> m_pointer;
+    std::uint32_t m_hovered = kNone;  // piece
+    std::optional<QPointF> m_panFrom;
+    bool m_hasSpace = false;
+};
+
+}  // namespace rubble

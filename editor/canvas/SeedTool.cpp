@@ -1,0 +1,320 @@
+#include "editor/canvas/SeedTool.h"
+
+#include "core/fracture/SeedEdits.h"
+#include "editor/canvas/CanvasPainting.h"
+#include "editor/canvas/GridPainting.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QApplication>
+
+#include <algorithm>
+#include <ranges>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kGrabReach = 9.0;  // pixels from a seed within which a press takes it
+constexpr double kNudge = 1.0;      // pixels that an arrow key moves by
+constexpr double kBigNudge = 10.0;  // with Shift
+
+/// The layer that seeds are placed in: the last one of its kind, or none.
+PatternLayer* placedLayer(Pattern& pattern) {
+    for (PatternLayer& layer : pattern.layers | std::views::reverse) {
+        if (layer.isOn && std::holds_alternative<PlacedSeeds>(layer.parameters)) return &layer;
+    }
+    return nullptr;
+}
+
+bool isPlaced(const Pattern& pattern, SeedId seed) {
+    const PatternLayer* layer = findLayer(pattern, seed.layer);
+    return layer && std::holds_alternative<PlacedSeeds>(layer->parameters);
+}
+
+/// Where a seed stands that was placed or moved by hand.
+std::optional<Vec2> positionByHand(const Pattern& pattern, SeedId seed) {
+    const PatternLayer* layer = findLayer(pattern, seed.layer);
+    if (!layer) return std::nullopt;
+    const auto positionIn = [&](const auto& list) -> std::optional<Vec2> {
+        const auto place = std::ranges::lower_bound(list, seed.index, {}, [](const auto& each) { return each.index; });
+        if (place == list.end() || place->index != seed.index) return std::nullopt;
+        return place->position;
+    };
+    const auto* placed = std::get_if<PlacedSeeds>(&layer->parameters);
+    return placed ? positionIn(placed->seeds) : positionIn(layer->overrides);
+}
+
+std::optional<Vec2> stepsOf(int key) {
+    switch (key) {
+        case Qt::Key_Left: return Vec2(-1.0, 0.0);
+        case Qt::Key_Right: return Vec2(1.0, 0.0);
+        case Qt::Key_Up: return Vec2(0.0, 1.0);
+        case Qt::Key_Down: return Vec2(0.0, -1.0);
+        default: return std::nullopt;
+    }
+}
+
+}  // namespace
+
+std::uint32_t SeedTool::seedAt(const CanvasPointer& pointer) const {
+    return m_state.pattern ? m_state.pattern->seedNear(pointer.metres, kGrabReach / m_state.view.scale) : kNone;
+}
+
+void SeedTool::press(const CanvasPointer& pointer) {
+    m_pressed = pointer.pixels;
+    m_hasMoved = false;
+    if (!m_state.asset()) return;
+    const std::uint32_t seed = seedAt(pointer);
+    const bool isAdding = pointer.modifiers.testFlag(Qt::ControlModifier);
+    if (seed == kNone) {
+        m_catch = {{{pointer.pixels}}, pointer.modifiers.testFlag(Qt::AltModifier), isAdding};
+        return;
+    }
+    const SeedId id = m_state.pattern->seeds().ids[seed];
+    if (isAdding) return m_state.selection.toggleSeed(id);
+    if (!m_state.selection.seeds().contains(id)) m_state.selection.setSeeds({id});
+    beginDrag(seed);
+}
+
+void SeedTool::beginDrag(std::uint32_t seed) {
+    m_drag = {.before = *m_state.asset(),
+              .from = chosenPositions(),
+              .grabbed = m_state.pattern->seeds().positions[seed],
+              .stroke = m_state.document.newStroke()};
+    emit changed();
+}
+
+std::map<SeedId, Vec2> SeedTool::chosenPositions() const {
+    std::map<SeedId, Vec2> positions;
+    for (const SeedId id : m_state.selection.seeds()) {
+        const std::uint32_t seed = m_state.pattern->find(id);
+        if (seed == kNone) continue;
+        // What was baked may be a moment old.
+        const std::optional<Vec2> byHand = positionByHand(m_state.asset()->pattern, id);
+        positions.emplace(id, byHand.value_or(m_state.pattern->seeds().positions[seed]));
+    }
+    return positions;
+}
+
+void SeedTool::move(const CanvasPointer& pointer) {
+    m_pointer = pointer;
+    if ((pointer.pixels - m_pressed).manhattanLength() >= QApplication::startDragDistance() / 2.0) m_hasMoved = true;
+    if (m_drag && m_hasMoved) {
+        CanvasPointer seed = pointer;
+        seed.metres = m_drag->grabbed + (pointer.metres - m_state.view.metres(m_pressed));
+        dragBy(snapped(m_state, seed) - m_drag->grabbed);
+    } else if (m_catch) {
+        if (!m_catch->isLasso) m_catch->path.resize(1);
+        m_catch->path.push_back(pointer.pixels);
+    }
+    m_hovered = seedAt(pointer);
+    emit changed();
+}
+
+void SeedTool::dragBy(Vec2 by) {
+    m_drag->by = by;
+    Asset asset = m_drag->before;
+    if (by != Vec2(0.0)) {
+        for (const auto& [id, from] : m_drag->from) moveSeed(asset.pattern, id, from + by);
+    }
+    m_state.document.push(altered(tr("Move %n seed(s)", nullptr, static_cast<int>(m_drag->from.size())),
+                                  std::move(asset), m_drag->stroke));
+}
+
+void SeedTool::release(const CanvasPointer& pointer) {
+    if (m_catch && m_hasMoved) {
+        m_state.selection.setSeeds(caught());
+    } else if (m_catch && !m_catch->isAdding) {
+        if (m_state.selection.seeds().empty()) {
+            place(snapped(m_state, pointer));
+        } else {
+            m_state.selection.setSeeds({});
+        }
+    }
+    m_catch.reset();
+    m_drag.reset();
+    emit changed();
+}
+
+Selection::Seeds SeedTool::caught() const {
+    Selection::Seeds seeds;
+    if (m_catch->isAdding) seeds = m_state.selection.seeds();
+    if (!m_state.pattern) return seeds;
+    const QRectF box = QRectF(m_catch->path.front(), m_catch->path.back()).normalized();
+    const std::vector<Vec2>& positions = m_state.pattern->seeds().positions;
+    for (std::size_t seed = 0; seed < positions.size(); ++seed) {
+        const QPointF at = m_state.view.pixels(positions[seed]);
+        const bool isCaught = m_catch->isLasso ? m_catch->path.containsPoint(at, Qt::OddEvenFill) : box.contains(at);
+        if (isCaught) seeds.insert(m_state.pattern->seeds().ids[seed]);
+    }
+    return seeds;
+}
+
+void SeedTool::place(Vec2 position) {
+    Asset asset = *m_state.asset();
+    Edit edit{.text = tr("Place seed")};
+    PatternLayer* layer = placedLayer(asset.pattern);
+    if (!layer) {
+        const Id id = edit.takeId(m_state.document.project());
+        asset.pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = PlacedSeeds{}});
+        layer = &asset.pattern.layers.back();
+    }
+    placeSeed(*layer, position);
+    edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
+    m_state.document.push(std::move(edit));
+}
+
+bool SeedTool::cancel() {
+    if (!m_drag && !m_catch) return false;
+    if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) dragBy({0.0, 0.0});
+    m_drag.reset();
+    m_catch.reset();
+    emit changed();
+    return true;
+}
+
+bool SeedTool::key(const QKeyEvent& event) {
+    if (const std::optional<Vec2> steps = stepsOf(event.key())) {
+        const bool isSnapping = m_state.isSnapping && !event.modifiers().testFlag(Qt::ShiftModifier);
+        const double pixels = event.modifiers().testFlag(Qt::ShiftModifier) ? kBigNudge : kNudge;
+        nudge(*steps * (isSnapping ? gridStep(m_state.view) : pixels / m_state.view.scale), event.isAutoRepeat());
+        return true;
+    }
+    if (event.matches(QKeySequence::SelectAll)) {
+        chooseAll();
+        return true;
+    }
+    switch (event.key()) {
+        case Qt::Key_Delete:
+        case Qt::Key_Backspace: deleteChosen(); return true;
+        case Qt::Key_Escape:
+            if (!cancel()) m_state.selection.setSeeds({});
+            return true;
+        default: return false;
+    }
+}
+
+void SeedTool::nudge(Vec2 by, bool isRepeated) {
+    if (!m_state.asset() || !m_state.pattern || m_drag || m_state.selection.seeds().empty()) return;
+    if (!isRepeated || m_nudgeStroke == 0) m_nudgeStroke = m_state.document.newStroke();
+    Asset asset = *m_state.asset();
+    const std::map<SeedId, Vec2> positions = chosenPositions();
+    for (const auto& [id, from] : positions) moveSeed(asset.pattern, id, from + by);
+    m_state.document.push(
+        altered(tr("Move %n seed(s)", nullptr, static_cast<int>(positions.size())), std::move(asset), m_nudgeStroke));
+}
+
+void SeedTool::deleteChosen() {
+    if (!m_state.asset() || m_state.selection.seeds().empty()) return;
+    Asset asset = *m_state.asset();
+    const Selection::Seeds& seeds = m_state.selection.seeds();
+    // In the order in which the lists that they are taken from and noted in have little to move.
+    for (const SeedId seed : seeds) {
+        if (!isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
+    }
+    for (const SeedId seed : seeds | std::views::reverse) {
+        if (isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
+    }
+    cancel();
+    const QString text = tr("Delete %n seed(s)", nullptr, static_cast<int>(seeds.size()));
+    m_state.selection.setSeeds({});
+    m_state.document.push(altered(text, std::move(asset)));
+}
+
+void SeedTool::restoreChosen() {
+    if (!m_state.asset()) return;
+    Asset asset = *m_state.asset();
+    for (const SeedId seed : m_state.selection.seeds()) restoreSeed(asset.pattern, seed);
+    m_state.document.push(altered(tr("Restore seeds"), std::move(asset)));
+}
+
+void SeedTool::chooseAll() {
+    if (!m_state.pattern) return;
+    const std::vector<SeedId>& ids = m_state.pattern->seeds().ids;
+    m_state.selection.setSeeds({ids.begin(), ids.end()});
+}
+
+void SeedTool::chooseNeighbours() {
+    if (!m_state.pattern) return;
+    const Partition& partition = m_state.pattern->partition();
+    Selection::Seeds seeds = m_state.selection.seeds();
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        const std::uint32_t seed = partition.seedOfPiece[piece];
+        if (seed == kNone || !m_state.selection.seeds().contains(m_state.pattern->seeds().ids[seed])) continue;
+        for (const std::uint32_t neighbour : m_state.pattern->neighbours(piece)) {
+            seeds.insert(m_state.pattern->seeds().ids[partition.seedOfPiece[neighbour]]);
+        }
+    }
+    m_state.selection.setSeeds(std::move(seeds));
+}
+
+void SeedTool::invertChoice() {
+    if (!m_state.pattern) return;
+    Selection::Seeds seeds;
+    for (const SeedId id : m_state.pattern->seeds().ids) {
+        if (!m_state.selection.seeds().contains(id)) seeds.insert(id);
+    }
+    m_state.selection.setSeeds(std::move(seeds));
+}
+
+void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_catch && m_hasMoved) {
+        QColor fill = colours.accent;
+        fill.setAlpha(40);
+        painter.setBrush(fill);
+        painter.setPen(QPen(colours.accent, 1.0, Qt::DashLine));
+        if (m_catch->isLasso) {
+            painter.drawPolygon(m_catch->path);
+        } else {
+            painter.drawRect(QRectF(m_catch->path.front(), m_catch->path.back()).normalized());
+        }
+    }
+    if (!m_drag || !m_state.pattern) return;
+    painter.setPen(QPen(colours.halo, 1.5));
+    painter.setBrush(colours.accent);
+    const double radius = std::max(seedRadius(*m_state.pattern, m_state.view), 3.0);
+    for (const auto& [id, from] : m_drag->from) {
+        const SeedOrigin origin = isPlaced(m_drag->before.pattern, id) ? SeedOrigin::Placed : SeedOrigin::Moved;
+        paintSeedSign(painter, m_state.view.pixels(from + m_drag->by), radius, origin);
+    }
+}
+
+Qt::CursorShape SeedTool::cursor() const {
+    if (m_drag) return Qt::SizeAllCursor;
+    return m_hovered != kNone ? Qt::PointingHandCursor : Qt::CrossCursor;
+}
+
+QString SeedTool::hint() const {
+    if (m_drag) return tr("Release to drop · Shift: without snapping · Esc: put back");
+    if (!m_state.selection.seeds().empty()) {
+        return tr("%n seed(s) chosen · drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: choose none",
+                  nullptr, static_cast<int>(m_state.selection.seeds().size()));
+    }
+    return tr("Click: place a seed · drag a seed: move it · drag elsewhere: choose by a box, with Alt by a lasso");
+}
+
+void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
+    const std::uint32_t seed = seedAt(pointer);
+    if (seed != kNone && !m_state.selection.seeds().contains(m_state.pattern->seeds().ids[seed])) {
+        m_state.selection.setSeeds({m_state.pattern->seeds().ids[seed]});
+    }
+    const bool hasChoice = !m_state.selection.seeds().empty();
+    const bool hasMoved = std::ranges::any_of(m_state.selection.seeds(), [&](SeedId id) {
+        const std::uint32_t chosen = m_state.pattern ? m_state.pattern->find(id) : kNone;
+        return chosen != kNone && m_state.pattern->origin(chosen) == SeedOrigin::Moved;
+    });
+    if (m_state.asset() && seed == kNone) {
+        const Vec2 position = snapped(m_state, pointer);
+        menu.addAction(tr("&Place seed here"), this, [this, position] { place(position); });
+        menu.addSeparator();
+    }
+    menu.addAction(tr("&Delete seeds"), this, &SeedTool::deleteChosen)->setEnabled(hasChoice);
+    menu.addAction(tr("&Restore moved seeds"), this, &SeedTool::restoreChosen)->setEnabled(hasMoved);
+    menu.addSeparator();
+    menu.addAction(tr("Choose &all"), this, &SeedTool::chooseAll)->setEnabled(m_state.pattern != nullptr);
+    menu.addAction(tr("Choose &neighbours too"), this, &SeedTool::chooseNeighbours)->setEnabled(hasChoice);
+    menu.addAction(tr("&Invert choice"), this, &SeedTool::invertChoice)->setEnabled(m_state.pattern != nullptr);
+}
+
+}  // namespace rubble

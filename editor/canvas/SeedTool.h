@@ -1,0 +1,68 @@
+#pragma once
+
+#include "editor/canvas/CanvasTool.h"
+
+#include <QPolygonF>
+
+#include <map>
+#include <optional>
+
+namespace rubble {
+
+/// Places, drags, deletes and chooses seeds.
+class SeedTool : public CanvasTool {
+    Q_OBJECT
+public:
+    using CanvasTool::CanvasTool;
+
+    void press(const CanvasPointer& pointer) override;
+    void move(const CanvasPointer& pointer) override;
+    void release(const CanvasPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    bool cancel() override;
+    void paint(QPainter& painter, const CanvasColours& colours) const override;
+    Qt::CursorShape cursor() const override;
+    QString hint() const override;
+    void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
+
+    void deleteChosen();
+    /// Puts chosen seeds that were moved by hand back to where they were scattered.
+    void restoreChosen();
+    void chooseAll();
+    void chooseNeighbours();
+    void invertChoice();
+
+private:
+    /// Seeds on their way.
+    struct Drag {
+        Asset before;
+        std::map<SeedId, Vec2> from;  // m
+        Vec2 grabbed;                 // where the seed under the hand stood
+        Vec2 by{0.0, 0.0};
+        quint64 stroke = 0;
+    };
+    /// A box or a lasso around what is to be chosen.
+    struct Catch {
+        QPolygonF path;
+        bool isLasso = false;
+        bool isAdding = false;
+    };
+
+    std::uint32_t seedAt(const CanvasPointer& pointer) const;
+    std::map<SeedId, Vec2> chosenPositions() const;
+    void beginDrag(std::uint32_t seed);
+    void dragBy(Vec2 by);
+    void place(Vec2 position);
+    void nudge(Vec2 steps, bool isRepeated);
+    Selection::Seeds caught() const;
+
+    std::optional<Drag> m_drag;
+    std::optional<Catch> m_catch;
+    QPointF m_pressed;
+    bool m_hasMoved = false;
+    CanvasPointer m_pointer{};
+    std::uint32_t m_hovered = kNone;  // seed
+    quint64 m_nudgeStroke = 0;
+};
+
+}  // namespace rubble
