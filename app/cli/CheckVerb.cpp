@@ -11,27 +11,33 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <mutex>
 
 namespace rubble {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kFooter =
     R"(A project: every value in its range; then every asset is broken as for an export, and every stage of it verified:
 triangulation, cells, fragments, hulls, meshes. A pack: the folder that export wrote, or its pack.json; every file is
-compared with the manifest, too.
+compared with the manifest, too. A folder of packs: each of them.
 
 Examples:
   rubble-cli check house.rubble
-  rubble-cli check packs/wall)";
+  rubble-cli check packs
+  rubble-cli check packs/wall packs/roof)";
 
 struct CheckArguments {
-    std::string path;
+    std::vector<std::string> paths;
     int threads = 1;
 };
 
-/// What the check of one asset found.
+/// What the check of one asset or pack found.
 struct Finding {
     Status status = success();
     std::string summary;
@@ -65,50 +71,89 @@ Status told(const std::vector<Finding>& findings, const CliContext& context) {
     return success();
 }
 
-Status checkProject(const CheckArguments& arguments, const CliContext& context) {
-    const Result<Project> project = loadProject(arguments.path);
-    if (!project) return project.error();
+void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<Finding>& all) {
+    const Result<Project> project = loadProject(path);
+    if (!project) return all.push_back({project.error(), {}});
     ProgressLine line(context, "Checking");
     std::mutex guard;  // of the line and of what is done
     std::size_t done = 0;
     const std::vector<Asset>& assets = project->assets;
     std::vector<Finding> findings(assets.size());
-    forEachIndex(assets.size(), arguments.threads, [&](std::size_t index) {
+    forEachIndex(assets.size(), threads, [&](std::size_t index) {
         findings[index] = findingOn(assets[index], {.cancel = context.cancel});
         const std::lock_guard lock(guard);
         line.show(static_cast<double>(++done) / static_cast<double>(assets.size()));
     });
     line.clear();
-    return told(findings, context);
+    std::ranges::move(findings, std::back_inserter(all));
 }
 
 /// What pack.json tells, and then that every file beside it is as it was exported.
-Status checkPack(const std::filesystem::path& folder, const CliContext& context) {
-    const std::filesystem::path path = folder / kPackName;
+Finding findingOnPack(const fs::path& folder) {
+    const fs::path path = folder / kPackName;
+    const auto fault = [&](ErrorCode code, const std::string& sentence) {
+        return Finding{Error{code, path.string() + ": " + sentence}, {}};
+    };
     const Result<std::string> json = readFile(path);
-    if (!json) return json.error();
+    if (!json) return {json.error(), {}};
     const Result<Pack> pack = readPack(*json);
-    if (!pack) return Error{pack.error().code, path.string() + ": " + pack.error().message};
-    if (const auto fault = verifyPack(*pack)) return Error{ErrorCode::BadInput, path.string() + ": " + *fault};
-    if (const auto fault = verifyExportFolder(folder)) return Error{ErrorCode::BadInput, *fault};
-    return writeOutput("-", soundText(pack->name, pack->fragments.size(), pack->whole.volume), context);
+    if (!pack) return fault(pack.error().code, pack.error().message);
+    if (const auto wrong = verifyPack(*pack)) return fault(ErrorCode::BadInput, *wrong);
+    if (const auto wrong = verifyExportFolder(folder)) return {Error{ErrorCode::BadInput, *wrong}, {}};
+    return {success(), soundText(pack->name, pack->fragments.size(), pack->whole.volume)};
+}
+
+/// True for the folder of a pack, even where one of its two lists has been lost.
+bool isPack(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / kPackName, ignored) || fs::exists(folder / kManifestName, ignored);
+}
+
+/// The folders of packs that a folder stands for, by name: itself, or those in it.
+Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
+    if (isPack(folder)) return std::vector{folder};
+    std::vector<fs::path> packs;
+    std::error_code fault;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
+        if (isPack(entry.path())) packs.push_back(entry.path());
+    }
+    const std::string name = '"' + folder.string() + '"';
+    if (fault) return Error{ErrorCode::Io, "Cannot read " + name + ": " + fault.message() + "."};
+    if (packs.empty())
+        return Error{ErrorCode::NotFound, name + " is no pack and holds none: there is no " + kPackName + " in it."};
+    std::ranges::sort(packs);
+    return packs;
+}
+
+void checkPath(const std::string& given, int threads, const CliContext& context, std::vector<Finding>& all) {
+    std::error_code ignored;  // what is not there is told by reading it
+    const fs::path path = given;
+    if (path.filename() == kPackName)
+        return all.push_back(findingOnPack(path.has_parent_path() ? path.parent_path() : "."));
+    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
+    const Result<std::vector<fs::path>> packs = packsOf(path);
+    if (!packs) return all.push_back({packs.error(), {}});
+    std::vector<Finding> findings(packs->size());
+    forEachIndex(packs->size(), threads, [&](std::size_t index) {
+        const bool isCancelled = context.cancel.isCancelled();
+        findings[index] = isCancelled ? Finding{TaskContext::cancelled(), {}} : findingOnPack((*packs)[index]);
+    });
+    std::ranges::move(findings, std::back_inserter(all));
 }
 
 Status check(const CheckArguments& arguments, const CliContext& context) {
-    std::error_code ignored;  // what is not there is told by reading it
-    const std::filesystem::path path = arguments.path;
-    if (std::filesystem::is_directory(path, ignored)) return checkPack(path, context);
-    if (path.filename() == kPackName) return checkPack(path.has_parent_path() ? path.parent_path() : ".", context);
-    return checkProject(arguments, context);
+    std::vector<Finding> findings;
+    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, context, findings);
+    return told(findings, context);
 }
 
 }  // namespace
 
 Verb addCheck(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("check", "Verify a project or an exported pack");
+    CLI::App* command = program.add_subcommand("check", "Verify projects and exported packs");
     const auto arguments = std::make_shared<CheckArguments>();
     command->footer(kFooter);
-    command->add_option("PATH", arguments->path, "A project, a pack's folder, or its pack.json")
+    command->add_option("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
         ->required()
         ->type_name("");
     addThreadsOption(*command, arguments->threads);

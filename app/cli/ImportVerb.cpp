@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ostream>
 
 namespace rubble {
 namespace {
@@ -18,6 +19,8 @@ constexpr const char* kFooter =
     R"(Reads OBJ, glTF, GLB, FBX, STL and PLY, in a process of its own that may take 1 GiB and 10 s. Each object that is a
 prism - two parallel caps with the same outline along any axis, sides square to them - becomes an asset, and an
 instance that stands where the mesh stood. What was found, and what was merged or left out, goes to standard output.
+An object that is refused keeps no others from being imported; why goes to standard error. Where all are, nothing is
+written.
 
 Without --into, a new project is made beside FILE (wall.glb: wall.rubble); one that is there is not touched.
 glTF is in metres, FBX says its unit; OBJ, STL and PLY do not, and are taken to be in metres.
@@ -86,23 +89,42 @@ ImportOptions importOptions(const ImportVerbOptions& given) {
     return options;
 }
 
-/// Where a mesh is no prism, what can be done.
-Error withAdvice(Error error, const ImportVerbOptions& options) {
-    if (error.code != ErrorCode::Degenerate || !options.fallback.empty()) return error;
-    if (error.message.ends_with('.')) error.message.pop_back();
-    error.message += "; --fallback silhouette or --fallback cap takes its outline instead.";
-    return error;
+/// Why objects were refused, a line each; where one is no prism, with what can be done.
+std::string refusals(const ImportOutcome& outcome, const ImportVerbOptions& options) {
+    std::string text;
+    for (const Error& error : outcome.refused) {
+        std::string sentence = error.message;
+        if (error.code == ErrorCode::Degenerate && options.fallback.empty()) {
+            if (sentence.ends_with('.')) sentence.pop_back();
+            sentence += "; --fallback silhouette or --fallback cap takes its outline instead.";
+        }
+        text += (text.empty() ? "" : "\n") + sentence;
+    }
+    return text;
+}
+
+/// A project in place of a mesh file is a slip of the hand.
+Status checkIsNoProject(const std::filesystem::path& mesh) {
+    if (mesh.extension() != ".rubble") return success();
+    const std::string name = mesh.string();
+    return Error{ErrorCode::BadInput,
+                 "\"" + name + "\" is a project, not a mesh file: give a mesh to import, and --into " + name +
+                     " to put it there; to write meshes of the project, see rubble-cli export."};
 }
 
 Status import(const ImportVerbOptions& options, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
+    if (const Status isMesh = checkIsNoProject(options.mesh); !isMesh) return isMesh;
     Result<Target> target = targetOf(options);
     if (!target) return target.error();
     const Result<SourceScene> scene = importMesh(options.mesh, importerBeside(context.programFolder), task);
     if (!scene) return scene.error();
     const Result<ImportOutcome> outcome =
         importedInto(std::move(target->project), *scene, options.mesh.stem().string(), importOptions(options), task);
-    if (!outcome) return withAdvice(outcome.error(), options);
+    if (!outcome) return outcome.error();
+    const std::string refused = refusals(*outcome, options);
+    if (outcome->assets.empty()) return Error{ErrorCode::BadInput, refused};
+    if (!refused.empty()) context.err << refused << '\n';
     if (const Status saved = saveProject(target->path, outcome->project); !saved) return saved.error();
     return writeOutput("-", importSummary(*outcome, target->path.string()), context);
 }

@@ -16,10 +16,12 @@ Error about(const std::string& name, Error error) {
     return error;
 }
 
-/// The parts to be imported, by their assets' names.
-Result<std::vector<ImportPart>> wantedParts(const SourceScene& scene, const std::string& fileName, double metresPerUnit,
+/// A part that is to be imported, by its asset's name, or why its object has none.
+using WantedPart = Result<ImportPart>;
+
+Result<std::vector<WantedPart>> wantedParts(const SourceScene& scene, const std::string& fileName, double metresPerUnit,
                                             const ImportOptions& options) {
-    std::vector<ImportPart> all;
+    std::vector<WantedPart> all;
     const bool hasSeveral = scene.objects.size() > 1;
     const bool isNamed = std::ranges::find(scene.objects, options.asset, &SourceObject::name) != scene.objects.end();
     if (!options.asset.empty() && hasSeveral && !isNamed) {
@@ -32,7 +34,10 @@ Result<std::vector<ImportPart>> wantedParts(const SourceScene& scene, const std:
         if (!options.asset.empty() && hasSeveral && object.name != options.asset) continue;
         const std::string name = object.name.empty() ? fileName : object.name;
         Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up);
-        if (!parts) return about(name, parts.error());
+        if (!parts) {
+            all.push_back(about(name, parts.error()));
+            continue;
+        }
         for (ImportPart& part : *parts) {
             part.name = options.asset.empty() ? name : options.asset;
             all.push_back(std::move(part));
@@ -95,6 +100,16 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     return result;
 }
 
+void import(const WantedPart& part, const SourceScene& scene, const ImportOptions& options, ImportOutcome& outcome) {
+    if (!part) {
+        outcome.refused.push_back(part.error());
+    } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
+        outcome.refused.push_back(about(part->name, solid.error()));
+    } else {
+        outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
+    }
+}
+
 }  // namespace
 
 Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
@@ -104,16 +119,13 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
         return Error{ErrorCode::BadInput,
                      "The unit is " + messageText(metresPerUnit) + " m; it must be finite and greater than zero."};
-    Result<std::vector<ImportPart>> parts = wantedParts(scene, fileName, metresPerUnit, options);
-    if (!parts) return parts.error();
+    const Result<std::vector<WantedPart>> wanted = wantedParts(scene, fileName, metresPerUnit, options);
+    if (!wanted) return wanted.error();
     ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
-    for (std::size_t i = 0; i < parts->size(); ++i) {
+    for (const WantedPart& part : *wanted) {
         if (context.isCancelled()) return TaskContext::cancelled();
-        const ImportPart& part = (*parts)[i];
-        const Result<ImportedSolid> solid = importedSolid(part, scene, options);
-        if (!solid) return about(part.name, solid.error());
-        outcome.assets.push_back(added(part, *solid, scene, options, outcome.project));
-        context.report(static_cast<double>(i + 1) / static_cast<double>(parts->size()));
+        import(part, scene, options, outcome);
+        context.report(static_cast<double>(&part - wanted->data() + 1) / static_cast<double>(wanted->size()));
     }
     return outcome;
 }

@@ -36,17 +36,18 @@ struct ImportOutcome {
     Project project;
     double metresPerUnit = 1.0;
     std::vector<ImportedAsset> assets;  // in the file's order
+    std::vector<Error> refused;         // each names its object; in the file's order
 };
 
 /// The project with the objects of a mesh file as assets, and an instance of each where the mesh stands. Parts
 /// of an object that are not joined become assets of their own. Assets are named after their objects, or the file;
 /// names that are taken are numbered. Materials are found by name, or added with the file's name and colour.
 /// An asset that is imported again keeps its id, material, pattern, levels and threshold, and its instances stay where
-/// they are.
+/// they are. Objects that are refused keep no others from being imported; where all are, the project stays as it was.
 ///
-/// Errors, naming the object: those of welded(), solidOf() and findPrism() or standInPrism(); NotFound where an
-/// asset is asked for that no object of several is named after; BadInput where the unit is not greater than zero;
-/// Cancelled.
+/// Refused are, with the faults of welded(), solidOf() and findPrism() or standInPrism(), objects or parts of them.
+/// Errors: NotFound where an asset is asked for that no object of several is named after; Degenerate where it would be
+/// of several parts; BadInput where the unit is not greater than zero; Cancelled.
 Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
                                    const ImportOptions& options, const TaskContext& context);
 

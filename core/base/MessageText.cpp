@@ -2,12 +2,17 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace rubble {
 
 std::string messageText(double value) {
-    std::array<char, 32> text;  // the longest shortest text of a double has 24 characters
-    const std::to_chars_result result = std::to_chars(text.data(), text.data() + text.size(), value);
+    std::array<char, 32> text;  // the longest has 25 characters
+    const double size = std::abs(value);
+    const bool isPlain = size == 0.0 || (size >= 1e-6 && size < 1e15);
+    const std::to_chars_result result =
+        isPlain ? std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed)
+                : std::to_chars(text.data(), text.data() + text.size(), value);
     return {text.data(), result.ptr};
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/AtomicFile.h"
 #include "core/io/JsonReading.h"
 #include "core/io/JsonText.h"
+#include "core/io/MadeFolders.h"
 #include "core/io/NumberText.h"
 
 #include <algorithm>
@@ -180,9 +181,10 @@ std::optional<std::string> verifyExportFolder(const fs::path& folder) {
 Status writeExportFolder(const fs::path& folder, const ContentHash& source, std::span<const ExportFile> files,
                          const TaskContext& task) {
     if (const Status free = checkReplaceable(folder); !free) return free;
-    std::error_code fault;
-    if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), fault);
-    if (fault) return cannot("make the folder", folder.parent_path(), fault);
+    MadeFolders above;
+    if (folder.has_parent_path()) {
+        if (const Status made = above.make(folder.parent_path()); !made) return made;
+    }
     const auto fresh = HiddenFolder::create(folder, "partial");
     if (!fresh) return fresh.error();
 

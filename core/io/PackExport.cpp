@@ -1,6 +1,7 @@
 #include "core/io/PackExport.h"
 
 #include "core/base/Parallel.h"
+#include "core/io/MadeFolders.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
 
@@ -77,6 +78,7 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     result.fragmentCount = baked->fragmentCount();
     result.volume = baked->whole.volume;
     result.reports = std::move(baked->reports);
+    task.report(0.9);
     return writeExportFolder(result.folder, source, files, task);
 }
 
@@ -126,6 +128,8 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
         return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
     }
     if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
+    MadeFolders made;  // here, so that no asset takes away the folder that another is about to write into
+    if (const Status status = made.make(folder); !status) return status.error();
     std::vector<AssetExport> results(assets.size());
     SharedProgress progress(task, assets.size());
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, assets.size())));

@@ -33,7 +33,8 @@ ContentHash packSource(const Project& project, const Asset& asset, const MeshOpt
 /// other from being written. Up to task.threads assets at once; the bytes are the same at any number of them.
 ///
 /// Errors: NotFound where an id names no asset; BadInput where two assets would go to the same folder (on a system
-/// that takes "Wall" and "wall" for one, too), naming both; Cancelled. What is cancelled or refused leaves its folder as it was.
+/// that takes "Wall" and "wall" for one, too), naming both; Io where `folder` cannot be made; Cancelled. What is cancelled
+/// or refused leaves its folder as it was, and no empty one behind.
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const MeshOptions& options,
                                              const TaskContext& task = {});

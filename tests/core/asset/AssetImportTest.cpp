@@ -31,7 +31,10 @@ ImportOutcome imported(Project project, const SourceScene& scene, const ImportOp
 }
 
 QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
-    return QString::fromStdString(importedInto({}, scene, "file", options, {}).error().message);
+    const Result<ImportOutcome> outcome = importedInto({}, scene, "file", options, {});
+    if (!outcome) return QString::fromStdString(outcome.error().message);
+    if (outcome->refused.empty() || outcome->project != Project{}) return "";
+    return QString::fromStdString(outcome->refused[0].message);
 }
 
 /// Both meshes in one.
@@ -132,6 +135,20 @@ private slots:
         QCOMPARE(area(cap.project.assets[0].prism.outline), 3.0);
         const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
         QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
+    }
+    void whatIsRefusedKeepsNothingElseOut() {
+        TriangleMesh open = gableMesh();
+        open.triangles.pop_back();
+        const SourceObject wall = objectOf("Wall", wallMesh()), gable = objectOf("Gable", gableMesh(), 1);
+        const ImportOutcome outcome = imported({}, sceneOf({wall, objectOf("Open", open), gable}));
+        QVERIFY(outcome.project == imported({}, sceneOf({wall, gable})).project);
+        QCOMPARE(outcome.assets.size(), std::size_t{2});
+        QCOMPARE(outcome.refused.size(), std::size_t{1});
+        QCOMPARE(outcome.refused[0].message,
+                 std::string("\"Open\": The mesh is not closed: 3 edges have one face only."));
+        const ImportOutcome parts = imported({}, sceneOf({objectOf("Set", joined(open, wallMesh()))}));
+        QCOMPARE(parts.assets.size(), std::size_t{1});
+        QCOMPARE(parts.refused[0].code, ErrorCode::Degenerate);
     }
     void otherFaultsAreNamed() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});

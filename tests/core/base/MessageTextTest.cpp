@@ -15,6 +15,14 @@ private slots:
         QCOMPARE(messageText(1e-9), std::string("1e-09"));
         QCOMPARE(messageText(0.1 + 0.2), std::string("0.30000000000000004"));
     }
+    void numbersOfEverydaySizeHaveNoExponent() {
+        QCOMPARE(messageText(0.0005), std::string("0.0005"));
+        QCOMPARE(messageText(-1e-6), std::string("-0.000001"));
+        QCOMPARE(messageText(100000.0), std::string("100000"));
+        QCOMPARE(messageText(1e15), std::string("1e+15"));
+        QCOMPARE(messageText(-1.2345678901234567e-6), std::string("-0.0000012345678901234567"));
+        QCOMPARE(messageText(0.0), std::string("0"));
+    }
     void measuredNumbersAreRounded() {
         QCOMPARE(roundedText(2.0 / 3.0, 3), std::string("0.667"));
         QCOMPARE(roundedText(12.0, 1), std::string("1e+01"));

@@ -120,6 +120,15 @@ private slots:
         QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
     }
 
+    void cancellingLeavesNoEmptyFolderThatItMade() {
+        TaskContext task;
+        task.cancel.cancel();
+        fs::create_directory(m_place / "there");
+        QVERIFY(!writeExportFolder(m_place / "there" / "deep" / "packs" / "wall", kFirst, kFiles, task));
+        QCOMPARE(namesIn(m_place), Names{"there"});
+        QCOMPARE(namesIn(m_place / "there"), Names{});
+    }
+
     void aFullDiskLeavesTheEarlierExport() {
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         std::signal(SIGXFSZ, SIG_IGN);

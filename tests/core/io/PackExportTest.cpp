@@ -168,6 +168,21 @@ private slots:
             QVERIFY(isExportOf(entry.path(), packSource(project, asset, {})));
         }
     }
+    void cancellingLateLeavesNoFolderThatIsEmpty() {
+        // When the files of one are made and its folder is about to be.
+        for (const int threads : {1, 2}) {
+            TaskContext task;
+            task.threads = threads;
+            task.progress = [&](double fraction) {
+                if (fraction >= 0.89 / threads) task.cancel.cancel();
+            };
+            const Project project =
+                projectOf(threads == 1 ? std::vector<std::string>{"a"} : std::vector<std::string>{"a", "b"});
+            QCOMPARE(exportPacks(project, allAssets(project), m_out / "deep", {}, task).error().code,
+                     ErrorCode::Cancelled);
+            QVERIFY(!fs::exists(m_out));
+        }
+    }
     void progressGrowsToTheEnd() {
         const Project project = projectOf({"a", "b", "c"});
         TaskContext task;

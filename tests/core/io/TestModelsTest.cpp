@@ -45,13 +45,12 @@ Trial tried(const std::filesystem::path& model) {
         trial.refusal = scene.error().message;
         return trial;
     }
-    for (const SourceObject& object : scene->objects) {
-        SourceScene one{scene->metresPerUnit, scene->materials, {object}};
-        const Result<ImportOutcome> outcome = importedInto({}, one, model.stem().string(), {}, {});
-        ++trial.objects;
-        trial.prisms += outcome.hasValue();
-        if (outcome && verifyProject(outcome->project)) trial.refusal = *verifyProject(outcome->project);
-        if (!outcome && !outcome.error().message.ends_with('.')) trial.refusal = outcome.error().message;
+    const Result<ImportOutcome> outcome = importedInto({}, *scene, model.stem().string(), {}, {});
+    trial.objects = scene->objects.size();
+    trial.prisms = outcome->assets.size();
+    trial.refusal = verifyProject(outcome->project).value_or("");
+    for (const Error& refused : outcome->refused) {
+        if (!refused.message.ends_with('.')) trial.refusal = refused.message;
     }
     return trial;
 }

@@ -1,0 +1,26 @@
+#include "core/io/MadeFolders.h"
+
+#include <ranges>
+#include <system_error>
+
+namespace rubble {
+
+namespace fs = std::filesystem;
+
+MadeFolders::~MadeFolders() {
+    std::error_code ignored;  // a folder that something lies in is not removed
+    for (const fs::path& folder : std::views::reverse(m_made)) fs::remove(folder, ignored);
+}
+
+Status MadeFolders::make(const fs::path& folder) {
+    std::error_code fault;
+    std::vector<fs::path> missing;
+    for (fs::path path = folder; !path.empty() && !fs::exists(path, fault); path = path.parent_path())
+        missing.push_back(path);
+    m_made.insert(m_made.end(), missing.rbegin(), missing.rend());
+    fs::create_directories(folder, fault);
+    if (!fault) return success();
+    return Error{ErrorCode::Io, "Cannot make the folder \"" + folder.string() + "\": " + fault.message() + "."};
+}
+
+}  // namespace rubble
