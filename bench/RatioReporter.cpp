@@ -1,11 +1,8 @@
 #include "bench/RatioReporter.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
-#include <limits>
 #include <ostream>
 
 namespace rubble::bench {
@@ -74,8 +71,6 @@ void RatioReporter::Finalize() {
 }
 
 int runBenchmarks(int argc, char** argv, RatioReporter& reporter) {
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     std::string shuffled = "--benchmark_enable_random_interleaving=true", repetitions = "--benchmark_repetitions=5",
                 shortly = "--benchmark_min_time=0.2";
     std::vector<char*> arguments{argv[0], shuffled.data(), repetitions.data(), shortly.data()};
