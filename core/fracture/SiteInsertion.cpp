@@ -14,8 +14,11 @@ constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::size_t kScratch = 64;
 constexpr std::uint32_t kNowhere = 0xffffffffu;
 constexpr std::uint32_t kNoExit = 3;
-constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kInsertionsBetweenCancelChecks = 4096;
+
+/// The corners after and before corner k of a triangle, computed because a table's load takes longer.
+constexpr std::uint32_t after(std::uint32_t k) { return 0b001001u >> 2 * k & 3; }
+constexpr std::uint32_t before(std::uint32_t k) { return 0b010010u >> 2 * k & 3; }
 
 /// The range of all sites, and infinity.
 struct AllSites {
@@ -81,7 +84,7 @@ private:
         while (leaveBy != kNoExit) {
             const std::uint32_t across = m_in.triangles[triangle].twin[leaveBy];
             triangle = across >> 2;
-            const std::uint32_t apex = m_in.triangles[triangle].corner[kNext[kNext[across & 3]]];
+            const std::uint32_t apex = m_in.triangles[triangle].corner[before(across & 3)];
             if (!m_range.owns(apex)) return kNowhere;
             if (apex == kGhost) return triangle;
             leaveBy = exitBeside(triangle, across & 3, p);
@@ -93,7 +96,7 @@ private:
     /// chosen from without a branch: which one it is cannot be predicted.
     std::uint32_t exitBeside(std::uint32_t triangle, std::uint32_t entered, Vec2 p) const {
         const std::uint32_t* corner = m_in.triangles[triangle].corner;
-        const std::uint32_t left = kNext[entered], right = kNext[left];
+        const std::uint32_t left = after(entered), right = after(left);
         const Vec2 apex = m_in.sites[corner[right]];
         const double toLeft = doubledArea(m_in.sites[corner[left]], apex, p);
         const double toRight = doubledArea(apex, m_in.sites[corner[entered]], p);
@@ -127,7 +130,7 @@ private:
         const Delaunay::Triangle& triangle = m_in.triangles[first];
         for (std::uint32_t k = 0; k < 3; ++k) m_lifted[k] = lifted(triangle.corner[k], site);
         for (std::uint32_t k = 0; k < 3; ++k) {
-            lookBehind(site, triangle.twin[k], {triangle.corner[k], k, kNext[k]}, m_reached[2 - k]);
+            lookBehind(site, triangle.twin[k], {triangle.corner[k], k, after(k)}, m_reached[2 - k]);
         }
         for (std::size_t top = 3; top > 0 && !m_leavesRange;) {
             if (m_reached[top - 1].inConflict) {
@@ -149,7 +152,7 @@ private:
         const std::uint32_t outer = reached.outer, apex = reached.apex, apexLifted = reached.apexLifted;
         const Delaunay::Triangle& behind = m_in.triangles[outer >> 2];
         m_slots[m_slotCount++] = outer >> 2;
-        const std::uint32_t right = kNext[outer & 3], left = kNext[right];
+        const std::uint32_t right = after(outer & 3), left = after(right);
         lookBehind(site, behind.twin[left], {apex, apexLifted, edge.toLifted}, m_reached[top - 1]);
         lookBehind(site, behind.twin[right], {edge.from, edge.fromLifted, apexLifted}, m_reached[top]);
     }
@@ -175,7 +178,7 @@ private:
     /// behind this very edge.
     void lookBehind(std::uint32_t site, std::uint32_t outer, CavityEdge edge, ReachedEdge& reached) {
         const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
-        const std::uint32_t apex = triangle.corner[kNext[kNext[outer & 3]]];
+        const std::uint32_t apex = triangle.corner[before(outer & 3)];
         const std::uint32_t apexLifted = m_liftedCount++;
         const Lifted &a = m_lifted[edge.fromLifted], &b = m_lifted[edge.toLifted];
         const Lifted c = m_lifted[apexLifted] = lifted(apex, site);
@@ -196,7 +199,7 @@ private:
     [[gnu::noinline]] bool isInConflict(std::uint32_t site, std::array<std::uint32_t, 3> corners) const {
         const Vec2 p = m_in.sites[site];
         for (int k = 0; k < 3; ++k) {
-            if (corners[k] == kGhost) return isBehindHull(corners[kNext[k]], corners[kNext[kNext[k]]], p);
+            if (corners[k] == kGhost) return isBehindHull(corners[after(k)], corners[before(k)], p);
         }
         const int sign = inCircle(m_in.sites[corners[0]], m_in.sites[corners[1]], m_in.sites[corners[2]], p);
         return sign != 0 ? sign > 0 : tieIsConflict(corners, site);
