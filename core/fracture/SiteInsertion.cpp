@@ -11,7 +11,7 @@ namespace rubble {
 namespace {
 
 constexpr std::uint32_t kGhost = Delaunay::kGhost;
-constexpr std::size_t kScratch = 64;
+constexpr std::uint32_t kScratch = 64;
 constexpr std::uint32_t kNowhere = 0xffffffffu;
 constexpr std::uint32_t kNoExit = 3;
 constexpr std::uint32_t kInsertionsBetweenCancelChecks = 4096;
@@ -28,30 +28,40 @@ struct AllSites {
 /// A corner as the new site sees it: its offset from the site, and that offset's square.
 struct Lifted {
     double x, y, square;
+    std::uint32_t corner;
 };
 double cross(const Lifted& a, const Lifted& b) { return a.x * b.y - a.y * b.x; }
 
 /// Of the triangle (a, b, p), positive where it is counter-clockwise. Rounded.
 double doubledArea(Vec2 a, Vec2 b, Vec2 p) { return (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x); }
 
-/// An edge of the cavity, which lies on its left. Lifted corners are named by their place in m_lifted.
-struct CavityEdge {
-    std::uint32_t from;  // corner
-    std::uint32_t fromLifted, toLifted;
-};
-
-/// An edge that the cavity has reached, and what lies behind it.
+/// An edge of the cavity, which lies on its left, and what lies behind it. Corners are named by their place in m_lifted.
 struct ReachedEdge {
-    CavityEdge edge;
-    std::uint32_t outer;  // the half-edge behind it, which runs towards edge.from
+    std::uint32_t from, to;
+    std::uint32_t outer;  // the half-edge behind it, which runs towards `from`
     std::uint32_t apex;   // the third corner of the triangle behind it
-    std::uint32_t apexLifted;
-    bool inConflict;  // whether that triangle belongs to the cavity too
+    bool inConflict;      // whether that triangle belongs to the cavity too
+
+    /// Copies field by field: a copy in wide loads would wait for narrow stores that have just been made.
+    void take(const ReachedEdge& other) {
+        from = other.from;
+        to = other.to;
+        outer = other.outer;
+        apex = other.apex;
+        inConflict = other.inConflict;
+    }
 };
 
 struct BoundaryEdge {
     std::uint32_t from;   // corner
     std::uint32_t outer;  // the half-edge outside, which runs towards `from`
+};
+
+/// How much of m_slots and m_boundary is of the cavity.
+struct CavitySize {
+    std::uint32_t triangles = 1;
+    std::uint32_t edges = 0;
+    bool leavesRange = false;  // whether a triangle in conflict is not the range's; then the rest is not known
 };
 
 /// Inserts one site after the other: finds the triangle that holds the site, takes away all triangles whose circle holds
@@ -69,8 +79,10 @@ public:
     /// Inserts a site; false, with nothing changed, where a triangle in conflict is not the range's.
     bool insert(std::uint32_t site) {
         const std::uint32_t triangle = triangleHolding(site);
-        if (triangle == kNowhere || !openCavity(site, triangle)) return false;
-        fillCavity(site);
+        if (triangle == kNowhere) return false;
+        const CavitySize cavity = openCavity(site, triangle);
+        if (cavity.leavesRange) return false;
+        fillCavity(site, cavity);
         return true;
     }
 
@@ -96,7 +108,7 @@ private:
     /// chosen from without a branch: which one it is cannot be predicted.
     std::uint32_t exitBeside(std::uint32_t triangle, std::uint32_t entered, Vec2 p) const {
         const std::uint32_t* corner = m_in.triangles[triangle].corner;
-        const std::uint32_t left = after(entered), right = after(left);
+        const std::uint32_t left = after(entered), right = before(entered);
         const Vec2 apex = m_in.sites[corner[right]];
         const double toLeft = doubledArea(m_in.sites[corner[left]], apex, p);
         const double toRight = doubledArea(apex, m_in.sites[corner[entered]], p);
@@ -116,83 +128,75 @@ private:
         return orient2d(start, end, p) < 0;
     }
 
-    /// Collects the slots of all triangles in conflict and the cavity's boundary, counter-clockwise; false where the cavity
+    /// Collects the slots of all triangles in conflict and the cavity's boundary, counter-clockwise; stops where the cavity
     /// leaves the range.
     ///
     /// The stack gives reached edges back counter-clockwise: an edge is boundary, or gives way to the two behind it. Those
     /// are tested together, because their determinants do not wait for each other.
-    bool openCavity(std::uint32_t site, std::uint32_t first) {
-        m_boundaryCount = 0;
-        m_slotCount = 1;
+    CavitySize openCavity(std::uint32_t site, std::uint32_t first) {
+        CavitySize cavity;
         m_slots[0] = first;
-        m_liftedCount = 3;
-        m_leavesRange = false;
         const Delaunay::Triangle& triangle = m_in.triangles[first];
-        for (std::uint32_t k = 0; k < 3; ++k) m_lifted[k] = lifted(triangle.corner[k], site);
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            lookBehind(site, triangle.twin[k], {triangle.corner[k], k, after(k)}, m_reached[2 - k]);
-        }
-        for (std::size_t top = 3; top > 0 && !m_leavesRange;) {
-            if (m_reached[top - 1].inConflict) {
-                if (m_liftedCount + 2 >= m_lifted.size()) growScratch();
-                openBehind(site, top++);
-            } else {
-                --top;
-                m_boundary[m_boundaryCount++] = {m_reached[top].edge.from, m_reached[top].outer};
+        for (std::uint32_t k = 0; k < 3; ++k) lift(triangle.corner[k], site, m_lifted[k]);
+        ReachedEdge edge = edgeReached(site, triangle.twin[0], 0, 1, 3);
+        m_reached[1].take(edgeReached(site, triangle.twin[1], 1, 2, 4));
+        m_reached[0].take(edgeReached(site, triangle.twin[2], 2, 0, 5));
+        std::uint32_t waiting = 2;  // in m_reached
+        std::uint32_t places = 6;   // in m_lifted
+        for (;;) {
+            while (edge.inConflict) {
+                if (!m_range.owns(m_lifted[edge.apex].corner)) {
+                    cavity.leavesRange = true;
+                    return cavity;
+                }
+                if (places + 2 >= m_capacity) growScratch();
+                m_slots[cavity.triangles++] = edge.outer >> 2;
+                const Delaunay::Triangle& opened = m_in.triangles[edge.outer >> 2];
+                const std::uint32_t toApex = opened.twin[after(edge.outer & 3)];
+                const std::uint32_t fromApex = opened.twin[before(edge.outer & 3)];
+                m_reached[waiting++].take(edgeReached(site, fromApex, edge.apex, edge.to, places++));
+                edge.take(edgeReached(site, toApex, edge.from, edge.apex, places++));
             }
+            BoundaryEdge& boundary = m_boundary[cavity.edges++];
+            boundary.from = m_lifted[edge.from].corner;
+            boundary.outer = edge.outer;
+            if (waiting == 0) return cavity;
+            edge.take(m_reached[--waiting]);
         }
-        return !m_leavesRange;
-    }
-
-    /// Takes the triangle behind the top edge into the cavity and replaces that edge by the triangle's two others.
-    void openBehind(std::uint32_t site, std::size_t top) {
-        // Copied field by field: a copy in wide loads would wait for the narrow stores that have just been made.
-        const ReachedEdge& reached = m_reached[top - 1];
-        const CavityEdge edge = {reached.edge.from, reached.edge.fromLifted, reached.edge.toLifted};
-        const std::uint32_t outer = reached.outer, apex = reached.apex, apexLifted = reached.apexLifted;
-        const Delaunay::Triangle& behind = m_in.triangles[outer >> 2];
-        m_slots[m_slotCount++] = outer >> 2;
-        const std::uint32_t right = after(outer & 3), left = after(right);
-        lookBehind(site, behind.twin[left], {apex, apexLifted, edge.toLifted}, m_reached[top - 1]);
-        lookBehind(site, behind.twin[right], {edge.from, edge.fromLifted, apexLifted}, m_reached[top]);
     }
 
     /// Every entry of the scratch arrays comes with a lifted corner.
     [[gnu::noinline]] void growScratch() {
-        const std::size_t size = 2 * m_lifted.size();
+        const std::size_t size = m_capacity *= 2;
         m_reached.resize(size);
         m_lifted.resize(size);
         m_slots.resize(size);
         m_boundary.resize(size);
     }
 
-    Lifted lifted(std::uint32_t corner, std::uint32_t site) const {
-        if (corner == kGhost) return {0.0, 0.0, m_in.ghostSquare};
-        const double x = m_in.sites[corner].x - m_in.sites[site].x, y = m_in.sites[corner].y - m_in.sites[site].y;
-        return {x, y, x * x + y * y};
+    /// The ghost is at (0, 0, ghostSquare). Chosen without a branch, since hull edges come unforeseen.
+    void lift(std::uint32_t corner, std::uint32_t site, Lifted& lifted) const {
+        const Vec2 p = m_in.sites[site], at = m_in.sites[corner == kGhost ? site : corner];
+        const double x = at.x - p.x, y = at.y - p.y;
+        lifted.x = x;
+        lifted.y = y;
+        lifted.square = (x * x + y * y) + (corner == kGhost ? m_in.ghostSquare : 0.0);
+        lifted.corner = corner;
     }
 
-    /// Finds out what lies behind an edge of the cavity. The ghost is at (0, 0, ghostSquare), so that the determinant of a
-    /// ghost triangle is the orientation of its edge and the site, in the scale of inCircleBound. A range reaches a triangle through two corners of its own, so that
-    /// it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile, but for the twin
-    /// behind this very edge.
-    void lookBehind(std::uint32_t site, std::uint32_t outer, CavityEdge edge, ReachedEdge& reached) {
+    /// What lies behind an edge of the cavity; lifts the corner there to `apex`. The determinant of a ghost triangle is the
+    /// orientation of its edge and the site, in the scale of inCircleBound. A range reaches a triangle through two corners
+    /// of its own, so that it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile,
+    /// but for the twin behind this very edge.
+    [[gnu::always_inline]] ReachedEdge edgeReached(std::uint32_t site, std::uint32_t outer, std::uint32_t from, std::uint32_t to,
+                            std::uint32_t apex) {
         const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
-        const std::uint32_t apex = triangle.corner[before(outer & 3)];
-        const std::uint32_t apexLifted = m_liftedCount++;
-        const Lifted &a = m_lifted[edge.fromLifted], &b = m_lifted[edge.toLifted];
-        const Lifted c = m_lifted[apexLifted] = lifted(apex, site);
+        const Lifted &a = m_lifted[from], &b = m_lifted[to];
+        Lifted& c = m_lifted[apex];
+        lift(triangle.corner[before(outer & 3)], site, c);
         const double determinant = b.square * cross(a, c) + a.square * cross(c, b) + c.square * cross(b, a);
         const bool isSure = std::abs(determinant) > m_in.inCircleBound;
-        reached.edge.from = edge.from;
-        reached.edge.fromLifted = edge.fromLifted;
-        reached.edge.toLifted = edge.toLifted;
-        reached.outer = outer;
-        reached.apex = apex;
-        reached.apexLifted = apexLifted;
-        reached.inConflict =
-            isSure ? determinant > 0.0 : isInConflict(site, {triangle.corner[outer & 3], edge.from, apex});
-        m_leavesRange |= reached.inConflict && !m_range.owns(apex);
+        return {from, to, outer, apex, isSure ? determinant > 0.0 : isInConflict(site, {b.corner, a.corner, c.corner})};
     }
 
     /// Whether the circle of the corners holds the site: exactly, for any triangle.
@@ -229,17 +233,17 @@ private:
         return (from < at && at < to) || (to < at && at < from);
     }
 
-    void takeSlots(std::uint32_t count) {
-        for (; count > 0; --count) {
+    void takeSlots(std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
             while (m_free[m_nextFree].begin == m_free[m_nextFree].end) ++m_nextFree;
-            m_slots[m_slotCount++] = m_free[m_nextFree].begin++;
+            m_slots[i] = m_free[m_nextFree].begin++;
         }
     }
 
     /// Fans the cavity's boundary out from the site, in the cavity's slots and two more.
-    void fillCavity(std::uint32_t site) {
-        takeSlots(m_boundaryCount - m_slotCount);
-        const std::uint32_t count = m_boundaryCount;
+    void fillCavity(std::uint32_t site, CavitySize cavity) {
+        const std::uint32_t count = cavity.edges;
+        takeSlots(cavity.triangles, count);
         std::uint32_t previous = m_slots[count - 1];
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t slot = m_slots[i];
@@ -260,12 +264,11 @@ private:
     std::size_t m_nextFree = 0;  // in m_free
 
     // Scratch, all of one size.
+    std::uint32_t m_capacity = kScratch;
     std::vector<ReachedEdge> m_reached = std::vector<ReachedEdge>(kScratch);  // a stack
     std::vector<Lifted> m_lifted = std::vector<Lifted>(kScratch);             // corners seen from the new site
     std::vector<std::uint32_t> m_slots = std::vector<std::uint32_t>(kScratch);
     std::vector<BoundaryEdge> m_boundary = std::vector<BoundaryEdge>(kScratch);
-    std::uint32_t m_liftedCount = 0, m_slotCount = 0, m_boundaryCount = 0;
-    bool m_leavesRange = false;  // whether a triangle in conflict is not the range's
 };
 
 template <class Range>
