@@ -188,8 +188,8 @@ private:
     /// orientation of its edge and the site, in the scale of inCircleBound. A range reaches a triangle through two corners
     /// of its own, so that it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile,
     /// but for the twin behind this very edge.
-    [[gnu::always_inline]] ReachedEdge edgeReached(std::uint32_t site, std::uint32_t outer, std::uint32_t from, std::uint32_t to,
-                            std::uint32_t apex) {
+    [[gnu::always_inline]] ReachedEdge edgeReached(std::uint32_t site, std::uint32_t outer, std::uint32_t from,
+                                                   std::uint32_t to, std::uint32_t apex) {
         const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
         const Lifted &a = m_lifted[from], &b = m_lifted[to];
         Lifted& c = m_lifted[apex];
