@@ -134,13 +134,14 @@ private:
     /// The stack gives reached edges back counter-clockwise: an edge is boundary, or gives way to the two behind it. Those
     /// are tested together, because their determinants do not wait for each other.
     CavitySize openCavity(std::uint32_t site, std::uint32_t first) {
+        const Vec2 p = m_in.sites[site];
         CavitySize cavity;
         m_slots[0] = first;
         const Delaunay::Triangle& triangle = m_in.triangles[first];
-        for (std::uint32_t k = 0; k < 3; ++k) lift(triangle.corner[k], site, m_lifted[k]);
-        ReachedEdge edge = edgeReached(site, triangle.twin[0], 0, 1, 3);
-        m_reached[1].take(edgeReached(site, triangle.twin[1], 1, 2, 4));
-        m_reached[0].take(edgeReached(site, triangle.twin[2], 2, 0, 5));
+        for (std::uint32_t k = 0; k < 3; ++k) lift(triangle.corner[k], p, m_lifted[k]);
+        ReachedEdge edge = edgeReached(site, p, triangle.twin[0], 0, 1, 3);
+        m_reached[1].take(edgeReached(site, p, triangle.twin[1], 1, 2, 4));
+        m_reached[0].take(edgeReached(site, p, triangle.twin[2], 2, 0, 5));
         std::uint32_t waiting = 2;  // in m_reached
         std::uint32_t places = 6;   // in m_lifted
         for (;;) {
@@ -154,8 +155,8 @@ private:
                 const Delaunay::Triangle& opened = m_in.triangles[edge.outer >> 2];
                 const std::uint32_t toApex = opened.twin[after(edge.outer & 3)];
                 const std::uint32_t fromApex = opened.twin[before(edge.outer & 3)];
-                m_reached[waiting++].take(edgeReached(site, fromApex, edge.apex, edge.to, places++));
-                edge.take(edgeReached(site, toApex, edge.from, edge.apex, places++));
+                m_reached[waiting++].take(edgeReached(site, p, fromApex, edge.apex, edge.to, places++));
+                edge.take(edgeReached(site, p, toApex, edge.from, edge.apex, places++));
             }
             BoundaryEdge& boundary = m_boundary[cavity.edges++];
             boundary.from = m_lifted[edge.from].corner;
@@ -174,9 +175,9 @@ private:
         m_boundary.resize(size);
     }
 
-    /// The ghost is at (0, 0, ghostSquare). Chosen without a branch, since hull edges come unforeseen.
-    void lift(std::uint32_t corner, std::uint32_t site, Lifted& lifted) const {
-        const Vec2 p = m_in.sites[site], at = m_in.sites[corner == kGhost ? site : corner];
+    /// What the site at p sees of a corner. The ghost is at (0, 0, ghostSquare).
+    void lift(std::uint32_t corner, Vec2 p, Lifted& lifted) const {
+        const Vec2 at = corner == kGhost ? p : m_in.sites[corner];
         const double x = at.x - p.x, y = at.y - p.y;
         lifted.x = x;
         lifted.y = y;
@@ -188,12 +189,12 @@ private:
     /// orientation of its edge and the site, in the scale of inCircleBound. A range reaches a triangle through two corners
     /// of its own, so that it owns the triangle where it owns the third; one that it does not own stays as it is meanwhile,
     /// but for the twin behind this very edge.
-    [[gnu::always_inline]] ReachedEdge edgeReached(std::uint32_t site, std::uint32_t outer, std::uint32_t from,
+    [[gnu::always_inline]] ReachedEdge edgeReached(std::uint32_t site, Vec2 p, std::uint32_t outer, std::uint32_t from,
                                                    std::uint32_t to, std::uint32_t apex) {
         const Delaunay::Triangle& triangle = m_in.triangles[outer >> 2];
         const Lifted &a = m_lifted[from], &b = m_lifted[to];
         Lifted& c = m_lifted[apex];
-        lift(triangle.corner[before(outer & 3)], site, c);
+        lift(triangle.corner[before(outer & 3)], p, c);
         const double determinant = b.square * cross(a, c) + a.square * cross(c, b) + c.square * cross(b, a);
         const bool isSure = std::abs(determinant) > m_in.inCircleBound;
         return {from, to, outer, apex, isSure ? determinant > 0.0 : isInConflict(site, {b.corner, a.corner, c.corner})};
@@ -244,15 +245,22 @@ private:
     void fillCavity(std::uint32_t site, CavitySize cavity) {
         const std::uint32_t count = cavity.edges;
         takeSlots(cavity.triangles, count);
+        // The first again behind the last, so that the loop need not ask for the end.
+        m_slots[count] = m_slots[0];
+        m_boundary[count].from = m_boundary[0].from;
         std::uint32_t previous = m_slots[count - 1];
         for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t slot = m_slots[i];
-            const std::uint32_t following = m_slots[i + 1 < count ? i + 1 : 0];
-            const BoundaryEdge& edge = m_boundary[i];
-            const std::uint32_t end = m_boundary[i + 1 < count ? i + 1 : 0].from;
-            m_in.triangles[slot] = {{edge.from, end, site}, {edge.outer, 4 * following + 2, 4 * previous + 1}};
-            m_in.triangles[edge.outer >> 2].twin[edge.outer & 3] = 4 * slot;
-            if (edge.from != kGhost && end != kGhost) m_last = slot;
+            const std::uint32_t slot = m_slots[i], following = m_slots[i + 1];
+            const std::uint32_t from = m_boundary[i].from, outer = m_boundary[i].outer, to = m_boundary[i + 1].from;
+            Delaunay::Triangle& triangle = m_in.triangles[slot];
+            triangle.corner[0] = from;
+            triangle.corner[1] = to;
+            triangle.corner[2] = site;
+            triangle.twin[0] = outer;
+            triangle.twin[1] = 4 * following + 2;
+            triangle.twin[2] = 4 * previous + 1;
+            m_in.triangles[outer >> 2].twin[outer & 3] = 4 * slot;
+            if (from != kGhost && to != kGhost) m_last = slot;
             previous = slot;
         }
     }
