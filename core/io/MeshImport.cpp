@@ -62,7 +62,9 @@ std::optional<Error> faultOf(const ChildOutcome& outcome, const std::string& nam
 }  // namespace
 
 std::filesystem::path importerBeside(const std::filesystem::path& programFolder) {
-    return programFolder / "rubble-importer";
+    const std::filesystem::path beside = programFolder / "rubble-importer";
+    std::error_code ignored;
+    return std::filesystem::exists(beside, ignored) ? beside : programFolder / "../libexec/rubble/rubble-importer";
 }
 
 Result<SourceScene> importMesh(const std::filesystem::path& file, const std::filesystem::path& importer,

@@ -7,7 +7,8 @@
 
 namespace rubble {
 
-/// Where rubble-importer lies, for a program in a folder: beside it, as built and as installed.
+/// Where rubble-importer lies, for a program in a folder: beside it, as built; else in ../libexec/rubble, as installed,
+/// for no one calls it by hand.
 std::filesystem::path importerBeside(const std::filesystem::path& programFolder);
 
 /// Reads an OBJ, glTF, GLB, FBX, STL or PLY file in a process of its own (rubble-importer), which may take 1 GiB and

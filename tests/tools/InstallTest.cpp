@@ -1,43 +1,92 @@
+#include "tests/support/RunProgram.h"
+
+#include <QDir>
 #include <QFileInfo>
-#include <QProcess>
+#include <QMimeDatabase>
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace {
-
-/// A program's exit code and what it prints on both outputs.
-struct Outcome {
-    int exit = -1;
-    QString output;
-};
-
-Outcome run(const QString& program, const QStringList& arguments) {
-    QProcess process;
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(program, arguments);
-    if (!process.waitForFinished(60000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAll())};
-}
-
-}  // namespace
+using namespace rubble;
 
 class InstallTest : public QObject {
     Q_OBJECT
 private slots:
-    void theInstalledProgramDrawsTheInstalledHouse() {
-        QTemporaryDir place;
-        const Outcome installed = run("cmake", {"--install", RUBBLE_BINARY_DIR, "--prefix", place.path()});
-        QVERIFY2(installed.exit == 0, qPrintable(installed.output));
-        for (const char* file :
-             {"share/doc/rubble/README.md", "share/doc/rubble/LICENSE", "share/doc/rubble/CHANGELOG.md",
-              "share/doc/rubble/docs/architecture.md", "share/rubble/projects/pane.rubble"}) {
-            QVERIFY2(QFileInfo::exists(place.filePath(file)), file);
+    void initTestCase() {
+        const ProgramOutcome installed =
+            runProgram("cmake", {"--install", RUBBLE_BINARY_DIR, "--prefix", m_root.path()});
+        QVERIFY2(installed.exit == 0, qPrintable(installed.error));
+        qputenv("XDG_DATA_DIRS", m_root.filePath("share").toUtf8());
+        qputenv("XDG_DATA_HOME", m_root.filePath("nothing").toUtf8());
+    }
+
+    void allIsThere_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* file : {"bin/rubble-cli",
+                                 "libexec/rubble/rubble-importer",
+                                 "share/applications/io.github.rubble.Rubble.desktop",
+                                 "share/metainfo/io.github.rubble.Rubble.metainfo.xml",
+                                 "share/mime/packages/io.github.rubble.Rubble.xml",
+                                 "share/icons/hicolor/scalable/apps/io.github.rubble.Rubble.svg",
+                                 "share/icons/hicolor/scalable/mimetypes/application-x-rubble.svg",
+                                 "share/icons/hicolor/16x16/apps/io.github.rubble.Rubble.png",
+                                 "share/icons/hicolor/512x512/apps/io.github.rubble.Rubble.png",
+                                 "share/man/man1/rubble.1",
+                                 "share/man/man1/rubble-cli.1",
+                                 "share/doc/rubble/README.md",
+                                 "share/doc/rubble/LICENSE",
+                                 "share/doc/rubble/CHANGELOG.md",
+                                 "share/doc/rubble/copyright",
+                                 "share/doc/rubble/docs/architecture.md",
+                                 "share/doc/rubble/projects/house.rubble",
+                                 "share/rubble/projects/pane.rubble",
+                                 "share/rubble/docs/formats/rubble_pack.hpp",
+                                 "share/rubble/resources/schemas/pack.schema.json"}) {
+            QTest::newRow(file) << file;
         }
-        const Outcome drawn =
-            run(place.filePath("bin/rubble-cli"), {"draw", place.filePath("share/rubble/projects/house.rubble")});
+    }
+    void allIsThere() {
+        QFETCH(const QString, file);
+        QVERIFY(QFileInfo::exists(m_root.filePath(file)));
+    }
+    void nothingElseIsInTheWay() {
+        QCOMPARE(QDir(m_root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot),
+                 QStringList({"bin", "libexec", "share"}));
+        for (const QString& program : QDir(m_root.filePath("bin")).entryList(QDir::Files)) {
+            QVERIFY2(QStringList({"rubble", "rubble-cli"}).contains(program), qPrintable(program));
+        }
+    }
+
+    void theInstalledProgramDrawsTheInstalledHouse() {
+        const ProgramOutcome drawn = runCli({"draw", m_root.filePath("share/rubble/projects/house.rubble")});
         QCOMPARE(drawn.exit, 0);
         QVERIFY(drawn.output.startsWith("<svg"));
     }
+    void theInstalledProgramFindsItsImporter() {
+        const ProgramOutcome imported = runCli(
+            {"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/wall.glb", "--into", m_root.filePath("imported.rubble")});
+        QCOMPARE(imported.error, QString());
+        QCOMPARE(imported.exit, 0);
+    }
+
+    void projectsAreKnownByTheirName() {
+        const QMimeType type = QMimeDatabase().mimeTypeForFile("/nowhere/house.rubble", QMimeDatabase::MatchExtension);
+        QCOMPARE(type.name(), QString("application/x-rubble"));
+        QCOMPARE(type.comment(), QString("Rubble project"));
+        QVERIFY(type.inherits("application/json"));
+    }
+    void projectsAreKnownByWhatIsInThem() {
+        QFile house(m_root.filePath("share/rubble/projects/house.rubble"));
+        QVERIFY(house.open(QIODevice::ReadOnly));
+        QCOMPARE(QMimeDatabase().mimeTypeForData(house.readAll()).name(), QString("application/x-rubble"));
+        QCOMPARE(QMimeDatabase().mimeTypeForData("{\n  \"format\": \"other\"").inherits("application/x-rubble"), false);
+    }
+
+private:
+    ProgramOutcome runCli(const QStringList& arguments) const {
+        return runProgram(m_root.filePath("bin/rubble-cli"), arguments);
+    }
+
+    const QTemporaryDir m_root;
 };
 
 QTEST_GUILESS_MAIN(InstallTest)

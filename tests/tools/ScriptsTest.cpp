@@ -80,7 +80,7 @@ private slots:
     }
     void setupRefusesAGroupItDoesNotKnow() {
         const Outcome outcome = run(kTools + "setup", {"everything"});
-        QCOMPARE(outcome.err, QString("tools/setup: 'everything' is none of build, test, coverage, all.\n"));
+        QCOMPARE(outcome.err, QString("tools/setup: 'everything' is none of build, test, package, coverage, all.\n"));
         QCOMPARE(outcome.exit, 1);
     }
 
