@@ -24,9 +24,7 @@ if(RUBBLE_ASSERTS)
 endif()
 if(RUBBLE_SANITIZE)
   target_compile_options(rubble_compile INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # With the sanitizers' checks in between, g++ 12 takes members of std::regex for uninitialised.
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(rubble_compile INTERFACE -fsanitize=address,undefined)
 endif()
 if(RUBBLE_COVERAGE)
