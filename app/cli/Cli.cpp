@@ -21,6 +21,7 @@ Examples:
   rubble-cli new wall.rubble
   rubble-cli import crate.glb --into wall.rubble
   rubble-cli draw wall.rubble --out wall.svg
+  rubble-cli render wall.rubble --out wall.png
   rubble-cli export wall.rubble --out packs)";
 
 std::string verbNames(const CLI::App& program) {
@@ -64,8 +65,8 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // none is told below, in our words
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    const std::vector<Verb> verbs = {addNew(program),    addImport(program), addFracture(program),
-                                     addExport(program), addCheck(program),  addDraw(program)};
+    const std::vector<Verb> verbs = {addNew(program),   addImport(program), addFracture(program), addExport(program),
+                                     addCheck(program), addDraw(program),   addRender(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(

@@ -27,6 +27,7 @@ Verb addFracture(CLI::App& program);
 Verb addExport(CLI::App& program);
 Verb addCheck(CLI::App& program);
 Verb addDraw(CLI::App& program);
+Verb addRender(CLI::App& program);
 
 /// The whole of a file, or of `context.in` where `path` is "-".
 ///

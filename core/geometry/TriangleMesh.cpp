@@ -9,14 +9,20 @@ Vec3 doubleArea(const TriangleMesh& mesh, std::size_t triangle) {
     return glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
 }
 
-double Box3::diagonal() const { return min.x > max.x ? 0.0 : glm::length(max - min); }
+void Box3::include(Vec3 point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+}
+
+double Box3::diagonal() const { return isEmpty() ? 0.0 : glm::length(max - min); }
+
+Vec3 Box3::corner(int index) const {
+    return {(index & 1) != 0 ? max.x : min.x, (index & 2) != 0 ? max.y : min.y, (index & 4) != 0 ? max.z : min.z};
+}
 
 Box3 boundsOf(const TriangleMesh& mesh) {
     Box3 box;
-    for (const Vec3 point : mesh.points) {
-        box.min = glm::min(box.min, point);
-        box.max = glm::max(box.max, point);
-    }
+    for (const Vec3 point : mesh.points) box.include(point);
     return box;
 }
 

@@ -21,6 +21,9 @@ Vec3 doubleArea(const TriangleMesh& mesh, std::size_t triangle);
 struct Box3 {
     Vec3 min{1e308, 1e308, 1e308};
     Vec3 max{-1e308, -1e308, -1e308};
+    void include(Vec3 point);
+    bool isEmpty() const { return min.x > max.x; }
+    Vec3 corner(int index) const;  // one of eight
     double diagonal() const;
     Vec3 centre() const { return min + (max - min) / 2.0; }
 };

@@ -1,0 +1,15 @@
+// How far a pixel is from the nearest edge of its face, in pixels; `placeAcross` is 0 or 1 at edges.
+float pixelsToEdge(vec2 placeAcross) {
+    vec2 part = min(placeAcross, 1.0 - placeAcross);
+    vec2 stepX = dFdx(placeAcross), stepY = dFdy(placeAcross);
+    vec2 perPixel = sqrt(stepX * stepX + stepY * stepY);
+    vec2 pixels = part / max(perPixel, vec2(1e-6));
+    return min(pixels.x, pixels.y);
+}
+// The width of a face in pixels: lines fade on faces that are hardly wider.
+float pixelsAcross(vec2 placeAcross) {
+    vec2 stepX = dFdx(placeAcross), stepY = dFdy(placeAcross);
+    vec2 perPixel = sqrt(stepX * stepX + stepY * stepY);
+    return 1.0 / max(max(perPixel.x, perPixel.y), 1e-6);
+}
+float lineCover(float pixels, float width) { return 1.0 - smoothstep(width - 0.5, width + 0.5, pixels); }

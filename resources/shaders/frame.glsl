@@ -1,0 +1,24 @@
+// What all programs know of the picture that is drawn: the layout of FrameBlock in viewport/render.
+// Scene: metres in the world less the scene's origin.
+layout(std140) uniform Frame {
+    mat4 clipFromScene;
+    mat4 keyFromScene;   // to the shadow map of the key light, each in [0, 1]
+    mat4 skyFromScene;   // to that of one direction of the sky
+    vec4 eye;            // w: 1 in perspective, 0 where all rays are parallel
+    vec4 back;           // from target to eye
+    vec4 keyDirection;   // towards the light; w: its strength
+    vec4 skyDirection;   // towards the one place of the sky that lights this sample; w: 0 where the whole sky does
+    vec4 skyLight;       // from above; w: how much light the eye itself gives
+    vec4 groundLight;    // from below
+    vec4 backgroundTop;  // sRGB
+    vec4 backgroundBottom;
+    vec4 grid;           // sRGB and opacity of its lines
+    vec4 ground;         // x, y, z of its middle; w: how far it reaches, m
+    vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows; w: how visible all is
+    vec4 accent;         // sRGB, of what is selected
+    vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor; w: 1 where faces are drawn
+    vec4 picture;        // width and height, pixels; z: shadows are drawn; w: pixels of the display a point
+};
+
+vec3 linearOf(vec3 srgb) { return pow(srgb, vec3(2.2)); }
+vec3 srgbOf(vec3 linear) { return pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)); }

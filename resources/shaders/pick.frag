@@ -1,0 +1,4 @@
+flat in uint body;
+out uint pixel;
+
+void main() { pixel = body; }

@@ -1,0 +1,7 @@
+flat out uint body;
+
+void main() {
+    bool isHidden = (lookOfBody().z & kHidden) != 0u;
+    body = uint(bodyIndex()) + 1u;
+    gl_Position = isHidden ? kNowhere : clipFromScene * vec4(pointInScene(), 1.0);
+}

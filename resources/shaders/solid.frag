@@ -1,0 +1,34 @@
+in vec3 scenePoint;
+in vec3 sceneNormal;
+in vec2 placeAcross;
+flat in vec3 colour;
+flat in uint marks;
+out vec4 pixel;
+
+vec3 lit(vec3 albedo, vec3 n) {
+    vec3 towardsEye = eye.w > 0.5 ? normalize(eye.xyz - scenePoint) : back.xyz;
+    float key = max(dot(n, keyDirection.xyz), 0.0);
+    if (key > 0.0) key *= keyReached(scenePoint);
+    vec3 light = skyOn(n, scenePoint) + groundLight.rgb * (0.5 - 0.5 * n.y) + vec3(keyDirection.w * key) +
+                 vec3(skyLight.w * max(dot(n, towardsEye), 0.0));
+    return albedo * light;
+}
+
+void main() {
+    vec3 albedo = linearOf(colour);
+    bool isSelected = (marks & 2u) != 0u, isHovered = (marks & 4u) != 0u;
+    vec3 accentLinear = linearOf(accent.rgb);
+    if (isSelected) albedo = mix(albedo, accentLinear, 0.45);
+    if (isHovered) albedo = mix(albedo, vec3(1.0), 0.25);
+    vec3 shaded = lit(albedo, normalize(sceneNormal));
+
+    float pixels = pixelsToEdge(placeAcross);
+    float fade = smoothstep(2.0, 12.0, pixelsAcross(placeAcross));
+    float cover = lineCover(pixels, edges.x) * edges.y * fade;
+    vec3 line = shaded * 0.22;
+    if (isSelected || isHovered) {
+        cover = lineCover(pixels, edges.x * (isSelected ? 2.6 : 1.8)) * max(fade, 0.5);
+        line = isSelected ? accentLinear : mix(accentLinear, vec3(1.0), 0.35);
+    }
+    pixel = vec4(srgbOf(mix(shaded, line, cover)), 1.0);
+}

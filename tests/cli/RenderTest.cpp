@@ -1,0 +1,54 @@
+#include <QFileInfo>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Outcome {
+    int exit = -1;
+    QString err;
+};
+
+Outcome render(const QTemporaryDir& place, const QStringList& options, const QProcessEnvironment& environment) {
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.start(RUBBLE_CLI, QStringList{"render", RUBBLE_SOURCE_DIR "/projects/house.rubble", "--out",
+                                          place.filePath("house.png"), "--samples", "0"} +
+                                  options);
+    program.waitForFinished(60000);
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardError())};
+}
+
+}  // namespace
+
+/// What no case folder can hold: pictures differ from driver to driver.
+class RenderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void writesAPictureOfTheSizeAskedForWithoutADisplay() {
+        const QTemporaryDir place;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove("DISPLAY");
+        const Outcome outcome = render(place, {"--size", "200x120", "--asset", "wall"}, environment);
+        QCOMPARE(outcome.err, QString());
+        QCOMPARE(outcome.exit, 0);
+        const QImage picture(place.filePath("house.png"));
+        QCOMPARE(picture.size(), QSize(200, 120));
+        QVERIFY(picture.pixelColor(100, 60).blue() + 30 < picture.pixelColor(100, 60).red());  // yellow masonry
+    }
+    void saysThatThereIsNoOpenGl() {
+        const QTemporaryDir place;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("__EGL_VENDOR_LIBRARY_DIRS", place.path());
+        const Outcome outcome = render(place, {}, environment);
+        QCOMPARE(outcome.err, QString("There is no OpenGL 3.3 on this machine to draw pictures with: EGL offers no "
+                                      "drawing without a display.\n"));
+        QCOMPARE(outcome.exit, 1);
+        QVERIFY(!QFileInfo::exists(place.filePath("house.png")));
+    }
+};
+
+QTEST_GUILESS_MAIN(RenderTest)
+#include "RenderTest.moc"

@@ -1,0 +1,70 @@
+#include "core/asset/StarterProject.h"
+#include "viewport/render/Renderer.h"
+#include "viewport/render/SurfacelessContext.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr PictureSize kSize{200, 200};
+
+std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
+    const Project project = starterProject();
+    AssetBakes bakes;
+    bakes[project.assets[0].id] = std::make_shared<const Bake>(bake(project.assets[0]).value());
+    return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
+}
+
+/// The wall from the front.
+PictureView frontView(const RenderScene& scene) {
+    PictureView view{.size = kSize};
+    view.camera = framing(view.camera, boundsOf(scene), kSize);
+    return view;
+}
+
+}  // namespace
+
+class RendererTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_context = SurfacelessContext::made().value();
+        m_renderer = Renderer::made().value();
+    }
+    void cleanupTestCase() { m_renderer.reset(); }
+
+    void aPixelNamesTheBodyThatIsSeenThere() {
+        const auto scene = wallScene();
+        m_renderer->setScene(scene);
+        const PictureView view = frontView(*scene);
+        const double scale = 1.0 / metresPerPixel(view.camera, kSize);
+        for (std::uint32_t body = 0; body < scene->motions.size(); ++body) {
+            const Vec3 centre = scene->origin + Vec3(scene->motions[body].position) - view.camera.target;
+            // The front face is nearer than the target, and so a little larger.
+            const double nearer = view.camera.distance / (view.camera.distance - 0.25);
+            const int x = static_cast<int>(100.0 + nearer * scale * centre.x);
+            const int y = static_cast<int>(100.0 - nearer * scale * centre.y);
+            QCOMPARE(m_renderer->bodyAt(view, x, y).value(), body);
+        }
+        QVERIFY(!m_renderer->bodyAt(view, 0, 0));
+        QVERIFY(!m_renderer->bodyAt(view, -1, 500));
+    }
+    void whatIsHiddenIsNotPicked() {
+        const auto all = wallScene();
+        m_renderer->setScene(all);
+        const PictureView view = frontView(*all);
+        const std::uint32_t body = m_renderer->bodyAt(view, 100, 100).value();
+        m_renderer->setScene(wallScene({.hidden = {all->picks[body]}}));
+        QVERIFY(m_renderer->bodyAt(view, 100, 100) != body);
+    }
+
+private:
+    std::unique_ptr<SurfacelessContext> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+};
+
+QTEST_GUILESS_MAIN(RendererTest)
+#include "RendererTest.moc"

@@ -1,0 +1,115 @@
+#include "viewport/scene/Camera.h"
+
+#include <QTest>
+
+#include <numbers>
+#include <random>
+
+using namespace rubble;
+
+namespace {
+
+constexpr PictureSize kSize{400, 300};
+
+/// Where a point appears, in pixels from the top left corner.
+Vec2 pixelOf(Vec3 point, const Camera& camera, const Box3& bounds) {
+    const CameraMatrices matrices = matricesOf(camera, kSize, {}, bounds);
+    const glm::dvec4 clip = matrices.projection * matrices.view * glm::dvec4(point, 1.0);
+    return {(clip.x / clip.w + 1.0) / 2.0 * kSize.width, (1.0 - clip.y / clip.w) / 2.0 * kSize.height};
+}
+
+bool isNear(Vec3 a, Vec3 b, double reach = 1e-12) { return glm::length(a - b) <= reach; }
+bool isNear(Vec2 a, Vec2 b, double reach = 1e-9) { return glm::length(a - b) <= reach; }
+
+Box3 boxAround(Vec3 middle, double half) { return {middle - Vec3(half), middle + Vec3(half)}; }
+
+Camera randomCamera(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Camera camera{.target = {unit(random), unit(random), unit(random)}, .azimuth = 3.0 * unit(random)};
+    camera.elevation = 1.5 * unit(random);
+    camera.distance = 5.0 + 4.0 * unit(random);
+    camera.projection = unit(random) < 0.0 ? Projection::Perspective : Projection::Orthographic;
+    return camera;
+}
+
+}  // namespace
+
+class CameraTest : public QObject {
+    Q_OBJECT
+private slots:
+    void standardViewsLookAlongTheAxes() {
+        const Camera camera{.distance = 2.0};
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Front)), {0, 0, 2}));
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Back)), {0, 0, -2}));
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Right)), {2, 0, 0}));
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Left)), {-2, 0, 0}));
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Top)), {0, 2, 0}));
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Bottom)), {0, -2, 0}));
+        QVERIFY(isNear(axesOf(turnedTo(camera, StandardView::Top)).up, {0, 0, -1}));
+        const double third = 2.0 / std::sqrt(3.0);
+        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Isometric)), {third, third, third}));
+    }
+    void orbitingStopsStraightAboveAndBelow() {
+        const Camera camera = orbited({}, 0.0, 10.0);
+        QCOMPARE(camera.elevation, std::numbers::pi / 2.0);
+        QVERIFY(std::abs(orbited({}, 7.0, 0.0).azimuth - (7.0 - 2.0 * std::numbers::pi)) < 1e-15);
+    }
+    void thePointAtTheTargetFollowsThePointer() {
+        std::mt19937 random(1);
+        for (int round = 0; round < 100; ++round) {
+            const Camera camera = randomCamera(random);
+            const Camera moved = panned(camera, {30.0, -20.0}, kSize);
+            QVERIFY(isNear(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}));
+        }
+    }
+    void zoomingKeepsWhatIsUnderThePointer() {
+        std::mt19937 random(2);
+        for (int round = 0; round < 100; ++round) {
+            const Camera camera = randomCamera(random);
+            const CameraAxes axes = axesOf(camera);
+            const Vec3 point = camera.target + metresPerPixel(camera, kSize) * (120.0 * axes.right - 70.0 * axes.up);
+            const Vec2 pixel = pixelOf(point, camera, boxAround(camera.target, 1.0));
+            QVERIFY(isNear(pixel, {320.0, 220.0}));
+            const Camera nearer = dollied(camera, 0.5, pixel, kSize);
+            QCOMPARE(nearer.distance, 0.5 * camera.distance);
+            QVERIFY(isNear(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel));
+        }
+    }
+    void framingShowsAllOfABoxAndFillsThePicture() {
+        std::mt19937 random(3);
+        for (int round = 0; round < 100; ++round) {
+            const Box3 box = boxAround({5.0, -2.0, 3.0}, 0.1 * (round + 1));
+            const Camera camera = framing(randomCamera(random), box, kSize);
+            double farthest = 0.0;  // from the middle, as a part of the way to the picture's edge
+            for (int corner = 0; corner < 8; ++corner) {
+                const Vec2 pixel = pixelOf(box.corner(corner), camera, box);
+                farthest = std::max({farthest, std::abs(pixel.x / 200.0 - 1.0), std::abs(pixel.y / 150.0 - 1.0)});
+            }
+            QVERIFY2(farthest < 1.0 && farthest > 0.9, qPrintable(QString::number(farthest)));
+        }
+        const Camera camera = randomCamera(random);
+        QVERIFY(framing(camera, Box3{}, kSize) == camera);
+    }
+    void theDepthRangeHoldsTheBounds() {
+        std::mt19937 random(4);
+        for (int round = 0; round < 100; ++round) {
+            const Box3 box = boxAround({0.5, 0.0, -0.5}, 1.0);
+            const Camera camera = framing(randomCamera(random), box, kSize);
+            const CameraMatrices matrices = matricesOf(camera, kSize, {}, box);
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec4 clip = matrices.projection * matrices.view * glm::dvec4(box.corner(corner), 1.0);
+                QVERIFY(std::abs(clip.z) <= clip.w);
+            }
+        }
+    }
+    void aWayBetweenCamerasTurnsTheShorterWayRound() {
+        const Camera from{.azimuth = 3.0}, to{.azimuth = -3.0, .distance = 20.0};
+        QVERIFY(between(from, to, 0.0) == from);
+        QVERIFY(between(from, to, 1.0) == to);
+        QVERIFY(std::abs(between(from, to, 0.5).azimuth - std::numbers::pi) < 1e-15);
+        QCOMPARE(between(from, to, 0.5).distance, 15.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(CameraTest)
+#include "CameraTest.moc"

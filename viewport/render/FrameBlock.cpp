@@ -1,0 +1,66 @@
+#include "viewport/render/FrameBlock.h"
+
+#include "core/asset/PieceColours.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr float kKeyLight = 0.82f, kEyeLight = 0.1f;
+constexpr float kEdgeWidth = 0.85f;    // points, on each side of an edge
+constexpr double kFineStep = 0.3;      // of the distance: the largest power of ten below it is the fine step
+constexpr double kGroundBelow = 2e-4;  // of the distance, so that what stands on the ground is in front of it
+
+glm::vec4 direction(Vec3 v, float w) { return glm::vec4(glm::vec3(v), w); }
+
+/// The grid's fine step, and how visible it is: it fades before the next coarser takes its place.
+glm::vec2 gridStep(const Camera& camera) {
+    const double power = std::log10(kFineStep * camera.distance);
+    const double whole = std::floor(power);
+    return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
+}
+
+}  // namespace
+
+FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const Box3& bounds,
+                      const std::optional<LightSample>& sample) {
+    const Camera& camera = view.camera;
+    const RenderSettings& settings = view.settings;
+    const Surroundings around = surroundingsOf(settings.theme);
+    const CameraMatrices matrices = matricesOf(camera, view.size, scene.origin, bounds);
+    const Vec2 offset = sample ? sample->pixelOffset : Vec2(0.0);
+    const Vec3 moved(2.0 * offset.x / view.size.width, 2.0 * offset.y / view.size.height, 0.0);
+    const auto scale = static_cast<float>(settings.scale);
+
+    FrameBlock frame{};
+    frame.clipFromScene = glm::mat4(glm::translate(glm::dmat4(1.0), moved) * matrices.projection * matrices.view);
+    frame.eye = direction(eyeOf(camera) - scene.origin, camera.projection == Projection::Perspective ? 1.0f : 0.0f);
+    frame.back = direction(axesOf(camera).back, 0.0f);
+    frame.keyDirection = direction(sample ? sample->keyDirection : keyDirection(), kKeyLight);
+    frame.skyDirection = sample ? direction(sample->skyDirection, 1.0f) : glm::vec4(0.0f);
+    frame.skyLight = {0.42f, 0.44f, 0.48f, kEyeLight};
+    frame.groundLight = {0.17f, 0.16f, 0.15f, 0.0f};
+    frame.backgroundTop = around.backgroundTop;
+    frame.backgroundBottom = around.backgroundBottom;
+    frame.grid = settings.hasGrid ? around.grid : glm::vec4(glm::vec3(around.grid), 0.0f);
+    const double below = scene.groundHeight - kGroundBelow * camera.distance;
+    const double reach = std::max(4.0 * camera.distance, bounds.diagonal());
+    frame.ground = direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(reach));
+    frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 1.0f);
+    const std::uint32_t accent = packed(settings.accent);
+    frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
+    frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f, static_cast<float>(scene.exploded), 1.0f};
+    frame.picture = {view.size.width, view.size.height, settings.hasShadows ? 1.0f : 0.0f, scale};
+    return frame;
+}
+
+glm::vec3 gridOrigin(const FrameBlock& frame, const RenderScene& scene) {
+    const double step = 10.0 * static_cast<double>(frame.spacing.x);
+    return glm::vec3(scene.origin - step * glm::floor(scene.origin / step));
+}
+
+}  // namespace rubble

@@ -1,0 +1,67 @@
+#include "viewport/render/RenderTarget.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+struct GlFormat {
+    GLenum internal;
+    GLenum components;
+    GLenum type;
+};
+GlFormat glFormat(PixelFormat format) {
+    switch (format) {
+        case PixelFormat::Float: return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+        case PixelFormat::BodyIndex: return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT};
+        case PixelFormat::Colour: break;
+    }
+    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+}
+
+int possible(int samples) {
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    return std::clamp(samples, 1, std::max(most, 1));
+}
+
+}  // namespace
+
+RenderTarget::RenderTarget(PictureSize size, PixelFormat format, int samples)
+    : m_size(size), m_samples(samples), m_framebuffer(GlFramebuffer::made()), m_depth(GlRenderbuffer::made()) {
+    const GlFormat gl = glFormat(format);
+    const int count = possible(samples) > 1 ? possible(samples) : 0;
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    if (count == 0) {
+        m_colour = GlTexture::made();
+        glBindTexture(GL_TEXTURE_2D, m_colour.id());
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(gl.internal), size.width, size.height, 0, gl.components,
+                     gl.type, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_colour.id(), 0);
+    } else {
+        m_manyColours = GlRenderbuffer::made();
+        glBindRenderbuffer(GL_RENDERBUFFER, m_manyColours.id());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, gl.internal, size.width, size.height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_manyColours.id());
+    }
+    glBindRenderbuffer(GL_RENDERBUFFER, m_depth.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_DEPTH_COMPONENT32F, size.width, size.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth.id());
+}
+
+void RenderTarget::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glViewport(0, 0, m_size.width, m_size.height);
+}
+
+void copyColours(std::uint32_t from, std::uint32_t to, PictureSize size) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+}  // namespace rubble

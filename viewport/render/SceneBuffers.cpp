@@ -1,0 +1,118 @@
+#include "viewport/render/SceneBuffers.h"
+
+#include "viewport/render/ShaderProgram.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rubble {
+namespace {
+
+static_assert(sizeof(BodyMotion) == 48 && sizeof(BodyLook) == 16, "texels of buffer textures");
+
+template <class T>
+GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
+    GlBuffer buffer = GlBuffer::made();
+    glBindBuffer(target, buffer.id());
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+template <class T>
+void writeTexels(const GlBuffer& buffer, const std::vector<T>& values) {
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_DYNAMIC_DRAW);
+}
+
+void bindTexels(TextureUnit unit, const GlTexture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
+}
+
+const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+
+void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const GlBuffer& firstBodies) {
+    constexpr GLsizei kStride = sizeof(SceneVertex);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, position)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, normal)));
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, uv)));
+    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, at(offsetof(SceneVertex, piece)));
+    glVertexAttribPointer(4, 2, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SceneVertex, across)));
+    glVertexAttribIPointer(5, 1, GL_UNSIGNED_BYTE, kStride, at(offsetof(SceneVertex, side)));
+    glBindBuffer(GL_ARRAY_BUFFER, firstBodies.id());
+    glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), nullptr);
+    glVertexAttribDivisor(6, 1);
+    for (GLuint attribute = 0; attribute <= 6; ++attribute) glEnableVertexAttribArray(attribute);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+}
+
+}  // namespace
+
+SceneBuffers::SceneBuffers()
+    : m_motions(GlBuffer::made()),
+      m_looks(GlBuffer::made()),
+      m_motionTexels(GlTexture::made()),
+      m_lookTexels(GlTexture::made()) {}
+
+const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
+    const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
+    if (known != m_geometries.end()) return *known;
+    // The index buffer is made as an array buffer: an element buffer would become part of the bound vertex array.
+    m_geometries.push_back(
+        {source, bufferOf(GL_ARRAY_BUFFER, source->vertices), bufferOf(GL_ARRAY_BUFFER, source->indices)});
+    return m_geometries.back();
+}
+
+SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
+    Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::made(), {}};
+    const Geometry& geometry = uploaded(batch.geometry);
+    glBindVertexArray(made.bodies.id());
+    describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
+    if (batch.hulls) {
+        const Geometry& hulls = uploaded(batch.hulls);
+        made.hulls = GlVertexArray::made();
+        glBindVertexArray(made.hulls.id());
+        describeVertices(hulls.vertices, hulls.indices, made.firstBodies);
+    }
+    glBindVertexArray(0);
+    return made;
+}
+
+void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
+    if (scene == m_scene) return;
+    m_scene = std::move(scene);
+    m_batches.clear();
+    const auto isUsed = [&](const Geometry& geometry) {
+        return std::ranges::any_of(m_scene->batches, [&](const SceneBatch& batch) {
+            return batch.geometry == geometry.source || batch.hulls == geometry.source;
+        });
+    };
+    std::erase_if(m_geometries, [&](const Geometry& geometry) { return !isUsed(geometry); });
+    for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
+
+    writeTexels(m_motions, m_scene->motions);
+    bindTexels(TextureUnit::Motions, m_motionTexels);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_motions.id());
+    writeTexels(m_looks, m_scene->looks);
+    bindTexels(TextureUnit::Looks, m_lookTexels);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, m_looks.id());
+}
+
+void SceneBuffers::draw(Part part) const {
+    bindTexels(TextureUnit::Motions, m_motionTexels);
+    bindTexels(TextureUnit::Looks, m_lookTexels);
+    for (std::size_t k = 0; k < m_batches.size(); ++k) {
+        const SceneBatch& batch = m_scene->batches[k];
+        const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();
+        if (geometry == nullptr || batch.firstBodies.empty()) continue;
+        glBindVertexArray((part == Part::Hulls ? m_batches[k].hulls : m_batches[k].bodies).id());
+        glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(geometry->indices.size()), GL_UNSIGNED_INT, nullptr,
+                                static_cast<GLsizei>(batch.firstBodies.size()));
+    }
+    glBindVertexArray(0);
+}
+
+}  // namespace rubble

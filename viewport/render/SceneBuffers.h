@@ -1,0 +1,47 @@
+#pragma once
+
+#include "viewport/render/GlObjects.h"
+#include "viewport/scene/RenderScene.h"
+
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+/// A scene in the card's memory. Geometry stays there as long as scenes share it; what is a few numbers a body is written
+/// anew where it changed.
+class SceneBuffers {
+public:
+    SceneBuffers();
+
+    void upload(std::shared_ptr<const RenderScene> scene);
+    const std::shared_ptr<const RenderScene>& scene() const { return m_scene; }
+
+    enum class Part { Bodies, Hulls };
+    /// Draws all triangles by the program in use: one call a batch.
+    void draw(Part part) const;
+
+private:
+    struct Geometry {
+        std::shared_ptr<const SceneGeometry> source;
+        GlBuffer vertices;
+        GlBuffer indices;
+    };
+    struct Batch {
+        GlBuffer firstBodies;
+        GlVertexArray bodies;
+        GlVertexArray hulls;
+    };
+    const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
+    Batch batchOf(const SceneBatch& batch);
+
+    std::shared_ptr<const RenderScene> m_scene;
+    std::vector<Geometry> m_geometries;
+    std::vector<Batch> m_batches;
+    GlBuffer m_motions;
+    GlBuffer m_looks;
+    GlTexture m_motionTexels;
+    GlTexture m_lookTexels;
+};
+
+}  // namespace rubble

@@ -1,0 +1,91 @@
+#include "viewport/render/ShaderProgram.h"
+
+#include "shader_source.h"
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+namespace rubble {
+namespace {
+
+struct Sampler {
+    const char* name;
+    TextureUnit unit;
+};
+constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},
+                                 {"looks", TextureUnit::Looks},
+                                 {"keyShadow", TextureUnit::KeyShadow},
+                                 {"skyShadow", TextureUnit::SkyShadow},
+                                 {"source", TextureUnit::Source}};
+
+/// A driver's words as one line.
+std::string oneLine(std::string text) {
+    for (char& letter : text) {
+        if (letter == '\n' || letter == '\0') letter = ' ';
+    }
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+Result<GlShader> compiled(std::uint32_t stage, std::initializer_list<std::string_view> files) {
+    std::string text = "#version 330 core\n";
+    std::string_view last;
+    text += shaderSource("frame.glsl");
+    for (const std::string_view file : files) {
+        RUBBLE_ASSERT(!shaderSource(file).empty());
+        text += shaderSource(last = file);
+    }
+    GlShader shader(glCreateShader(stage));
+    const char* source = text.c_str();
+    glShaderSource(shader.id(), 1, &source, nullptr);
+    glCompileShader(shader.id());
+    GLint isCompiled = GL_FALSE;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &isCompiled);
+    if (isCompiled == GL_TRUE) return shader;
+    std::string log(4096, '\0');
+    glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    return Error{ErrorCode::Unsupported,
+                 "The graphics driver does not take " + std::string(last) + ": " + oneLine(std::move(log))};
+}
+
+}  // namespace
+
+Result<ShaderProgram> ShaderProgram::made(std::initializer_list<std::string_view> vertexFiles,
+                                          std::initializer_list<std::string_view> fragmentFiles) {
+    const Result<GlShader> vertex = compiled(GL_VERTEX_SHADER, vertexFiles);
+    if (!vertex) return vertex.error();
+    const Result<GlShader> fragment = compiled(GL_FRAGMENT_SHADER, fragmentFiles);
+    if (!fragment) return fragment.error();
+    GlProgram program = GlProgram::made();
+    glAttachShader(program.id(), vertex->id());
+    glAttachShader(program.id(), fragment->id());
+    glLinkProgram(program.id());
+    GLint isLinked = GL_FALSE;
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &isLinked);
+    if (isLinked != GL_TRUE) {
+        std::string log(4096, '\0');
+        glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+        return Error{ErrorCode::Unsupported, "The graphics driver does not link a program: " + oneLine(std::move(log))};
+    }
+    ShaderProgram result(std::move(program));
+    result.use();
+    for (const Sampler& sampler : kSamplers) {
+        glUniform1i(result.place(sampler.name), static_cast<GLint>(sampler.unit));
+    }
+    const GLuint block = glGetUniformBlockIndex(result.m_program.id(), "Frame");
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(result.m_program.id(), block, 0);
+    return result;
+}
+
+void ShaderProgram::use() const { glUseProgram(m_program.id()); }
+int ShaderProgram::place(const char* name) const { return glGetUniformLocation(m_program.id(), name); }
+void ShaderProgram::set(const char* name, float value) const { glUniform1f(place(name), value); }
+void ShaderProgram::set(const char* name, std::uint32_t value) const { glUniform1ui(place(name), value); }
+void ShaderProgram::set(const char* name, const glm::vec3& value) const { glUniform3fv(place(name), 1, &value[0]); }
+void ShaderProgram::set(const char* name, const glm::vec4& value) const { glUniform4fv(place(name), 1, &value[0]); }
+void ShaderProgram::set(const char* name, const glm::mat4& value) const {
+    glUniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
+}
+
+}  // namespace rubble

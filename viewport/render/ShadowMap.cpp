@@ -1,0 +1,61 @@
+#include "viewport/render/ShadowMap.h"
+
+#include <epoxy/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+/// A light's clip space from the scene: a cube around the sphere around a box.
+glm::dmat4 clipFromScene(Vec3 direction, const Box3& bounds, Vec3 origin) {
+    const double radius = 0.5 * bounds.diagonal() * 1.01 + 1e-6;
+    const Vec3 middle = bounds.centre() - origin;
+    const Vec3 up = std::abs(direction.y) > 0.9 ? Vec3(0.0, 0.0, -1.0) : Vec3(0.0, 1.0, 0.0);
+    return glm::ortho(-radius, radius, -radius, radius, 0.0, 2.0 * radius) *
+           glm::lookAt(middle + radius * direction, middle, up);
+}
+
+}  // namespace
+
+ShadowMap::ShadowMap(int width) : m_width(width), m_depths(GlTexture::made()), m_framebuffer(GlFramebuffer::made()) {
+    glBindTexture(GL_TEXTURE_2D, m_depths.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, width, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_depths.id(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+}
+
+void ShadowMap::draw(const SceneBuffers& scene, const ShaderProgram& depthProgram, Vec3 direction, const Box3& bounds) {
+    const glm::dmat4 clip = clipFromScene(direction, bounds, scene.scene()->origin);
+    const glm::dmat4 place = glm::scale(glm::translate(glm::dmat4(1.0), Vec3(0.5)), Vec3(0.5));
+    m_placeFromScene = glm::mat4(place * clip);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glViewport(0, 0, m_width, m_width);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(2.5f,
+                    4.0f);  // more than the slope within the texels that are compared, so that nothing shades itself
+    depthProgram.use();
+    depthProgram.set("clipFromSceneOfLight", glm::mat4(clip));
+    scene.draw(SceneBuffers::Part::Bodies);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ShadowMap::bind(TextureUnit unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, m_depths.id());
+}
+
+}  // namespace rubble

@@ -1,0 +1,55 @@
+#include "viewport/render/SurfacelessContext.h"
+
+#include <dlfcn.h>
+#include <epoxy/egl.h>
+
+namespace rubble {
+
+struct SurfacelessContext::State {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+    ~State() {
+        if (display == EGL_NO_DISPLAY) return;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+        eglTerminate(display);
+    }
+};
+
+namespace {
+
+Error noContext(const std::string& reason) {
+    return {ErrorCode::Unsupported, "There is no OpenGL 3.3 on this machine to draw pictures with: " + reason + "."};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::made() {
+    // Asked first: epoxy ends the program where the library or a call is missing.
+    if (dlopen("libEGL.so.1", RTLD_LAZY) == nullptr) return noContext("libEGL.so.1 is not installed");
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") ||
+        !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
+        return noContext("EGL offers no drawing without a display");
+    }
+    auto state = std::make_unique<State>();
+    state->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (state->display == EGL_NO_DISPLAY || eglInitialize(state->display, nullptr, nullptr) == EGL_FALSE) {
+        state->display = EGL_NO_DISPLAY;
+        return noContext("EGL finds no graphics driver");
+    }
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return noContext("EGL offers OpenGL ES only");
+    constexpr EGLint kAttributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    state->context = eglCreateContext(state->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
+    if (state->context == EGL_NO_CONTEXT) return noContext("the graphics driver is older");
+    if (eglMakeCurrent(state->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context) == EGL_FALSE) {
+        return noContext("EGL offers no drawing without a display");
+    }
+    return std::unique_ptr<SurfacelessContext>(new SurfacelessContext(std::move(state)));
+}
+
+SurfacelessContext::SurfacelessContext(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+SurfacelessContext::~SurfacelessContext() = default;
+
+}  // namespace rubble

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "viewport/scene/SceneBuilder.h"
+
+namespace rubble {
+
+/// A piece that is drawn.
+struct ModelPiece {
+    std::uint32_t fragment = kNone;  // index in the bake; kNone: the whole
+    Vec3 offset{0.0, 0.0, 0.0};      // its frame's origin in the prism's frame, m
+    double volume = 0.0;             // m^3
+    Colour colour;                   // its own, by its id
+};
+
+struct AssetModel {
+    Asset asset;                       // it was made from
+    std::shared_ptr<const Bake> bake;  // null: of the whole
+    std::uint32_t level = kNone;
+    std::shared_ptr<const SceneGeometry> geometry;
+    std::shared_ptr<const SceneGeometry> hulls;  // null where they were not asked for
+    std::vector<ModelPiece> pieces;              // one a piece of the geometry
+};
+
+/// The model of a bake's fragments, or of the asset as a whole where there is no bake. One without pieces where the prism
+/// cannot be fractured.
+AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options);
+
+}  // namespace rubble

@@ -1,0 +1,144 @@
+#include "viewport/scene/Camera.h"
+
+#include "core/base/Trigonometry.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace rubble {
+namespace {
+
+constexpr double kQuarterTurn = std::numbers::pi / 2.0;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kNearest = 1e-4;    // m; nearer, single precision shows
+constexpr double kFarthest = 1e6;    // m
+constexpr double kMargin = 1.08;     // of free space around what is framed
+constexpr double kLeastNear = 2e-4;  // of the far plane: keeps the depth's steps small
+
+double halfTangent(const Camera& camera) { return sine(camera.fieldOfView / 2.0) / cosine(camera.fieldOfView / 2.0); }
+
+double wrapped(double angle) { return angle - kFullTurn * std::round(angle / kFullTurn); }
+
+/// The distances of a box's nearest and farthest corners along the way that the camera looks.
+std::array<double, 2> depthsOf(const Box3& box, const Camera& camera) {
+    const Vec3 eye = eyeOf(camera), back = axesOf(camera).back;
+    double nearest = 1e308, farthest = -1e308;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double depth = glm::dot(eye - box.corner(corner), back);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    return {nearest, farthest};
+}
+
+glm::dmat4 viewMatrix(const Camera& camera, Vec3 origin) {
+    const CameraAxes axes = axesOf(camera);
+    const Vec3 eye = eyeOf(camera) - origin;
+    glm::dmat4 view(1.0);
+    for (int k = 0; k < 3; ++k) {
+        view[k][0] = axes.right[k];
+        view[k][1] = axes.up[k];
+        view[k][2] = axes.back[k];
+    }
+    view[3] = {-glm::dot(axes.right, eye), -glm::dot(axes.up, eye), -glm::dot(axes.back, eye), 1.0};
+    return view;
+}
+
+}  // namespace
+
+Camera turnedTo(Camera camera, StandardView view) {
+    static constexpr std::array<std::array<double, 2>, 7> kAngles = {{{0.0, 0.0},
+                                                                      {std::numbers::pi, 0.0},
+                                                                      {kQuarterTurn, 0.0},
+                                                                      {-kQuarterTurn, 0.0},
+                                                                      {0.0, kQuarterTurn},
+                                                                      {0.0, -kQuarterTurn},
+                                                                      {std::numbers::pi / 4.0, 0.6154797086703873}}};
+    const auto& [azimuth, elevation] = kAngles[static_cast<std::size_t>(view)];
+    camera.azimuth = azimuth;
+    camera.elevation = elevation;
+    return camera;
+}
+
+CameraAxes axesOf(const Camera& camera) {
+    const double sinA = sine(camera.azimuth), cosA = cosine(camera.azimuth);
+    const double sinE = sine(camera.elevation), cosE = cosine(camera.elevation);
+    return {{cosA, 0.0, -sinA}, {-sinE * sinA, cosE, -sinE * cosA}, {cosE * sinA, sinE, cosE * cosA}};
+}
+
+Vec3 eyeOf(const Camera& camera) { return camera.target + camera.distance * axesOf(camera).back; }
+
+double metresPerPixel(const Camera& camera, PictureSize size) {
+    return 2.0 * camera.distance * halfTangent(camera) / static_cast<double>(size.height);
+}
+
+Camera orbited(Camera camera, double azimuth, double elevation) {
+    camera.azimuth = wrapped(camera.azimuth + azimuth);
+    camera.elevation = std::clamp(camera.elevation + elevation, -kQuarterTurn, kQuarterTurn);
+    return camera;
+}
+
+Camera panned(Camera camera, Vec2 pixels, PictureSize size) {
+    const CameraAxes axes = axesOf(camera);
+    camera.target += metresPerPixel(camera, size) * (pixels.y * axes.up - pixels.x * axes.right);
+    return camera;
+}
+
+Camera dollied(Camera camera, double factor, Vec2 towards, PictureSize size) {
+    const double distance = std::clamp(camera.distance * factor, kNearest, kFarthest);
+    const Vec2 fromMiddle = towards - 0.5 * Vec2(size.width, size.height);
+    const double kept = 1.0 - distance / camera.distance;
+    camera = panned(camera, -kept * fromMiddle, size);
+    camera.distance = distance;
+    return camera;
+}
+
+Camera framing(Camera camera, const Box3& box, PictureSize size) {
+    if (box.isEmpty()) return camera;
+    camera.target = box.centre();
+    const CameraAxes axes = axesOf(camera);
+    const double tangent = halfTangent(camera);
+    double distance = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 arm = box.corner(corner) - camera.target;
+        const double across =
+            std::max(std::abs(glm::dot(arm, axes.right)) / size.aspect(), std::abs(glm::dot(arm, axes.up)));
+        const double towards = camera.projection == Projection::Perspective ? glm::dot(arm, axes.back) : 0.0;
+        distance = std::max(distance, kMargin * across / tangent + towards);
+    }
+    camera.distance = std::clamp(distance, kNearest, kFarthest);
+    return camera;
+}
+
+Camera between(const Camera& from, const Camera& to, double share) {
+    Camera camera = to;
+    camera.target = from.target + share * (to.target - from.target);
+    camera.azimuth = from.azimuth + share * wrapped(to.azimuth - from.azimuth);
+    camera.elevation = from.elevation + share * (to.elevation - from.elevation);
+    camera.distance = from.distance + share * (to.distance - from.distance);
+    camera.fieldOfView = from.fieldOfView + share * (to.fieldOfView - from.fieldOfView);
+    return share >= 1.0 ? to : camera;
+}
+
+CameraMatrices matricesOf(const Camera& camera, PictureSize size, Vec3 origin, const Box3& bounds) {
+    const double halfHeight = camera.distance * halfTangent(camera);
+    const auto [nearest, farthest] =
+        bounds.isEmpty() ? std::array{camera.distance, camera.distance} : depthsOf(bounds, camera);
+    const double slack = 0.01 * std::max(farthest - nearest, camera.distance);
+    CameraMatrices matrices{viewMatrix(camera, origin), {}};
+    if (camera.projection == Projection::Orthographic) {
+        matrices.projection = glm::ortho(-halfHeight * size.aspect(), halfHeight * size.aspect(), -halfHeight,
+                                         halfHeight, nearest - slack, farthest + slack);
+    } else {
+        const double far = std::max(farthest, camera.distance) + slack;
+        const double near = std::clamp(nearest - slack, kLeastNear * far, 0.5 * camera.distance);
+        matrices.projection = glm::perspective(camera.fieldOfView, size.aspect(), near, far);
+    }
+    return matrices;
+}
+
+}  // namespace rubble

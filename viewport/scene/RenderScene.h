@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/asset/Project.h"
+#include "viewport/scene/SceneGeometry.h"
+
+#include <glm/vec4.hpp>
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+/// What a click hits: a fragment of an asset, where it stands. As a mark of what is hidden or selected it may also name
+/// many: an instance of 0 stands for all, a fragment of kNone for all fragments and the whole.
+struct PickId {
+    Id asset = 0;
+    Id instance = 0;                 // 0: the asset by itself
+    std::uint32_t fragment = kNone;  // index in Bake::fragments; kNone: the whole
+    auto operator<=>(const PickId&) const = default;
+};
+
+/// Where a body stands and where it is moved to in an exploded view.
+struct BodyMotion {
+    glm::vec4 position{0.0f};                       // m, relative to RenderScene::origin
+    glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
+    glm::vec4 apart{0.0f};                          // m at an exploded factor of 1
+};
+
+/// What a body looks like. Colours are sRGB, 0xRRGGBB.
+struct BodyLook {
+    std::uint32_t outside = 0xcccccc;
+    std::uint32_t inside = 0x999999;
+    std::uint32_t marks = 0;  // of kHidden, kSelected, kHovered
+    std::uint32_t unused = 0;
+};
+inline constexpr std::uint32_t kHidden = 1;
+inline constexpr std::uint32_t kSelected = 2;
+inline constexpr std::uint32_t kHovered = 4;
+
+/// All instances of one geometry.
+struct SceneBatch {
+    std::shared_ptr<const SceneGeometry> geometry;
+    std::shared_ptr<const SceneGeometry> hulls;  // the same pieces as convex hulls; null where they are not shown
+    std::vector<std::uint32_t> firstBodies;      // an instance each: the body of its piece 0, others follow
+};
+
+/// A whole picture as a value: everything that is drawn but not from where. Geometry is shared and large; the rest is
+/// small, a few numbers a body, so that moving, colouring, selecting and exploding cost little.
+struct RenderScene {
+    Vec3 origin{0.0, 0.0, 0.0};  // m, in the world: motions are relative to it, which keeps their digits
+    std::vector<SceneBatch> batches;
+    std::vector<BodyMotion> motions;  // this and the following: one a body
+    std::vector<BodyLook> looks;
+    std::vector<PickId> picks;
+    double exploded = 0.0;  // factor of BodyMotion::apart
+    bool hasGround = true;
+    double groundHeight = 0.0;  // m
+};
+
+/// Marks bodies anew: a body is hidden, selected or hovered where one of the ids stands for it.
+struct SceneMarks {
+    std::vector<PickId> hidden;
+    std::vector<PickId> selected;
+    std::vector<PickId> hovered;
+};
+void setMarks(RenderScene& scene, const SceneMarks& marks);
+
+/// A box in the world around all bodies that are not hidden, as exploded as they are; around those only that have
+/// one of `marks`, where it is given. Empty (min > max) where there are none.
+Box3 boundsOf(const RenderScene& scene, std::uint32_t marks = 0);
+
+}  // namespace rubble

@@ -1,0 +1,154 @@
+#include "viewport/scene/SceneBuilder.h"
+
+#include "core/asset/PieceColours.h"
+#include "viewport/scene/AssetModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+bool isSameBake(const std::shared_ptr<const Bake>& a, const std::shared_ptr<const Bake>& b) {
+    return a == b || (a && b && a->asset == b->asset && a->input == b->input);
+}
+
+/// Whether the geometry of a model is that of an asset with a bake.
+bool isModelOf(const AssetModel& model, const Asset& asset, const std::shared_ptr<const Bake>& bake,
+               const SceneOptions& options) {
+    return model.asset.id == asset.id && model.level == options.level && isSameBake(model.bake, bake) &&
+           (bake || model.asset.prism == asset.prism) && model.asset.surface == asset.surface &&
+           model.asset.insideUvScale == asset.insideUvScale && (model.hulls || !options.hasHulls);
+}
+
+BodyMotion motionOf(const Pose& pose, Vec3 offset, Vec3 origin) {
+    const Vec3 position = pose.position + pose.orientation * offset - origin;
+    const glm::quat orientation(pose.orientation);
+    return {glm::vec4(glm::vec3(position), 0.0f), {orientation.x, orientation.y, orientation.z, orientation.w}};
+}
+
+/// Puts a scene together, body by body.
+class SceneAssembly {
+public:
+    SceneAssembly(const Project& project, const SceneOptions& options) : m_project(project), m_options(options) {
+        m_scene.exploded = options.exploded;
+    }
+
+    void add(const AssetModel& model) {
+        if (model.pieces.empty()) return;
+        m_scene.batches.push_back({model.geometry, m_options.hasHulls ? model.hulls : nullptr, {}});
+        m_models.push_back(&model);
+        if (m_options.asset != 0) return addInstance(model, 0, Pose{});
+        for (const Instance& instance : m_project.instances) {
+            if (instance.asset == model.asset.id) addInstance(model, instance.id, instance.pose);
+        }
+    }
+
+    RenderScene finished() {
+        colour();
+        setMarks(m_scene, m_options.marks);
+        explode();
+        return std::move(m_scene);
+    }
+
+private:
+    void addInstance(const AssetModel& model, Id instance, const Pose& pose) {
+        if (m_scene.motions.empty()) m_scene.origin = pose.position;
+        m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.motions.size()));
+        for (const ModelPiece& piece : model.pieces) {
+            m_scene.motions.push_back(motionOf(pose, piece.offset, m_scene.origin));
+            m_scene.looks.emplace_back();
+            m_scene.picks.push_back({model.asset.id, instance, piece.fragment});
+        }
+    }
+
+    /// Calls `work` with each body, its piece and its model.
+    template <class Work>
+    void forEachBody(Work work) {
+        for (std::size_t k = 0; k < m_models.size(); ++k) {
+            for (const std::uint32_t first : m_scene.batches[k].firstBodies) {
+                for (std::uint32_t piece = 0; piece < m_models[k]->pieces.size(); ++piece) {
+                    work(first + piece, m_models[k]->pieces[piece], *m_models[k]);
+                }
+            }
+        }
+    }
+
+    void colour() {
+        double least = 1e308, most = 0.0;
+        forEachBody([&](std::uint32_t, const ModelPiece& piece, const AssetModel&) {
+            least = std::min(least, piece.volume);
+            most = std::max(most, piece.volume);
+        });
+        forEachBody([&](std::uint32_t body, const ModelPiece& piece, const AssetModel& model) {
+            const double share = most > least ? (piece.volume - least) / (most - least) : 0.5;
+            paint(m_scene.looks[body], piece, share, model);
+        });
+    }
+
+    void paint(BodyLook& look, const ModelPiece& piece, double volumeShare, const AssetModel& model) const {
+        const Material* material = findMaterial(m_project, currentMaterial(model));
+        Colour outside = piece.colour, inside;
+        if (m_options.colouring == SceneColouring::Material && material != nullptr) {
+            outside = material->outside;
+            inside = material->inside;
+        } else {
+            if (m_options.colouring == SceneColouring::Volume) outside = rampColour(volumeShare);
+            inside = insideOf(outside);
+        }
+        look.outside = packed(outside);
+        look.inside = packed(inside);
+    }
+
+    /// A model may be older than its asset's choice of material.
+    Id currentMaterial(const AssetModel& model) const {
+        const Asset* asset = findAsset(m_project, model.asset.id);
+        return asset != nullptr ? asset->material : model.asset.material;
+    }
+
+    /// Where each body goes when exploded: away from the middle, or from the middle of the ground.
+    void explode() {
+        m_scene.exploded = 0.0;
+        const Box3 bounds = boundsOf(m_scene);
+        m_scene.exploded = m_options.exploded;
+        if (bounds.isEmpty()) return;
+        m_scene.hasGround = m_options.asset != 0 || m_project.ground.isOn;
+        m_scene.groundHeight = m_options.asset != 0 ? bounds.min.y : m_project.ground.height;
+        Vec3 middle = bounds.centre();
+        if (m_scene.hasGround) middle.y = std::min(m_scene.groundHeight, bounds.min.y);
+        const glm::vec3 fromMiddle(middle - m_scene.origin);
+        for (BodyMotion& motion : m_scene.motions) {
+            motion.apart = glm::vec4(glm::vec3(motion.position) - fromMiddle, 0.0f);
+        }
+    }
+
+    const Project& m_project;
+    const SceneOptions& m_options;
+    RenderScene m_scene;
+    std::vector<const AssetModel*> m_models;  // one a batch
+};
+
+}  // namespace
+
+RenderScene SceneBuilder::sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options) {
+    std::vector<std::shared_ptr<const AssetModel>> models;
+    for (const Asset& asset : project.assets) {
+        if (options.asset != 0 && options.asset != asset.id) continue;
+        const auto found = bakes.find(asset.id);
+        const std::shared_ptr<const Bake> bake = options.isWhole || found == bakes.end() ? nullptr : found->second;
+        const auto known =
+            std::ranges::find_if(m_models, [&](const auto& model) { return isModelOf(*model, asset, bake, options); });
+        models.push_back(known != m_models.end() ? *known
+                                                 : std::make_shared<AssetModel>(modelOf(asset, bake, options)));
+    }
+    m_models = std::move(models);
+    SceneAssembly assembly(project, options);
+    for (const auto& model : m_models) assembly.add(*model);
+    return assembly.finished();
+}
+
+RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options) {
+    return SceneBuilder().sceneOf(project, bakes, options);
+}
+
+}  // namespace rubble

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/asset/Bake.h"
+#include "viewport/scene/RenderScene.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+/// The bakes to show, by asset. An asset without one is shown whole.
+using AssetBakes = std::map<Id, std::shared_ptr<const Bake>>;
+
+enum class SceneColouring { Material, Piece, Volume };
+
+/// What a scene shows and how.
+struct SceneOptions {
+    Id asset = 0;  // only this one, in its prism's frame; 0: every instance where it stands
+    SceneColouring colouring = SceneColouring::Material;
+    std::uint32_t level = kNone;  // the deepest level that is shown; kNone: down to the smallest fragments
+    double exploded = 0.0;        // 0: together; at 1, twice as far from the middle as they are
+    bool hasHulls = false;
+    bool isWhole = false;  // bakes are left aside
+    SceneMarks marks;
+};
+
+/// An asset as it is drawn; shared by all scenes until its bake or its prism changes.
+struct AssetModel;
+
+/// Makes scenes, keeping the geometry of the last one: what did not change is shared with it, by pointer, and need
+/// not be made or uploaded again.
+class SceneBuilder {
+public:
+    /// The project's instances, or one asset. Instances of assets that are not there, and assets whose prism cannot be
+    /// fractured, are left out. An asset by itself stands on the ground. Bodies: instance by instance, in the project's
+    /// order within each asset; pieces in the bake's order. Linear in bodies, and in the corners of new bakes.
+    RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options);
+
+private:
+    std::vector<std::shared_ptr<const AssetModel>> m_models;
+};
+
+/// The same with nothing kept.
+RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options = {});
+
+}  // namespace rubble
