@@ -1,6 +1,9 @@
 #include "core/asset/Bake.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
 
 namespace rubble {
 namespace {
@@ -37,9 +40,16 @@ void add(Hasher& hasher, const BlueNoise& noise) {
 }
 void add(Hasher& hasher, const PlacedSeeds& placed) {
     hasher.add(std::uint64_t{placed.seeds.size()});
+    // Many at once: a call costs more than what is hashed.
+    std::array<std::uint64_t, 3 * 256> words;
+    std::size_t count = 0;
     for (const PlacedSeeds::Seed& seed : placed.seeds) {
-        hasher.add(std::uint64_t{seed.index});
-        add(hasher, seed.position);
+        words[count++] = seed.index;
+        words[count++] = std::bit_cast<std::uint64_t>(seed.position.x);
+        words[count++] = std::bit_cast<std::uint64_t>(seed.position.y);
+        if (count < words.size() && &seed != &placed.seeds.back()) continue;
+        hasher.add(std::as_bytes(std::span(words).first(count)));
+        count = 0;
     }
 }
 void add(Hasher& hasher, const LloydRelaxation& relaxation) { hasher.add(std::uint64_t{relaxation.rounds}); }

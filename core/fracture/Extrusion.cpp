@@ -14,6 +14,19 @@ constexpr std::size_t kBlock = 128;  // fragments that a thread makes between tw
 constexpr double kThinnest = 1e-9;   // of the outline's width
 constexpr double kFlat = 1e-12;      // of the outline's diameter: far above the rounding of constructed points
 
+/// Puts a piece's outline, less `centre`, where another one was: its memory is used again.
+void takeOutline(const Partition& partition, std::uint32_t piece, Vec2 centre, Polygon& outline) {
+    const std::uint32_t ring = partition.ringsOfPiece[piece];
+    if (partition.ringsOfPiece[piece + 1] - ring > 1) {
+        outline = pieceOutline(partition, piece, centre);
+        return;
+    }
+    const std::span<const std::uint32_t> corners = partition.ringCorners(ring);
+    outline.holes.clear();
+    outline.outer.resize(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) outline.outer[i] = partition.points[corners[i]] - centre;
+}
+
 /// Makes fragments from pieces, of which some may have been found too thin to become one.
 class Extrusion {
 public:
@@ -79,8 +92,9 @@ private:
     bool makeBlock(std::size_t begin) {
         const auto end = static_cast<std::uint32_t>(std::min(m_isThin.size(), begin + kBlock));
         bool isAnyThin = false;
+        Polygon outline;
         for (auto piece = static_cast<std::uint32_t>(begin); piece < end; ++piece) {
-            if (m_isThin[piece] || make(piece, m_all.records[m_all.fragmentOfPiece[piece]])) continue;
+            if (m_isThin[piece] || make(piece, outline, m_all.records[m_all.fragmentOfPiece[piece]])) continue;
             m_isThin[piece] = isAnyThin = true;
         }
         return !isAnyThin;
@@ -95,17 +109,19 @@ private:
         m_all.gifts = thinPieceGifts(m_all.partition, thin);
     }
 
-    /// False where the piece is too thin.
-    bool make(std::uint32_t piece, FragmentRecord& record) const {
-        const Polygon outline = pieceOutline(m_all.partition, piece);
-        const auto isGift = [&](const ThinPieceGift& gift) { return gift.receiver == piece; };
+    /// False where the piece is too thin. `outline` is room to work in.
+    bool make(std::uint32_t piece, Polygon& outline, FragmentRecord& record) const {
+        takeOutline(m_all.partition, piece, {0.0, 0.0}, outline);
         record.piece = piece;
         record.moments = momentsOf(outline);
+        double around = perimeter(outline.outer);
+        for (const Ring& hole : outline.holes) around += perimeter(hole);
+        if (!(widthOf(record.moments.area, around) > m_all.tolerance.thinnest)) return false;
+        const auto isGift = [&](const ThinPieceGift& gift) { return gift.receiver == piece; };
         record.hasGifts = std::ranges::any_of(m_all.gifts, isGift);
-        if (!(widthOf(outline) > m_all.tolerance.thinnest)) return false;
         if (record.hasGifts) record.moments.centre = Vec2{massWithGifts(piece).centre};
-        const std::optional<IndexLoops> parts =
-            hullParts(pieceOutline(m_all.partition, piece, record.moments.centre), m_all.tolerance);
+        takeOutline(m_all.partition, piece, record.moments.centre, outline);
+        const std::optional<IndexLoops> parts = hullParts(outline, m_all.tolerance);
         record.isConvex = parts && parts->empty();
         return parts.has_value();
     }

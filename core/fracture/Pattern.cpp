@@ -26,6 +26,7 @@ std::optional<std::string> overrideFault(const std::vector<SeedOverride>& overri
 
 /// Moves and deletes seeds of the last layer, which begin at `first`, ascending by index.
 void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& seeds) {
+    if (context.layer.overrides.empty()) return;
     std::vector<bool> isDeleted(seeds.size() - first, false);
     const auto begin = seeds.ids.begin() + static_cast<std::ptrdiff_t>(first);
     for (const SeedOverride& change : context.layer.overrides) {

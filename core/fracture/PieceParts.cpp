@@ -16,11 +16,20 @@ bool isFlat(Vec2 before, Vec2 corner, Vec2 after, double flat) {
     return std::abs(cross(chord, corner - before)) <= flat * glm::length(chord);
 }
 
+/// True where a corner turns left so clearly that rounding cannot have made it so.
+bool turnsLeft(Vec2 before, Vec2 corner, Vec2 after) {
+    const Vec2 in = corner - before, out = after - corner;
+    const double left = in.x * out.y, right = in.y * out.x;
+    return left - right > kOrientBound * (std::abs(left) + std::abs(right));
+}
+
 bool isNearlyConvex(const Ring& ring, double flat) {
     Vec2 before = ring[ring.size() - 2];
     Vec2 corner = ring[ring.size() - 1];
     for (const Vec2 after : ring) {
-        if (orient2d(before, corner, after) < 0 && !isFlat(before, corner, after, flat)) return false;
+        if (!turnsLeft(before, corner, after) && orient2d(before, corner, after) < 0 &&
+            !isFlat(before, corner, after, flat))
+            return false;
         before = corner;
         corner = after;
     }

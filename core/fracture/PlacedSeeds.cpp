@@ -8,12 +8,12 @@ namespace rubble {
 std::optional<std::string> parameterFault(const PlacedSeeds& placed) {
     for (std::size_t k = 0; k < placed.seeds.size(); ++k) {
         const PlacedSeeds::Seed& seed = placed.seeds[k];
-        const std::string name = "seed " + std::to_string(seed.index);
+        const auto name = [&] { return "seed " + std::to_string(seed.index); };
         if (k > 0 && seed.index <= placed.seeds[k - 1].index) {
-            return name + " does not come after seed " + std::to_string(placed.seeds[k - 1].index);
+            return name() + " does not come after seed " + std::to_string(placed.seeds[k - 1].index);
         }
         if (!std::isfinite(seed.position.x) || !std::isfinite(seed.position.y)) {
-            return name + " stands at (" + messageText(seed.position.x) + ", " + messageText(seed.position.y) +
+            return name() + " stands at (" + messageText(seed.position.x) + ", " + messageText(seed.position.y) +
                    "), which is not finite";
         }
     }
@@ -22,6 +22,8 @@ std::optional<std::string> parameterFault(const PlacedSeeds& placed) {
 
 Status applyLayer(const PlacedSeeds& placed, const LayerContext& context, SeedSet& seeds) {
     if (placed.seeds.size() > kMostSeeds - seeds.size()) return tooManySeeds(context);
+    seeds.positions.reserve(seeds.size() + placed.seeds.size());
+    seeds.ids.reserve(seeds.positions.capacity());
     for (const PlacedSeeds::Seed& seed : placed.seeds) seeds.add({context.layer.id, seed.index}, seed.position, true);
     return success();
 }
