@@ -10,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kBlock = 128;  // fragments that a thread makes between two looks at the cancel token
+constexpr std::size_t kBlock = 512;  // fragments that a thread makes between two looks at the cancel token
 constexpr double kThinnest = 1e-9;   // of the outline's width
 constexpr double kFlat = 1e-12;      // of the outline's diameter: far above the rounding of constructed points
 
@@ -30,7 +30,8 @@ void takeOutline(const Partition& partition, std::uint32_t piece, Vec2 centre, P
 /// Makes fragments from pieces, of which some may have been found too thin to become one.
 class Extrusion {
 public:
-    Extrusion(const Prism& prism, Partition&& partition) : m_isThin(partition.pieceCount(), 0) {
+    Extrusion(const Prism& prism, Partition&& partition)
+        : m_records(partition.pieceCount()), m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
         m_all.tolerance = {kThinnest * widthOf(prism.outline), kFlat * diameter};
@@ -49,7 +50,10 @@ public:
                 if (!makeBlock(block * kBlock)) isAnyThin = true;
             });
             if (task.isCancelled()) return false;
-            if (!isAnyThin) return true;
+            if (!isAnyThin) {
+                putInOrder(task.threads);
+                return true;
+            }
             giveAwayThinPieces();
         }
     }
@@ -94,10 +98,22 @@ private:
         bool isAnyThin = false;
         Polygon outline;
         for (auto piece = static_cast<std::uint32_t>(begin); piece < end; ++piece) {
-            if (m_isThin[piece] || make(piece, outline, m_all.records[m_all.fragmentOfPiece[piece]])) continue;
+            if (m_isThin[piece] || make(piece, outline, m_records[piece])) continue;
             m_isThin[piece] = isAnyThin = true;
         }
         return !isAnyThin;
+    }
+
+    /// Records are made in the order of pieces, so that no two threads write to one place of the cache in turn.
+    void putInOrder(int threads) {
+        RawVector<std::uint32_t> pieces(m_all.count());
+        for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
+            if (!m_isThin[piece]) pieces[m_all.fragmentOfPiece[piece]] = piece;
+        }
+        forEachIndex((pieces.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+            const std::size_t end = std::min(pieces.size(), (block + 1) * kBlock);
+            for (std::size_t k = block * kBlock; k < end; ++k) m_all.records[k] = m_records[pieces[k]];
+        });
     }
 
     void giveAwayThinPieces() {
@@ -137,7 +153,8 @@ private:
     }
 
     Fragments m_all;
-    std::vector<std::uint8_t> m_isThin;  // of each piece; not bits, as threads write to neighbours
+    RawVector<FragmentRecord> m_records;  // of each piece
+    std::vector<std::uint8_t> m_isThin;   // of each piece; not bits, as threads write to neighbours
 };
 
 }  // namespace

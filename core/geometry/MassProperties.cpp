@@ -7,49 +7,68 @@ namespace rubble {
 
 namespace {
 
-/// Integrals over an area: of 1, of (x, y) and of (x², xy, y²).
-struct Integrals {
+/// Integrals over an area: of 1 and of (x, y).
+struct FirstIntegrals {
     double area = 0.0;
     Vec2 first{0.0, 0.0};
+
+    /// Adds those over the triangle (0, a, b), negative where it runs clockwise.
+    void addTriangle(Vec2 a, Vec2 b) {
+        const double doubleArea = cross(a, b);
+        area += doubleArea / 2.0;
+        first += doubleArea / 6.0 * (a + b);
+    }
+    void addScaled(const FirstIntegrals& part, double factor) {
+        area += factor * part.area;
+        first += factor * part.first;
+    }
+};
+
+/// Integrals over an area: of 1 and of (x², xy, y²).
+struct SecondIntegrals {
+    double area = 0.0;
     double xx = 0.0;
     double xy = 0.0;
     double yy = 0.0;
+
+    void addTriangle(Vec2 a, Vec2 b) {
+        const double doubleArea = cross(a, b);
+        const Vec2 sum = a + b;
+        area += doubleArea / 2.0;
+        xx += doubleArea / 24.0 * (a.x * a.x + b.x * b.x + sum.x * sum.x);
+        xy += doubleArea / 24.0 * (a.x * a.y + b.x * b.y + sum.x * sum.y);
+        yy += doubleArea / 24.0 * (a.y * a.y + b.y * b.y + sum.y * sum.y);
+    }
+    void addScaled(const SecondIntegrals& part, double factor) {
+        area += factor * part.area;
+        xx += factor * part.xx;
+        xy += factor * part.xy;
+        yy += factor * part.yy;
+    }
 };
 
 /// Integrals over the triangles between `origin` and the ring's edges, in coordinates relative to it.
+template <class Integrals>
 Integrals integralsOver(std::span<const Vec2> ring, Vec2 origin) {
-    Integrals moments;
-    if (ring.empty()) return moments;
+    Integrals integrals;
+    if (ring.empty()) return integrals;
     Vec2 a = ring.back() - origin;
     for (const Vec2 corner : ring) {
         const Vec2 b = corner - origin;
-        const double doubleArea = cross(a, b);
-        const Vec2 sum = a + b;
-        moments.area += doubleArea / 2.0;
-        moments.first += doubleArea / 6.0 * sum;
-        moments.xx += doubleArea / 24.0 * (a.x * a.x + b.x * b.x + sum.x * sum.x);
-        moments.xy += doubleArea / 24.0 * (a.x * a.y + b.x * b.y + sum.x * sum.y);
-        moments.yy += doubleArea / 24.0 * (a.y * a.y + b.y * b.y + sum.y * sum.y);
+        integrals.addTriangle(a, b);
         a = b;
     }
-    return moments;
+    return integrals;
 }
 
-void addScaled(Integrals& sum, const Integrals& part, double factor) {
-    sum.area += factor * part.area;
-    sum.first += factor * part.first;
-    sum.xx += factor * part.xx;
-    sum.xy += factor * part.xy;
-    sum.yy += factor * part.yy;
-}
-
-/// The outer ring's moments less the holes', whatever way the rings run.
+/// The outer ring's integrals less the holes', whatever way the rings run.
+template <class Integrals>
 Integrals integralsOver(const Polygon& polygon, Vec2 origin) {
-    Integrals sum = integralsOver(polygon.outer, origin);
-    if (sum.area < 0.0) addScaled(sum, Integrals(sum), -2.0);
+    Integrals sum = integralsOver<Integrals>(std::span(polygon.outer), origin);
+    if (sum.area < 0.0) sum.addScaled(Integrals(sum), -2.0);
     for (const Ring& hole : polygon.holes) {
-        const Integrals moments = integralsOver(hole, origin);
-        addScaled(sum, moments, moments.area < 0.0 ? 1.0 : -1.0);
+        const auto integrals = integralsOver<Integrals>(std::span(hole), origin);
+        sum.addScaled(integrals, integrals.area < 0.0 ? 1.0 : -1.0);
     }
     return sum;
 }
@@ -85,12 +104,12 @@ AreaMoments momentsOf(const Polygon& outline) {
     AreaMoments moments;
     if (outline.outer.empty()) return moments;
     const Vec2 origin = outline.outer[0];
-    const Integrals about = integralsOver(outline, origin);
+    const auto about = integralsOver<FirstIntegrals>(outline, origin);
     moments.area = about.area;
     const bool isFlat = !(about.area > 0.0);
     moments.centre = isFlat ? meanOf(std::span<const Vec2>(outline.outer)) : origin + about.first / about.area;
     // A second pass about the centre: the first one's integrals would cancel where the origin lies far from it.
-    const Integrals central = integralsOver(outline, moments.centre);
+    const auto central = integralsOver<SecondIntegrals>(outline, moments.centre);
     moments.xx = central.xx;
     moments.xy = central.xy;
     moments.yy = central.yy;
