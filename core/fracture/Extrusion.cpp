@@ -14,17 +14,24 @@ constexpr std::size_t kBlock = 512;  // fragments that a thread makes between tw
 constexpr double kThinnest = 1e-9;   // of the outline's width
 constexpr double kFlat = 1e-12;      // of the outline's diameter: far above the rounding of constructed points
 
-/// Puts a piece's outline, less `centre`, where another one was: its memory is used again.
-void takeOutline(const Partition& partition, std::uint32_t piece, Vec2 centre, Polygon& outline) {
+/// Puts a piece's outline where another one was: its memory is used again.
+void takeOutline(const Partition& partition, std::uint32_t piece, Polygon& outline) {
     const std::uint32_t ring = partition.ringsOfPiece[piece];
     if (partition.ringsOfPiece[piece + 1] - ring > 1) {
-        outline = pieceOutline(partition, piece, centre);
+        outline = pieceOutline(partition, piece);
         return;
     }
     const std::span<const std::uint32_t> corners = partition.ringCorners(ring);
     outline.holes.clear();
     outline.outer.resize(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) outline.outer[i] = partition.points[corners[i]] - centre;
+    for (std::size_t i = 0; i < corners.size(); ++i) outline.outer[i] = partition.points[corners[i]];
+}
+
+void moveToCentre(Vec2 centre, Polygon& outline) {
+    for (Vec2& corner : outline.outer) corner -= centre;
+    for (Ring& hole : outline.holes) {
+        for (Vec2& corner : hole) corner -= centre;
+    }
 }
 
 /// Makes fragments from pieces, of which some may have been found too thin to become one.
@@ -127,7 +134,7 @@ private:
 
     /// False where the piece is too thin. `outline` is room to work in.
     bool make(std::uint32_t piece, Polygon& outline, FragmentRecord& record) const {
-        takeOutline(m_all.partition, piece, {0.0, 0.0}, outline);
+        takeOutline(m_all.partition, piece, outline);
         record.piece = piece;
         record.moments = momentsOf(outline);
         double around = perimeter(outline.outer);
@@ -136,7 +143,7 @@ private:
         const auto isGift = [&](const ThinPieceGift& gift) { return gift.receiver == piece; };
         record.hasGifts = std::ranges::any_of(m_all.gifts, isGift);
         if (record.hasGifts) record.moments.centre = Vec2{massWithGifts(piece).centre};
-        takeOutline(m_all.partition, piece, record.moments.centre, outline);
+        moveToCentre(record.moments.centre, outline);
         const std::optional<IndexLoops> parts = hullParts(outline, m_all.tolerance);
         record.isConvex = parts && parts->empty();
         return parts.has_value();
