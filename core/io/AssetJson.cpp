@@ -26,9 +26,8 @@ void writePrism(JsonLayout& json, const Prism& prism) {
 
 Prism readPrism(const JsonValue& value) {
     value.requireObject({"depth", "outline", "holes"});
-    Prism prism{.outline = {readPoints(value["outline"]), {}}, .depth = value["depth"].number()};
-    for (const JsonValue hole : value["holes"].elements()) prism.outline.holes.push_back(readPoints(hole));
-    return prism;
+    return {.outline = {value["outline"].points(), value["holes"].listOf(&JsonValue::points)},
+            .depth = value["depth"].number()};
 }
 
 void writeLevel(JsonLayout& json, const Level& level) {
@@ -97,19 +96,17 @@ void writeSurface(JsonLayout& json, const Surface& surface) {
     json.close();
     writeCap(json, "front", surface.front);
     writeCap(json, "back", surface.back);
-    json.openArray("triangles");
-    for (const SurfaceTriangle& triangle : surface.triangles) writeTriangle(json, triangle);
-    json.close();
+    json.list("triangles", surface.triangles, writeTriangle);
     json.close();
 }
 
 std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
     if (value.isNull()) return nullptr;
     value.requireObject({"materials", "front", "back", "triangles"});
-    Surface surface{.materials = {}, .front = readCap(value["front"]), .back = readCap(value["back"]), .triangles = {}};
-    for (const JsonValue material : value["materials"].elements()) surface.materials.push_back(material.text());
-    for (const JsonValue triangle : value["triangles"].elements()) surface.triangles.push_back(readTriangle(triangle));
-    return std::make_shared<Surface>(std::move(surface));
+    return std::make_shared<Surface>(Surface{.materials = value["materials"].listOf(&JsonValue::text),
+                                             .front = readCap(value["front"]),
+                                             .back = readCap(value["back"]),
+                                             .triangles = value["triangles"].listOf(readTriangle)});
 }
 
 }  // namespace
@@ -146,9 +143,7 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
     json.number("insideUvScale", asset.insideUvScale);
     writePrism(json, asset.prism);
     writePattern(json, asset.pattern);
-    json.openArray("levels");
-    for (const Level& level : asset.levels) writeLevel(json, level);
-    json.close();
+    json.list("levels", asset.levels, writeLevel);
     if (asset.surface) {
         writeSurface(json, *asset.surface);
     } else {
@@ -160,16 +155,15 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
 Asset readAsset(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
-    Asset asset{.id = value["id"].index(),
-                .name = value["name"].text(),
-                .material = value["material"].index(),
-                .prism = readPrism(value["prism"]),
-                .pattern = readPattern(value["pattern"]),
-                .threshold = value["threshold"].number(),
-                .insideUvScale = value["insideUvScale"].number(),
-                .surface = readSurface(value["surface"])};
-    for (const JsonValue level : value["levels"].elements()) asset.levels.push_back(readLevel(level));
-    return asset;
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .material = value["material"].index(),
+            .prism = readPrism(value["prism"]),
+            .pattern = readPattern(value["pattern"]),
+            .levels = value["levels"].listOf(readLevel),
+            .threshold = value["threshold"].number(),
+            .insideUvScale = value["insideUvScale"].number(),
+            .surface = readSurface(value["surface"])};
 }
 
 }  // namespace rubble

@@ -91,15 +91,6 @@ std::string outputJson(std::span<const Cell> cells, const Triangles& triangles, 
     return json + "}\n";
 }
 
-Ring readRing(const JsonValue& value) {
-    Ring ring;
-    for (const JsonValue point : value.elements()) {
-        const auto [x, y] = point.numbers<2>();
-        ring.emplace_back(x, y);
-    }
-    return ring;
-}
-
 Result<std::string> exactJson(const FractureInput& input, const TaskContext& task) {
     const Result<Delaunay> delaunay = triangulate(input.seeds, task);
     if (!delaunay) return delaunay.error();
@@ -137,12 +128,10 @@ Result<FractureInput> readFractureInput(std::string_view json) {
     const JsonValue root = document->root();
     root.requireObject({"outline", "depth", "seeds"}, {"holes"});
     FractureInput input;
-    input.prism.outline.outer = readRing(root["outline"]);
-    if (root["holes"].isPresent()) {
-        for (const JsonValue hole : root["holes"].elements()) input.prism.outline.holes.push_back(readRing(hole));
-    }
+    input.prism.outline.outer = root["outline"].points();
+    if (root["holes"].isPresent()) input.prism.outline.holes = root["holes"].listOf(&JsonValue::points);
     input.prism.depth = root["depth"].number();
-    input.seeds = readRing(root["seeds"]);
+    input.seeds = root["seeds"].points();
     if (document->fault()) return *document->fault();
     Result<Prism> prism = validated(std::move(input.prism));
     if (!prism) return prism.error();

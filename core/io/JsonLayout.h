@@ -44,6 +44,14 @@ public:
     /// An array of points: one a line.
     void points(std::string_view key, std::span<const Vec2> points);
 
+    /// An array of what `write` writes of each element.
+    template <class Element>
+    void list(std::string_view key, const std::vector<Element>& elements, void (*write)(JsonLayout&, const Element&)) {
+        openArray(key);
+        for (const Element& element : elements) write(*this, element);
+        close();
+    }
+
     /// The whole text, ended by a line feed; all that was opened is closed.
     std::string finished() &&;
 

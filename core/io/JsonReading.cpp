@@ -214,6 +214,13 @@ void JsonValue::readNumbers(std::span<double> values, NumberRange range) const {
     for (const JsonValue element : elements()) values[next++] = element.number(range);
 }
 
+Vec2 JsonValue::point() const {
+    const auto [x, y] = numbers<2>();
+    return {x, y};
+}
+
+std::vector<Vec2> JsonValue::points() const { return listOf(&JsonValue::point); }
+
 JsonElements::Iterator& JsonElements::Iterator::operator++() {
     m_node = m_document->m_nodes[m_node].end;
     return *this;

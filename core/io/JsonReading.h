@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/geometry/Vec.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -115,6 +117,13 @@ public:
         return values;
     }
 
+    /// The elements of an array, each as `read` gives it.
+    template <class Read>
+    auto listOf(Read read) const;
+    /// An array of two numbers; of such arrays.
+    Vec2 point() const;
+    std::vector<Vec2> points() const;
+
     /// Makes a fault of this place: refuse("names nothing") gives "shots[1].asset: names nothing."
     void refuse(const std::string& reason) const;
 
@@ -161,5 +170,13 @@ private:
     std::uint32_t m_end;
     std::uint32_t m_count;
 };
+
+template <class Read>
+auto JsonValue::listOf(Read read) const {
+    std::vector<decltype(std::invoke(read, *this))> list;
+    list.reserve(elements().size());
+    for (const JsonValue element : elements()) list.push_back(std::invoke(read, element));
+    return list;
+}
 
 }  // namespace rubble

@@ -4,14 +4,6 @@
 namespace rubble {
 namespace {
 
-template <class Read>
-auto readList(const JsonValue& value, Read read) {
-    std::vector<decltype(read(value))> elements;
-    elements.reserve(value.elements().size());
-    for (const JsonValue element : value.elements()) elements.push_back(read(element));
-    return elements;
-}
-
 Vec3 readVector(const JsonValue& value) {
     const auto [x, y, z] = value.numbers<3>();
     return {x, y, z};
@@ -21,7 +13,7 @@ Vec3 readVector(const JsonValue& value) {
 std::uint32_t readLink(const JsonValue& value) { return value.isNull() ? kNone : value.index(0, kNone - 1); }
 
 std::vector<std::uint32_t> readIndices(const JsonValue& value) {
-    return readList(value, [](const JsonValue& element) { return element.index(); });
+    return value.listOf([](const JsonValue& element) { return element.index(); });
 }
 
 std::array<std::uint32_t, 2> readEdge(const JsonValue& value) {
@@ -49,16 +41,16 @@ Plane readPlane(const JsonValue& value) {
 
 PackHull readHull(const JsonValue& value) {
     value.requireObject({"vertices", "edges", "faces", "signedEdges", "planes"});
-    const auto readLoop = [](const JsonValue& loop) { return readList(loop, readSignedEdge); };
-    return {.polytope = {.vertices = readList(value["vertices"], readVector),
-                         .edges = readList(value["edges"], readEdge),
-                         .faces = readList(value["faces"], readIndices),
-                         .planes = readList(value["planes"], readPlane)},
-            .signedEdges = readList(value["signedEdges"], readLoop)};
+    const auto readLoop = [](const JsonValue& loop) { return loop.listOf(readSignedEdge); };
+    return {.polytope = {.vertices = value["vertices"].listOf(readVector),
+                         .edges = value["edges"].listOf(readEdge),
+                         .faces = value["faces"].listOf(readIndices),
+                         .planes = value["planes"].listOf(readPlane)},
+            .signedEdges = value["signedEdges"].listOf(readLoop)};
 }
 
 Mat3 readInertia(const JsonValue& value) {
-    const std::vector<Vec3> rows = readList(value, readVector);
+    const std::vector<Vec3> rows = value.listOf(readVector);
     if (rows.size() == 3) return glm::transpose(Mat3(rows[0], rows[1], rows[2]));
     value.refuse("expected an array of 3 rows");
     return Mat3{0.0};
@@ -80,8 +72,8 @@ PackBody readBody(const JsonValue& value) {
             .mass = value["mass"].number(above(0.0)),
             .centreOfMass = readVector(value["centreOfMass"]),
             .inertia = readInertia(value["inertia"]),
-            .neighbours = readList(value["neighbours"], readNeighbour),
-            .hulls = readList(value["hulls"], readHull)};
+            .neighbours = value["neighbours"].listOf(readNeighbour),
+            .hulls = value["hulls"].listOf(readHull)};
 }
 
 Colour readColour(const JsonValue& value) {
@@ -127,9 +119,9 @@ Pack readVersion1(const JsonValue& root) {
             .hash = root["hash"].text(),
             .threshold = root["threshold"].number(above(0.0)),
             .material = readMaterial(root["material"]),
-            .meshes = readList(root["meshes"], readMesh),
+            .meshes = root["meshes"].listOf(readMesh),
             .whole = readBody(root["whole"]),
-            .fragments = readList(root["fragments"], readBody)};
+            .fragments = root["fragments"].listOf(readBody)};
 }
 
 }  // namespace

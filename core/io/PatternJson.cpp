@@ -16,11 +16,6 @@ void writeDomain(JsonLayout& json, ScatterDomain domain) {
 
 ScatterDomain readDomain(const JsonValue& domain) { return static_cast<ScatterDomain>(domain.oneOf(kDomains)); }
 
-Vec2 readPoint(const JsonValue& point) {
-    const auto [x, y] = point.numbers<2>();
-    return {x, y};
-}
-
 void writeParameters(JsonLayout& json, const UniformScatter& scatter) {
     json.wholeNumber("count", scatter.count);
     writeDomain(json, scatter.domain);
@@ -44,25 +39,23 @@ BlueNoise readBlueNoise(const JsonValue& value) {
             .domain = readDomain(value["domain"])};
 }
 
-void writeParameters(JsonLayout& json, const PlacedSeeds& placed) {
-    json.openArray("seeds");
-    for (const PlacedSeeds::Seed& seed : placed.seeds) {
-        json.openObject({}, JsonLines::One);
-        json.wholeNumber("index", seed.index);
-        json.numbers("position", {seed.position.x, seed.position.y});
-        json.close();
-    }
+void writeSeed(JsonLayout& json, const PlacedSeeds::Seed& seed) {
+    json.openObject({}, JsonLines::One);
+    json.wholeNumber("index", seed.index);
+    json.numbers("position", {seed.position.x, seed.position.y});
     json.close();
 }
 
+PlacedSeeds::Seed readSeed(const JsonValue& value) {
+    value.requireObject({"index", "position"});
+    return {.index = value["index"].index(), .position = value["position"].point()};
+}
+
+void writeParameters(JsonLayout& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
+
 PlacedSeeds readPlaced(const JsonValue& value) {
     value.requireObject({"seeds"});
-    PlacedSeeds placed;
-    for (const JsonValue seed : value["seeds"].elements()) {
-        seed.requireObject({"index", "position"});
-        placed.seeds.push_back({.index = seed["index"].index(), .position = readPoint(seed["position"])});
-    }
-    return placed;
+    return {.seeds = value["seeds"].listOf(readSeed)};
 }
 
 void writeParameters(JsonLayout& json, const LloydRelaxation& relaxation) {
@@ -95,7 +88,7 @@ SeedOverride readOverride(const JsonValue& value) {
     value.requireObject({"index", "deleted", "position"});
     return {.index = value["index"].index(),
             .isDeleted = value["deleted"].boolean(),
-            .position = readPoint(value["position"])};
+            .position = value["position"].point()};
 }
 
 void writeLayer(JsonLayout& json, const PatternLayer& layer) {
@@ -107,40 +100,23 @@ void writeLayer(JsonLayout& json, const PatternLayer& layer) {
     json.openObject("parameters");
     std::visit([&](const auto& parameters) { writeParameters(json, parameters); }, layer.parameters);
     json.close();
-    json.openArray("overrides");
-    for (const SeedOverride& change : layer.overrides) writeOverride(json, change);
-    json.close();
+    json.list("overrides", layer.overrides, writeOverride);
     json.close();
 }
 
 PatternLayer readLayer(const JsonValue& value) {
     value.requireObject({"id", "on", "randomSeed", "kind", "parameters", "overrides"});
-    PatternLayer layer{.id = value["id"].index(),
-                       .isOn = value["on"].boolean(),
-                       .randomSeed = value["randomSeed"].wholeNumber(),
-                       .parameters = readParameters(value["kind"].oneOf(kKinds), value["parameters"])};
-    for (const JsonValue change : value["overrides"].elements()) layer.overrides.push_back(readOverride(change));
-    return layer;
+    return {.id = value["id"].index(),
+            .isOn = value["on"].boolean(),
+            .randomSeed = value["randomSeed"].wholeNumber(),
+            .parameters = readParameters(value["kind"].oneOf(kKinds), value["parameters"]),
+            .overrides = value["overrides"].listOf(readOverride)};
 }
 
 }  // namespace
 
-void writePattern(JsonLayout& json, const Pattern& pattern) {
-    json.openArray("pattern");
-    for (const PatternLayer& layer : pattern.layers) writeLayer(json, layer);
-    json.close();
-}
+void writePattern(JsonLayout& json, const Pattern& pattern) { json.list("pattern", pattern.layers, writeLayer); }
 
-Pattern readPattern(const JsonValue& layers) {
-    Pattern pattern;
-    for (const JsonValue layer : layers.elements()) pattern.layers.push_back(readLayer(layer));
-    return pattern;
-}
-
-std::vector<Vec2> readPoints(const JsonValue& points) {
-    std::vector<Vec2> read;
-    for (const JsonValue point : points.elements()) read.push_back(readPoint(point));
-    return read;
-}
+Pattern readPattern(const JsonValue& layers) { return {.layers = layers.listOf(readLayer)}; }
 
 }  // namespace rubble

@@ -12,7 +12,4 @@ void writePattern(JsonLayout& json, const Pattern& pattern);
 /// Reads what writePattern() wrote. Types only: verifyPattern() looks at the values.
 Pattern readPattern(const JsonValue& layers);
 
-/// Reads an array of points.
-std::vector<Vec2> readPoints(const JsonValue& points);
-
 }  // namespace rubble

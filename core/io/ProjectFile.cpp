@@ -13,33 +13,18 @@ namespace {
 
 constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
-template <class Element>
-void writeList(JsonLayout& json, std::string_view key, const std::vector<Element>& elements,
-               void (*write)(JsonLayout&, const Element&)) {
-    json.openArray(key);
-    for (const Element& element : elements) write(json, element);
-    json.close();
-}
-
-template <class Element>
-std::vector<Element> readList(const JsonValue& value, Element (*read)(const JsonValue&)) {
-    std::vector<Element> elements;
-    for (const JsonValue element : value.elements()) elements.push_back(read(element));
-    return elements;
-}
-
 Project readVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
     return {.nextId = root["nextId"].index(),
-            .materials = readList(root["materials"], readMaterial),
-            .assets = readList(root["assets"], readAsset),
-            .instances = readList(root["instances"], readInstance),
+            .materials = root["materials"].listOf(readMaterial),
+            .assets = root["assets"].listOf(readAsset),
+            .instances = root["instances"].listOf(readInstance),
             .ground = readGround(root["ground"]),
             .gravity = readVector(root["gravity"]),
             .damage = readDamage(root["damage"]),
-            .shots = readList(root["shots"], readShot),
-            .playTests = readList(root["playTests"], readPlayTest)};
+            .shots = root["shots"].listOf(readShot),
+            .playTests = root["playTests"].listOf(readPlayTest)};
 }
 
 /// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
@@ -66,14 +51,14 @@ std::string projectText(const Project& project) {
     json.text("format", kFormat.name);
     json.wholeNumber("version", kProjectVersion);
     json.wholeNumber("nextId", project.nextId);
-    writeList(json, "materials", project.materials, writeMaterial);
-    writeList(json, "assets", project.assets, writeAsset);
-    writeList(json, "instances", project.instances, writeInstance);
+    json.list("materials", project.materials, writeMaterial);
+    json.list("assets", project.assets, writeAsset);
+    json.list("instances", project.instances, writeInstance);
     writeGround(json, project.ground);
     writeVector(json, "gravity", project.gravity);
     writeDamage(json, project.damage);
-    writeList(json, "shots", project.shots, writeShot);
-    writeList(json, "playTests", project.playTests, writePlayTest);
+    json.list("shots", project.shots, writeShot);
+    json.list("playTests", project.playTests, writePlayTest);
     json.close();
     return std::move(json).finished();
 }

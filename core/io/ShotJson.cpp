@@ -114,19 +114,17 @@ void writePlayTest(JsonLayout& json, const PlayTest& test) {
     for (const Id shot : test.shots) json.wholeNumber({}, shot);
     json.close();
     json.number("duration", test.duration);
-    json.openArray("expectations");
-    for (const Expectation& expectation : test.expectations) writeExpectation(json, expectation);
-    json.close();
+    json.list("expectations", test.expectations, writeExpectation);
     json.close();
 }
 
 PlayTest readPlayTest(const JsonValue& value) {
     value.requireObject({"id", "name", "shots", "duration", "expectations"});
-    PlayTest test{.id = value["id"].index(), .name = value["name"].text(), .duration = value["duration"].number()};
-    for (const JsonValue shot : value["shots"].elements()) test.shots.push_back(shot.index());
-    for (const JsonValue expectation : value["expectations"].elements())
-        test.expectations.push_back(readExpectation(expectation));
-    return test;
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .shots = value["shots"].listOf([](const JsonValue& shot) { return shot.index(); }),
+            .duration = value["duration"].number(),
+            .expectations = value["expectations"].listOf(readExpectation)};
 }
 
 }  // namespace rubble

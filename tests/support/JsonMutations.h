@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/Schemas.h"
+
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -85,6 +87,26 @@ inline std::vector<JsonMutation> mutationsOf(
         add(" with one more key", at, more);
     });
     return mutations;
+}
+
+/// A document with another value at a place, as text.
+inline std::string changedText(nlohmann::json document, const std::string& pointer, const std::string& value) {
+    document[nlohmann::json::json_pointer(pointer)] = nlohmann::json::parse(value);
+    return document.dump();
+}
+
+/// Which of a document's mutations its reader or its schema lets pass, or tells with another place; empty where none.
+/// `faultOf` reads a text and says what is wrong with it.
+inline std::string untoldMutation(
+    const nlohmann::json& document, const Schema& schema,
+    const std::function<bool(const std::string& place, const nlohmann::json& value)>& fits,
+    const std::function<std::string(std::string_view)>& faultOf) {
+    for (const JsonMutation& mutation : mutationsOf(document, fits)) {
+        const std::string fault = faultOf(mutation.document.dump());
+        if (!fault.starts_with(mutation.place + ": ")) return mutation.name + " gives: " + fault;
+        if (schema.fault(mutation.document).empty()) return mutation.name + " fits the schema";
+    }
+    return {};
 }
 
 }  // namespace rubble::test

@@ -43,4 +43,12 @@ inline TriangleMesh placed(TriangleMesh mesh, const Pose& pose) {
     return mesh;
 }
 
+/// Both meshes in one.
+inline TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
+    const auto count = static_cast<std::uint32_t>(first.points.size());
+    first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+    for (const auto& [a, b, c] : second.triangles) first.triangles.push_back({a + count, b + count, c + count});
+    return first;
+}
+
 }  // namespace rubble

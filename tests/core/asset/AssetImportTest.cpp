@@ -37,14 +37,6 @@ QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
     return QString::fromStdString(outcome->refused[0].message);
 }
 
-/// Both meshes in one.
-TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
-    const auto count = static_cast<std::uint32_t>(first.points.size());
-    first.points.insert(first.points.end(), second.points.begin(), second.points.end());
-    for (const auto& [a, b, c] : second.triangles) first.triangles.push_back({a + count, b + count, c + count});
-    return first;
-}
-
 }  // namespace
 
 class AssetImportTest : public QObject {

@@ -15,14 +15,6 @@ std::string faultOf(const TriangleMesh& mesh) {
     return solid ? "" : solid.error().message;
 }
 
-/// Both meshes in one.
-TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
-    const auto count = static_cast<std::uint32_t>(first.points.size());
-    first.points.insert(first.points.end(), second.points.begin(), second.points.end());
-    for (const auto& [a, b, c] : second.triangles) first.triangles.push_back({a + count, b + count, c + count});
-    return first;
-}
-
 }  // namespace
 
 class SolidMeshTest : public QObject {

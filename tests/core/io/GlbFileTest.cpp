@@ -1,7 +1,7 @@
 #include "core/io/GlbFile.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/GlbReading.h"
 #include "tests/support/Locales.h"
+#include "tests/support/MeshParts.h"
 #include "tests/support/Meshes.h"
 
 #include <QTest>
@@ -15,15 +15,6 @@ const MeshMaterials kMaterials{{{"brick_outside", {0.5, 0.04, 1.0}}}, {"brick_in
 
 std::string bytesOf(const std::vector<MeshPart>& parts, PartPlace place = PartPlace::Assembled) {
     return glbFile(parts, kMaterials, place).value();
-}
-
-/// The unit square, 2 deep, cut at x = 0.5.
-std::vector<MeshPart> halves() {
-    const Asset asset = assetOf(unitSquare(), 2.0);
-    const Bake bake = halvedSquare();
-    const BakedFragment left = bake.fragment(0), right = bake.fragment(1);
-    return {{"wall0", fragmentMesh(left, asset), left.solid.offset()},
-            {"wall1", fragmentMesh(right, asset), right.solid.offset()}};
 }
 
 Glb opened(const std::string& bytes) {

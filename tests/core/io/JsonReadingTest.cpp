@@ -52,6 +52,18 @@ private slots:
         QCOMPARE(root["list"].elements().size(), 3u);
         QVERIFY(!document->fault());
     }
+    void listsAndPointsAreRead() {
+        QCOMPARE(readFault("[[[1, 2], [3, -4.5]], []]",
+                           [](JsonValue value) {
+                               const std::vector<std::vector<Vec2>> rings = value.listOf(&JsonValue::points);
+                               QVERIFY((rings == std::vector<std::vector<Vec2>>{{{1.0, 2.0}, {3.0, -4.5}}, {}}));
+                           }),
+                 std::string());
+        QCOMPARE(readFault("[[1, 2, 3]]", [](JsonValue value) { value.points(); }),
+                 std::string("[0]: expected an array of 2 numbers, found an array of 3."));
+        QCOMPARE(readFault("{\"a\": \"b\"}", [](JsonValue value) { QVERIFY(value["a"].points().empty()); }),
+                 std::string("a: expected an array, found \"b\"."));
+    }
     void wholeNumbersMayBeWrittenAsReals() {
         QCOMPARE(readFault("[3.0, 3e2]",
                            [](JsonValue value) {

@@ -1,7 +1,7 @@
 #include "core/base/Random.h"
 #include "core/io/ObjFile.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/Locales.h"
+#include "tests/support/MeshParts.h"
 #include "tests/support/Meshes.h"
 #include "tests/support/ObjReading.h"
 
@@ -14,15 +14,6 @@ using namespace rubble;
 namespace {
 
 const MeshMaterials kMaterials{{{"brick_outside", {0.5, 0.25, 1.0}}}, {"brick_inside", {0.0, 1.0, 0.125}}};
-
-/// The unit square, 2 deep, cut at x = 0.5.
-std::vector<MeshPart> halves() {
-    const Asset asset = assetOf(unitSquare(), 2.0);
-    const Bake bake = halvedSquare();
-    const BakedFragment left = bake.fragment(0), right = bake.fragment(1);
-    return {{"wall0", fragmentMesh(left, asset), left.solid.offset()},
-            {"wall1", fragmentMesh(right, asset), right.solid.offset()}};
-}
 
 std::string assembled(const std::vector<MeshPart>& parts) {
     return objFile(parts, kMaterials, PartPlace::Assembled, "wall.mtl");

@@ -84,11 +84,7 @@ private slots:
     void everyWrongTypeIsPlaced() {
         const test::Schema schema("pack.schema.json");
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        for (const test::JsonMutation& mutation : test::mutationsOf(json, fits)) {
-            const std::string fault = faultOf(mutation.document.dump());
-            QVERIFY2(fault.starts_with(mutation.place + ": "), (mutation.name + " gives: " + fault).c_str());
-            QVERIFY2(!schema.fault(mutation.document).empty(), mutation.name.c_str());
-        }
+        QCOMPARE(test::untoldMutation(json, schema, fits, faultOf), std::string());
     }
     void wrongValuesAreNamed_data() {
         QTest::addColumn<QString>("place");
@@ -119,9 +115,9 @@ private slots:
     void wrongValuesAreNamed() {
         QFETCH(QString, place);
         QFETCH(QString, value);
-        nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        json[nlohmann::json::json_pointer(place.toStdString())] = nlohmann::json::parse(value.toStdString());
-        QCOMPARE(faultOf(json.dump()), std::string(QTest::currentDataTag()));
+        const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
+        QCOMPARE(faultOf(test::changedText(json, place.toStdString(), value.toStdString())),
+                 std::string(QTest::currentDataTag()));
     }
     void verificationNamesWhatIsWrong_data() {
         QTest::addColumn<Change>("change");
