@@ -5,11 +5,7 @@
 
 namespace rubble {
 
-void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t index)>& work) {
-    if (threads <= 1 || count <= 1) {
-        for (std::size_t index = 0; index < count; ++index) work(index);
-        return;
-    }
+void forEachIndexOnThreads(std::size_t count, int threads, const std::function<void(std::size_t index)>& work) {
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(

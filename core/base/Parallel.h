@@ -5,9 +5,16 @@
 
 namespace rubble {
 
+/// forEachIndex() where there are several of both.
+void forEachIndexOnThreads(std::size_t count, int threads, const std::function<void(std::size_t index)>& work);
+
 /// Calls `work` once for each index below `count`, on up to `threads` threads, the caller's among them; returns when
 /// all are done. Which thread takes which index is open: `work` writes to places of its own index only.
-void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t index)>& work);
+template <class Work>
+void forEachIndex(std::size_t count, int threads, const Work& work) {
+    if (threads > 1 && count > 1) return forEachIndexOnThreads(count, threads, std::cref(work));
+    for (std::size_t index = 0; index < count; ++index) work(index);
+}
 
 /// Indices [begin, end) of a larger whole.
 struct IndexRange {
