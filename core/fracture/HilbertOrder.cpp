@@ -73,13 +73,18 @@ constexpr int kDigitBits = 8;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 std::size_t digitOf(Keyed entry, int shift) { return (entry >> shift) & (kDigits - 1); }
 
-/// Sorts entries by `passes` digits from bit `shift` on, the lowest first; where they end up, there or in `other`.
-std::span<Keyed> sortByDigits(std::span<Keyed> entries, std::span<Keyed> other, int shift, int passes) {
-    for (; passes > 0; --passes, shift += kDigitBits) {
-        std::array<std::uint32_t, kDigits + 1> starts{};
-        for (const Keyed entry : entries) ++starts[digitOf(entry, shift) + 1];
-        for (std::size_t i = 1; i <= kDigits; ++i) starts[i] += starts[i - 1];
-        for (const Keyed entry : entries) other[starts[digitOf(entry, shift)]++] = entry;
+/// Sorts entries by the `width` lowest bits of their keys; where they end up, there or in `other`. Digits are of one size
+/// and no larger than they need be: of few entries the counters take most of the time.
+std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other, int width) {
+    const int passes = (width + kDigitBits - 1) / kDigitBits, bits = passes > 0 ? (width + passes - 1) / passes : 0;
+    const std::size_t digits = std::size_t{1} << bits;
+    for (int pass = 0; pass < passes; ++pass) {
+        const auto digit = [&](Keyed entry) { return entry >> (32 + pass * bits) & (digits - 1); };
+        std::array<std::uint32_t, kDigits + 1> starts;
+        std::fill_n(starts.begin(), digits + 1, 0u);
+        for (const Keyed entry : entries) ++starts[digit(entry) + 1];
+        for (std::size_t i = 1; i <= digits; ++i) starts[i] += starts[i - 1];
+        for (const Keyed entry : entries) other[starts[digit(entry)]++] = entry;
         std::swap(entries, other);
     }
     return entries;
@@ -146,8 +151,7 @@ void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order
     const CellGrid grid(box, order.size());
     RawVector<Keyed> entries(order.size()), other(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) entries[i] = grid.keyed(points[order[i]], order[i]);
-    const int passes = (grid.keyWidth() + kDigitBits - 1) / kDigitBits;
-    takeSorted(sortByDigits(entries, other, 32, passes), points, order);
+    takeSorted(sortByKey(entries, other, grid.keyWidth()), points, order);
 }
 
 /// Sorts many points: by the highest digit first, part by part, then what shares that digit, all on several threads.
@@ -201,9 +205,8 @@ private:
 
     void sortBucket(std::size_t digit) {
         const std::size_t begin = m_bucketStarts[digit], size = m_bucketStarts[digit + 1] - begin;
-        const int passes = (m_topShift - 32 + kDigitBits - 1) / kDigitBits;
-        const std::span<Keyed> sorted = sortByDigits(std::span(m_buckets).subspan(begin, size),
-                                                     std::span(m_entries).subspan(begin, size), 32, passes);
+        const std::span<Keyed> sorted = sortByKey(std::span(m_buckets).subspan(begin, size),
+                                                  std::span(m_entries).subspan(begin, size), m_topShift - 32);
         takeSorted(sorted, m_points, m_order.subspan(begin, size));
     }
 
