@@ -1,5 +1,6 @@
 #include "core/fracture/SiteInsertion.h"
 
+#include "core/base/RawVector.h"
 #include "core/geometry/Polygon.h"
 #include "core/geometry/Predicates.h"
 
@@ -273,10 +274,10 @@ private:
 
     // Scratch, all of one size.
     std::uint32_t m_capacity = kScratch;
-    std::vector<ReachedEdge> m_reached = std::vector<ReachedEdge>(kScratch);  // a stack
-    std::vector<Lifted> m_lifted = std::vector<Lifted>(kScratch);             // corners seen from the new site
-    std::vector<std::uint32_t> m_slots = std::vector<std::uint32_t>(kScratch);
-    std::vector<BoundaryEdge> m_boundary = std::vector<BoundaryEdge>(kScratch);
+    RawVector<ReachedEdge> m_reached = RawVector<ReachedEdge>(kScratch);  // a stack
+    RawVector<Lifted> m_lifted = RawVector<Lifted>(kScratch);             // corners seen from the new site
+    RawVector<std::uint32_t> m_slots = RawVector<std::uint32_t>(kScratch);
+    RawVector<BoundaryEdge> m_boundary = RawVector<BoundaryEdge>(kScratch);
 };
 
 template <class Range>
