@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace rubble {
 
@@ -45,6 +46,43 @@ auto circumcentreNumerator(const ExactVec<N>& b, const ExactVec<N>& c) {
     const auto x = bSquare * c.y - cSquare * b.y;
     const auto y = cSquare * b.x - bSquare * c.x;
     return ExactVec<std::tuple_size_v<decltype(x.terms)>>{x, y};
+}
+
+/// A number in twice the precision of a double: off by 2^-100 of the magnitudes that went into it. `high` is the sum rounded.
+struct Twofold {
+    double high, low;
+};
+Twofold twofold(SumAndError parts, double error) {
+    const SumAndError whole = twoSum(parts.sum, parts.error + error);
+    return {whole.sum, whole.error};
+}
+Twofold operator+(Twofold a, Twofold b) { return twofold(twoSum(a.high, b.high), a.low + b.low); }
+Twofold operator-(Twofold a, Twofold b) { return a + Twofold{-b.high, -b.low}; }
+Twofold operator*(Twofold a, Twofold b) { return twofold(twoProduct(a.high, b.high), a.high * b.low + a.low * b.high); }
+Twofold twofoldDifference(double a, double b) { return twofold(twoSum(a, -b), 0.0); }
+
+/// What the exact a - b gives as its estimate(), or nothing where that is in doubt. The estimate is the exact value rounded
+/// unless that lies within 2^-75 of itself from the middle between two doubles: its largest term is off by 2^-44 of a and
+/// b at most, by 2^-24 of the value then, and what is added to that term by one rounding of so much.
+std::optional<double> roundedDifference(Twofold a, Twofold b) {
+    const Twofold difference = a - b;
+    const double magnitude = std::abs(difference.high), margin = 0x1p-70 * magnitude;
+    const bool isCancelled = magnitude <= 0x1p-20 * (std::abs(a.high) + std::abs(b.high));
+    const bool isSure = difference.high + (difference.low + margin) == difference.high &&
+                        difference.high + (difference.low - margin) == difference.high;
+    return isSure && !isCancelled ? std::optional(difference.high) : std::nullopt;
+}
+
+/// circumcentreNumerator() of (0, b - a, c - a), rounded; in twice the precision first, which nearly always is enough.
+Vec2 roundedNumerator(Vec2 a, Vec2 b, Vec2 c) {
+    const Twofold bx = twofoldDifference(b.x, a.x), by = twofoldDifference(b.y, a.y);
+    const Twofold cx = twofoldDifference(c.x, a.x), cy = twofoldDifference(c.y, a.y);
+    const Twofold bSquare = bx * bx + by * by, cSquare = cx * cx + cy * cy;
+    const std::optional<double> x = roundedDifference(bSquare * cy, cSquare * by);
+    const std::optional<double> y = roundedDifference(cSquare * bx, bSquare * cx);
+    if (x && y) return {*x, *y};
+    const auto exact = circumcentreNumerator(exactOffset(a, b), exactOffset(a, c));
+    return {exact.x.estimate(), exact.y.estimate()};
 }
 
 /// cross(line, circumcentre - line.from) times twice the triangle's doubled area, exactly.
@@ -183,10 +221,9 @@ bool PerturbedDiagram::crossesBefore(std::uint32_t i, std::uint32_t j, const Dir
 }
 
 Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin) {
-    const auto exactB = exactOffset(a, b), exactC = exactOffset(a, c);
-    const auto numerator = circumcentreNumerator(exactB, exactC);
-    const double denominator = 2.0 * exactCross(exactB, exactC).estimate();
-    return (a - origin) + Vec2{numerator.x.estimate() / denominator, numerator.y.estimate() / denominator};
+    const Vec2 numerator = roundedNumerator(a, b, c);
+    const double denominator = 2.0 * exactCross(exactOffset(a, b), exactOffset(a, c)).estimate();
+    return (a - origin) + Vec2{numerator.x / denominator, numerator.y / denominator};
 }
 
 Vec2 crossingWithBisector(const DirectedLine& line, Vec2 a, Vec2 b, Vec2 origin, double reach) {
