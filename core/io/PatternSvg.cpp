@@ -187,8 +187,9 @@ void drawPanel(SvgText& svg, const Frame& frame, std::size_t index, const Patter
     const Vec2 corner = frame.corner - Vec2(kBleed);
     const Vec2 size = frame.size() + Vec2(2.0 * kBleed);
     const std::string clip = "panel" + std::to_string(index);
-    svg << "<clipPath id=\"" << clip << "\"><rect x=\"" << corner.x << "\" y=\"" << corner.y << "\" width=\"" << size.x;
-    svg << "\" height=\"" << size.y << "\"/></clipPath>\n<g clip-path=\"url(#" << clip << ")\">\n";
+    svg << "<defs><clipPath id=\"" << clip << "\"><rect x=\"" << corner.x << "\" y=\"" << corner.y << "\" width=\""
+        << size.x;
+    svg << "\" height=\"" << size.y << "\"/></clipPath></defs>\n<g clip-path=\"url(#" << clip << ")\">\n";
     if (shown.cells) drawCells(svg, frame, panel.partition);
     if (shown.triangles) drawTriangles(svg, frame, panel);
     svg << "<path fill=\"none\" stroke=\"#3a342d\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"";
