@@ -39,6 +39,8 @@ private slots:
                                  "share/doc/rubble/docs/architecture.md",
                                  "share/doc/rubble/projects/house.rubble",
                                  "share/rubble/projects/pane.rubble",
+                                 "share/rubble/docs/manual/index.md",
+                                 "share/rubble/docs/pictures/pane.svg",
                                  "share/rubble/docs/formats/rubble_pack.hpp",
                                  "share/rubble/resources/schemas/pack.schema.json"}) {
             QTest::newRow(file) << file;
