@@ -32,7 +32,8 @@ CanvasColours canvasColours(const QPalette& palette) {
                 .fault = "#ff5a4f",
                 .measure = "#4cc2ff",
                 .panel = "#2b2d31",
-                .panelEdge = "#44474d"};
+                .panelEdge = "#44474d",
+                .text = "#e4e2de"};
     }
     return {.background = "#faf9f7",
             .fineGrid = "#f0eeea",
@@ -51,7 +52,8 @@ CanvasColours canvasColours(const QPalette& palette) {
             .fault = "#c8201a",
             .measure = "#0b63b8",
             .panel = "#ffffff",
-            .panelEdge = "#cfcac2"};
+            .panelEdge = "#cfcac2",
+            .text = "#232323"};
 }
 
 QColor layerColour(std::size_t layer) {

@@ -12,7 +12,7 @@ struct CanvasColours {
     QColor background, fineGrid, grid, axis, label;
     QColor cell, cellEdge, outline, halo;  // `cell`: where cells are not coloured
     QColor triangle, circle, wholeVoronoi;
-    QColor accent, hover, fault, measure, panel, panelEdge;
+    QColor accent, hover, fault, measure, panel, panelEdge, text;
 };
 CanvasColours canvasColours(const QPalette& palette);
 

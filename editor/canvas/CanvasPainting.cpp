@@ -1,6 +1,7 @@
 #include "editor/canvas/CanvasPainting.h"
 
 #include "editor/canvas/GridPainting.h"
+#include "editor/canvas/VoronoiLines.h"
 
 #include <QPainterPath>
 
@@ -61,6 +62,14 @@ public:
             }
         }
         drawLines(lines, m_colours.triangle, 1.0);
+    }
+
+    void paintWholeVoronoi() {
+        QList<QLineF> lines;
+        for (const auto& [from, to] : voronoiLines(m_pattern.baked().triangulation, m_part)) {
+            lines.push_back({m_view.pixels(from), m_view.pixels(to)});
+        }
+        drawLines(lines, m_colours.wholeVoronoi, 1.0, Qt::DashLine);
     }
 
     void paintSeeds() {
@@ -133,12 +142,12 @@ private:
         if (isInPart(box)) lines.push_back({m_view.pixels(from), m_view.pixels(to)});
     }
 
-    void drawLines(const QList<QLineF>& lines, const QColor& colour, double width) {
+    void drawLines(const QList<QLineF>& lines, const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) {
         const bool isFine = static_cast<std::size_t>(lines.size()) <= kMostFineLines;
         m_painter.setRenderHint(QPainter::Antialiasing, isFine);
         QColor shown = colour;
         if (!isFine) shown.setAlphaF(0.6F);
-        m_painter.setPen(QPen(shown, isFine ? width : 0.0));
+        m_painter.setPen(QPen(shown, isFine ? width : 0.0, isFine ? style : Qt::SolidLine));
         m_painter.drawLines(lines);
     }
 
@@ -188,6 +197,7 @@ void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view
     if (contents.pattern) {
         ContentsPainter pattern(painter, part, view, contents, colours);
         if (contents.layers.hasCells) pattern.paintCells();
+        if (contents.layers.hasWholeVoronoi) pattern.paintWholeVoronoi();
         if (contents.layers.hasTriangles) pattern.paintTriangles();
         if (contents.layers.hasSeeds) pattern.paintSeeds();
     }

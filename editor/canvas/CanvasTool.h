@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include <memory>
+#include <optional>
 
 namespace rubble {
 
@@ -33,9 +34,8 @@ struct CanvasPointer {
     Qt::KeyboardModifiers modifiers;
 };
 
-/// Where a point comes to lie: on a corner or an edge of the outline, or on the grid, where something is near and snapping
-/// is on; Shift turns it off.
-Vec2 snapped(const CanvasState& state, const CanvasPointer& pointer);
+/// How far an arrow key moves things, m: a pixel, ten with Shift, a step of the grid where snapping is on. None for others.
+std::optional<Vec2> nudgeOf(const QKeyEvent& event, const CanvasState& state);
 
 /// What the left mouse button and the keys do on a canvas. A tool pushes edits into the document and keeps what is going on
 /// between press and release.

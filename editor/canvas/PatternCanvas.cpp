@@ -1,9 +1,15 @@
 #include "editor/canvas/PatternCanvas.h"
 
 #include "editor/canvas/GridPainting.h"
+#include "editor/canvas/LabelPainting.h"
+#include "editor/canvas/LegendPainting.h"
+#include "editor/canvas/MeasureTool.h"
+#include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/SeedTool.h"
+#include "editor/canvas/VoronoiLines.h"
 
 #include <QContextMenuEvent>
+#include <QLocale>
 #include <QNativeGestureEvent>
 #include <QPainterPath>
 
@@ -13,8 +19,10 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMargin = 24.0;        // pixels around what is fitted
-constexpr double kAroundChange = 10.0;  // pixels that signs and lines reach beyond what changed
+constexpr double kMargin = 24.0;         // pixels around what is fitted
+constexpr double kAroundChange = 10.0;   // pixels that signs and lines reach beyond what changed
+constexpr double kLargestCircle = 1e5;   // pixels; larger ones look like lines and take long
+constexpr std::size_t kMostRings = 600;  // more chosen seeds are marked by squares, which are painted faster
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // as Qt counts a wheel's turning
 
@@ -25,7 +33,9 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
       m_bakes(bakes),
       m_state{.document = document, .selection = selection},
       m_colours(canvasColours(palette())),
+      m_outlineTool(std::make_unique<OutlineTool>(m_state)),
       m_seedTool(std::make_unique<SeedTool>(m_state)),
+      m_measureTool(std::make_unique<MeasureTool>(m_state)),
       m_tool(m_seedTool.get()) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -42,12 +52,28 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
         if (asset == m_state.selection.asset()) takePattern();
     });
-    connect(m_tool, &CanvasTool::changed, this, &PatternCanvas::toolChanged);
-    connect(m_tool, &CanvasTool::said, this, &PatternCanvas::said);
+    for (CanvasTool* tool :
+         std::initializer_list<CanvasTool*>{m_outlineTool.get(), m_seedTool.get(), m_measureTool.get()}) {
+        connect(tool, &CanvasTool::changed, this, &PatternCanvas::toolChanged);
+        connect(tool, &CanvasTool::said, this, &PatternCanvas::said);
+    }
     takeAsset();
 }
 
 PatternCanvas::~PatternCanvas() = default;
+
+void PatternCanvas::setTool(CanvasToolKind kind) {
+    if (kind == m_toolKind) return;
+    m_tool->cancel();
+    m_toolKind = kind;
+    switch (kind) {
+        case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
+        case CanvasToolKind::Seeds: m_tool = m_seedTool.get(); break;
+        case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
+    }
+    toolChanged();
+    emit toolKindChanged(kind);
+}
 
 void PatternCanvas::setLayers(const CanvasLayers& layers) {
     if (layers == m_contents.layers) return;
@@ -152,15 +178,14 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
     updatePicture();
     QPainter painter(this);
     painter.drawImage(QPointF(0.0, 0.0), m_picture);
-    const QString sentence = sentenceInstead();
     paintHovered(painter);
-    paintChosen(painter);
     paintOutline(painter);
+    paintCircle(painter);
+    paintChosen(painter);
     m_tool->paint(painter, m_colours);
-    if (!sentence.isEmpty()) {
-        painter.setPen(m_colours.label);
-        painter.drawText(QRectF(rect()).adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, sentence);
-    }
+    if (m_contents.layers.hasLegend) paintLegend(painter, m_state.view, m_contents, m_colours);
+    paintHoverLabel(painter);
+    paintSentence(painter);
     paintRulers(painter, m_state.view, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
 }
 
@@ -180,10 +205,16 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.accent, 2.0));
     const double radius = std::max(seedRadius(pattern, m_state.view), 2.0) + 2.5;
+    const bool isFine = m_state.selection.seeds().size() <= kMostRings;
     for (const SeedId id : m_state.selection.seeds()) {
         const std::uint32_t seed = pattern.find(id);
         if (seed == kNone) continue;
-        painter.drawEllipse(m_state.view.pixels(pattern.seeds().positions[seed]), radius, radius);
+        const QPointF at = m_state.view.pixels(pattern.seeds().positions[seed]);
+        if (isFine) {
+            painter.drawEllipse(at, radius, radius);
+        } else {
+            painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
+        }
     }
 }
 
@@ -200,6 +231,56 @@ void PatternCanvas::paintHovered(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.hover, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(pathOfPiece(*m_contents.pattern, m_hovered, m_state.view));
+}
+
+void PatternCanvas::paintCircle(QPainter& painter) const {
+    if (!m_contents.layers.hasTriangles || !m_contents.pattern || !m_pointer) return;
+    const std::uint32_t triangle = m_contents.pattern->triangleAt(m_pointer->metres);
+    if (triangle == kNone) return;
+    const Delaunay& delaunay = m_contents.pattern->baked().triangulation;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_colours.circle, 1.5));
+    if (const std::optional<Circle> circle = circumcircle(delaunay, triangle)) {
+        const double radius = circle->radius * m_state.view.scale;
+        if (radius < kLargestCircle) painter.drawEllipse(m_state.view.pixels(circle->centre), radius, radius);
+    }
+    QColor fill = m_colours.circle;
+    fill.setAlpha(40);
+    painter.setBrush(fill);
+    QPolygonF corners;
+    for (const std::uint32_t corner : delaunay.triangles[triangle].corner) {
+        corners.push_back(m_state.view.pixels(delaunay.sites[corner]));
+    }
+    painter.drawPolygon(corners);
+}
+
+void PatternCanvas::paintHoverLabel(QPainter& painter) const {
+    if (m_hovered == kNone || !m_contents.pattern || !m_pointer || !m_contents.layers.hasCells) return;
+    if (m_toolKind == CanvasToolKind::Measure || m_outlineTool->isDrawing() || m_panFrom) return;
+    const ShownPattern& pattern = *m_contents.pattern;
+    const QStringList lines = {
+        tr("Piece %1").arg(QString::fromStdString(pattern.fragmentId(m_hovered))),
+        areaText(pattern.area(m_hovered)),
+        tr("%n neighbour(s)", nullptr, static_cast<int>(pattern.neighbours(m_hovered).size())),
+        tr("%1 times as long as wide").arg(QLocale().toString(pattern.aspect(m_hovered), 'f', 1)),
+    };
+    paintLabel(painter, m_pointer->pixels, lines, m_colours, m_colours.panelEdge,
+               QRectF(rect()).adjusted(kRulerWidth + 4.0, kRulerWidth + 4.0, -4.0, -4.0));
+}
+
+void PatternCanvas::paintSentence(QPainter& painter) const {
+    const QString sentence = sentenceInstead();
+    if (sentence.isEmpty() || m_outlineTool->isDrawing()) return;
+    const QRectF place = QRectF(rect()).adjusted(kRulerWidth + 40.0, kRulerWidth + 40.0, -40.0, -40.0);
+    QRectF panel = QFontMetricsF(painter.font()).boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, sentence);
+    panel.adjust(-16.0, -12.0, 16.0, 12.0);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(m_state.asset() ? m_colours.fault : m_colours.panelEdge, 1.0));
+    painter.setBrush(m_colours.panel);
+    painter.drawRoundedRect(panel, 6.0, 6.0);
+    painter.setPen(m_colours.text);
+    painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, sentence);
 }
 
 QString PatternCanvas::sentenceInstead() const {

@@ -11,7 +11,11 @@
 
 namespace rubble {
 
+class MeasureTool;
+class OutlineTool;
 class SeedTool;
+
+enum class CanvasToolKind { Outline, Seeds, Measure };
 
 /// Shows the pattern of the asset at hand in the plane, and is where it is drawn: outline, seeds and what they make, with
 /// tools to change them. What was painted is kept; only what changed is painted again.
@@ -20,6 +24,12 @@ class PatternCanvas : public QWidget {
 public:
     PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
     ~PatternCanvas() override;
+
+    CanvasToolKind toolKind() const { return m_toolKind; }
+    void setTool(CanvasToolKind kind);
+    OutlineTool& outlineTool() { return *m_outlineTool; }
+    SeedTool& seedTool() { return *m_seedTool; }
+    MeasureTool& measureTool() { return *m_measureTool; }
 
     const CanvasLayers& layers() const { return m_contents.layers; }
     void setLayers(const CanvasLayers& layers);
@@ -33,7 +43,6 @@ public:
 
     /// What can be done now, for a status bar.
     QString hint() const;
-    SeedTool& seedTool() { return *m_seedTool; }
     /// What is shown; null where nothing is.
     const ShownPattern* shownPattern() const { return m_contents.pattern.get(); }
     QSize sizeHint() const override { return {800, 600}; }
@@ -47,6 +56,7 @@ signals:
     void pointed(double x, double y);
     void pointerLeft();
     void layersChanged();
+    void toolKindChanged(rubble::CanvasToolKind kind);
 
 protected:
     bool event(QEvent* event) override;
@@ -77,14 +87,20 @@ private:
     void paintOutline(QPainter& painter) const;
     void paintChosen(QPainter& painter) const;
     void paintHovered(QPainter& painter) const;
+    void paintCircle(QPainter& painter) const;
+    void paintHoverLabel(QPainter& painter) const;
+    void paintSentence(QPainter& painter) const;
     QString sentenceInstead() const;
 
     const Bakes& m_bakes;
     CanvasState m_state;
     CanvasContents m_contents;
     CanvasColours m_colours;
+    std::unique_ptr<OutlineTool> m_outlineTool;
     std::unique_ptr<SeedTool> m_seedTool;
-    CanvasTool* m_tool = nullptr;
+    std::unique_ptr<MeasureTool> m_measureTool;
+    CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
+    CanvasTool* m_tool = nullptr;  // the one of that kind
 
     QImage m_picture;        // the contents as they were painted
     CanvasView m_painted;    // at this view

@@ -2,7 +2,7 @@
 
 #include "core/fracture/SeedEdits.h"
 #include "editor/canvas/CanvasPainting.h"
-#include "editor/canvas/GridPainting.h"
+#include "editor/canvas/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QApplication>
@@ -15,8 +15,6 @@ namespace rubble {
 namespace {
 
 constexpr double kGrabReach = 9.0;  // pixels from a seed within which a press takes it
-constexpr double kNudge = 1.0;      // pixels that an arrow key moves by
-constexpr double kBigNudge = 10.0;  // with Shift
 
 /// The layer that seeds are placed in: the last one of its kind, or none.
 PatternLayer* placedLayer(Pattern& pattern) {
@@ -42,16 +40,6 @@ std::optional<Vec2> positionByHand(const Pattern& pattern, SeedId seed) {
     };
     const auto* placed = std::get_if<PlacedSeeds>(&layer->parameters);
     return placed ? positionIn(placed->seeds) : positionIn(layer->overrides);
-}
-
-std::optional<Vec2> stepsOf(int key) {
-    switch (key) {
-        case Qt::Key_Left: return Vec2(-1.0, 0.0);
-        case Qt::Key_Right: return Vec2(1.0, 0.0);
-        case Qt::Key_Up: return Vec2(0.0, 1.0);
-        case Qt::Key_Down: return Vec2(0.0, -1.0);
-        default: return std::nullopt;
-    }
 }
 
 }  // namespace
@@ -102,7 +90,7 @@ void SeedTool::move(const CanvasPointer& pointer) {
     if (m_drag && m_hasMoved) {
         CanvasPointer seed = pointer;
         seed.metres = m_drag->grabbed + (pointer.metres - m_state.view.metres(m_pressed));
-        dragBy(snapped(m_state, seed) - m_drag->grabbed);
+        dragBy(snapped(m_state, seed, outlineTargets(m_state)) - m_drag->grabbed);
     } else if (m_catch) {
         if (!m_catch->isLasso) m_catch->path.resize(1);
         m_catch->path.push_back(pointer.pixels);
@@ -126,7 +114,7 @@ void SeedTool::release(const CanvasPointer& pointer) {
         m_state.selection.setSeeds(caught());
     } else if (m_catch && !m_catch->isAdding) {
         if (m_state.selection.seeds().empty()) {
-            place(snapped(m_state, pointer));
+            place(snapped(m_state, pointer, outlineTargets(m_state)));
         } else {
             m_state.selection.setSeeds({});
         }
@@ -174,10 +162,8 @@ bool SeedTool::cancel() {
 }
 
 bool SeedTool::key(const QKeyEvent& event) {
-    if (const std::optional<Vec2> steps = stepsOf(event.key())) {
-        const bool isSnapping = m_state.isSnapping && !event.modifiers().testFlag(Qt::ShiftModifier);
-        const double pixels = event.modifiers().testFlag(Qt::ShiftModifier) ? kBigNudge : kNudge;
-        nudge(*steps * (isSnapping ? gridStep(m_state.view) : pixels / m_state.view.scale), event.isAutoRepeat());
+    if (const std::optional<Vec2> by = nudgeOf(event, m_state)) {
+        nudge(*by, event.isAutoRepeat());
         return true;
     }
     if (event.matches(QKeySequence::SelectAll)) {
@@ -305,7 +291,7 @@ void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
         return chosen != kNone && m_state.pattern->origin(chosen) == SeedOrigin::Moved;
     });
     if (m_state.asset() && seed == kNone) {
-        const Vec2 position = snapped(m_state, pointer);
+        const Vec2 position = snapped(m_state, pointer, outlineTargets(m_state));
         menu.addAction(tr("&Place seed here"), this, [this, position] { place(position); });
         menu.addSeparator();
     }

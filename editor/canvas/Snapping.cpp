@@ -1,6 +1,8 @@
-#include "editor/canvas/CanvasTool.h"
+#include "editor/canvas/Snapping.h"
+
 #include "editor/canvas/GridPainting.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble {
@@ -9,14 +11,12 @@ namespace {
 
 constexpr double kCatch = 8.0;  // pixels
 
-double lengthOf(Vec2 vector) { return std::sqrt(vector.x * vector.x + vector.y * vector.y); }
-
 /// The nearest of many points to one, within a reach.
 class Nearest {
 public:
     Nearest(Vec2 to, double reach) : m_to(to), m_point(to), m_distance(reach) {}
     void offer(Vec2 point) {
-        const double distance = lengthOf(point - m_to);
+        const double distance = std::hypot(point.x - m_to.x, point.y - m_to.y);
         if (distance > m_distance) return;
         m_point = point;
         m_distance = distance;
@@ -32,20 +32,40 @@ private:
     bool m_isFound = false;
 };
 
-void offerCorners(const Polygon& outline, Nearest& nearest) {
-    for (const Vec2 corner : outline.outer) nearest.offer(corner);
-    for (const Ring& hole : outline.holes) {
-        for (const Vec2 corner : hole) nearest.offer(corner);
+void addRing(const Ring& ring, SnapTargets& targets) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        targets.points.push_back(ring[k]);
+        targets.edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
     }
 }
 
 }  // namespace
 
-Vec2 snapped(const CanvasState& state, const CanvasPointer& pointer) {
+SnapTargets outlineTargets(const CanvasState& state) {
+    SnapTargets targets;
+    if (const Asset* asset = state.asset()) {
+        addRing(asset->prism.outline.outer, targets);
+        for (const Ring& hole : asset->prism.outline.holes) addRing(hole, targets);
+    }
+    return targets;
+}
+
+Vec2 nearestOnEdge(Vec2 point, Vec2 from, Vec2 to) {
+    const Vec2 along = to - from;
+    const double length = along.x * along.x + along.y * along.y;
+    if (length == 0.0) return from;
+    const double share = ((point.x - from.x) * along.x + (point.y - from.y) * along.y) / length;
+    return from + std::clamp(share, 0.0, 1.0) * along;
+}
+
+Vec2 snapped(const CanvasState& state, const CanvasPointer& pointer, const SnapTargets& targets) {
     if (!state.isSnapping || pointer.modifiers.testFlag(Qt::ShiftModifier)) return pointer.metres;
-    Nearest nearest(pointer.metres, kCatch / state.view.scale);
-    if (const Asset* asset = state.asset()) offerCorners(asset->prism.outline, nearest);
-    if (nearest.isFound()) return nearest.point();
+    const double reach = kCatch / state.view.scale;
+    Nearest point(pointer.metres, reach), edge(pointer.metres, reach);
+    for (const Vec2 target : targets.points) point.offer(target);
+    if (point.isFound()) return point.point();
+    for (const auto& [from, to] : targets.edges) edge.offer(nearestOnEdge(pointer.metres, from, to));
+    if (edge.isFound()) return edge.point();
     const double step = gridStep(state.view);
     return {std::round(pointer.metres.x / step) * step, std::round(pointer.metres.y / step) * step};
 }

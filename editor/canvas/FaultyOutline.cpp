@@ -1,0 +1,74 @@
+#include "editor/canvas/FaultyOutline.h"
+
+#include "editor/canvas/LabelPainting.h"
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMostShown = 16;   // faults
+constexpr double kSign = 6.0;    // pixels, the radius of a fault's sign
+constexpr double kFarOff = 1e6;  // pixels; beyond it nothing is painted
+
+bool isEdgeFault(const PolygonFault& fault) {
+    return fault.kind == PolygonFaultKind::Crossing || fault.kind == PolygonFaultKind::Touching ||
+           fault.kind == PolygonFaultKind::TooNear;
+}
+
+bool hasPlace(const PolygonFault& fault) {
+    return fault.kind != PolygonFaultKind::NotFinite && fault.kind != PolygonFaultKind::TooFewPoints;
+}
+
+void paintEdge(QPainter& painter, const Polygon& outline, RingPoint edge, const CanvasView& view) {
+    const Ring& ring = ringOf(outline, edge.ring);
+    const auto point = static_cast<std::size_t>(edge.point);
+    if (point >= ring.size()) return;
+    painter.drawLine(view.pixels(ring[point]), view.pixels(ring[(point + 1) % ring.size()]));
+}
+
+}  // namespace
+
+std::vector<PolygonFault> outlineFaults(const Polygon& outline) {
+    std::vector<PolygonFault> faults = polygonFaults(outline, kMostShown);
+    if (!faults.empty()) return faults;
+    if (std::optional<PolygonFault> narrow = narrowFault(outline)) faults.push_back(std::move(*narrow));
+    return faults;
+}
+
+void paintFaults(QPainter& painter, const Polygon& outline, const std::vector<PolygonFault>& faults,
+                 const CanvasView& view, const CanvasColours& colours) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colours.fault, 3.0, Qt::SolidLine, Qt::RoundCap));
+    for (const PolygonFault& fault : faults) {
+        if (!isEdgeFault(fault)) continue;
+        paintEdge(painter, outline, fault.first, view);
+        paintEdge(painter, outline, fault.second, view);
+    }
+    for (const PolygonFault& fault : faults) {
+        const QPointF at = view.pixels(fault.where);
+        if (!hasPlace(fault) || std::abs(at.x()) > kFarOff || std::abs(at.y()) > kFarOff) continue;
+        painter.setPen(QPen(colours.fault, 2.0));
+        painter.setBrush(colours.halo);
+        painter.drawEllipse(at, kSign, kSign);
+        painter.drawLine(at - QPointF(2.5, 2.5), at + QPointF(2.5, 2.5));
+        painter.drawLine(at - QPointF(2.5, -2.5), at + QPointF(2.5, -2.5));
+    }
+    if (faults.empty()) return;
+    const QRectF bounds(QPointF(4.0, 4.0), view.size - QSizeF(8.0, 8.0));
+    const QPointF beside = hasPlace(faults[0]) ? view.pixels(faults[0].where) : bounds.center();
+    paintLabel(painter, beside, {QString::fromStdString(faults[0].message)}, colours, colours.fault, bounds);
+}
+
+const Ring& ringOf(const Polygon& outline, int ring) {
+    return ring == 0 ? outline.outer : outline.holes[static_cast<std::size_t>(ring - 1)];
+}
+
+Ring& ringOf(Polygon& outline, int ring) {
+    return ring == 0 ? outline.outer : outline.holes[static_cast<std::size_t>(ring - 1)];
+}
+
+int ringCount(const Polygon& outline) { return static_cast<int>(outline.holes.size()) + 1; }
+
+}  // namespace rubble

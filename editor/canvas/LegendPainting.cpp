@@ -1,0 +1,213 @@
+#include "editor/canvas/LegendPainting.h"
+
+#include "core/asset/PieceColours.h"
+#include "editor/canvas/LabelPainting.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <functional>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kPadding = 8.0;  // pixels, as all of these
+constexpr double kSampleWidth = 22.0;
+constexpr double kRowHeight = 17.0;
+constexpr double kScaleWidth = 130.0;
+constexpr double kScaleHeight = 42.0;
+constexpr double kSign = 4.0;
+constexpr double kFromEdge = 10.0;
+constexpr std::size_t kMostLayers = 6;
+
+QString tr(const char* text, int count = -1) {
+    return QCoreApplication::translate("CanvasLegend", text, nullptr, count);
+}
+
+/// A sample, painted about a point, and what it means.
+struct Row {
+    std::function<void(QPainter&, QPointF)> paintSample;
+    QString text;
+};
+
+QString kindOf(const PatternLayer& layer) {
+    if (std::holds_alternative<UniformScatter>(layer.parameters)) return tr("scatter");
+    if (std::holds_alternative<BlueNoise>(layer.parameters)) return tr("blue noise");
+    if (std::holds_alternative<PlacedSeeds>(layer.parameters)) return tr("placed");
+    return tr("relaxation");
+}
+
+QString scaleTitle(CellColouring colouring) {
+    switch (colouring) {
+        case CellColouring::Area: return tr("Area of the cell");
+        case CellColouring::Neighbours: return tr("Neighbours");
+        case CellColouring::Aspect: return tr("Length : width");
+        case CellColouring::None:
+        case CellColouring::Piece: break;
+    }
+    return {};
+}
+
+QString scaleText(CellColouring colouring, double value) {
+    if (colouring == CellColouring::Area) return areaText(value);
+    return QLocale().toString(value, 'f', colouring == CellColouring::Neighbours ? 0 : 1);
+}
+
+/// Collects the rows and paints them.
+class Legend {
+public:
+    Legend(const CanvasContents& contents, const CanvasColours& colours) : m_contents(contents), m_colours(colours) {
+        if (contents.layers.hasSeeds) addSeeds();
+        if (contents.layers.hasTriangles) addLine(colours.triangle, Qt::SolidLine, tr("Delaunay triangulation"));
+        if (contents.layers.hasWholeVoronoi)
+            addLine(colours.wholeVoronoi, Qt::DashLine, tr("Voronoi diagram, unclipped"));
+        if (contents.layers.hasCells && !contents.hiddenSeeds.empty()) addHatch();
+    }
+
+    void paint(QPainter& painter, const CanvasView& view) const {
+        const bool hasScale = contentsHaveScale();
+        if (m_rows.empty() && !hasScale) return;
+        painter.save();
+        QFont font = painter.font();
+        font.setPixelSize(11);
+        painter.setFont(font);
+        double width = hasScale ? kScaleWidth : 0.0;
+        for (const Row& row : m_rows) {
+            width = std::max(width, kSampleWidth + QFontMetricsF(font).horizontalAdvance(row.text));
+        }
+        const double rows = kRowHeight * static_cast<double>(m_rows.size());
+        const QSizeF size(std::ceil(width) + 2.0 * kPadding, rows + (hasScale ? kScaleHeight : 0.0) + 2.0 * kPadding);
+        const QRectF panel(
+            QPointF(view.size.width() - size.width() - kFromEdge, view.size.height() - size.height() - kFromEdge),
+            size);
+        paintPanel(painter, panel);
+        double top = panel.top() + kPadding;
+        for (const Row& row : m_rows) {
+            const QPointF middle(panel.left() + kPadding + kSampleWidth / 2.0 - 4.0, top + kRowHeight / 2.0);
+            row.paintSample(painter, middle);
+            painter.setPen(m_colours.text);
+            painter.drawText(QRectF(panel.left() + kPadding + kSampleWidth, top, width, kRowHeight), Qt::AlignVCenter,
+                             row.text);
+            top += kRowHeight;
+        }
+        if (hasScale) paintScale(painter, QRectF(panel.left() + kPadding, top, width, kScaleHeight));
+        painter.restore();
+    }
+
+private:
+    bool contentsHaveScale() const {
+        return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least;
+    }
+
+    void addSeeds() {
+        const ShownPattern& pattern = *m_contents.pattern;
+        const std::vector<PatternLayer>& layers = pattern.baked().asset->pattern.layers;
+        int shown[3] = {}, duplicates = 0, withoutCell = 0;
+        for (std::uint32_t seed = 0; seed < pattern.seeds().ids.size(); ++seed) {
+            ++shown[static_cast<int>(pattern.origin(seed))];
+            duplicates += pattern.isDuplicate(seed);
+            withoutCell += pattern.hasNoCell(seed);
+        }
+        addSign(SeedOrigin::Scattered, shown[0], tr("scattered seed"));
+        addSign(SeedOrigin::Moved, shown[1], tr("moved by hand"));
+        addSign(SeedOrigin::Placed, shown[2], tr("placed by hand"));
+        for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers) && layers.size() > 1; ++k) {
+            if (layers[k].isOn && !std::holds_alternative<LloydRelaxation>(layers[k].parameters))
+                addLayer(k, layers[k]);
+        }
+        if (duplicates > 0) addDuplicates(duplicates);
+        if (withoutCell > 0) addWithoutCell(withoutCell);
+    }
+
+    void addSign(SeedOrigin origin, int count, const QString& text) {
+        if (count == 0) return;
+        m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
+                              painter.setPen(Qt::NoPen);
+                              painter.setBrush(m_colours.text);
+                              paintSeedSign(painter, at, kSign, origin);
+                          },
+                          text});
+    }
+
+    void addLayer(std::size_t number, const PatternLayer& layer) {
+        m_rows.push_back({[number](QPainter& painter, QPointF at) {
+                              painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
+                          },
+                          tr("layer %1: %2").arg(number + 1).arg(kindOf(layer))});
+    }
+
+    void addDuplicates(int count) {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setBrush(Qt::NoBrush);
+                              painter.setPen(QPen(m_colours.fault, 1.5));
+                              painter.drawEllipse(at, kSign + 2.0, kSign + 2.0);
+                          },
+                          tr("%n equal seed(s), left out", count)});
+    }
+
+    void addWithoutCell(int count) {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setBrush(Qt::NoBrush);
+                              painter.setPen(QPen(m_colours.text, 1.5));
+                              painter.drawEllipse(at, kSign, kSign);
+                          },
+                          tr("%n seed(s) without a cell", count)});
+    }
+
+    void addLine(const QColor& colour, Qt::PenStyle style, const QString& text) {
+        m_rows.push_back({[colour, style](QPainter& painter, QPointF at) {
+                              painter.setPen(QPen(colour, 1.5, style));
+                              painter.drawLine(at - QPointF(8.0, 0.0), at + QPointF(8.0, 0.0));
+                          },
+                          text});
+    }
+
+    void addHatch() {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setPen(QPen(m_colours.cellEdge, 1.0));
+                              painter.setBrush(QBrush(m_colours.label, Qt::BDiagPattern));
+                              painter.drawRect(QRectF(at.x() - 7.5, at.y() - 4.5, 15.0, 9.0));
+                          },
+                          tr("hidden piece")});
+    }
+
+    void paintPanel(QPainter& painter, const QRectF& panel) const {
+        QColor fill = m_colours.panel;
+        fill.setAlpha(235);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(m_colours.panelEdge, 1.0));
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(panel.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    }
+
+    void paintScale(QPainter& painter, const QRectF& place) const {
+        const CellColouring colouring = m_contents.layers.colouring;
+        painter.setPen(m_colours.text);
+        painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, scaleTitle(colouring));
+        const QRectF bar(place.left(), place.top() + 16.0, place.width(), 9.0);
+        QLinearGradient ramp(bar.topLeft(), bar.topRight());
+        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, QColor(packed(rampColour(stop / 10.0))));
+        painter.setBrush(ramp);
+        painter.setPen(QPen(m_colours.panelEdge, 1.0));
+        painter.drawRect(bar);
+        painter.setPen(m_colours.text);
+        const QRectF ends(place.left(), bar.bottom() + 1.0, place.width(), 16.0);
+        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, m_contents.range.least));
+        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, m_contents.range.most));
+    }
+
+    const CanvasContents& m_contents;
+    const CanvasColours& m_colours;
+    std::vector<Row> m_rows;
+};
+
+}  // namespace
+
+void paintLegend(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
+                 const CanvasColours& colours) {
+    if (contents.pattern) Legend(contents, colours).paint(painter, view);
+}
+
+}  // namespace rubble
