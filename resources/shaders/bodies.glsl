@@ -15,7 +15,11 @@ const uint kSelected = 2u;
 const uint kHovered = 4u;
 
 int bodyIndex() { return int(firstBody + piece); }
-uvec4 lookOfBody() { return texelFetch(looks, bodyIndex()); }
+uvec4 lookOfBody() {
+    uvec4 look = texelFetch(looks, bodyIndex());
+    if (uint(bodyIndex()) + 1u == hovered.x) look.z |= kHovered;
+    return look;
+}
 
 vec3 turned(vec4 orientation, vec3 v) {
     return v + 2.0 * cross(orientation.xyz, cross(orientation.xyz, v) + orientation.w * v);

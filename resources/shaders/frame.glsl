@@ -14,10 +14,11 @@ layout(std140) uniform Frame {
     vec4 backgroundBottom;
     vec4 grid;           // sRGB and opacity of its lines
     vec4 ground;         // x, y, z of its middle; w: how far it reaches, m
-    vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows; w: how visible all is
+    vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows
     vec4 accent;         // sRGB, of what is selected
-    vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor; w: 1 where faces are drawn
+    vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor
     vec4 picture;        // width and height, pixels; z: shadows are drawn; w: pixels of the display a point
+    uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };
 
 vec3 linearOf(vec3 srgb) { return pow(srgb, vec3(2.2)); }

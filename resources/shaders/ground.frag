@@ -17,7 +17,7 @@ void main() {
     float distance = length(scenePoint.xz - ground.xz) / ground.w;
     float fade = 1.0 - smoothstep(0.25, 1.0, distance);
     float lines = max(gridCover(p, spacing.x) * spacing.y * 0.55, gridCover(p, 10.0 * spacing.x));
-    float opacity = grid.a * lines * fade * spacing.w;
+    float opacity = grid.a * lines * fade;
 
     // Lines over the darkened ground.
     float key = keyDirection.w * max(keyDirection.y, 0.0);

@@ -50,10 +50,11 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     const double below = scene.groundHeight - kGroundBelow * camera.distance;
     const double reach = std::max(4.0 * camera.distance, bounds.diagonal());
     frame.ground = direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(reach));
-    frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 1.0f);
+    frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 0.0f);
     const std::uint32_t accent = packed(settings.accent);
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
-    frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f, static_cast<float>(scene.exploded), 1.0f};
+    frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f, static_cast<float>(scene.exploded), 0.0f};
+    frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
     frame.picture = {view.size.width, view.size.height, settings.hasShadows ? 1.0f : 0.0f, scale};
     return frame;
 }

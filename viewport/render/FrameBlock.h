@@ -12,6 +12,7 @@ struct FrameBlock {
     glm::mat4 clipFromScene, keyFromScene, skyFromScene;
     glm::vec4 eye, back, keyDirection, skyDirection, skyLight, groundLight;
     glm::vec4 backgroundTop, backgroundBottom, grid, ground, spacing, accent, edges, picture;
+    glm::uvec4 hovered;
 };
 
 /// What does not depend on shadows of a picture of a scene, whose bounds are given; `sample` where it is one of many.

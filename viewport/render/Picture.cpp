@@ -43,10 +43,11 @@ Result<Image> pictureOf(std::shared_ptr<const RenderScene> scene, const PictureV
     if (samples == 0) (*renderer)->draw(view, target.framebuffer());
     for (int index = 0; index < samples; ++index) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        (*renderer)->drawSample(view, index, target.framebuffer());
-        glFinish();
+        (*renderer)->addSample(view, index);
+        glFinish();  // so that progress is true and cancelling quick
         task.report(static_cast<double>(index + 1) / samples);
     }
+    if (samples > 0) (*renderer)->showMean(view, target.framebuffer());
     return imageOf(target, view.size);
 }
 

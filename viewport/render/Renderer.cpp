@@ -77,6 +77,7 @@ struct Renderer::State {
     void drawGround(const PictureView& view);
     void drawAxes(const PictureView& view);
     void drawWhole() const;
+    void drawTimes(const RenderTarget& source, float share) const;
     RenderTarget& target(RenderTarget& kept, PictureSize size, PixelFormat format, int samples);
 
     Programs programs;
@@ -92,7 +93,8 @@ struct Renderer::State {
     GlVertexArray strokeArray = GlVertexArray::made();
     GlBuffer strokeBuffer = GlBuffer::made();
     RenderTarget picture, sample, sum, bodies;
-    std::optional<PictureView> bodiesView;  // that `bodies` was drawn by
+    int samplesTaken = 0;                // in `sum`
+    std::optional<Camera> bodiesCamera;  // that `bodies` was drawn by
 };
 
 void Renderer::State::setFrame(const FrameBlock& block) {
@@ -110,6 +112,16 @@ RenderTarget& Renderer::State::target(RenderTarget& kept, PictureSize size, Pixe
 void Renderer::State::drawWhole() const {
     glBindVertexArray(nothing.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Covers what is bound with a target's colours times a number.
+void Renderer::State::drawTimes(const RenderTarget& source, float share) const {
+    glDisable(GL_DEPTH_TEST);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Source));
+    glBindTexture(GL_TEXTURE_2D, source.colourTexture());
+    programs.mean.use();
+    programs.mean.set("share", share);
+    drawWhole();
 }
 
 void Renderer::State::drawShadows(const PictureView& view, const std::optional<LightSample>& light) {
@@ -261,7 +273,7 @@ void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
         std::ranges::any_of(scene->looks, [](const BodyLook& look) { return (look.marks & kSelected) != 0; });
     m_state->scene.upload(std::move(scene));
     m_state->areShadowsOfScene = false;
-    m_state->bodiesView.reset();
+    m_state->bodiesCamera.reset();
 }
 
 void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
@@ -275,7 +287,7 @@ void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
-void Renderer::drawSample(const PictureView& view, int index, std::uint32_t framebuffer) {
+void Renderer::addSample(const PictureView& view, int index) {
     State& state = *m_state;
     const LightSample light = lightSample(index);
     state.frame = frameBlock(view, *state.scene.scene(), state.bounds, light);
@@ -283,31 +295,31 @@ void Renderer::drawSample(const PictureView& view, int index, std::uint32_t fram
     RenderTarget& sample = state.target(state.sample, view.size, PixelFormat::Colour, 1);
     sample.bind();
     state.drawPicture(view);
-
-    const auto show = [&](const RenderTarget& source, float share) {
-        glDisable(GL_DEPTH_TEST);
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Source));
-        glBindTexture(GL_TEXTURE_2D, source.colourTexture());
-        state.programs.mean.use();
-        state.programs.mean.set("share", share);
-        state.drawWhole();
-    };
-    RenderTarget& sum = state.target(state.sum, view.size, PixelFormat::Float, 1);
-    sum.bind();
+    state.target(state.sum, view.size, PixelFormat::Float, 1).bind();
     setCapability(GL_BLEND, index > 0);
     glBlendFunc(GL_ONE, GL_ONE);
-    show(sample, 1.0f);
+    state.drawTimes(sample, 1.0f);
     glDisable(GL_BLEND);
+    state.samplesTaken = index + 1;
+}
+
+void Renderer::showMean(const PictureView& view, std::uint32_t framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    show(sum, 1.0f / static_cast<float>(index + 1));
+    glViewport(0, 0, view.size.width, view.size.height);
+    m_state->drawTimes(m_state->sum, 1.0f / static_cast<float>(m_state->samplesTaken));
+}
+
+bool Renderer::isSoftware() const {
+    const std::string_view name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
 std::optional<std::uint32_t> Renderer::bodyAt(const PictureView& view, int x, int y) {
     State& state = *m_state;
     if (x < 0 || y < 0 || x >= view.size.width || y >= view.size.height) return std::nullopt;
-    RenderTarget& target = state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1);
-    target.bind();
-    if (state.bodiesView != view) {
+    const bool isKept = state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera;
+    state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1).bind();
+    if (!isKept) {
         state.setFrame(frameBlock(view, *state.scene.scene(), state.bounds, {}));
         const std::uint32_t none[4] = {0, 0, 0, 0};
         glEnable(GL_DEPTH_TEST);
@@ -319,7 +331,7 @@ std::optional<std::uint32_t> Renderer::bodyAt(const PictureView& view, int x, in
         glClear(GL_DEPTH_BUFFER_BIT);
         state.programs.pick.use();
         state.scene.draw(SceneBuffers::Part::Bodies);
-        state.bodiesView = view;
+        state.bodiesCamera = view.camera;
     }
     std::uint32_t body = 0;
     glReadPixels(x, view.size.height - 1 - y, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);

@@ -16,6 +16,7 @@ struct PictureView {
     Camera camera;
     PictureSize size;
     RenderSettings settings;
+    std::optional<std::uint32_t> hovered;  // body under the pointer, drawn brighter
     bool operator==(const PictureView&) const = default;
 };
 
@@ -33,8 +34,14 @@ public:
     /// Draws a picture to a framebuffer: at once, lit by a sky that nothing hides.
     void draw(const PictureView& view, std::uint32_t framebuffer);
 
-    /// Adds sample `index` (0 begins anew) and draws the mean of all: the more, the softer light and edges.
-    void drawSample(const PictureView& view, int index, std::uint32_t framebuffer);
+    /// Takes sample `index` (0 begins anew) of the same view, each lit from one place of the sky: the more, the softer
+    /// light and edges.
+    void addSample(const PictureView& view, int index);
+    /// Draws the mean of the samples that were taken.
+    void showMean(const PictureView& view, std::uint32_t framebuffer);
+
+    /// Whether the processor does the work of a graphics card.
+    bool isSoftware() const;
 
     /// The body at a pixel (from the top left corner), as an index in RenderScene::picks. Quick for more pixels of the
     /// same view and scene.
