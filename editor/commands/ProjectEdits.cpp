@@ -11,6 +11,7 @@ namespace rubble {
 namespace {
 
 constexpr double kDensityOfStone = 2400.0;  // kg/m^3
+constexpr std::uint32_t kSeedsOfLevel = 4;  // in each fragment of a new level
 constexpr double kGapBetweenAssets = 0.25;  // m, between a new asset and what is in the scene already
 
 QString tr(const char* text, int count = -1) {
@@ -132,6 +133,15 @@ Addition addMaterial(const Project& project, const std::string& name) {
     return addition;
 }
 
+Addition duplicateMaterial(const Project& project, Id source) {
+    Addition addition{{.text = tr("Duplicate material")}};
+    Material copy = elementWith(project.materials, source);
+    copy.name = freeName(project.materials, copy.name);
+    copy.id = addition.id = addition.edit.takeId(project);
+    addition.edit.swaps = {Swap<Material>{addition.id, std::move(copy)}};
+    return addition;
+}
+
 Edit removeMaterial(const Project& project, Id material) {
     Edit edit{.text = tr("Delete material")};
     const auto other = std::ranges::find_if(project.materials, [&](const Material& m) { return m.id != material; });
@@ -175,13 +185,25 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
     return edit;
 }
 
-Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters) {
+Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level) {
     Addition addition{{.text = tr("Add layer")}};
     addition.id = addition.edit.takeId(project);
     Asset changed = elementWith(project.assets, asset);
-    changed.pattern.layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
+    Pattern& pattern = level == 0 ? changed.pattern : changed.levels.at(level - 1).pattern;
+    pattern.layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
     addition.edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
     return addition;
+}
+
+Edit addLevel(const Project& project, Id asset) {
+    Edit edit{.text = tr("Add level")};
+    const Id layer = edit.takeId(project);
+    Asset changed = elementWith(project.assets, asset);
+    Level level;
+    level.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsOfLevel}}};
+    changed.levels.push_back(std::move(level));
+    edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
+    return edit;
 }
 
 }  // namespace rubble

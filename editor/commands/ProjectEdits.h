@@ -34,6 +34,8 @@ Edit removeAssets(const Project& project, std::span<const Id> assets);
 
 /// Adds a material of usual stone.
 Addition addMaterial(const Project& project, const std::string& name);
+/// Adds a copy of a material.
+Addition duplicateMaterial(const Project& project, Id source);
 /// Removes a material; assets of it take the first of the others. Nothing where it is the last one.
 Edit removeMaterial(const Project& project, Id material);
 
@@ -44,7 +46,9 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 /// Removes instances and the expectations that name them.
 Edit removeInstances(const Project& project, std::span<const Id> instances);
 
-/// Adds a layer at the end of an asset's pattern, with a random seed of its own.
-Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters);
+/// Adds a layer at the end of an asset's pattern, or of that of a level (1: its first), with a random seed of its own.
+Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level = 0);
+/// Adds a level that breaks the smallest fragments of an asset so far again, each with a few scattered seeds.
+Edit addLevel(const Project& project, Id asset);
 
 }  // namespace rubble

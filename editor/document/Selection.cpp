@@ -6,6 +6,11 @@
 namespace rubble {
 
 void Selection::setAsset(Id asset) {
+    takeAsset(asset);
+    setSubject(Part::Asset);
+}
+
+void Selection::takeAsset(Id asset) {
     if (asset == m_asset) return;
     m_asset = asset;
     m_seeds.clear();
@@ -19,11 +24,13 @@ void Selection::setSeeds(Seeds seeds) {
     if (seeds == m_seeds) return;
     m_seeds = std::move(seeds);
     emit seedsChanged();
+    if (!m_seeds.empty()) setSubject(Part::Asset);
 }
 
 void Selection::toggleSeed(SeedId seed) {
     if (!m_seeds.insert(seed).second) m_seeds.erase(seed);
     emit seedsChanged();
+    if (!m_seeds.empty()) setSubject(Part::Asset);
 }
 
 void Selection::setHiddenSeeds(Seeds seeds) {
@@ -37,16 +44,29 @@ void Selection::setInstances(const Project& project, std::set<Id> instances) {
     for (const Instance& instance : project.instances) {
         if (instances.contains(instance.id)) assets.insert(instance.asset);
     }
-    if (assets.size() == 1) setAsset(*assets.begin());
-    if (instances == m_instances) return;
-    m_instances = std::move(instances);
-    emit instancesChanged();
+    if (assets.size() == 1) takeAsset(*assets.begin());
+    if (instances != m_instances) {
+        m_instances = std::move(instances);
+        emit instancesChanged();
+    }
+    if (!m_instances.empty() || m_subject == Part::Instance) setSubject(Part::Instance);
 }
 
 void Selection::setMaterial(Id material) {
-    if (material == m_material) return;
-    m_material = material;
-    emit materialChanged();
+    if (material != m_material) {
+        m_material = material;
+        emit materialChanged();
+    }
+    if (material != 0 || m_subject == Part::Material) setSubject(Part::Material);
+}
+
+void Selection::setSubject(Part subject) {
+    const bool isChosen = (subject == Part::Material && m_material != 0) || (subject == Part::Asset && m_asset != 0) ||
+                          (subject == Part::Instance && !m_instances.empty());
+    const Part taken = isChosen ? subject : Part::Scene;
+    if (taken == m_subject) return;
+    m_subject = taken;
+    emit subjectChanged(taken);
 }
 
 void Selection::prune(const Project& project) {
@@ -56,7 +76,7 @@ void Selection::prune(const Project& project) {
     });
     if (!findAsset(project, m_asset)) setAsset(project.assets.empty() ? 0 : project.assets.front().id);
     if (!findMaterial(project, m_material)) setMaterial(0);
-    setInstances(project, std::move(instances));
+    if (instances != m_instances) setInstances(project, std::move(instances));
 }
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "editor/document/Edit.h"
 
 #include <QObject>
 
@@ -12,6 +12,9 @@ namespace rubble {
 ///
 /// One asset is at hand: the one that canvas and tables show. Seeds are those of its pattern; choosing a fragment means
 /// choosing the seed it comes from. Hidden fragments are left out of pictures.
+///
+/// What was chosen last is the subject, which an inspector is about: a material, instances, an asset (choosing seeds counts
+/// as choosing theirs), or the scene where nothing is chosen.
 class Selection : public QObject {
     Q_OBJECT
 public:
@@ -24,6 +27,8 @@ public:
     const Seeds& hiddenSeeds() const { return m_hiddenSeeds; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
+    /// Part::Material, Asset, Instance or Scene.
+    Part subject() const { return m_subject; }
 
     /// Takes an asset at hand; another one than before leaves no seed chosen or hidden.
     void setAsset(Id asset);
@@ -34,6 +39,8 @@ public:
     /// Chooses instances; their asset comes to hand where it is one.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
+    /// Makes what is chosen of a part the subject; the scene where nothing of it is.
+    void setSubject(Part subject);
     /// Forgets what the project does not hold any more.
     void prune(const Project& project);
 
@@ -43,8 +50,12 @@ signals:
     void hiddenChanged();
     void instancesChanged();
     void materialChanged();
+    void subjectChanged(rubble::Part subject);
 
 private:
+    void takeAsset(Id asset);
+
+    Part m_subject = Part::Scene;
     Id m_asset = 0;
     Id m_material = 0;
     Seeds m_seeds;

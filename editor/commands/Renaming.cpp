@@ -1,0 +1,54 @@
+#include "editor/commands/Renaming.h"
+
+#include "core/asset/Names.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Renaming", text); }
+
+/// Gives the list that holds a part's things to a function.
+template <class Function>
+auto withListOf(const Project& project, Part part, const Function& function) {
+    switch (part) {
+        case Part::Material: return function(project.materials);
+        case Part::Asset: return function(project.assets);
+        default: return function(project.instances);
+    }
+}
+
+}  // namespace
+
+QString nameFault(const Project& project, Part part, Id id, const QString& name) {
+    if (name.trimmed().isEmpty()) return tr("A name must not be empty.");
+    const std::string folded = caseFolded(name.trimmed().toStdString());
+    return withListOf(project, part, [&](const auto& elements) {
+        const auto other = std::ranges::find_if(
+            elements, [&](const auto& element) { return element.id != id && caseFolded(element.name) == folded; });
+        if (other == elements.end()) return QString();
+        return tr("The name \"%1\" is already taken.").arg(QString::fromStdString(other->name));
+    });
+}
+
+Edit renamed(const Project& project, Part part, Id id, const QString& name) {
+    return withListOf(project, part, [&](const auto& elements) {
+        auto changed = *std::ranges::find(elements, id, [](const auto& element) { return element.id; });
+        changed.name = name.trimmed().toStdString();
+        return altered(tr("Rename"), std::move(changed));
+    });
+}
+
+QString nameOf(const Project& project, Part part, Id id) {
+    return withListOf(project, part, [&](const auto& elements) {
+        const auto place = std::ranges::find(elements, id, [](const auto& element) { return element.id; });
+        return place == elements.end() ? QString() : QString::fromStdString(place->name);
+    });
+}
+
+}  // namespace rubble

@@ -1,0 +1,42 @@
+#include "editor/panels/Icons.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QMenu>
+#include <QStyle>
+#include <QToolButton>
+
+namespace rubble {
+
+QIcon iconNamed(const QString& name) {
+    const QString path = ":/icons/" + name + ".svg";
+    return QFile::exists(path) ? QIcon(path) : QIcon();
+}
+
+QIcon iconNamed(const QString& name, int standardPixmap) {
+    const QIcon icon = iconNamed(name);
+    return icon.isNull() ? QApplication::style()->standardIcon(static_cast<QStyle::StandardPixmap>(standardPixmap))
+                         : icon;
+}
+
+QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const QString& hint,
+                    const std::function<void()>& function) {
+    QAction* action = menu.addAction(iconNamed(icon), text, function);
+    action->setToolTip(hint);
+    action->setStatusTip(hint);
+    return action;
+}
+
+QToolButton* panelButton(const QString& icon, const QString& text, const QString& hint, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setIcon(iconNamed(icon));
+    button->setText(text);
+    button->setToolTip(hint);
+    button->setStatusTip(hint);
+    button->setAccessibleName(text);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAutoRaise(true);
+    return button;
+}
+
+}  // namespace rubble

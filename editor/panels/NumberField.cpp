@@ -1,0 +1,213 @@
+#include "editor/panels/NumberField.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QStyleOptionSpinBox>
+#include <QToolTip>
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kShownDigits = 7;                  // of a number that is too long to look at
+constexpr qint64 kPauseOfRunMilliseconds = 700;  // a longer one begins another run of steps
+constexpr int kStepDigits = 12;                  // sums of steps are rounded to it: 0.1 + 0.2 is 0.3
+
+double rounded(double value) { return QString::number(value, 'g', kStepDigits).toDouble(); }
+
+/// One in the second significant digit of the value; towards zero from 1.0 it is that of 0.9.
+double adaptiveStep(double value, bool isTowardsZero) {
+    const double size = std::abs(value) * (isTowardsZero ? 1.0 - 1e-9 : 1.0 + 1e-9);
+    return QString("1e%1").arg(static_cast<int>(std::floor(std::log10(size))) - 1).toDouble();
+}
+
+double stepOf(const NumberRange& range, double value, int direction) {
+    if (range.step > 0.0) return range.step;
+    const double step = value == 0.0 ? range.stepAtZero : adaptiveStep(value, (value > 0.0) == (direction < 0));
+    return range.isWhole ? std::max(step, 1.0) : step;
+}
+
+}  // namespace
+
+bool NumberRange::contains(double value) const {
+    return value >= min && value <= max && !(isMinOut && value == min) && !(isWhole && value != std::floor(value));
+}
+
+bool StepRun::beginsAnother() {
+    const bool isAnother = !m_last.isValid() || m_last.hasExpired(kPauseOfRunMilliseconds);
+    m_last.start();
+    return isAnother;
+}
+
+NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setKeyboardTracking(false);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    showValue();
+}
+
+void NumberField::setValue(double value) {
+    const bool isSame = !m_isMixed && m_value == value && std::signbit(m_value) == std::signbit(value);
+    if (isSame && lineEdit()->isModified()) return;  // what is being typed stays
+    m_isMixed = false;
+    m_value = value;
+    showValue();
+}
+
+void NumberField::setMixed() {
+    m_isMixed = true;
+    showValue();
+}
+
+void NumberField::setFormat(const NumberFormat& format) {
+    m_format = format;
+    updateGeometry();
+    showValue();
+}
+
+void NumberField::setRange(const NumberRange& range) { m_range = range; }
+
+void NumberField::setHint(const QString& hint) {
+    m_hint = hint;
+    setStatusTip(hint);
+    showValue();
+}
+
+/// Writes the number into the line, as the focus asks for.
+void NumberField::showValue() {
+    lineEdit()->setPlaceholderText(m_isMixed ? tr("several") : QString());
+    const QString exact = exactText(m_value, m_format, locale());
+    const QString rounded = rubble::roundedText(m_value, kShownDigits, m_format, locale());
+    const bool isLong = exact.size() > rounded.size();
+    const QString& shown = isLong && !hasFocus() ? rounded : exact;
+    setToolTip(isLong && !m_isMixed ? m_hint + (m_hint.isEmpty() ? "" : "\n") + withUnit(exact, m_format) : m_hint);
+    lineEdit()->setText(m_isMixed ? QString() : withUnit(shown, m_format));
+    lineEdit()->setModified(false);
+    if (!hasFocus()) lineEdit()->setCursorPosition(0);
+}
+
+QString NumberField::rangeSentence() const {
+    const auto text = [&](double value) { return withUnit(exactText(value, m_format, locale()), m_format); };
+    constexpr double kMost = std::numeric_limits<double>::max();
+    if (m_range.isMinOut && m_range.max == kMost) return tr("It must be above %1.").arg(text(m_range.min));
+    if (m_range.max == kMost) return tr("It must not be below %1.").arg(text(m_range.min));
+    if (m_range.isWhole)
+        return tr("It must be a whole number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
+    return tr("It must be from %1 to %2.").arg(text(m_range.min), text(m_range.max));
+}
+
+void NumberField::refuse(const QString& sentence) {
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence, this);
+    emit refused(sentence);
+}
+
+/// Takes what was typed; false where it is refused, which leaves the line as it is.
+bool NumberField::commit() {
+    if (!lineEdit()->isModified()) return true;
+    const QString text = lineEdit()->text();
+    if (m_isMixed && text.trimmed().isEmpty()) return true;
+    const std::optional<double> typed = localNumber(text, m_format, locale());
+    if (!typed) {
+        refuse(tr("\"%1\" is no number. Numbers are written like %2.").arg(text.trimmed(), locale().toString(12.5)));
+        return false;
+    }
+    if (!m_range.contains(*typed)) {
+        refuse(rangeSentence());
+        return false;
+    }
+    m_run.end();
+    emit strokeBegan();
+    take(*typed);
+    return true;
+}
+
+void NumberField::take(double value) {
+    const bool isAnother = m_isMixed || value != m_value;
+    m_isMixed = false;
+    m_value = value;
+    showValue();
+    if (isAnother) emit edited(value);
+}
+
+void NumberField::stepBy(int steps) {
+    if (m_isMixed || !commit()) return;
+    const int direction = steps > 0 ? 1 : -1;
+    double value = m_value;
+    for (int k = 0; k < std::abs(steps); ++k) value = rounded(value + direction * stepOf(m_range, value, direction));
+    value = std::clamp(value, m_range.min, m_range.max);
+    if (m_range.isMinOut && value <= m_range.min) return;
+    if (m_run.beginsAnother()) emit strokeBegan();
+    take(value);
+    lineEdit()->selectAll();
+}
+
+QValidator::State NumberField::validate(QString&, int&) const { return QValidator::Acceptable; }
+
+QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
+    if (isReadOnly() || m_isMixed) return StepNone;
+    StepEnabled enabled = StepNone;
+    if (m_value < m_range.max) enabled |= StepUpEnabled;
+    if (m_value > m_range.min) enabled |= StepDownEnabled;
+    return enabled;
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (commit()) showValue();
+            lineEdit()->selectAll();
+            return;
+        case Qt::Key_Escape:
+            if (!lineEdit()->isModified()) return event->ignore();
+            showValue();
+            lineEdit()->selectAll();
+            return;
+        default: QAbstractSpinBox::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+    if (hasFocus()) return QAbstractSpinBox::wheelEvent(event);
+    event->ignore();
+}
+
+void NumberField::focusInEvent(QFocusEvent* event) {
+    QAbstractSpinBox::focusInEvent(event);
+    if (lineEdit()->isModified()) return;
+    showValue();
+    if (event->reason() != Qt::MouseFocusReason) lineEdit()->selectAll();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+    commit();
+    m_run.end();
+    QAbstractSpinBox::focusOutEvent(event);
+    showValue();
+}
+
+void NumberField::changeEvent(QEvent* event) {
+    QAbstractSpinBox::changeEvent(event);
+    if (event->type() == QEvent::LocaleChange) showValue();
+}
+
+void NumberField::clear() { lineEdit()->clear(); }
+
+QSize NumberField::sizeHint() const {
+    ensurePolished();
+    const QString sample = withUnit(QStringLiteral("-000.0000"), m_format);
+    const QSize text(fontMetrics().horizontalAdvance(sample), lineEdit()->sizeHint().height());
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
+}
+
+QSize NumberField::minimumSizeHint() const {
+    QSize size = sizeHint();
+    size.setWidth(size.width() * 2 / 3);
+    return size;
+}
+
+}  // namespace rubble

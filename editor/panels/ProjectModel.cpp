@@ -1,0 +1,322 @@
+#include "editor/panels/ProjectModel.h"
+
+#include "editor/commands/Renaming.h"
+#include "editor/panels/ColourButton.h"
+#include "editor/panels/Icons.h"
+#include "editor/panels/LayerText.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+using Kind = ProjectModel::Kind;
+using Node = ProjectModel::Node;
+
+constexpr int kGroups = 3;      // the rows at the top
+constexpr int kKindShift = 32;  // of the kind in an index's internal id; the id is below it
+
+quintptr packed(Node node) { return static_cast<quintptr>(node.kind) << kKindShift | node.id; }
+Node unpacked(quintptr packed) { return {static_cast<Kind>(packed >> kKindShift), static_cast<Id>(packed)}; }
+
+Kind groupOf(Kind kind) {
+    switch (kind) {
+        case Kind::Material: return Kind::Materials;
+        case Kind::Asset: return Kind::Assets;
+        default: return Kind::Scene;
+    }
+}
+
+Kind kindIn(Kind group) {
+    switch (group) {
+        case Kind::Materials: return Kind::Material;
+        case Kind::Assets: return Kind::Asset;
+        default: return Kind::Instance;
+    }
+}
+
+Part partOf(Kind kind) {
+    switch (kind) {
+        case Kind::Material: return Part::Material;
+        case Kind::Asset: return Part::Asset;
+        case Kind::Instance: return Part::Instance;
+        default: return Part::Scene;
+    }
+}
+
+bool isNamed(Kind kind) { return partOf(kind) != Part::Scene; }
+
+/// All layers, those of the levels behind those of the whole.
+template <class Function>
+void forEachLayer(const Asset& asset, const Function& function) {
+    for (const PatternLayer& layer : asset.pattern.layers) function(layer, 0);
+    for (std::size_t k = 0; k < asset.levels.size(); ++k) {
+        for (const PatternLayer& layer : asset.levels[k].pattern.layers) function(layer, static_cast<int>(k) + 1);
+    }
+}
+
+std::vector<Id> layerIds(const Asset& asset) {
+    std::vector<Id> ids;
+    forEachLayer(asset, [&](const PatternLayer& layer, int) { ids.push_back(layer.id); });
+    return ids;
+}
+
+template <class List>
+int rowOf(const List& ids, Id id) {
+    const auto place = std::ranges::find(ids, id);
+    return place == ids.end() ? -1 : static_cast<int>(place - ids.begin());
+}
+
+const Instance* findInstance(const Project& project, Id id) {
+    const auto place = std::ranges::find(project.instances, id, &Instance::id);
+    return place == project.instances.end() ? nullptr : &*place;
+}
+
+}  // namespace
+
+ProjectModel::ProjectModel(Document& document, QObject* parent) : QAbstractItemModel(parent), m_document(document) {
+    read();
+    connect(&document, &Document::changed, this, qOverload<const Changes&>(&ProjectModel::take));
+}
+
+void ProjectModel::read() {
+    const Project& project = m_document.project();
+    m_materials.clear();
+    m_assets.clear();
+    m_layers.clear();
+    m_instances.clear();
+    for (const Material& material : project.materials) m_materials.push_back(material.id);
+    for (const Asset& asset : project.assets) {
+        m_assets.push_back(asset.id);
+        m_layers.push_back(layerIds(asset));
+    }
+    for (const Instance& instance : project.instances) m_instances.push_back(instance.id);
+}
+
+void ProjectModel::take(const Changes& changes) {
+    if (!changes.isEverything) {
+        for (const Change& change : changes.list) take(change);
+        return;
+    }
+    beginResetModel();
+    read();
+    endResetModel();
+}
+
+void ProjectModel::take(const Change& change) {
+    Kind kind = Kind::Scene;
+    switch (change.part) {
+        case Part::Material: kind = Kind::Material; break;
+        case Part::Asset: kind = Kind::Asset; break;
+        case Part::Instance: kind = Kind::Instance; break;
+        default: return;
+    }
+    switch (change.kind) {
+        case ChangeKind::Added: return insertRow(groupOf(kind), change.id);
+        case ChangeKind::Removed: return removeRow(groupOf(kind), change.id);
+        case ChangeKind::Altered: break;
+    }
+    if (kind == Kind::Asset) followLayers(change.id);
+    const QModelIndex index = indexOf({kind, change.id});
+    emit dataChanged(index, index);
+}
+
+const std::vector<Id>& ProjectModel::idsOf(Kind group) const {
+    if (group == Kind::Materials) return m_materials;
+    return group == Kind::Assets ? m_assets : m_instances;
+}
+
+std::vector<Id>& ProjectModel::idsOf(Kind group) {
+    return const_cast<std::vector<Id>&>(std::as_const(*this).idsOf(group));
+}
+
+void ProjectModel::insertRow(Kind group, Id id) {
+    std::vector<Id>& ids = idsOf(group);
+    const auto row = static_cast<int>(std::ranges::lower_bound(ids, id) - ids.begin());
+    beginInsertRows(indexOf({group, 0}), row, row);
+    ids.insert(ids.begin() + row, id);
+    if (group == Kind::Assets) {
+        m_layers.insert(m_layers.begin() + row, layerIds(*findAsset(m_document.project(), id)));
+    }
+    endInsertRows();
+}
+
+void ProjectModel::removeRow(Kind group, Id id) {
+    std::vector<Id>& ids = idsOf(group);
+    const int row = rowOf(ids, id);
+    beginRemoveRows(indexOf({group, 0}), row, row);
+    ids.erase(ids.begin() + row);
+    if (group == Kind::Assets) m_layers.erase(m_layers.begin() + row);
+    endRemoveRows();
+}
+
+/// Takes out the rows of layers that are gone, moves what stands in another order and adds what is new.
+void ProjectModel::followLayers(Id asset) {
+    const QModelIndex parent = indexOf({Kind::Asset, asset});
+    std::vector<Id>& layers = m_layers[parent.row()];
+    const std::vector<Id> wanted = layerIds(*findAsset(m_document.project(), asset));
+    for (int row = static_cast<int>(layers.size()) - 1; row >= 0; --row) {
+        if (rowOf(wanted, layers[row]) >= 0) continue;
+        beginRemoveRows(parent, row, row);
+        layers.erase(layers.begin() + row);
+        endRemoveRows();
+    }
+    for (int row = 0; row < static_cast<int>(wanted.size()); ++row) {
+        const int from = rowOf(layers, wanted[row]);
+        if (from == row) continue;
+        if (from < 0) {
+            beginInsertRows(parent, row, row);
+            layers.insert(layers.begin() + row, wanted[row]);
+            endInsertRows();
+        } else {
+            beginMoveRows(parent, from, from, parent, row);
+            std::rotate(layers.begin() + row, layers.begin() + from, layers.begin() + from + 1);
+            endMoveRows();
+        }
+    }
+    if (!layers.empty()) {
+        emit dataChanged(index(0, 0, parent), index(static_cast<int>(layers.size()) - 1, 0, parent));
+    }
+}
+
+void ProjectModel::setUnits(const Units& units) {
+    m_units = units;
+    for (const Id asset : m_assets) followLayers(asset);
+}
+
+ProjectModel::Node ProjectModel::nodeAt(const QModelIndex& index) const { return unpacked(index.internalId()); }
+
+QModelIndex ProjectModel::indexOf(Node node) const {
+    int row = static_cast<int>(node.kind);  // one of the groups
+    if (isNamed(node.kind)) row = rowOf(idsOf(groupOf(node.kind)), node.id);
+    if (node.kind == Kind::Layer) {
+        for (const std::vector<Id>& layers : m_layers) {
+            row = rowOf(layers, node.id);
+            if (row >= 0) break;
+        }
+    }
+    return row < 0 ? QModelIndex() : createIndex(row, 0, packed(node));
+}
+
+Id ProjectModel::assetOf(Node node) const {
+    if (node.kind == Kind::Asset) return node.id;
+    if (node.kind != Kind::Layer) return 0;
+    const auto isIn = [&](const std::vector<Id>& layers) { return rowOf(layers, node.id) >= 0; };
+    const auto place = std::ranges::find_if(m_layers, isIn);
+    return place == m_layers.end() ? 0 : m_assets[place - m_layers.begin()];
+}
+
+QModelIndex ProjectModel::index(int row, int column, const QModelIndex& parent) const {
+    if (column != 0 || row < 0 || row >= rowCount(parent)) return {};
+    if (!parent.isValid()) return createIndex(row, 0, packed({static_cast<Kind>(row), 0}));
+    const Node above = nodeAt(parent);
+    if (above.kind == Kind::Asset) {
+        return createIndex(row, 0, packed({Kind::Layer, m_layers[parent.row()][row]}));
+    }
+    return createIndex(row, 0, packed({kindIn(above.kind), idsOf(above.kind)[row]}));
+}
+
+QModelIndex ProjectModel::parent(const QModelIndex& index) const {
+    if (!index.isValid()) return {};
+    const Node node = nodeAt(index);
+    if (node.kind == Kind::Layer) return indexOf({Kind::Asset, assetOf(node)});
+    return isNamed(node.kind) ? indexOf({groupOf(node.kind), 0}) : QModelIndex();
+}
+
+int ProjectModel::rowCount(const QModelIndex& parent) const {
+    if (!parent.isValid()) return kGroups;
+    switch (nodeAt(parent).kind) {
+        case Kind::Materials: return static_cast<int>(m_materials.size());
+        case Kind::Assets: return static_cast<int>(m_assets.size());
+        case Kind::Scene: return static_cast<int>(m_instances.size());
+        case Kind::Asset: return static_cast<int>(m_layers[parent.row()].size());
+        default: return 0;
+    }
+}
+
+int ProjectModel::columnCount(const QModelIndex&) const { return 1; }
+
+QString ProjectModel::text(Node node) const {
+    switch (node.kind) {
+        case Kind::Materials: return tr("Materials");
+        case Kind::Assets: return tr("Assets");
+        case Kind::Scene: return tr("Scene");
+        case Kind::Layer: break;
+        default: return nameOf(m_document.project(), partOf(node.kind), node.id);
+    }
+    QString text;
+    if (const Asset* asset = findAsset(m_document.project(), assetOf(node))) {
+        forEachLayer(*asset, [&](const PatternLayer& layer, int level) {
+            if (layer.id != node.id) return;
+            text = layerText(layer, m_units, {});
+            if (level > 0) text = tr("Level %1: %2").arg(level).arg(text);
+            if (!layer.isOn) text = tr("%1 (off)").arg(text);
+        });
+    }
+    return text;
+}
+
+QString ProjectModel::hint(Node node) const {
+    const Project& project = m_document.project();
+    switch (node.kind) {
+        case Kind::Materials: return tr("What bodies are made of");
+        case Kind::Assets: return tr("Solids with their recipes for breaking");
+        case Kind::Scene: return tr("Ground, gravity, and the assets that are placed");
+        case Kind::Layer:
+            return tr("A layer of seeds of asset \"%1\"").arg(nameOf(project, Part::Asset, assetOf(node)));
+        case Kind::Instance: {
+            const Instance* instance = findInstance(project, node.id);
+            return instance ? tr("Instance of asset \"%1\"").arg(nameOf(project, Part::Asset, instance->asset)) : "";
+        }
+        default: return text(node);
+    }
+}
+
+QIcon ProjectModel::icon(Node node) const {
+    switch (node.kind) {
+        case Kind::Material: {
+            const Material* material = findMaterial(m_document.project(), node.id);
+            return material ? swatchIcon(material->outside) : QIcon();
+        }
+        case Kind::Materials: return iconNamed("material");
+        case Kind::Assets:
+        case Kind::Asset: return iconNamed("asset");
+        case Kind::Scene: return iconNamed("scene");
+        case Kind::Instance: return iconNamed("instance");
+        case Kind::Layer: return iconNamed("layer");
+    }
+    return {};
+}
+
+QVariant ProjectModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const Node node = nodeAt(index);
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole: return text(node);
+        case Qt::ToolTipRole: return hint(node);
+        case Qt::DecorationRole: return icon(node);
+        default: return {};
+    }
+}
+
+bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !index.isValid()) return false;
+    const Node node = nodeAt(index);
+    const QString fault = nameFault(m_document.project(), partOf(node.kind), node.id, value.toString());
+    if (!fault.isEmpty()) {
+        emit refused(fault);
+        return false;
+    }
+    m_document.push(renamed(m_document.project(), partOf(node.kind), node.id, value.toString()));
+    return true;
+}
+
+Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::NoItemFlags;
+    const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return isNamed(nodeAt(index).kind) ? usual | Qt::ItemIsEditable : usual;
+}
+
+}  // namespace rubble

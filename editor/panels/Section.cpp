@@ -1,0 +1,63 @@
+#include "editor/panels/Section.h"
+
+#include "editor/panels/ColourButton.h"
+#include "editor/panels/SliderField.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+Section::Section(const QString& title, QWidget* parent)
+    : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QFormLayout(m_body)) {
+    m_head->setText(title);
+    m_head->setToolTip(tr("Folds or unfolds \"%1\".").arg(title));
+    m_head->setAccessibleName(title);
+    m_head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_head->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_head->setFocusPolicy(Qt::TabFocus);
+    m_head->setCheckable(true);
+    m_head->setAutoRaise(true);
+    QFont bold = m_head->font();
+    bold.setBold(true);
+    m_head->setFont(bold);
+
+    m_rows->setContentsMargins(8, 4, 4, 10);
+    m_rows->setVerticalSpacing(6);
+    m_rows->setHorizontalSpacing(10);
+    m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_rows->setRowWrapPolicy(QFormLayout::DontWrapRows);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_head);
+    layout->addWidget(m_body);
+    connect(m_head, &QToolButton::toggled, this, [this](bool isOpen) { setFolded(!isOpen); });
+    m_head->setChecked(true);
+}
+
+void Section::setFolded(bool isFolded) {
+    m_head->setChecked(!isFolded);
+    m_head->setArrowType(isFolded ? Qt::RightArrow : Qt::DownArrow);
+    m_body->setVisible(!isFolded);
+}
+
+void Section::setRowVisible(QWidget* control, bool isVisible) {
+    control->setVisible(isVisible);
+    if (QWidget* label = m_rows->labelForField(control)) label->setVisible(isVisible);
+}
+
+void Section::nameRow(const QString& label, QWidget* control, const QString& hint) {
+    if (QWidget* text = m_rows->labelForField(control)) text->setToolTip(hint);
+    control->setAccessibleName(label);
+    if (auto* number = qobject_cast<NumberField*>(control)) return number->setHint(hint);
+    if (auto* slider = qobject_cast<SliderField*>(control)) {
+        slider->setName(label);
+        return slider->setHint(hint);
+    }
+    control->setToolTip(hint);
+    control->setStatusTip(hint);
+}
+
+}  // namespace rubble

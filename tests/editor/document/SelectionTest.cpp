@@ -1,0 +1,62 @@
+#include "editor/document/Selection.h"
+#include "tests/support/Projects.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace rubble;
+
+class SelectionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theSubjectIsWhatWasChosenLast() {
+        const Project project = fullProject();
+        Selection selection;
+        QCOMPARE(selection.subject(), Part::Scene);
+        selection.setAsset(3);
+        QCOMPARE(selection.subject(), Part::Asset);
+        selection.setMaterial(2);
+        QCOMPARE(selection.subject(), Part::Material);
+        selection.setAsset(3);  // at hand already
+        QCOMPARE(selection.subject(), Part::Asset);
+        selection.setInstances(project, {20});
+        QCOMPARE(selection.subject(), Part::Instance);
+        selection.setSeeds({{4, 0}});
+        QCOMPARE(selection.subject(), Part::Asset);
+        selection.setInstances(project, {20, 21});
+        selection.setSubject(Part::Asset);
+        selection.setInstances(project, {});
+        QCOMPARE(selection.subject(), Part::Asset);  // instances were another choice
+    }
+    void aSubjectIsToldOnce() {
+        Selection selection;
+        selection.setAsset(3);
+        QSignalSpy told(&selection, &Selection::subjectChanged);
+        selection.setInstances(fullProject(), {21});  // brings its asset to hand, too
+        QCOMPARE(told.count(), 1);
+        QCOMPARE(selection.asset(), 9u);
+    }
+    void nothingChosenMakesTheSceneTheSubject() {
+        Selection selection;
+        selection.setInstances(fullProject(), {20});
+        selection.setInstances(fullProject(), {});
+        QCOMPARE(selection.subject(), Part::Scene);
+        selection.setSubject(Part::Material);
+        QCOMPARE(selection.subject(), Part::Scene);
+    }
+    void whatIsGoneIsNotChosen() {
+        Project project = fullProject();
+        Selection selection;
+        selection.setMaterial(2);
+        selection.setInstances(project, {20, 21});
+        project.instances.erase(project.instances.begin());
+        project.materials.pop_back();
+        selection.prune(project);
+        QCOMPARE(selection.instances(), std::set<Id>{21});
+        QCOMPARE(selection.material(), 0u);
+        QCOMPARE(selection.subject(), Part::Instance);
+    }
+};
+
+QTEST_GUILESS_MAIN(SelectionTest)
+#include "SelectionTest.moc"

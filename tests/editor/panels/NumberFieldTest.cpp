@@ -1,0 +1,238 @@
+#include "editor/panels/SliderField.h"
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+using namespace rubble;
+
+namespace {
+
+const NumberFormat kMetres{"m", 0};
+const NumberFormat kCentimetres{"cm", 2};
+const QLocale kGerman(QLocale::German, QLocale::Germany);
+const QString kNbsp(QChar(QChar::Nbsp));
+
+/// A field in a window that has the focus elsewhere.
+struct Window : QWidget {
+    NumberField field{this};
+    QLineEdit other{this};
+    QSignalSpy edits{&field, &NumberField::edited};
+    QSignalSpy strokes{&field, &NumberField::strokeBegan};
+    QSignalSpy refusals{&field, &NumberField::refused};
+
+    Window() {
+        field.move(0, 40);
+        show();
+        activateWindow();
+        if (!QTest::qWaitForWindowActive(this)) qFatal("The window does not become active.");
+        other.setFocus();
+    }
+    void type(const QString& text) {
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+    QLineEdit& line() { return *field.findChild<QLineEdit*>(); }
+};
+
+void wheel(QWidget& widget, int steps) {
+    const QPointF middle = QRectF(widget.rect()).center();
+    QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+class NumberFieldTest : public QObject {
+    Q_OBJECT
+private slots:
+    void textsReadBackAsTheSameBits_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("metres");
+        QTest::addColumn<QString>("centimetres");
+        QTest::newRow("zero") << 0.0 << "0"
+                              << "0";
+        QTest::newRow("no rounding on the way") << 0.07 << "0.07"
+                                                << "7";
+        QTest::newRow("all digits") << 0.1 + 0.2 << "0.30000000000000004"
+                                    << "30.000000000000004";
+        QTest::newRow("negative") << -12.5 << "-12.5"
+                                  << "-1250";
+        QTest::newRow("tiny") << 1.5e-10 << "1.5e-10"
+                              << "1.5e-8";
+        QTest::newRow("huge") << 3e22 << "3e22"
+                              << "3e24";
+        QTest::newRow("large") << 123456789.0 << "123456789"
+                               << "12345678900";
+    }
+    void textsReadBackAsTheSameBits() {
+        QFETCH(double, value);
+        QFETCH(QString, metres);
+        QFETCH(QString, centimetres);
+        QCOMPARE(exactText(value, kMetres, QLocale::c()), metres);
+        QCOMPARE(exactText(value, kCentimetres, QLocale::c()), centimetres);
+        for (const NumberFormat& format : {kMetres, kCentimetres}) {
+            for (const QLocale& locale : {QLocale::c(), kGerman, QLocale(QLocale::Arabic, QLocale::Egypt)}) {
+                const std::optional<double> back = localNumber(exactText(value, format, locale), format, locale);
+                QVERIFY(back && *back == value);
+            }
+        }
+    }
+    void unitsMayBeTyped() {
+        QCOMPARE(localNumber("12 mm", kMetres, QLocale::c()).value(), 0.012);
+        QCOMPARE(localNumber(" 7cm", kMetres, QLocale::c()).value(), 0.07);
+        QCOMPARE(localNumber("2 m", kCentimetres, QLocale::c()).value(), 2.0);
+        QCOMPARE(localNumber("5 kg", {"kg", 0}, QLocale::c()).value(), 5.0);
+        QVERIFY(!localNumber("5 kg", kMetres, QLocale::c()));
+        QVERIFY(!localNumber("5 m", {"kg", 0}, QLocale::c()));
+    }
+    void whatIsNoNumberIsNone() {
+        for (const char* text : {"", "m", "1.2.3", "1,5", "nan", "inf", "1e999", "0x10", "--1", "1 2", "e5"}) {
+            QVERIFY2(!localNumber(text, kMetres, QLocale::c()), text);
+        }
+        QCOMPARE(localNumber("1,5", kMetres, kGerman).value(), 1.5);
+        QVERIFY(!localNumber("1.5", kMetres, kGerman));  // fifteen, or one and a half?
+    }
+    void typedNumbersAreTold() {
+        Window window;
+        window.field.setLocale(kGerman);
+        window.field.setFormat(kCentimetres);
+        window.type("12,5");
+        QCOMPARE(window.edits.count(), 1);
+        QCOMPARE(window.strokes.count(), 1);
+        QCOMPARE(window.field.value(), 0.125);
+        QCOMPARE(window.line().text(), "12,5" + kNbsp + "cm");
+        window.type("12,5");
+        QCOMPARE(window.edits.count(), 1);  // nothing new
+    }
+    void leavingTheFieldTakesWhatWasTyped() {
+        Window window;
+        window.field.setFocus();
+        window.field.selectAll();
+        QTest::keyClicks(&window.field, "3");
+        QCOMPARE(window.edits.count(), 0);
+        QTest::keyClick(&window.field, Qt::Key_Tab);
+        QCOMPARE(window.field.value(), 3.0);
+        QCOMPARE(window.edits.count(), 1);
+    }
+    void showingANumberNeverRoundsIt() {
+        Window window;
+        window.field.setFormat(kMetres);
+        window.field.setValue(1.0 / 3.0);
+        QCOMPARE(window.line().text(), "0.3333333" + kNbsp + "m");
+        QVERIFY(window.field.toolTip().contains("0.3333333333333333"));
+        window.field.setFocus();
+        QCOMPARE(window.line().text(), "0.3333333333333333" + kNbsp + "m");
+        QTest::keyClick(&window.field, Qt::Key_Return);
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 1.0 / 3.0);
+        QCOMPARE(window.edits.count(), 0);
+    }
+    void badInputIsRefusedWithASentence() {
+        Window window;
+        window.field.setValue(2.0);
+        window.field.setRange(NumberRange::aboveZero());
+        for (const char* text : {"abc", "0", "-1", "1e999"}) window.type(text);
+        QCOMPARE(window.edits.count(), 0);
+        QCOMPARE(window.refusals.count(), 4);
+        QCOMPARE(window.refusals[0][0], "\"abc\" is no number. Numbers are written like 12.5.");
+        QCOMPARE(window.refusals[1][0], "It must be above 0.");
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 2.0);
+        QCOMPARE(window.line().text(), "2");
+        window.field.setRange(NumberRange::whole(1, 10));
+        window.type("2.5");
+        QCOMPARE(window.refusals.last()[0], "It must be a whole number from 1 to 10.");
+    }
+    void escapeTakesTypingBack() {
+        Window window;
+        window.field.setValue(2.0);
+        window.field.setFocus();
+        QTest::keyClicks(&window.field, "77");
+        QTest::keyClick(&window.field, Qt::Key_Escape);
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 2.0);
+        QCOMPARE(window.edits.count(), 0);
+    }
+    void arrowsStepInTheSecondDigitAsOneStroke() {
+        Window window;
+        window.field.setValue(1.0);
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.field.value(), 1.1);
+        QTest::keyClick(&window.field, Qt::Key_Down);
+        QTest::keyClick(&window.field, Qt::Key_Down);
+        QCOMPARE(window.field.value(), 0.99);
+        QCOMPARE(window.edits.count(), 3);
+        QCOMPARE(window.strokes.count(), 1);
+        window.other.setFocus();
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.strokes.count(), 2);
+    }
+    void stepsStayInRange() {
+        Window window;
+        window.field.setRange(NumberRange::whole(1, 3));
+        window.field.setValue(2.0);
+        window.field.setFocus();
+        for (int k = 0; k < 3; ++k) QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.field.value(), 3.0);
+        for (int k = 0; k < 5; ++k) QTest::keyClick(&window.field, Qt::Key_Down);
+        QCOMPARE(window.field.value(), 1.0);
+    }
+    void theWheelTurnsItWithFocusOnly() {
+        Window window;
+        window.field.setValue(1.0);
+        wheel(window.field, 1);
+        QCOMPARE(window.field.value(), 1.0);
+        window.field.setFocus();
+        wheel(window.field, 1);
+        QCOMPARE(window.field.value(), 1.1);
+    }
+    void severalNumbersAreShownAsSuch() {
+        Window window;
+        window.field.setMixed();
+        QCOMPARE(window.line().text(), "");
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        window.other.setFocus();
+        QCOMPARE(window.edits.count(), 0);
+        window.type("0");
+        QCOMPARE(window.edits.count(), 1);  // though that is what it held
+        QVERIFY(!window.field.isMixed());
+    }
+    void aDragOfASliderIsOneStroke() {
+        SliderField slider(NumberRange::zeroOrAbove(), 0.0, 10.0);
+        slider.resize(400, 30);
+        slider.show();
+        slider.setValue(0.0);
+        QSignalSpy strokes(&slider, &SliderField::strokeBegan);
+        QSignalSpy edits(&slider, &SliderField::edited);
+        const int middle = slider.slider().height() / 2;
+        QTest::mousePress(&slider.slider(), Qt::LeftButton, {}, {6, middle});
+        for (const int x : {40, 80, 120}) QTest::mouseMove(&slider.slider(), {x, middle});
+        QTest::mouseRelease(&slider.slider(), Qt::LeftButton, {}, {120, middle});
+        QCOMPARE(strokes.count(), 1);
+        QVERIFY(edits.count() >= 3);
+        QVERIFY(slider.value() > 1.0 && slider.value() < 10.0);
+        QCOMPARE(slider.field().value(), slider.value());
+    }
+    void aSliderNeverAltersWhatItShows() {
+        SliderField slider(NumberRange::aboveZero(), 0.01, 100.0, SliderScale::Logarithmic);
+        QSignalSpy edits(&slider, &SliderField::edited);
+        for (const double value : {1.0 / 3.0, 12345.678, 1e-9}) {
+            slider.setValue(value);
+            QCOMPARE(slider.value(), value);
+        }
+        QCOMPARE(edits.count(), 0);
+        slider.setValue(1.0);
+        QCOMPARE(slider.slider().value(), slider.slider().maximum() / 2);
+    }
+};
+
+QTEST_MAIN(NumberFieldTest)
+#include "NumberFieldTest.moc"

@@ -1,0 +1,195 @@
+#include "core/asset/StarterProject.h"
+#include "core/io/ProjectFile.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/panels/ProjectTree.h"
+#include "tests/support/Projects.h"
+#include "tests/support/RandomEdits.h"
+
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+
+using namespace rubble;
+
+namespace {
+
+using Kind = ProjectModel::Kind;
+
+/// A document with its tree in a window.
+struct Desk {
+    Document document;
+    Selection selection;
+    ProjectTree tree{document, selection};
+    QTreeView& view = tree.view();
+    ProjectModel& model = *tree.findChild<ProjectModel*>();
+    QAbstractItemModelTester tester{&model};
+
+    explicit Desk(Project project = fullProject()) : document(std::move(project)) {
+        selection.prune(document.project());
+        tree.resize(300, 600);
+        tree.show();
+        tree.activateWindow();
+        if (!QTest::qWaitForWindowActive(&tree)) qFatal("The window does not become active.");
+        view.expandAll();
+        view.setFocus();
+    }
+    void click(Kind kind, Id id, Qt::KeyboardModifiers modifiers = {}) {
+        const QRect place = view.visualRect(model.indexOf({kind, id}));
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, modifiers, place.center());
+    }
+    void rename(const QString& name) {
+        QTest::keyClick(&view, Qt::Key_F2);
+        auto* editor = view.viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCoreApplication::processEvents();  // the editor hands over what was typed, then goes
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QString text(Kind kind, Id id) { return model.data(model.indexOf({kind, id}), Qt::DisplayRole).toString(); }
+};
+
+}  // namespace
+
+class ProjectTreeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void itShowsTheProject() {
+        Desk desk;
+        QCOMPARE(desk.text(Kind::Asset, 3), "wall");
+        QCOMPARE(desk.text(Kind::Layer, 4), "Uniform, 7 seeds");
+        QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 0.2\u00a0m apart (off)");
+        QCOMPARE(desk.text(Kind::Layer, 7), "Lloyd, 4 rounds");
+        QCOMPARE(desk.text(Kind::Layer, 8), "Level 1: Blue noise, 0.1\u00a0m apart");
+        QCOMPARE(desk.text(Kind::Instance, 21), "right");
+        desk.tree.setUnits({LengthUnit::Centimetre});
+        QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 20\u00a0cm apart (off)");
+    }
+    void whatIsClickedIsChosen() {
+        Desk desk;
+        desk.click(Kind::Material, 2);
+        QCOMPARE(desk.selection.material(), 2u);
+        QCOMPARE(desk.selection.subject(), Part::Material);
+        desk.click(Kind::Layer, 10);
+        QCOMPARE(desk.selection.asset(), 9u);
+        QCOMPARE(desk.selection.subject(), Part::Asset);
+        desk.click(Kind::Instance, 20);
+        desk.click(Kind::Instance, 21, Qt::ControlModifier);
+        QCOMPARE(desk.selection.instances(), (std::set<Id>{20, 21}));
+        QCOMPARE(desk.selection.subject(), Part::Instance);
+        desk.click(Kind::Scene, 0);
+        QCOMPARE(desk.selection.subject(), Part::Scene);
+    }
+    void whatIsChosenElsewhereIsShown() {
+        Desk desk;
+        desk.selection.setInstances(desk.document.project(), {20, 21});
+        QCOMPARE(desk.view.selectionModel()->selectedIndexes().size(), 2);
+        desk.selection.setAsset(11);
+        const QModelIndexList rows = desk.view.selectionModel()->selectedIndexes();
+        QCOMPARE(rows.size(), 1);
+        QCOMPARE(desk.model.nodeAt(rows[0]), (ProjectModel::Node{Kind::Asset, 11}));
+    }
+    void f2Renames() {
+        Desk desk;
+        desk.click(Kind::Asset, 9);
+        desk.rename("crate");
+        QCOMPARE(desk.text(Kind::Asset, 9), "crate");
+        desk.document.undoStack().undo();
+        QCOMPARE(desk.text(Kind::Asset, 9), "box");
+        QVERIFY(!desk.document.undoStack().canUndo());
+    }
+    void emptyAndTakenNamesAreRefused() {
+        Desk desk;
+        QSignalSpy refusals(&desk.tree, &ProjectTree::refused);
+        desk.click(Kind::Asset, 9);
+        desk.rename("WALL");
+        desk.rename("  ");
+        QCOMPARE(refusals.count(), 2);
+        QCOMPARE(refusals[0][0], "The name \"wall\" is already taken.");
+        QCOMPARE(refusals[1][0], "A name must not be empty.");
+        QVERIFY(!desk.document.undoStack().canUndo());
+        desk.rename("Box");  // its own, in capitals
+        QCOMPARE(desk.text(Kind::Asset, 9), "Box");
+    }
+    void ctrlDDuplicatesWhatIsChosen() {
+        Desk desk;
+        desk.click(Kind::Instance, 20);
+        desk.click(Kind::Instance, 21, Qt::ControlModifier);
+        QTest::keyClick(&desk.view, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(desk.document.project().instances.size(), 4u);
+        QCOMPARE(desk.selection.instances(), (std::set<Id>{40, 41}));
+        desk.document.undoStack().undo();
+        QCOMPARE(projectText(desk.document.project()), projectText(fullProject()));
+    }
+    void deleteTakesAwayWhatIsChosenInOneStep() {
+        Desk desk;
+        desk.click(Kind::Material, 2);
+        desk.click(Kind::Asset, 9, Qt::ControlModifier);
+        desk.click(Kind::Instance, 20, Qt::ControlModifier);
+        QTest::keyClick(&desk.view, Qt::Key_Delete);
+        QCOMPARE(desk.document.project().materials.size(), 1u);
+        QVERIFY(!findAsset(desk.document.project(), 9));
+        QVERIFY(desk.document.project().instances.empty());  // 21 was one of asset 9
+        QVERIFY(!verifyProject(desk.document.project()));
+        QCOMPARE(desk.document.undoStack().count(), 1);
+        desk.document.undoStack().undo();
+        QCOMPARE(projectText(desk.document.project()), projectText(fullProject()));
+    }
+    void theLastMaterialStays() {
+        Desk desk(starterProject());
+        QSignalSpy refusals(&desk.tree, &ProjectTree::refused);
+        desk.click(Kind::Material, desk.document.project().materials[0].id);
+        QTest::keyClick(&desk.view, Qt::Key_Delete);
+        QCOMPARE(refusals.count(), 1);
+        QCOMPARE(desk.document.undoStack().count(), 0);
+    }
+    void additionsAreChosen() {
+        Desk desk;
+        desk.tree.addMaterial();
+        QCOMPARE(desk.selection.material(), 40u);
+        desk.tree.addAsset({{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, {}}, "gable");
+        QCOMPARE(findAsset(desk.document.project(), desk.selection.asset())->name, "gable");
+        desk.tree.addInstance();
+        QCOMPARE(desk.selection.instances().size(), 1u);
+        QCOMPARE(desk.document.undoStack().count(), 3);
+    }
+    void foldedRowsStayFoldedWhenOthersChange() {
+        Desk desk;
+        desk.view.setExpanded(desk.model.indexOf({Kind::Asset, 3}), false);
+        desk.document.push(addLayer(desk.document.project(), 9, LloydRelaxation{}).edit);
+        desk.document.push(removeAssets(desk.document.project(), std::vector<Id>{11}));
+        QVERIFY(!desk.view.isExpanded(desk.model.indexOf({Kind::Asset, 3})));
+        QVERIFY(desk.view.isExpanded(desk.model.indexOf({Kind::Asset, 9})));
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 9})), 2);
+    }
+    void layersInAnotherOrderMove() {
+        Desk desk;
+        Asset asset = *findAsset(desk.document.project(), 3);
+        std::swap(asset.pattern.layers[0], asset.pattern.layers[3]);
+        desk.document.push(altered("Move layer", std::move(asset)));
+        const QModelIndex parent = desk.model.indexOf({Kind::Asset, 3});
+        QCOMPARE(desk.model.nodeAt(desk.model.index(0, 0, parent)).id, 7u);
+        QCOMPARE(desk.model.nodeAt(desk.model.index(3, 0, parent)).id, 4u);
+    }
+    void theModelFollowsRandomEdits() {
+        constexpr std::uint64_t kSeed = 1911;
+        qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
+        Random random(kSeed);
+        Desk desk;
+        const std::string before = projectText(desk.document.project());
+        for (int k = 0; k < 200; ++k) {
+            desk.document.push(randomEdit(desk.document.project(), random, 0));
+            if (random.below(5) == 0) desk.document.undoStack().undo();
+            desk.selection.prune(desk.document.project());
+        }
+        while (desk.document.undoStack().canUndo()) desk.document.undoStack().undo();
+        QCOMPARE(projectText(desk.document.project()), before);
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), 5);
+    }
+};
+
+QTEST_MAIN(ProjectTreeTest)
+#include "ProjectTreeTest.moc"
