@@ -12,7 +12,8 @@ namespace rubble {
 
 namespace {
 
-constexpr int kDigits = 4;  // that are shown; the tooltip has all
+constexpr int kDigits = 4;      // that are shown; the tooltip has all
+constexpr double kPale = 0.45;  // how much of its colour the text of a hidden fragment keeps
 
 /// A fragment with what it is sorted by.
 struct Key {
@@ -20,6 +21,14 @@ struct Key {
     double place = 0.0;  // in the tree of fragments: no two have the same
     std::uint32_t fragment = 0;
 };
+
+/// Between text and ground: not every palette's disabled text can be read.
+QColor paleText() {
+    const QPalette palette = QGuiApplication::palette();
+    const QColor text = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
+    const auto mixed = [](int a, int b) { return static_cast<int>(kPale * a + (1.0 - kPale) * b); };
+    return {mixed(text.red(), ground.red()), mixed(text.green(), ground.green()), mixed(text.blue(), ground.blue())};
+}
 
 int alignmentOf(FragmentColumn column) {
     return static_cast<int>((column == FragmentColumn::Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -113,7 +122,7 @@ QVariant FragmentModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole: return alignmentOf(column);
         case Qt::ForegroundRole:
             if (!m_isHidden[fragment]) return {};
-            return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+            return paleText();
         case Qt::FontRole: {
             if (!m_isHidden[fragment]) return {};
             QFont font;

@@ -179,7 +179,8 @@ void FragmentTable::widenColumns() {
     QHeaderView* header = m_view->horizontalHeader();
     const int least = fontMetrics().horizontalAdvance(QStringLiteral("0.0001234"));
     for (int column = 0; column < kFragmentColumns; ++column) {
-        const int width = std::max(least, header->sectionSizeHint(column)) + kCellMargin;
+        const bool isLong = FragmentColumn(column) < FragmentColumn::Aspect;
+        const int width = std::max(isLong ? least : 0, header->sectionSizeHint(column)) + kCellMargin;
         if (header->sectionSize(column) < width) header->resizeSection(column, width);
     }
 }
