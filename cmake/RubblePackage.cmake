@@ -2,7 +2,8 @@
 # tests/tools/InstallTest and PackageTest hold both against what they promise.
 
 # What the programs read while they run. Not below share/doc, which small systems leave out.
-install(DIRECTORY docs projects DESTINATION share/rubble)
+install(DIRECTORY docs DESTINATION share/rubble)
+install(DIRECTORY projects DESTINATION share/rubble FILES_MATCHING PATTERN "*.rubble")  # no locks
 install(DIRECTORY resources/schemas DESTINATION share/rubble/resources)
 
 # The README's links lead from share/doc/rubble to the same files.
@@ -45,12 +46,12 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "editor of destructible assets")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Rubble makes solids breakable: an outline with a depth, or a mesh that is
- such a prism, is cut into the Voronoi cells of seeds. The fragments are closed
- and fill the whole without gaps; they have masses, inertia, neighbours and
- collision hulls.
- .
- This package holds the editor, a command line that does the same, a manual,
- examples, and a C++ header that loads what is exported.")
+such a prism, is cut into the Voronoi cells of seeds. The fragments are closed
+and fill the whole without gaps; they have masses, inertia, neighbours and
+collision hulls.
+.
+This package holds the editor, a command line that does the same, a manual,
+examples, and a C++ header that loads what is exported.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Qt loads it as a plugin, too, which no library names.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libqt6svg6)

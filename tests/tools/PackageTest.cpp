@@ -24,7 +24,12 @@ private slots:
         QCOMPARE(field("Version"), QString(RUBBLE_VERSION));
         QCOMPARE(field("Section"), QString("graphics"));
         QVERIFY(field("Maintainer").contains('@'));
-        QVERIFY(field("Description").startsWith("editor of destructible assets\n"));
+        const QStringList description = field("Description").split('\n');
+        QCOMPARE(description.first(), QString("editor of destructible assets"));
+        QVERIFY(description.size() > 3);
+        for (const QString& line : description.mid(1)) {  // two spaces would keep lines from being filled
+            QVERIFY2(line.startsWith(' ') && !line.startsWith("  ") && line.size() <= 80, qPrintable(line));
+        }
     }
     void itDependsOnTheLibrariesOfItsPrograms() {
         const QString depends = field("Depends");
