@@ -103,7 +103,6 @@ void NumberField::refuse(const QString& sentence) {
     emit refused(sentence);
 }
 
-/// Takes what was typed; false where it is refused, which leaves the line as it is.
 bool NumberField::commit() {
     if (!lineEdit()->isModified()) return true;
     const QString text = lineEdit()->text();

@@ -50,6 +50,8 @@ public:
     double value() const { return m_value; }
     /// Shows a number; not told by `edited`.
     void setValue(double value);
+    /// Takes what was typed; false where that is refused, which leaves the line as it is.
+    bool commit();
     /// Shows that there are several numbers.
     void setMixed();
     bool isMixed() const { return m_isMixed; }
@@ -81,7 +83,6 @@ protected:
 
 private:
     void showValue();
-    bool commit();
     void refuse(const QString& sentence);
     void take(double value);
     QString rangeSentence() const;

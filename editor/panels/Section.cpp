@@ -3,16 +3,32 @@
 #include "editor/panels/ColourButton.h"
 #include "editor/panels/SliderField.h"
 
+#include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
 namespace rubble {
 
+namespace {
+
+/// Lets a panel be scrolled over combo boxes that do not have the focus.
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
+        event->ignore();
+        return true;
+    }
+};
+
+}  // namespace
+
 Section::Section(const QString& title, QWidget* parent)
     : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QFormLayout(m_body)) {
-    m_head->setText(title);
-    m_head->setToolTip(tr("Folds or unfolds \"%1\".").arg(title));
-    m_head->setAccessibleName(title);
+    setTitle(title);
+    m_head->setVisible(!title.isEmpty());
     m_head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_head->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_head->setFocusPolicy(Qt::TabFocus);
@@ -22,7 +38,7 @@ Section::Section(const QString& title, QWidget* parent)
     bold.setBold(true);
     m_head->setFont(bold);
 
-    m_rows->setContentsMargins(8, 4, 4, 10);
+    m_rows->setContentsMargins(title.isEmpty() ? QMargins() : QMargins(8, 4, 8, 10));
     m_rows->setVerticalSpacing(6);
     m_rows->setHorizontalSpacing(10);
     m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -35,6 +51,12 @@ Section::Section(const QString& title, QWidget* parent)
     layout->addWidget(m_body);
     connect(m_head, &QToolButton::toggled, this, [this](bool isOpen) { setFolded(!isOpen); });
     m_head->setChecked(true);
+}
+
+void Section::setTitle(const QString& title) {
+    m_head->setText(title);
+    m_head->setToolTip(tr("Fold or unfold this part: %1").arg(title));
+    m_head->setAccessibleName(title);
 }
 
 void Section::setFolded(bool isFolded) {
@@ -55,6 +77,10 @@ void Section::nameRow(const QString& label, QWidget* control, const QString& hin
     if (auto* slider = qobject_cast<SliderField*>(control)) {
         slider->setName(label);
         return slider->setHint(hint);
+    }
+    if (qobject_cast<QComboBox*>(control)) {
+        control->setFocusPolicy(Qt::StrongFocus);
+        control->installEventFilter(new WheelGuard(control));
     }
     control->setToolTip(hint);
     control->setStatusTip(hint);

@@ -6,11 +6,12 @@
 
 namespace rubble {
 
-/// A titled part of a panel that can be folded: rows of labels and controls.
+/// A titled part of a panel that can be folded: rows of labels and controls. Without a title it is only the rows.
 class Section : public QWidget {
     Q_OBJECT
 public:
     explicit Section(const QString& title, QWidget* parent = nullptr);
+    void setTitle(const QString& title);
 
     /// Adds a control with its label; both take the hint as tooltip, the control the label as accessible name.
     template <class Control>

@@ -1,0 +1,79 @@
+#include "editor/commands/Resizing.h"
+
+namespace rubble {
+
+namespace {
+
+/// A stretch along x and y that leaves one point where it is.
+struct Stretch {
+    Box2 bounds;
+    Vec2 centre;
+    Vec2 factor;
+    Vec2 size;  // that the bounds come to
+
+    /// Corners of the bounds come to the same places, however the factor is rounded.
+    double mapped(double value, int axis) const {
+        if (value == bounds.min[axis]) return centre[axis] - size[axis] / 2.0;
+        if (value == bounds.max[axis]) return centre[axis] + size[axis] / 2.0;
+        return centre[axis] + (value - centre[axis]) * factor[axis];
+    }
+    Vec2 operator()(Vec2 point) const {
+        return {factor.x == 1.0 ? point.x : mapped(point.x, 0), factor.y == 1.0 ? point.y : mapped(point.y, 1)};
+    }
+};
+
+void stretch(Ring& ring, const Stretch& map) {
+    for (Vec2& point : ring) point = map(point);
+}
+
+void stretch(Pattern& pattern, const Stretch& map) {
+    for (PatternLayer& layer : pattern.layers) {
+        for (SeedOverride& seed : layer.overrides) {
+            if (!seed.isDeleted) seed.position = map(seed.position);
+        }
+        if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
+            for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
+        }
+    }
+}
+
+/// The map of UVs that gives a stretched point what the old one gave the point.
+void stretch(AffineUv& uv, const Stretch& map) {
+    for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
+        double& a = uv.coefficients[row];
+        double& b = uv.coefficients[row + 1];
+        double& c = uv.coefficients[row + 2];
+        c += a * map.centre.x * (1.0 - 1.0 / map.factor.x) + b * map.centre.y * (1.0 - 1.0 / map.factor.y);
+        a /= map.factor.x;
+        b /= map.factor.y;
+    }
+}
+
+void stretch(Surface& surface, const Stretch& map, double factorOfDepth) {
+    stretch(surface.front.map, map);
+    stretch(surface.back.map, map);
+    for (SurfaceTriangle& triangle : surface.triangles) {
+        for (Vec3& corner : triangle.corners) corner = {map(Vec2{corner}), corner.z * factorOfDepth};
+    }
+}
+
+}  // namespace
+
+Vec3 sizeOf(const Asset& asset) { return {boundsOf(asset.prism.outline.outer).size(), asset.prism.depth}; }
+
+Asset resized(Asset asset, Vec3 size) {
+    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    const Stretch map{bounds, (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(), Vec2{size}};
+    if (asset.surface) {
+        auto surface = std::make_shared<Surface>(*asset.surface);
+        stretch(*surface, map, size.z / asset.prism.depth);
+        asset.surface = std::move(surface);
+    }
+    stretch(asset.prism.outline.outer, map);
+    for (Ring& hole : asset.prism.outline.holes) stretch(hole, map);
+    stretch(asset.pattern, map);
+    asset.prism.depth = size.z;
+    return asset;
+}
+
+}  // namespace rubble

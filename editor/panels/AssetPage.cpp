@@ -1,0 +1,144 @@
+#include "editor/panels/AssetPage.h"
+
+#include "editor/commands/Renaming.h"
+#include "editor/commands/Resizing.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kLeastUsualThreshold = 1.0;  // N·s, the slider's ends
+constexpr double kMostUsualThreshold = 1e5;
+constexpr int kSummaryDigits = 4;
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+bool isRectangle(const Ring& ring) {
+    const Box2 box = boundsOf(ring);
+    return ring.size() == 4 && std::ranges::all_of(ring, [&](Vec2 point) {
+               return (point.x == box.min.x || point.x == box.max.x) && (point.y == box.min.y || point.y == box.max.y);
+           });
+}
+
+}  // namespace
+
+AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_form(
+          document, [this] { return chosen(); }, pushOf<Asset>(document)) {
+    auto* asset = new Section(tr("Asset"), this);
+    auto* shape = new Section(tr("Shape"), this);
+    auto* pattern = new Section(tr("Pattern"), this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (Section* section : {asset, shape, pattern}) layout->addWidget(section);
+    layout->addStretch();
+    m_form.setFault([this](const Asset& value) { return faultOf(value); });
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    buildAsset(*asset);
+    buildShape(*shape);
+    m_pattern = new PatternEditor(document);
+    pattern->addWide(m_pattern);
+    connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+}
+
+std::vector<Asset> AssetPage::chosen() const {
+    const Asset* asset = findAsset(m_document.project(), m_selection.asset());
+    return asset ? std::vector{*asset} : std::vector<Asset>{};
+}
+
+QString AssetPage::faultOf(const Asset& asset) const {
+    const QString name = nameFault(m_document.project(), Part::Asset, asset.id, textOf(asset.name));
+    if (!name.isEmpty()) return name;
+    const Result<Prism> prism = validated(asset.prism);
+    return prism ? QString() : textOf(prism.error().message);
+}
+
+void AssetPage::buildAsset(Section& section) {
+    auto* name = section.addRow(tr("Name"), new QLineEdit, tr("What the asset is called, here and in exports"));
+    m_form.bind(
+        name, tr("Rename"), [](const Asset& asset) { return textOf(asset.name); },
+        [](Asset& asset, const QString& entered) { asset.name = entered.trimmed().toStdString(); });
+    m_material = section.addRow(tr("Material"), new QComboBox, tr("What the asset is made of"));
+    m_form.bind(m_material, tr("Set material"), &Asset::material);
+    auto* threshold = section.addRow(
+        tr("Threshold"),
+        new SliderField(NumberRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        tr("The impulse of a blow at which it breaks"));
+    threshold->setFormat({tr("N·s"), 0});
+    m_form.bind(threshold, tr("Set threshold"), &Asset::threshold);
+    auto* scale = section.addRow(tr("Inside UVs"), new NumberField,
+                                 tr("How often a texture repeats in a metre of the faces where it broke"));
+    scale->setFormat({tr("per m"), 0});
+    scale->setRange(NumberRange::aboveZero());
+    m_form.bind(scale, tr("Set inside UV scale"), &Asset::insideUvScale);
+}
+
+void AssetPage::buildShape(Section& section) {
+    m_summary = new QLabel;
+    m_summary->setWordWrap(true);
+    m_summary->setToolTip(tr("The outline, and what the whole weighs"));
+    section.addWide(m_summary);
+    const QStringList names{tr("Width"), tr("Height"), tr("Depth")};
+    const QStringList hints{tr("Stretches the outline along x"), tr("Stretches the outline along y"),
+                            tr("How thick the prism is, along z")};
+    for (int axis = 0; axis < 3; ++axis) {
+        auto* field = section.addRow(names[axis], new NumberField, hints[axis]);
+        field->setRange(NumberRange::aboveZero());
+        m_form.bind(
+            field, tr("Resize"), [axis](const Asset& asset) { return sizeOf(asset)[axis]; },
+            [axis](Asset& asset, double entered) {
+                Vec3 size = sizeOf(asset);
+                size[axis] = entered;
+                asset = resized(std::move(asset), size);
+            });
+        m_size[static_cast<std::size_t>(axis)] = field;
+    }
+    m_outline = new OutlineEditor(m_document);
+    section.addWide(m_outline);
+    connect(m_outline, &OutlineEditor::refused, this, &AssetPage::refused);
+}
+
+QString AssetPage::summary(const Asset& asset) const {
+    const Polygon& outline = asset.prism.outline;
+    const auto text = [&](double value, const NumberFormat& format) {
+        return withUnit(roundedText(value, kSummaryDigits, format, locale()), format);
+    };
+    const double size = area(outline);
+    const Material* material = findMaterial(m_document.project(), asset.material);
+    const double mass = size * asset.prism.depth * (material ? material->density : 0.0);
+    QString kind = isRectangle(outline.outer) ? tr("Rectangle") : tr("%1 points").arg(outline.outer.size());
+    if (outline.outer.size() == 3) kind = tr("Triangle");
+    if (outline.holes.size() == 1) kind = tr("%1, one hole").arg(kind);
+    if (outline.holes.size() > 1) kind = tr("%1, %2 holes").arg(kind).arg(outline.holes.size());
+    return tr("%1 · %2 · %3 · %4")
+        .arg(kind, text(size, m_units.areas()), text(size * asset.prism.depth, m_units.volumes()),
+             text(mass, {tr("kg"), 0}));
+}
+
+void AssetPage::setUnits(const Units& units) {
+    m_units = units;
+    for (NumberField* field : m_size) field->setFormat(units.lengths());
+    m_outline->setUnits(units);
+    m_pattern->setUnits(units);
+}
+
+void AssetPage::refresh() {
+    m_material->clear();
+    for (const Material& material : m_document.project().materials) {
+        m_material->addItem(swatchIcon(material.outside), textOf(material.name), material.id);
+    }
+    m_form.refresh();
+    const std::vector<Asset> assets = chosen();
+    m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
+    m_outline->refresh(m_selection.asset());
+    m_pattern->refresh(m_selection.asset());
+}
+
+}  // namespace rubble

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "editor/document/Selection.h"
+#include "editor/panels/OutlineEditor.h"
+#include "editor/panels/PatternEditor.h"
+
+#include <array>
+
+namespace rubble {
+
+/// The inspector's page for the asset at hand: what it is, its shape and its pattern.
+class AssetPage : public QWidget {
+    Q_OBJECT
+public:
+    AssetPage(Document& document, const Selection& selection, QWidget* parent = nullptr);
+
+    void refresh();
+    void setUnits(const Units& units);
+
+signals:
+    void refused(const QString& sentence);
+
+private:
+    std::vector<Asset> chosen() const;
+    QString faultOf(const Asset& asset) const;
+    void buildAsset(Section& section);
+    void buildShape(Section& section);
+    QString summary(const Asset& asset) const;
+
+    Document& m_document;
+    const Selection& m_selection;
+    Units m_units;
+    Form<Asset> m_form;
+    QComboBox* m_material = nullptr;
+    QLabel* m_summary = nullptr;
+    std::array<NumberField*, 3> m_size{};
+    OutlineEditor* m_outline = nullptr;
+    PatternEditor* m_pattern = nullptr;
+};
+
+}  // namespace rubble

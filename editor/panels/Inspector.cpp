@@ -1,0 +1,86 @@
+#include "editor/panels/Inspector.h"
+
+#include "editor/panels/AssetPage.h"
+#include "editor/panels/InstancePage.h"
+#include "editor/panels/MaterialPage.h"
+#include "editor/panels/ScenePage.h"
+
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+/// A page in a scroll area of its own, so that each keeps where it was scrolled to.
+QScrollArea* scrolled(QWidget* page) {
+    auto* area = new QScrollArea;
+    area->setWidget(page);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    return area;
+}
+
+}  // namespace
+
+Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_asset(new AssetPage(document, selection)),
+      m_material(new MaterialPage(document, selection)),
+      m_instance(new InstancePage(document, selection)),
+      m_scene(new ScenePage(document)),
+      m_pages(new QStackedWidget(this)) {
+    for (QWidget* page : {static_cast<QWidget*>(m_asset), static_cast<QWidget*>(m_material),
+                          static_cast<QWidget*>(m_instance), static_cast<QWidget*>(m_scene)}) {
+        m_pages->addWidget(scrolled(page));
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+    setUnits({});
+    connect(m_asset, &AssetPage::refused, this, &Inspector::refused);
+    connect(m_material, &MaterialPage::refused, this, &Inspector::refused);
+    connect(m_instance, &InstancePage::refused, this, &Inspector::refused);
+    connect(&document, &Document::changed, this, &Inspector::refresh);
+    connect(&selection, &Selection::subjectChanged, this, &Inspector::showSubject);
+    connect(&selection, &Selection::assetChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::materialChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::instancesChanged, this, &Inspector::refresh);
+    showSubject();
+}
+
+QWidget& Inspector::page() { return *static_cast<QScrollArea*>(m_pages->currentWidget())->widget(); }
+
+void Inspector::showSubject() {
+    switch (m_selection.subject()) {
+        case Part::Asset: m_pages->setCurrentIndex(0); break;
+        case Part::Material: m_pages->setCurrentIndex(1); break;
+        case Part::Instance: m_pages->setCurrentIndex(2); break;
+        default: m_pages->setCurrentIndex(3); break;
+    }
+    refresh();
+}
+
+/// Only the page that is shown: the others are when they come up.
+void Inspector::refresh() {
+    switch (m_pages->currentIndex()) {
+        case 0: return m_asset->refresh();
+        case 1: return m_material->refresh();
+        case 2: return m_instance->refresh();
+        default: return m_scene->refresh();
+    }
+}
+
+void Inspector::setUnits(const Units& units) {
+    m_asset->setUnits(units);
+    m_instance->setUnits(units);
+    m_scene->setUnits(units);
+    refresh();
+}
+
+}  // namespace rubble

@@ -1,0 +1,108 @@
+#include "editor/panels/ScenePage.h"
+
+#include "editor/commands/ProjectEdits.h"
+
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMostUsualFriction = 1.5;    // the sliders' ends
+constexpr double kLeastUsualThreshold = 1.0;  // N·s
+constexpr double kMostUsualThreshold = 1e5;   // N·s
+
+}  // namespace
+
+ScenePage::ScenePage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_form(
+          document, [&] { return std::vector{sceneSettings(document.project())}; },
+          [&](const std::vector<SceneSettings>& scenes, const QString& text, quint64 stroke) {
+              document.push(altered(text, scenes.front(), stroke));
+          }) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    auto* ground = new Section(tr("Ground"), this);
+    auto* gravity = new Section(tr("Gravity"), this);
+    auto* damage = new Section(tr("Damage"), this);
+    for (Section* section : {ground, gravity, damage}) layout->addWidget(section);
+    layout->addStretch();
+    buildGround(*ground);
+    buildGravity(*gravity);
+    buildDamage(*damage);
+}
+
+void ScenePage::buildGround(Section& section) {
+    auto* isOn = new QCheckBox(tr("There is a ground"));
+    isOn->setToolTip(tr("A level plane that bodies fall on"));
+    section.addWide(isOn);
+    m_form.bind(
+        isOn, tr("Switch ground"), [](const SceneSettings& scene) { return scene.ground.isOn; },
+        [](SceneSettings& scene, bool entered) { scene.ground.isOn = entered; });
+    m_height = section.addRow(tr("Height"), new NumberField, tr("Where the ground lies along y"));
+    m_form.bind(
+        m_height, tr("Move ground"), [](const SceneSettings& scene) { return scene.ground.height; },
+        [](SceneSettings& scene, double entered) { scene.ground.height = entered; });
+    auto* friction =
+        section.addRow(tr("Friction"), new SliderField(NumberRange{.min = 0.0, .step = 0.05}, 0.0, kMostUsualFriction),
+                       tr("Coulomb's coefficient of the ground"));
+    m_form.bind(
+        friction, tr("Set friction"), [](const SceneSettings& scene) { return scene.ground.friction; },
+        [](SceneSettings& scene, double entered) { scene.ground.friction = entered; });
+    auto* restitution = section.addRow(tr("Restitution"), new SliderField(NumberRange::zeroToOne(), 0.0, 1.0),
+                                       tr("How much bodies bounce off the ground"));
+    m_form.bind(
+        restitution, tr("Set restitution"), [](const SceneSettings& scene) { return scene.ground.restitution; },
+        [](SceneSettings& scene, double entered) { scene.ground.restitution = entered; });
+    m_ofGround = {m_height, friction, restitution};
+}
+
+void ScenePage::buildGravity(Section& section) {
+    const QStringList axes{tr("Along x"), tr("Along y"), tr("Along z")};
+    for (int axis = 0; axis < 3; ++axis) {
+        auto* field = section.addRow(axes[axis], new NumberField, tr("Acceleration along this axis; y points up"));
+        field->setFormat({tr("m/s²"), 0});
+        m_form.bind(
+            field, tr("Set gravity"), [axis](const SceneSettings& scene) { return scene.gravity[axis]; },
+            [axis](SceneSettings& scene, double entered) { scene.gravity[axis] = entered; });
+    }
+}
+
+void ScenePage::buildDamage(Section& section) {
+    auto* rule = section.addRow(tr("Rule"), new QComboBox,
+                                tr("Impact: a body breaks by the impulse of a blow. Momentum: by its own motion"));
+    rule->addItem(tr("Impact"), static_cast<Id>(DamageRule::Impact));
+    rule->addItem(tr("Momentum"), static_cast<Id>(DamageRule::Momentum));
+    m_form.bind(
+        rule, tr("Set damage rule"), [](const SceneSettings& scene) { return static_cast<Id>(scene.damage.rule); },
+        [](SceneSettings& scene, Id entered) { scene.damage.rule = static_cast<DamageRule>(entered); });
+    m_rule = rule;
+    auto* isThesis = new QCheckBox(tr("As in the thesis"));
+    isThesis->setToolTip(tr("To compare: one threshold for all, momentum rule, 100 kg a piece, no payment"));
+    section.addWide(isThesis);
+    m_form.bind(
+        isThesis, tr("Switch thesis preset"), [](const SceneSettings& scene) { return scene.damage.isThesis; },
+        [](SceneSettings& scene, bool entered) { scene.damage.isThesis = entered; });
+    auto* threshold = section.addRow(
+        tr("Threshold"),
+        new SliderField(NumberRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        tr("What every body withstands, as in the thesis"));
+    threshold->setFormat({tr("N·s"), 0});
+    m_form.bind(
+        threshold, tr("Set threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
+        [](SceneSettings& scene, double entered) { scene.damage.thesisThreshold = entered; });
+    m_thesisThreshold = threshold;
+}
+
+void ScenePage::refresh() {
+    m_form.refresh();
+    const Project& project = m_document.project();
+    for (QWidget* control : m_ofGround) control->setEnabled(project.ground.isOn);
+    m_rule->setEnabled(!project.damage.isThesis);
+    m_thesisThreshold->setEnabled(project.damage.isThesis);
+}
+
+}  // namespace rubble
