@@ -14,9 +14,8 @@ constexpr double kDensityOfStone = 2400.0;  // kg/m^3
 constexpr std::uint32_t kSeedsOfLevel = 4;  // in each fragment of a new level
 constexpr double kGapBetweenAssets = 0.25;  // m, between a new asset and what is in the scene already
 
-QString tr(const char* text, int count = -1) {
-    return QCoreApplication::translate("ProjectEdits", text, nullptr, count);
-}
+QString tr(const char* text) { return QCoreApplication::translate("ProjectEdits", text); }
+QString tr(const char* one, const char* many, std::size_t count) { return count == 1 ? tr(one) : tr(many).arg(count); }
 
 bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
 
@@ -80,11 +79,44 @@ Id firstMaterial(const Project& project, Edit& edit) {
     return project.materials.empty() ? appendMaterial(project, "stone", edit) : project.materials.front().id;
 }
 
+Id appendInstance(const Project& project, const Asset& asset, Edit& edit) {
+    const Id id = edit.takeId(project);
+    edit.swaps.push_back(Swap<Instance>{id, Instance{.id = id,
+                                                     .name = freeName(project.instances, asset.name),
+                                                     .asset = asset.id,
+                                                     .pose = besideAll(project, asset)}});
+    return id;
+}
+
+/// Swaps for the things of one kind that are not the same in both lists.
+template <class Value>
+void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to, Edit& edit) {
+    for (const Value& value : to) {
+        const auto before = std::ranges::find(from, value.id, &Value::id);
+        if (before == from.end() || !(*before == value)) edit.swaps.push_back(Swap<Value>{value.id, value});
+    }
+    for (const Value& value : from) {
+        if (std::ranges::find(to, value.id, &Value::id) == to.end()) addRemoval<Value>(value.id, edit);
+    }
+}
+
 void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit) {
     for (PatternLayer& layer : pattern.layers) layer.id = edit.takeId(project);
 }
 
 }  // namespace
+
+Edit editBetween(const QString& text, const Project& from, const Project& to) {
+    Edit edit{.text = text};
+    addDifferences(from.materials, to.materials, edit);
+    addDifferences(from.assets, to.assets, edit);
+    addDifferences(from.instances, to.instances, edit);
+    addDifferences(from.shots, to.shots, edit);
+    addDifferences(from.playTests, to.playTests, edit);
+    if (sceneSettings(from) != sceneSettings(to)) edit.swaps.push_back(sceneSettings(to));
+    if (from.nextId != to.nextId) edit.nextId = to.nextId;
+    return edit;
+}
 
 Addition addAsset(const Project& project, const std::string& name, const Prism& prism) {
     Addition addition{{.text = tr("Add asset")}};
@@ -93,11 +125,7 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
     asset.id = addition.id = addition.edit.takeId(project);
     const Id layer = addition.edit.takeId(project);
     asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};
-    const Id instance = addition.edit.takeId(project);
-    addition.edit.swaps.push_back(Swap<Instance>{instance, Instance{.id = instance,
-                                                                    .name = freeName(project.instances, asset.name),
-                                                                    .asset = asset.id,
-                                                                    .pose = besideAll(project, asset)}});
+    appendInstance(project, asset, addition.edit);
     addition.edit.swaps.push_back(Swap<Asset>{addition.id, std::move(asset)});
     return addition;
 }
@@ -114,7 +142,7 @@ Addition duplicateAsset(const Project& project, Id source) {
 }
 
 Edit removeAssets(const Project& project, std::span<const Id> assets) {
-    Edit edit{.text = tr("Delete %n asset(s)", static_cast<int>(assets.size()))};
+    Edit edit{.text = tr("Delete asset", "Delete %1 assets", assets.size())};
     std::vector<Id> instances;
     for (const Instance& instance : project.instances) {
         if (isAmong(assets, instance.asset)) instances.push_back(instance.id);
@@ -155,17 +183,14 @@ Edit removeMaterial(const Project& project, Id material) {
     return edit;
 }
 
-Addition addInstance(const Project& project, Id asset, const Pose& pose) {
+Addition addInstance(const Project& project, Id asset) {
     Addition addition{{.text = tr("Add instance")}};
-    addition.id = addition.edit.takeId(project);
-    const std::string name = freeName(project.instances, elementWith(project.assets, asset).name);
-    addition.edit.swaps = {
-        Swap<Instance>{addition.id, Instance{.id = addition.id, .name = name, .asset = asset, .pose = pose}}};
+    addition.id = appendInstance(project, elementWith(project.assets, asset), addition.edit);
     return addition;
 }
 
 Edit duplicateInstances(const Project& project, std::span<const Id> instances, Vec3 by) {
-    Edit edit{.text = tr("Duplicate %n instance(s)", static_cast<int>(instances.size()))};
+    Edit edit{.text = tr("Duplicate instance", "Duplicate %1 instances", instances.size())};
     std::vector<Instance> all = project.instances;  // names of copies are taken, too
     for (const Id id : instances) {
         Instance copy = elementWith(project.instances, id);
@@ -179,7 +204,7 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 }
 
 Edit removeInstances(const Project& project, std::span<const Id> instances) {
-    Edit edit{.text = tr("Delete %n instance(s)", static_cast<int>(instances.size()))};
+    Edit edit{.text = tr("Delete instance", "Delete %1 instances", instances.size())};
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     removeFromPlayTests(project, instances, {}, edit);
     return edit;

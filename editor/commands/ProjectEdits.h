@@ -18,6 +18,9 @@ inline Edit altered(const QString& text, const SceneSettings& scene, quint64 str
     return {.text = text, .swaps = {scene}, .stroke = stroke};
 }
 
+/// What turns one project into another: an import, say.
+Edit editBetween(const QString& text, const Project& from, const Project& to);
+
 /// An edit that adds a thing, and its id.
 struct Addition {
     Edit edit;
@@ -39,8 +42,8 @@ Addition duplicateMaterial(const Project& project, Id source);
 /// Removes a material; assets of it take the first of the others. Nothing where it is the last one.
 Edit removeMaterial(const Project& project, Id material);
 
-/// Adds an instance of an asset at a pose.
-Addition addInstance(const Project& project, Id asset, const Pose& pose);
+/// Adds an instance of an asset, standing on the ground beside what is in the scene.
+Addition addInstance(const Project& project, Id asset);
 /// Adds a copy of each instance, moved along.
 Edit duplicateInstances(const Project& project, std::span<const Id> instances, Vec3 by);
 /// Removes instances and the expectations that name them.

@@ -69,9 +69,8 @@ Autosave::Autosave(const Document& document, const QString& folder, QObject* par
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::writeNow);
     connect(&document, &Document::changed, this, &Autosave::noteChange);
-    connect(&document, &Document::modifiedChanged, this, [this](bool isModified) {
-        if (!isModified) dropBackup();
-    });
+    connect(&document, &Document::modifiedChanged, this,
+            [this](bool isModified) { isModified ? noteChange() : dropBackup(); });
 }
 
 Autosave::~Autosave() { dropBackup(); }

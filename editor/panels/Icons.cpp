@@ -1,23 +1,9 @@
 #include "editor/panels/Icons.h"
 
-#include <QApplication>
-#include <QFile>
 #include <QMenu>
-#include <QStyle>
 #include <QToolButton>
 
 namespace rubble {
-
-QIcon iconNamed(const QString& name) {
-    const QString path = ":/icons/" + name + ".svg";
-    return QFile::exists(path) ? QIcon(path) : QIcon();
-}
-
-QIcon iconNamed(const QString& name, int standardPixmap) {
-    const QIcon icon = iconNamed(name);
-    return icon.isNull() ? QApplication::style()->standardIcon(static_cast<QStyle::StandardPixmap>(standardPixmap))
-                         : icon;
-}
 
 QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const QString& hint,
                     const std::function<void()>& function) {

@@ -1,19 +1,17 @@
 #pragma once
 
-#include <QIcon>
+#include "editor/icons/Icon.h"
+
+#include <QString>
 
 #include <functional>
 
 class QAction;
 class QMenu;
 class QToolButton;
+class QWidget;
 
 namespace rubble {
-
-/// The program's icon with a name, ":/icons/<name>.svg"; an empty one where there is none.
-QIcon iconNamed(const QString& name);
-/// The same; the style's where there is none of ours.
-QIcon iconNamed(const QString& name, int standardPixmap);
 
 /// An action of a menu with its tooltip.
 QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const QString& hint,

@@ -229,10 +229,7 @@ void ProjectTree::addAsset(const Polygon& outline, const QString& name) {
 
 void ProjectTree::addInstance() {
     if (m_selection.asset() == 0) return refuse(tr("There is no asset to place. Add one first."));
-    const Asset& asset = *findAsset(m_document.project(), m_selection.asset());
-    const double bottom = boundsOf(asset.prism.outline.outer).min.y;
-    const Pose pose{.position = {0.0, m_document.project().ground.height - bottom, 0.0}};
-    Addition addition = rubble::addInstance(m_document.project(), asset.id, pose);
+    Addition addition = rubble::addInstance(m_document.project(), m_selection.asset());
     m_document.push(std::move(addition.edit));
     choose({Kind::Instance, addition.id});
 }

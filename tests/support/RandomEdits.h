@@ -20,7 +20,7 @@ inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
         case 2: return removeAssets(project, std::vector{asset.id});
         case 3: return addMaterial(project, "stone").edit;
         case 4: return removeMaterial(project, project.materials[below(project.materials.size())].id);
-        case 5: return addInstance(project, asset.id, {.position = {random.unit(), 0.0, 0.0}}).edit;
+        case 5: return addInstance(project, asset.id).edit;
         case 6: return addLayer(project, asset.id, PlacedSeeds{{{0, {0.1, 0.1}}}}).edit;
         case 7:
             if (project.instances.empty()) return {};

@@ -1,0 +1,145 @@
+#include "editor/AssetActions.h"
+
+#include "core/geometry/OutlineShapes.h"
+#include "editor/Action.h"
+#include "editor/MainWindow.h"
+#include "editor/ShapeDialog.h"
+#include "editor/Views.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QMenu>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kDistanceShare = 0.15;  // of the outline's diameter: how far a new blue noise keeps its seeds apart
+
+}  // namespace
+
+AssetActions::AssetActions(MainWindow& window)
+    : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Asset"), &window)) {
+    m_rectangle = add({"shape-rectangle", tr("Add &Rectangle…"), tr("Add a box: a rectangle with a depth")},
+                      &AssetActions::addRectangle);
+    m_triangle = add({"shape-triangle", tr("Add &Triangle…"), tr("Add a gable: an isosceles triangle with a depth")},
+                     &AssetActions::addTriangle);
+    m_polygon = add({"shape-polygon", tr("Add &Polygon…"), tr("Add a column: a regular polygon with a depth")},
+                    &AssetActions::addPolygon);
+    m_draw = add({"shape-draw", tr("&Draw Outline…"), tr("Add a prism whose outline you draw point by point")},
+                 &AssetActions::drawOutline);
+    m_menu->addSeparator();
+    QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
+    const auto addToLayers = [&](const ActionLook& look, void (AssetActions::*slot)()) {
+        QAction* action = makeAction(this, look);
+        connect(action, &QAction::triggered, this, slot);
+        layers->addAction(action);
+        m_forAsset.append(action);
+    };
+    addToLayers({"layer-uniform", tr("&Scatter"), tr("Add seeds thrown evenly at random")}, &AssetActions::scatter);
+    addToLayers({"layer-blue-noise", tr("Scatter with &Distance"), tr("Add random seeds that keep a distance")},
+                &AssetActions::blueNoise);
+    addToLayers({"layer-placed", tr("&Placed Seeds"), tr("Add a layer for seeds placed by hand")},
+                &AssetActions::placed);
+    addToLayers({"layer-lloyd", tr("&Relax"), tr("Even out the scattered seeds of the layers above")},
+                &AssetActions::relax);
+    m_forAsset +=
+        {add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),
+              QKeySequence("Ctrl+R")},
+             &AssetActions::shuffle),
+         add({"asset-duplicate", tr("D&uplicate Asset"), tr("Add a copy of the asset at hand"), QKeySequence("Ctrl+D")},
+             &AssetActions::duplicate),
+         add({"instance-add", tr("Place &Instance"), tr("Stand the asset at hand in the scene once more")},
+             &AssetActions::place),
+         add({"asset-delete", tr("De&lete Asset"), tr("Delete the asset at hand and its instances")},
+             &AssetActions::remove)};
+    connect(&window.workspace().selection(), &Selection::assetChanged, this, &AssetActions::update);
+    update();
+}
+
+QAction* AssetActions::add(const ActionLook& look, void (AssetActions::*slot)()) {
+    QAction* action = makeAction(this, look);
+    connect(action, &QAction::triggered, this, slot);
+    m_menu->addAction(action);
+    return action;
+}
+
+void AssetActions::addRectangle() {
+    ShapeDialog dialog(tr("Add Rectangle"), {{tr("&Width:"), 1.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
+                       &m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    addShape(tr("wall"), rectangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
+}
+
+void AssetActions::addTriangle() {
+    ShapeDialog dialog(tr("Add Triangle"), {{tr("&Base:"), 2.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
+                       &m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    addShape(tr("gable"), isoscelesTriangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
+}
+
+void AssetActions::addPolygon() {
+    ShapeDialog dialog(tr("Add Polygon"), {{tr("D&iameter:"), 1.0}, {tr("&Depth:"), 1.0}}, &m_window);
+    dialog.askCorners(8);
+    if (dialog.exec() != QDialog::Accepted) return;
+    addShape(tr("column"), regularPolygonOutline(dialog.corners(), dialog.length(0)), dialog.length(1));
+}
+
+void AssetActions::drawOutline() {
+    m_window.showWork();
+    m_window.views().drawNewOutline();
+}
+
+void AssetActions::addShape(const QString& name, const Polygon& outline, double depth) {
+    m_window.showWork();
+    Addition added = addAsset(m_window.workspace().project(), name.toStdString(), {outline, depth});
+    m_window.workspace().document().push(std::move(added.edit));
+    m_window.workspace().selection().setAsset(added.id);
+    m_window.views().fit();
+}
+
+void AssetActions::scatter() { addLayerOf(UniformScatter{}); }
+
+void AssetActions::blueNoise() {
+    const double diameter = boundsOf(m_window.workspace().asset()->prism.outline.outer).diagonal();
+    addLayerOf(BlueNoise{.minimumDistance = kDistanceShare * diameter});
+}
+
+void AssetActions::placed() { addLayerOf(PlacedSeeds{}); }
+
+void AssetActions::relax() { addLayerOf(LloydRelaxation{}); }
+
+void AssetActions::addLayerOf(const LayerParameters& parameters) {
+    Workspace& workspace = m_window.workspace();
+    workspace.document().push(addLayer(workspace.project(), workspace.selection().asset(), parameters).edit);
+}
+
+void AssetActions::shuffle() {
+    Asset asset = *m_window.workspace().asset();
+    for (PatternLayer& layer : asset.pattern.layers) ++layer.randomSeed;
+    m_window.workspace().document().push(altered(tr("Scatter again"), std::move(asset)));
+}
+
+void AssetActions::duplicate() {
+    Workspace& workspace = m_window.workspace();
+    Addition added = duplicateAsset(workspace.project(), workspace.selection().asset());
+    workspace.document().push(std::move(added.edit));
+    workspace.selection().setAsset(added.id);
+}
+
+void AssetActions::place() {
+    Workspace& workspace = m_window.workspace();
+    Addition added = addInstance(workspace.project(), workspace.selection().asset());
+    workspace.document().push(std::move(added.edit));
+    workspace.selection().setInstances(workspace.project(), {added.id});
+}
+
+void AssetActions::remove() {
+    Workspace& workspace = m_window.workspace();
+    workspace.document().push(removeAssets(workspace.project(), std::vector{workspace.selection().asset()}));
+}
+
+void AssetActions::update() {
+    for (QAction* action : m_forAsset) action->setEnabled(m_window.workspace().asset() != nullptr);
+}
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/io/PackMeshes.h"
+#include "editor/Workspace.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace rubble {
+
+/// What an export writes and where.
+struct ExportChoice {
+    QString folder;
+    std::vector<Id> assets;  // none: all
+    MeshOptions meshes;
+};
+
+/// How the project was exported last; kept beside the preferences, by the project's path. None where it never was.
+std::optional<ExportChoice> lastExport(Workspace& workspace);
+
+/// Exports, with progress and a way to cancel, and keeps the choice as the project's last. Gives a sentence that says what
+/// was done or why not; reports of assets and faults go to the user in a box where there are any.
+QString exported(Workspace& workspace, const ExportChoice& choice, QWidget* parent);
+
+/// Asks what to export, and shows what will be written.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    ExportDialog(Workspace& workspace, QWidget* parent);
+    ExportChoice choice() const;
+
+private:
+    void makeFields();
+    void show(const ExportChoice& choice);
+    void browse();
+    void update();
+
+    Workspace& m_workspace;
+    QListWidget* m_assets;
+    QLineEdit* m_folder;
+    QCheckBox* m_obj;
+    QCheckBox* m_glb;
+    QComboBox* m_split;
+    QComboBox* m_place;
+    QComboBox* m_faces;
+    QLabel* m_summary;
+    QPushButton* m_export = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,182 @@
+#include "editor/ImportDialog.h"
+
+#include "core/io/MeshImport.h"
+#include "editor/OutlinePreview.h"
+#include "editor/TaskDialog.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace rubble {
+
+namespace {
+
+enum Column { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
+
+QString text(const std::string& sentence) { return QString::fromStdString(sentence); }
+
+QComboBox* choices(const QStringList& labels, const QString& tip) {
+    auto* box = new QComboBox;
+    box->addItems(labels);
+    box->setToolTip(tip);
+    return box;
+}
+
+/// A file's unit in metres; none: as the file says.
+std::optional<double> metresOf(int unit) {
+    constexpr std::array kMetres = {0.0, 1.0, 0.01, 0.001, 0.0254, 0.3048};
+    if (unit <= 0) return std::nullopt;
+    return kMetres[static_cast<std::size_t>(unit)];
+}
+
+QString sizeText(const FoundPrism& prism) {
+    const Vec2 size = boundsOf(prism.outline.outer).size();
+    return text(lengthText(size.x) + " × " + lengthText(size.y));
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& path, const Project& project, QWidget* parent)
+    : QDialog(parent), m_path(path), m_project(project) {
+    setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
+    makeFields();
+    for (QComboBox* box : {m_unit, m_up, m_axis, m_fallback}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::update);
+    }
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
+}
+
+bool ImportDialog::read() {
+    const QString name = QFileInfo(m_path).fileName();
+    TaskDialog dialog(tr("Reading %1…").arg(name), parentWidget());
+    const std::filesystem::path importer = importerBeside(QApplication::applicationDirPath().toStdString());
+    Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
+        [&](const TaskContext& task) { return rubble::importMesh(m_path.toStdString(), importer, task); });
+    if (scene) {
+        m_scene = std::move(*scene);
+        update();
+        return true;
+    }
+    if (scene.error().code != ErrorCode::Cancelled) {
+        QMessageBox::warning(parentWidget(), QApplication::applicationDisplayName(), text(scene.error().message));
+    }
+    return false;
+}
+
+Edit ImportDialog::edit() const {
+    return editBetween(tr("Import %1").arg(QFileInfo(m_path).fileName()), m_project, m_outcome->project);
+}
+
+Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
+
+void ImportDialog::makeFields() {
+    m_found = new QLabel;
+    m_found->setWordWrap(true);
+    m_unit =
+        choices({tr("As the file says"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
+                tr("What one unit of the file is"));
+    m_up = choices({tr("Y"), tr("Z")}, tr("Which axis of the file points up"));
+    m_axis = choices({tr("Where it is thinnest"), tr("X"), tr("Y (up)"), tr("Z")},
+                     tr("Along which axis of the world the outline is extruded"));
+    m_fallback = choices({tr("Refuse it"), tr("Take its silhouette"), tr("Take its top face")},
+                         tr("What to do with an object that is no prism"));
+    m_table = new QTableWidget(0, kColumns);
+    m_table->setHorizontalHeaderLabels({tr("Asset"), tr("Outline"), tr("Depth"), tr("Axis"), tr("Tolerance")});
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setAccessibleName(tr("Assets found"));
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    m_preview = new OutlinePreview;
+    m_notes = new QLabel;
+    m_notes->setWordWrap(true);
+    m_notes->setTextFormat(Qt::PlainText);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    m_import->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Unit:"), m_unit);
+    form->addRow(tr("U&p:"), m_up);
+    form->addRow(tr("&Extrude along:"), m_axis);
+    form->addRow(tr("&No prism:"), m_fallback);
+    auto* top = new QHBoxLayout;
+    top->addLayout(form, 1);
+    top->addWidget(m_preview);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_found);
+    layout->addLayout(top);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_notes);
+    layout->addWidget(buttons);
+    resize(640, 560);
+}
+
+ImportOptions ImportDialog::options() const {
+    ImportOptions options{.metresPerUnit = metresOf(m_unit->currentIndex())};
+    options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    options.axis = static_cast<AxisChoice>(m_axis->currentIndex());
+    if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
+    if (m_fallback->currentIndex() == 2) options.fallback = PrismFallback::TopCap;
+    return options;
+}
+
+void ImportDialog::update() {
+    std::size_t triangles = 0;
+    for (const SourceObject& object : m_scene.objects) triangles += object.triangles.size();
+    const QString unit = m_scene.metresPerUnit > 0.0
+                             ? tr("one unit is %1").arg(text(lengthText(m_scene.metresPerUnit)))
+                             : tr("it does not say its unit: metres, unless you choose another");
+    m_found->setText(
+        tr("The file holds %1 objects of %2 triangles; %3.").arg(m_scene.objects.size()).arg(triangles).arg(unit));
+    Result<ImportOutcome> outcome =
+        importedInto(m_project, m_scene, QFileInfo(m_path).completeBaseName().toStdString(), options(), TaskContext{});
+    m_outcome.reset();
+    if (outcome) m_outcome = std::move(*outcome);
+    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
+    m_notes->setText(outcome ? QString() : text(outcome.error().message));
+    fillTable();
+}
+
+void ImportDialog::fillTable() {
+    m_table->setRowCount(0);
+    m_preview->setOutline({});
+    if (!m_outcome) return;
+    m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ImportedAsset& found = m_outcome->assets[static_cast<std::size_t>(row)];
+        const QStringList cells = {text(findAsset(m_outcome->project, found.asset)->name), sizeText(found.prism),
+                                   text(lengthText(found.prism.depth)), text(axisText(found.prism.axis)),
+                                   text(lengthText(found.tolerance))};
+        for (int column = 0; column < kColumns; ++column) {
+            m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
+        }
+    }
+    m_table->setCurrentCell(0, kName);
+}
+
+void ImportDialog::showRow(int row) {
+    if (!m_outcome || row < 0) return;
+    const ImportedAsset& found = m_outcome->assets[static_cast<std::size_t>(row)];
+    m_preview->setOutline(found.prism.outline);
+    QStringList notes;
+    for (const std::string& note : found.notes) notes.append(text(note));
+    if (!found.isStandIn) {
+        notes.append(tr("The mesh lies within %1 of the prism.").arg(text(lengthText(found.prism.deviation))));
+    }
+    m_notes->setText(notes.join('\n'));
+}
+
+}  // namespace rubble

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "editor/Workspace.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolBar;
+
+namespace rubble {
+
+class AssetActions;
+class EditActions;
+class FileActions;
+class HelpActions;
+class Program;
+class ViewActions;
+class Views;
+
+/// A window with one project: menus, toolbars, docks, the pattern canvas and the 3D view; or the start page, as long as
+/// there is nothing to show.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    MainWindow(Program& program, Project project);
+    ~MainWindow() override;
+
+    Workspace& workspace() { return m_workspace; }
+    Program& program() { return m_program; }
+    Views& views() { return *m_views; }
+    FileActions& fileActions() { return *m_fileActions; }
+    AssetActions& assetActions() { return *m_assetActions; }
+
+    /// Nothing was opened or edited in it yet: another project may take its place.
+    bool isPristine() const;
+    /// Leaves the start page.
+    void showWork();
+    /// One sentence for a while in the status bar.
+    void say(const QString& sentence);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void makeToolBars();
+    void makeStatusBar();
+    void updateTitle();
+    void updateCounts();
+    void showProgress(Id asset, double fraction);
+    void askAboutChangeOnDisk();
+
+    Program& m_program;
+    Workspace m_workspace;
+    QStackedWidget* m_pages = nullptr;
+    Views* m_views = nullptr;
+    FileActions* m_fileActions = nullptr;
+    EditActions* m_editActions = nullptr;
+    AssetActions* m_assetActions = nullptr;
+    ViewActions* m_viewActions = nullptr;
+    HelpActions* m_helpActions = nullptr;
+    QList<QToolBar*> m_toolBars;
+    QLabel* m_hint = nullptr;
+    QLabel* m_place = nullptr;
+    QLabel* m_counts = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QWidget* m_cancelBake = nullptr;
+    bool m_isShowingWork = false;
+};
+
+}  // namespace rubble

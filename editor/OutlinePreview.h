@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/geometry/Polygon.h"
+
+#include <QWidget>
+
+namespace rubble {
+
+/// A small picture of an outline, as large as fits.
+class OutlinePreview : public QWidget {
+    Q_OBJECT
+public:
+    explicit OutlinePreview(QWidget* parent = nullptr);
+    void setOutline(const Polygon& outline);
+    QSize sizeHint() const override { return {220, 220}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Polygon m_outline;
+};
+
+}  // namespace rubble

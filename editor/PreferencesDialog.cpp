@@ -1,0 +1,96 @@
+#include "editor/PreferencesDialog.h"
+
+#include "editor/Program.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include <bit>
+
+namespace rubble {
+
+namespace {
+
+QComboBox* choices(const QStringList& labels, const QString& tip) {
+    auto* box = new QComboBox;
+    box->addItems(labels);
+    box->setToolTip(tip);
+    return box;
+}
+
+}  // namespace
+
+PreferencesDialog::PreferencesDialog(Program& program, QWidget* parent)
+    : QDialog(parent), m_program(program), m_before(program.preferences()) {
+    setWindowTitle(tr("Preferences"));
+    makeFields();
+    show(m_before);
+    for (QComboBox* box : {m_theme, m_unit, m_navigation, m_msaa}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::apply);
+    }
+    connect(m_smooth, &QCheckBox::toggled, this, &PreferencesDialog::apply);
+    connect(m_autosave, &QSpinBox::valueChanged, this, &PreferencesDialog::apply);
+}
+
+void PreferencesDialog::makeFields() {
+    m_theme =
+        choices({tr("As the desktop"), tr("Light"), tr("Dark")}, tr("The colours of windows, canvas and 3D view"));
+    m_unit = choices({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
+                     tr("In what lengths are shown and typed; files hold metres always"));
+    m_navigation = choices({tr("Like Blender: middle button turns, Shift moves"), tr("Like Maya: Alt and the buttons")},
+                           tr("How the mouse moves the 3D view"));
+    m_smooth = new QCheckBox(tr("Move smoothly to another view"));
+    m_smooth->setToolTip(tr("The 3D view glides to a new place instead of jumping"));
+    m_msaa = choices({tr("Off"), tr("2×"), tr("4×"), tr("8×")},
+                     tr("Smooth edges in the 3D view; off is quicker without a graphics card"));
+    m_autosave = new QSpinBox;
+    m_autosave->setRange(0, 3600);
+    m_autosave->setSuffix(tr(" s"));
+    m_autosave->setSpecialValueText(tr("Never"));
+    m_autosave->setToolTip(tr("How long after a change a backup is written, never over the project itself"));
+    auto* buttons =
+        new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] { show({}); });
+
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Theme:"), m_theme);
+    form->addRow(tr("&Lengths in:"), m_unit);
+    form->addRow(tr("&Navigation:"), m_navigation);
+    form->addRow(QString(), m_smooth);
+    form->addRow(tr("&Smooth edges:"), m_msaa);
+    form->addRow(tr("&Backup after:"), m_autosave);
+    form->addRow(buttons);
+}
+
+void PreferencesDialog::show(const Preferences& preferences) {
+    m_theme->setCurrentIndex(static_cast<int>(preferences.theme));
+    m_unit->setCurrentIndex(static_cast<int>(preferences.unit));
+    m_navigation->setCurrentIndex(static_cast<int>(preferences.navigation));
+    m_smooth->setChecked(preferences.isSmooth);
+    m_msaa->setCurrentIndex(std::countr_zero(static_cast<unsigned>(preferences.msaa)));
+    m_autosave->setValue(preferences.autosaveSeconds);
+}
+
+void PreferencesDialog::apply() {
+    Preferences chosen;
+    chosen.theme = static_cast<ThemeChoice>(m_theme->currentIndex());
+    chosen.unit = static_cast<LengthUnit>(m_unit->currentIndex());
+    chosen.navigation = static_cast<NavigationChoice>(m_navigation->currentIndex());
+    chosen.isSmooth = m_smooth->isChecked();
+    chosen.msaa = 1 << m_msaa->currentIndex();
+    chosen.autosaveSeconds = m_autosave->value();
+    m_program.setPreferences(chosen);
+}
+
+void PreferencesDialog::reject() {
+    m_program.setPreferences(m_before);
+    QDialog::reject();
+}
+
+}  // namespace rubble

@@ -1,0 +1,232 @@
+#include "editor/SceneView.h"
+
+#include "editor/Action.h"
+#include "editor/Theme.h"
+#include "editor/document/FragmentSeeds.h"
+#include "viewport/ViewportWidget.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kExplodedSteps = 200;    // of the slider
+constexpr double kMostExploded = 2.0;  // factor at its end
+constexpr QSize kBarIcon{18, 18};
+
+AssetBakes bakesOf(const Bakes& bakes) {
+    AssetBakes all;
+    for (const auto& [asset, baked] : bakes.all()) {
+        if (baked->bake) all.emplace(asset, baked->bake);
+    }
+    return all;
+}
+
+}  // namespace
+
+SceneView::SceneView(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), m_workspace(workspace), m_viewport(new ViewportWidget) {
+    setFocusProxy(m_viewport);
+    addViews();
+    addToggles();
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(makeBar());
+    rows->addWidget(m_viewport, 1);
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(0);
+    connect(&m_timer, &QTimer::timeout, this, &SceneView::update);
+    connect(&workspace.document(), &Document::changed, this, &SceneView::invalidate);
+    connect(&workspace.bakes(), &Bakes::changed, this, &SceneView::invalidate);
+    for (const auto signal : {&Selection::seedsChanged, &Selection::hiddenChanged, &Selection::instancesChanged}) {
+        connect(&workspace.selection(), signal, this, &SceneView::invalidate);
+    }
+    connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
+    connect(m_viewport, &ViewportWidget::picked, this, &SceneView::pick);
+    takeTheme();
+    invalidate();
+}
+
+/// Of the scene as it is now, not as it was drawn last.
+void SceneView::frameAll() {
+    update();
+    m_viewport->frameAll();
+}
+
+void SceneView::takePreferences(const Preferences& preferences) {
+    m_viewport->setNavigation(preferences.navigation == NavigationChoice::Maya ? NavigationStyle::Maya
+                                                                               : NavigationStyle::Blender);
+    m_viewport->setFlights(preferences.isSmooth);
+    m_settings.msaa = preferences.msaa;
+    m_viewport->setSettings(m_settings);
+}
+
+void SceneView::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) takeTheme();
+    QWidget::changeEvent(event);
+}
+
+void SceneView::takeTheme() {
+    m_settings.theme = isDark(palette()) ? rubble::Theme::Dark : rubble::Theme::Light;
+    m_viewport->setSettings(m_settings);
+}
+
+/// Actions for what the viewport's own keys do, so that menu and search find them; the keys are in their texts.
+void SceneView::addViews() {
+    const auto add = [this](const ActionLook& look, const std::function<void()>& act) {
+        QAction* action = makeAction(this, look);
+        connect(action, &QAction::triggered, this, act);
+        addAction(action);
+    };
+    add({"view-frame", tr("&Frame Selected	F"), tr("Bring what is chosen close; F in the 3D view")},
+        [this] { m_viewport->frameSelected(); });
+    add({"view-home", tr("Frame &All	Home"), tr("Show everything; Home in the 3D view")},
+        [this] { m_viewport->frameAll(); });
+    add({"view-front", tr("F&ront	1"), tr("Look from the front; 1 in the 3D view")},
+        [this] { m_viewport->turnTo(StandardView::Front); });
+    add({"view-right", tr("R&ight	3"), tr("Look from the right; 3 in the 3D view")},
+        [this] { m_viewport->turnTo(StandardView::Right); });
+    add({"view-top", tr("&Top	7"), tr("Look from above; 7 in the 3D view")},
+        [this] { m_viewport->turnTo(StandardView::Top); });
+    add({"view-iso", tr("I&sometric"), tr("Look from a corner")},
+        [this] { m_viewport->turnTo(StandardView::Isometric); });
+    add({"view-orthographic", tr("&Orthographic	5"),
+         tr("Draw without perspective, or with it again; 5 in the 3D view")},
+        [this] {
+            const bool isParallel = m_viewport->camera().projection == Projection::Orthographic;
+            m_viewport->setProjection(isParallel ? Projection::Perspective : Projection::Orthographic);
+        });
+}
+
+void SceneView::addToggle(const ActionLook& look, bool isOn, const std::function<void(bool)>& take) {
+    QAction* action = makeAction(this, look);
+    action->setCheckable(true);
+    action->setChecked(isOn);
+    connect(action, &QAction::toggled, this, take);
+    addAction(action);
+}
+
+void SceneView::addToggles() {
+    const auto set = [this](auto RenderSettings::*setting, auto value) {
+        m_settings.*setting = value;
+        m_viewport->setSettings(m_settings);
+    };
+    addToggle({"view-wireframe", tr("&Wireframe"), tr("Draw edges only")}, false,
+              [set](bool isOn) { set(&RenderSettings::shading, isOn ? Shading::Wireframe : Shading::Faces); });
+    addToggle({"view-hulls", tr("&Hulls"), tr("Draw over it the convex hulls that physics will take")}, false,
+              [this](bool isOn) {
+                  m_options.hasHulls = isOn;
+                  invalidate();
+              });
+    addToggle({"view-grid", tr("Ground &Grid"), tr("Draw a grid on the ground")}, true,
+              [set](bool isOn) { set(&RenderSettings::hasGrid, isOn); });
+    addToggle({"view-shadows", tr("&Shadows"), tr("Draw shadows")}, true,
+              [set](bool isOn) { set(&RenderSettings::hasShadows, isOn); });
+}
+
+QWidget* SceneView::makeBar() {
+    auto* bar = new QToolBar(tr("3D view"));
+    bar->setIconSize(kBarIcon);
+    auto* scope = new QComboBox;
+    scope->addItems({tr("Whole scene"), tr("Asset at hand")});
+    scope->setToolTip(tr("Show every instance where it stands, or the asset at hand by itself"));
+    scope->setAccessibleName(tr("What is shown"));
+    connect(scope, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_isAssetOnly = index == 1;
+        frameAll();
+    });
+    auto* colouring = new QComboBox;
+    colouring->addItems({tr("By material"), tr("By piece"), tr("By volume")});
+    colouring->setToolTip(tr("What colours mean"));
+    colouring->setAccessibleName(tr("Colouring"));
+    connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_options.colouring = static_cast<SceneColouring>(index);
+        invalidate();
+    });
+    bar->addWidget(scope);
+    bar->addWidget(colouring);
+    bar->addWidget(makeExploded());
+    for (QAction* action : actions()) {
+        if (action->isCheckable() || action->objectName() == "view-home") bar->addAction(action);
+    }
+    return bar;
+}
+
+QWidget* SceneView::makeExploded() {
+    auto* box = new QWidget;
+    auto* label = new QLabel(tr("E&xploded:"));
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setRange(0, kExplodedSteps);
+    slider->setMinimumWidth(80);
+    slider->setToolTip(tr("Move pieces apart"));
+    slider->setAccessibleName(tr("Exploded"));
+    slider->setObjectName("exploded");
+    label->setBuddy(slider);
+    connect(slider, &QSlider::valueChanged, this, [this](int value) {
+        m_options.exploded = kMostExploded * value / kExplodedSteps;
+        invalidate();
+    });
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(6, 0, 6, 0);
+    row->addWidget(label);
+    row->addWidget(slider, 1);
+    return box;
+}
+
+void SceneView::update() {
+    m_timer.stop();
+    m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
+    m_options.marks = marks();
+    m_viewport->setScene(std::make_shared<const RenderScene>(
+        m_builder.sceneOf(m_workspace.project(), bakesOf(m_workspace.bakes()), m_options)));
+}
+
+SceneMarks SceneView::marks() const {
+    const Selection& selection = m_workspace.selection();
+    SceneMarks marks;
+    addMarks(selection.seeds(), marks.selected);
+    addMarks(selection.hiddenSeeds(), marks.hidden);
+    if (!selection.seeds().empty()) return marks;
+    for (const Instance& instance : m_workspace.project().instances) {
+        if (selection.instances().contains(instance.id)) marks.selected.push_back({instance.asset, instance.id, kNone});
+    }
+    return marks;
+}
+
+/// Marks for the fragments that come from seeds of the asset at hand, in all its instances.
+void SceneView::addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const {
+    const Id asset = m_workspace.selection().asset();
+    const auto baked = m_workspace.bakes().find(asset);
+    if (seeds.empty() || !baked || !baked->bake) return;
+    const std::vector<SeedId> all = seedsOfFragments(*baked->bake);
+    for (std::uint32_t fragment = 0; fragment < all.size(); ++fragment) {
+        if (seeds.contains(all[fragment])) picks.push_back({asset, 0, fragment});
+    }
+}
+
+/// A click chooses the fragment's seed and its instance; with Ctrl or Shift one more.
+void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers) {
+    Selection& selection = m_workspace.selection();
+    const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
+    if (!id) {
+        if (!isMore) selection.setSeeds({});
+        if (!isMore) selection.setInstances(m_workspace.project(), {});
+        return;
+    }
+    if (id->instance != 0) selection.setInstances(m_workspace.project(), {id->instance});
+    selection.setAsset(id->asset);
+    const auto baked = m_workspace.bakes().find(id->asset);
+    if (id->fragment == kNone || !baked || !baked->bake) return selection.setSeeds({});
+    const SeedId seed = seedsOfFragments(*baked->bake)[id->fragment];
+    isMore ? selection.toggleSeed(seed) : selection.setSeeds({seed});
+}
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "editor/Preferences.h"
+#include "editor/Workspace.h"
+#include "viewport/render/RenderSettings.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+
+class QComboBox;
+class QSlider;
+
+namespace rubble {
+
+class ViewportWidget;
+
+/// The 3D view of a workspace with its bar: makes scenes of what was baked, marks what is chosen and hidden, and turns
+/// clicks into choices.
+class SceneView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(Workspace& workspace, QWidget* parent = nullptr);
+
+    ViewportWidget& viewport() { return *m_viewport; }
+    void frameAll();
+    void takePreferences(const Preferences& preferences);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addViews();
+    void addToggle(const struct ActionLook& look, bool isOn, const std::function<void(bool)>& take);
+    void addToggles();
+    QWidget* makeBar();
+    QWidget* makeExploded();
+    /// Has the scene made anew before the next picture; what did not change costs nothing.
+    void invalidate() { m_timer.start(); }
+    void update();
+    void takeTheme();
+    SceneMarks marks() const;
+    void addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const;
+    void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
+
+    Workspace& m_workspace;
+    ViewportWidget* m_viewport;
+    RenderSettings m_settings;
+    SceneBuilder m_builder;
+    SceneOptions m_options;
+    bool m_isAssetOnly = false;
+    QTimer m_timer;
+};
+
+}  // namespace rubble

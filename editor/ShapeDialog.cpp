@@ -1,0 +1,55 @@
+#include "editor/ShapeDialog.h"
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kShortest = 0.001;  // m
+constexpr double kLongest = 1000.0;  // m
+constexpr int kMostCorners = 256;
+
+}  // namespace
+
+ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWidget* parent)
+    : QDialog(parent), m_form(new QFormLayout) {
+    setWindowTitle(title);
+    for (const Length& length : lengths) {
+        auto* box = new QDoubleSpinBox;
+        box->setRange(kShortest, kLongest);
+        box->setDecimals(3);
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        box->setSuffix(tr(" m"));
+        box->setValue(length.usual);
+        m_form->addRow(length.label, box);
+        m_lengths.append(box);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(buttons);
+    m_lengths.front()->selectAll();
+    m_lengths.front()->setFocus();
+}
+
+void ShapeDialog::askCorners(int usual) {
+    m_corners = new QSpinBox;
+    m_corners->setRange(3, kMostCorners);
+    m_corners->setValue(usual);
+    m_form->insertRow(0, tr("&Corners:"), m_corners);
+}
+
+double ShapeDialog::length(int index) const { return m_lengths[index]->value(); }
+
+int ShapeDialog::corners() const { return m_corners->value(); }
+
+}  // namespace rubble

@@ -1,0 +1,177 @@
+#include "editor/Views.h"
+
+#include "editor/Action.h"
+#include "editor/MainWindow.h"
+#include "editor/SceneView.h"
+#include "editor/canvas/OutlineTool.h"
+#include "editor/canvas/PatternCanvas.h"
+#include "editor/icons/Icon.h"
+#include "editor/panels/FragmentTable.h"
+#include "editor/panels/HistoryPanel.h"
+#include "editor/panels/Inspector.h"
+#include "editor/panels/MessagesPanel.h"
+#include "editor/panels/ProjectTree.h"
+
+#include <QDockWidget>
+#include <QLocale>
+#include <QSettings>
+#include <QSplitter>
+
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kStateKey = "window/state";
+constexpr int kTreeWidth = 240;  // this and the following: pixels, at first
+constexpr int kInspectorWidth = 320;
+constexpr int kTableHeight = 190;
+constexpr int kStateVersion = 1;  // of the docks: another set of docks, another version
+
+}  // namespace
+
+Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(new QSplitter(&window)) {
+    Workspace& workspace = window.workspace();
+    m_canvas = new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes());
+    m_scene = new SceneView(workspace);
+    m_centre->addWidget(m_canvas);
+    m_centre->addWidget(m_scene);
+    m_centre->setStretchFactor(0, 1);
+    m_centre->setStretchFactor(1, 1);
+    m_centre->setChildrenCollapsible(false);
+    makeDocks();
+    connect(m_canvas, &PatternCanvas::said, this, &Views::said);
+    connect(m_canvas, &PatternCanvas::hintChanged, this, &Views::hintChanged);
+    connect(m_canvas, &PatternCanvas::pointed, this, [this](double x, double y) {
+        const QLocale locale;
+        emit placeChanged(tr("%1, %2 m").arg(locale.toString(x, 'f', 3), locale.toString(y, 'f', 3)));
+    });
+    connect(m_canvas, &PatternCanvas::pointerLeft, this, [this] { emit placeChanged({}); });
+    connect(&workspace.bakes(), &Bakes::changed, this, [this](Id asset) {
+        const auto baked = m_window.workspace().bakes().find(asset);
+        std::vector<Message> messages;
+        if (baked && baked->bake) messages = messagesOf(*baked->bake);
+        if (baked && baked->fault) {
+            messages = {
+                {.severity = Severity::Fault, .text = QString::fromStdString(baked->fault->message), .asset = asset}};
+        }
+        m_messages.setOfBake(asset, std::move(messages));
+    });
+}
+
+QWidget& Views::centre() { return *m_centre; }
+
+QList<QAction*> Views::dockActions() const {
+    QList<QAction*> actions;
+    for (QDockWidget* dock : m_docks) actions.append(dock->toggleViewAction());
+    return actions;
+}
+
+void Views::makeDocks() {
+    Workspace& workspace = m_window.workspace();
+    m_tree = new ProjectTree(workspace.document(), workspace.selection());
+    m_inspector = new Inspector(workspace.document(), workspace.selection());
+    m_fragments = new FragmentTable(workspace.document(), workspace.selection(), workspace.bakes());
+    auto* messages = new MessagesPanel(m_messages, workspace.document());
+    auto* history = new HistoryPanel(workspace.document().undoStack());
+    connect(m_tree, &ProjectTree::refused, this, &Views::said);
+    connect(m_inspector, &Inspector::refused, this, &Views::said);
+    connect(messages, &MessagesPanel::jumpRequested, this, &Views::jump);
+    addDock("dock-project", tr("Project"), m_tree, Qt::LeftDockWidgetArea);
+    addDock("dock-inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
+    addDock("dock-fragments", tr("Fragments"), m_fragments, Qt::BottomDockWidgetArea);
+    addDock("dock-messages", tr("Messages"), messages, Qt::BottomDockWidgetArea);
+    addDock("dock-history", tr("History"), history, Qt::LeftDockWidgetArea);
+    arrange();
+}
+
+QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, &m_window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->toggleViewAction()->setIcon(iconNamed(name));
+    dock->toggleViewAction()->setStatusTip(tr("Show or hide this dock: %1").arg(title));
+    m_window.addDockWidget(area, dock);
+    m_docks.append(dock);
+    return dock;
+}
+
+/// The layout that everybody begins with.
+void Views::arrange() {
+    QDockWidget *tree = m_docks[0], *inspector = m_docks[1], *fragments = m_docks[2], *messages = m_docks[3],
+                *history = m_docks[4];
+    const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {{tree, Qt::LeftDockWidgetArea},
+                                                                  {history, Qt::LeftDockWidgetArea},
+                                                                  {inspector, Qt::RightDockWidgetArea},
+                                                                  {fragments, Qt::BottomDockWidgetArea},
+                                                                  {messages, Qt::BottomDockWidgetArea}};
+    for (const auto& [dock, area] : places) {
+        dock->setFloating(false);
+        m_window.addDockWidget(area, dock);
+        dock->show();
+    }
+    m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_window.tabifyDockWidget(fragments, messages);
+    fragments->raise();
+    m_window.resizeDocks({tree, inspector}, {kTreeWidth, kInspectorWidth}, Qt::Horizontal);
+    m_window.resizeDocks({tree, history}, {3, 1}, Qt::Vertical);
+    m_window.resizeDocks({fragments}, {kTableHeight}, Qt::Vertical);
+}
+
+void Views::showDocks(bool areShown) {
+    if (!areShown) {
+        for (QDockWidget* dock : m_docks) dock->hide();
+        return;
+    }
+    const QByteArray kept = QSettings().value(kStateKey).toByteArray();
+    if (!m_window.restoreState(kept, kStateVersion)) resetLayout();
+}
+
+void Views::toggleDocks() {
+    QList<QDockWidget*> visible;
+    for (QDockWidget* dock : m_docks) {
+        if (!dock->isHidden()) visible.append(dock);
+    }
+    for (QDockWidget* dock : visible.isEmpty() ? m_hidden : visible) dock->setHidden(!visible.isEmpty());
+    m_hidden = visible;
+}
+
+void Views::keepLayout() const { QSettings().setValue(kStateKey, m_window.saveState(kStateVersion)); }
+
+void Views::resetLayout() {
+    arrange();
+    showCanvas(true);
+    showScene(true);
+    m_centre->setSizes({1, 1});
+}
+
+void Views::showCanvas(bool isShown) { m_canvas->setVisible(isShown); }
+
+void Views::showScene(bool isShown) { m_scene->setVisible(isShown); }
+
+void Views::fit() {
+    m_canvas->fit();
+    m_scene->frameAll();
+}
+
+void Views::drawNewOutline() {
+    m_canvas->show();
+    m_canvas->setFocus();
+    m_canvas->setTool(CanvasToolKind::Outline);
+    m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
+}
+
+void Views::takePreferences(const Preferences& preferences) { m_tree->setUnits({preferences.unit}); }
+
+/// Brings what a message is about into view.
+void Views::jump(Id asset, std::optional<SeedId> seed) {
+    if (!findAsset(m_window.workspace().project(), asset)) return;
+    m_window.workspace().selection().setAsset(asset);
+    m_window.workspace().selection().setSeeds(seed ? Selection::Seeds{*seed} : Selection::Seeds{});
+    m_canvas->fit();
+    m_canvas->setFocus();
+}
+
+}  // namespace rubble

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "editor/Preferences.h"
+#include "editor/document/Messages.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QAction;
+class QDockWidget;
+class QSplitter;
+
+namespace rubble {
+
+class FragmentTable;
+class Inspector;
+class MainWindow;
+class PatternCanvas;
+class ProjectTree;
+class SceneView;
+
+/// What a window shows of its project: the pattern canvas beside the 3D view in the middle, and the docks around. Each of
+/// them knows the workspace and none of the others; here they are put together.
+class Views : public QObject {
+    Q_OBJECT
+public:
+    explicit Views(MainWindow& window);
+
+    QWidget& centre();
+    PatternCanvas& canvas() { return *m_canvas; }
+    SceneView& scene() { return *m_scene; }
+    Messages& messages() { return m_messages; }
+    QList<QAction*> dockActions() const;
+
+    void showDocks(bool areShown);
+    /// Hides all docks, or brings back those that were hidden so.
+    void toggleDocks();
+    void keepLayout() const;
+    void resetLayout();
+    /// Which of canvas and 3D view are shown.
+    void showCanvas(bool isShown);
+    void showScene(bool isShown);
+
+    /// Shows all of the asset at hand in canvas and 3D view.
+    void fit();
+    /// Lets the canvas take the corners of a new prism.
+    void drawNewOutline();
+    void takePreferences(const Preferences& preferences);
+
+signals:
+    /// What the tool at hand does.
+    void hintChanged(const QString& hint);
+    /// Where the pointer is.
+    void placeChanged(const QString& place);
+    void said(const QString& sentence);
+
+private:
+    QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void makeDocks();
+    void arrange();
+    void jump(Id asset, std::optional<SeedId> seed);
+
+    MainWindow& m_window;
+    Messages m_messages;
+    QSplitter* m_centre;
+    PatternCanvas* m_canvas;
+    SceneView* m_scene;
+    ProjectTree* m_tree = nullptr;
+    Inspector* m_inspector = nullptr;
+    FragmentTable* m_fragments = nullptr;
+    QList<QDockWidget*> m_docks;
+    QList<QDockWidget*> m_hidden;
+};
+
+}  // namespace rubble

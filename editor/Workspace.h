@@ -1,0 +1,36 @@
+#pragma once
+
+#include "editor/Baker.h"
+#include "editor/document/Autosave.h"
+#include "editor/document/DocumentFile.h"
+
+namespace rubble {
+
+/// All that one window works on: a document with where it lies, its backup, what is chosen in it and what was baked of it.
+class Workspace : public QObject {
+    Q_OBJECT
+public:
+    /// `backups`: the folder for the document's backup.
+    Workspace(Project project, const QString& backups, QObject* parent = nullptr);
+
+    Document& document() { return m_document; }
+    const Project& project() const { return m_document.project(); }
+    DocumentFile& file() { return m_file; }
+    Autosave& autosave() { return m_autosave; }
+    Selection& selection() { return m_selection; }
+    Bakes& bakes() { return m_bakes; }
+    Baker& baker() { return m_baker; }
+
+    /// The asset at hand; null where there is none.
+    const Asset* asset() const { return findAsset(project(), m_selection.asset()); }
+
+private:
+    Document m_document;
+    DocumentFile m_file;
+    Autosave m_autosave;
+    Selection m_selection;
+    Bakes m_bakes;
+    Baker m_baker;
+};
+
+}  // namespace rubble

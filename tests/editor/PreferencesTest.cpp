@@ -1,0 +1,61 @@
+#include "editor/Preferences.h"
+#include "editor/RecentFiles.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace rubble;
+
+class PreferencesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder->path());
+        QCoreApplication::setOrganizationName("RubbleTest");
+    }
+
+    void whatIsWrittenIsRead() {
+        const Preferences chosen{.theme = ThemeChoice::Dark,
+                                 .navigation = NavigationChoice::Maya,
+                                 .unit = LengthUnit::Millimetre,
+                                 .autosaveSeconds = 0,
+                                 .msaa = 8,
+                                 .isSmooth = false};
+        QSettings settings;
+        writePreferences(chosen, settings);
+        QVERIFY(readPreferences(settings) == chosen);
+    }
+    void whatCannotBeUnderstoodIsAsUsual() {
+        QSettings settings;
+        QVERIFY(readPreferences(settings) == Preferences{});
+        settings.setValue("preferences/theme", "purple");
+        settings.setValue("preferences/msaa", 3);
+        settings.setValue("preferences/autosaveSeconds", "often");
+        QVERIFY(readPreferences(settings) == Preferences{});
+    }
+    void recentFilesAreNewestFirstAndThere() {
+        RecentFiles recent;
+        for (int k = 0; k < RecentFiles::kMost + 3; ++k) {
+            const QString path = m_folder->filePath(QString("%1.rubble").arg(k));
+            QVERIFY(QFile(path).open(QIODevice::WriteOnly));
+            recent.add(path);
+        }
+        recent.add(m_folder->filePath("5.rubble"));
+        recent.add(m_folder->filePath("gone.rubble"));
+        const QStringList paths = RecentFiles().paths();
+        QCOMPARE(paths.size(), RecentFiles::kMost - 1);
+        QCOMPARE(paths.first(), m_folder->filePath("5.rubble"));
+        QCOMPARE(paths.count(m_folder->filePath("5.rubble")), 1);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(PreferencesTest)
+#include "PreferencesTest.moc"
