@@ -13,7 +13,8 @@ layout(std140) uniform Frame {
     vec4 backgroundTop;  // sRGB
     vec4 backgroundBottom;
     vec4 grid;           // sRGB and opacity of its lines
-    vec4 ground;         // x, y, z of its middle; w: how far it reaches, m
+    vec4 ground;         // x, y, z of its middle; w: how far the grid reaches, m
+    vec4 shaded;         // least and greatest x and z of the ground that shadows reach
     vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows
     vec4 accent;         // sRGB, of what is selected
     vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor
@@ -21,5 +22,6 @@ layout(std140) uniform Frame {
     uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };
 
-vec3 linearOf(vec3 srgb) { return pow(srgb, vec3(2.2)); }
-vec3 srgbOf(vec3 linear) { return pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)); }
+// A square is near enough to sRGB's curve to light by, and quick where the processor draws.
+vec3 linearOf(vec3 srgb) { return srgb * srgb; }
+vec3 srgbOf(vec3 linear) { return sqrt(clamp(linear, 0.0, 1.0)); }

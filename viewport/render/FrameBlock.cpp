@@ -12,10 +12,23 @@ namespace {
 
 constexpr float kKeyLight = 0.82f, kEyeLight = 0.1f;
 constexpr float kEdgeWidth = 0.85f;    // points, on each side of an edge
+constexpr double kLowestLight = 0.05;  // of its length, upwards
 constexpr double kFineStep = 0.3;      // of the distance: the largest power of ten below it is the fine step
 constexpr double kGroundBelow = 2e-4;  // of the distance, so that what stands on the ground is in front of it
 
 glm::vec4 direction(Vec3 v, float w) { return glm::vec4(glm::vec3(v), w); }
+
+/// Adds the part of the ground that the shadow of a ball around a box reaches: least and greatest x and z, in the world.
+/// Light that comes in lower than kLowestLight gives the ground so little that its farthest shadow is not missed.
+void includeShadow(Box2& part, const Box3& bounds, double height, Vec3 towardsLight) {
+    const double radius = 0.5 * bounds.diagonal(), rise = std::max(towardsLight.y, kLowestLight);
+    const Vec3 centre = bounds.centre();
+    for (const double above : {std::max(0.0, centre.y - radius - height), centre.y + radius - height}) {
+        const Vec3 foot = centre - (above / rise) * towardsLight;
+        part.include({foot.x - radius, foot.z - radius});
+        part.include({foot.x + radius, foot.z + radius});
+    }
+}
 
 /// The grid's fine step, and how visible it is: it fades before the next coarser takes its place.
 glm::vec2 gridStep(const Camera& camera) {
@@ -46,10 +59,17 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.groundLight = {0.17f, 0.16f, 0.15f, 0.0f};
     frame.backgroundTop = around.backgroundTop;
     frame.backgroundBottom = around.backgroundBottom;
-    frame.grid = settings.hasGrid ? around.grid : glm::vec4(glm::vec3(around.grid), 0.0f);
+    frame.grid = around.grid;
     const double below = scene.groundHeight - kGroundBelow * camera.distance;
     const double reach = std::max(4.0 * camera.distance, bounds.diagonal());
     frame.ground = direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(reach));
+    if (!bounds.isEmpty()) {
+        Box2 shaded;
+        includeShadow(shaded, bounds, below, keyDirection());
+        if (sample) includeShadow(shaded, bounds, below, sample->skyDirection);
+        const Vec2 origin(scene.origin.x, scene.origin.z);
+        frame.shaded = glm::vec4(glm::dvec4(shaded.min - origin, shaded.max - origin));
+    }
     frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 0.0f);
     const std::uint32_t accent = packed(settings.accent);
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;

@@ -15,11 +15,12 @@
 namespace rubble {
 namespace {
 
-constexpr int kShadowWidth = 2048;  // texels: some 5 mm at a house
-constexpr int kSkyShadowWidth = 1024;
+constexpr int kShadowWidth = 2048;    // texels: some 5 mm at a house
+constexpr int kSkyShadowWidth = 512;  // soft: the sky is wide
+constexpr int kPickReach = 64;        // pixels around the pointer that are drawn at once, since it will move on
 
 struct Programs {
-    ShaderProgram solid, lines, depth, pick, sky, ground, strokes, mean;
+    ShaderProgram solid, lines, depth, pick, sky, shade, grid, strokes, mean;
 };
 
 Result<Programs> madePrograms() {
@@ -39,15 +40,23 @@ Result<Programs> madePrograms() {
     make({"bodies.glsl", "depth.vert"}, {"depth.frag"});
     make({"bodies.glsl", "pick.vert"}, {"pick.frag"});
     make({"whole.vert"}, {"sky.frag"});
-    make({"ground.vert"}, {"shadow.glsl", "ground.frag"});
+    make({"shade.vert"}, {"shadow.glsl", "shade.frag"});
+    make({"grid.vert"}, {"grid.frag"});
     make({"strokes.vert"}, {"strokes.frag"});
     make({"whole.vert"}, {"mean.frag"});
     if (fault) return *fault;
-    return Programs{std::move(programs[0]), std::move(programs[1]), std::move(programs[2]), std::move(programs[3]),
-                    std::move(programs[4]), std::move(programs[5]), std::move(programs[6]), std::move(programs[7])};
+    return Programs{std::move(programs[0]), std::move(programs[1]), std::move(programs[2]),
+                    std::move(programs[3]), std::move(programs[4]), std::move(programs[5]),
+                    std::move(programs[6]), std::move(programs[7]), std::move(programs[8])};
 }
 
 void setCapability(std::uint32_t capability, bool isOn) { isOn ? glEnable(capability) : glDisable(capability); }
+
+/// A part of a picture, pixels from the lower left corner.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool contains(int px, int py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+};
 
 /// What is drawn beside or over solid faces.
 struct LinePass {
@@ -76,6 +85,7 @@ struct Renderer::State {
     void drawLines(const LinePass& pass);
     void drawGround(const PictureView& view);
     void drawAxes(const PictureView& view);
+    void drawBodies(const PictureView& view, const PixelBox& part);
     void drawWhole() const;
     void drawTimes(const RenderTarget& source, float share) const;
     RenderTarget& target(RenderTarget& kept, PictureSize size, PixelFormat format, int samples);
@@ -95,6 +105,7 @@ struct Renderer::State {
     RenderTarget picture, sample, sum, bodies;
     int samplesTaken = 0;                // in `sum`
     std::optional<Camera> bodiesCamera;  // that `bodies` was drawn by
+    PixelBox bodiesPart;                 // where it was
 };
 
 void Renderer::State::setFrame(const FrameBlock& block) {
@@ -188,15 +199,21 @@ void Renderer::State::drawHulls(const PictureView& view) {
 }
 
 void Renderer::State::drawGround(const PictureView& view) {
-    if (!scene.scene()->hasGround || (!view.settings.hasGrid && !view.settings.hasShadows)) return;
+    if (!scene.scene()->hasGround) return;
     glEnable(GL_BLEND);
     glEnable(GL_DEPTH_CLAMP);  // it reaches beyond what the depth was made for
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
-    programs.ground.use();
-    programs.ground.set("worldOrigin", gridOrigin(frame, *scene.scene()));
     glBindVertexArray(nothing.id());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    if (frame.picture.z != 0.0f && !bounds.isEmpty()) {
+        programs.shade.use();
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    if (view.settings.hasGrid) {
+        programs.grid.use();
+        programs.grid.set("worldOrigin", gridOrigin(frame, *scene.scene()));
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_BLEND);
@@ -280,7 +297,8 @@ void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
     State& state = *m_state;
     state.frame = frameBlock(view, *state.scene.scene(), state.bounds, {});
     state.drawShadows(view, {});
-    RenderTarget& target = state.target(state.picture, view.size, PixelFormat::Colour, view.settings.msaa);
+    const int samples = view.settings.msaa > 0 ? view.settings.msaa : isSoftware() ? 1 : 4;
+    RenderTarget& target = state.target(state.picture, view.size, PixelFormat::Colour, samples);
     target.bind();
     state.drawPicture(view);
     copyColours(target.framebuffer(), framebuffer, view.size);
@@ -314,27 +332,38 @@ bool Renderer::isSoftware() const {
     return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
+void Renderer::State::drawBodies(const PictureView& view, const PixelBox& part) {
+    setFrame(frameBlock(view, *scene.scene(), bounds, {}));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x, part.y, part.width, part.height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    constexpr std::uint32_t kNothing[4] = {0, 0, 0, 0};
+    glClearBufferuiv(GL_COLOR, 0, kNothing);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    programs.pick.use();
+    scene.draw(SceneBuffers::Part::Bodies);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 std::optional<std::uint32_t> Renderer::bodyAt(const PictureView& view, int x, int y) {
     State& state = *m_state;
     if (x < 0 || y < 0 || x >= view.size.width || y >= view.size.height) return std::nullopt;
-    const bool isKept = state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera;
+    const int up = view.size.height - 1 - y;
+    const bool isKept =
+        state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera && state.bodiesPart.contains(x, up);
     state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1).bind();
     if (!isKept) {
-        state.setFrame(frameBlock(view, *state.scene.scene(), state.bounds, {}));
-        const std::uint32_t none[4] = {0, 0, 0, 0};
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
-        glDisable(GL_CULL_FACE);
-        glClearBufferuiv(GL_COLOR, 0, none);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        state.programs.pick.use();
-        state.scene.draw(SceneBuffers::Part::Bodies);
+        state.bodiesPart = {x - kPickReach, up - kPickReach, 2 * kPickReach + 1, 2 * kPickReach + 1};
+        state.drawBodies(view, state.bodiesPart);
         state.bodiesCamera = view.camera;
     }
     std::uint32_t body = 0;
-    glReadPixels(x, view.size.height - 1 - y, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);
+    glReadPixels(x, up, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);
     if (body == 0) return std::nullopt;
     return body - 1;
 }

@@ -52,16 +52,16 @@ private slots:
         QTest::addColumn<int>("samples");
         const Project house = loadProject(RUBBLE_SOURCE_DIR "/projects/house.rubble").value();
         const Id wall = findAsset(house, "wall")->id;
-        QTest::newRow("house") << SceneOptions{} << RenderSettings{} << 0;
-        QTest::newRow("house-soft") << SceneOptions{} << RenderSettings{} << 16;
+        QTest::newRow("house") << SceneOptions{} << RenderSettings{.msaa = 4} << 0;
+        QTest::newRow("house-soft") << SceneOptions{} << RenderSettings{.msaa = 4} << 16;
         QTest::newRow("house-apart-dark") << SceneOptions{.colouring = SceneColouring::Piece, .exploded = 0.5}
-                                          << RenderSettings{.theme = Theme::Dark} << 0;
-        QTest::newRow("wires") << SceneOptions{} << RenderSettings{.shading = Shading::Wireframe} << 0;
+                                          << RenderSettings{.theme = Theme::Dark, .msaa = 4} << 0;
+        QTest::newRow("wires") << SceneOptions{} << RenderSettings{.shading = Shading::Wireframe, .msaa = 4} << 0;
         QTest::newRow("wall-selected") << SceneOptions{.asset = wall,
                                                        .exploded = 0.2,
                                                        .hasHulls = true,
                                                        .marks = {.selected = {{wall, 0, 1}}}}
-                                       << RenderSettings{} << 0;
+                                       << RenderSettings{.msaa = 4} << 0;
     }
     void looksAsItDid() {
         QFETCH(SceneOptions, options);
