@@ -130,10 +130,11 @@ void AssetPage::setUnits(const Units& units) {
 }
 
 void AssetPage::refresh() {
-    m_material->clear();
+    std::vector<Choice> materials;
     for (const Material& material : m_document.project().materials) {
-        m_material->addItem(swatchIcon(material.outside), textOf(material.name), material.id);
+        materials.push_back({material.id, textOf(material.name), material.outside});
     }
+    offer(*m_material, materials);
     m_form.refresh();
     const std::vector<Asset> assets = chosen();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));

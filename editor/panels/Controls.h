@@ -9,8 +9,19 @@
 #include <QLineEdit>
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace rubble {
+
+/// One of the things that a box offers.
+struct Choice {
+    Id id = 0;
+    QString text;
+    std::optional<Colour> colour;  // shown as a swatch
+};
+/// Lets a box offer these; an open one is left alone where they are the same as before.
+void offer(QComboBox& box, const std::vector<Choice>& choices);
 
 /// What a Form needs of each kind of control, the same for all:
 ///   showIn        shows a value; does not tell it

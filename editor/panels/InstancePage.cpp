@@ -136,8 +136,9 @@ void InstancePage::setUnits(const Units& units) {
 }
 
 void InstancePage::refresh() {
-    m_asset->clear();
-    for (const Asset& asset : m_document.project().assets) m_asset->addItem(textOf(asset.name), asset.id);
+    std::vector<Choice> assets;
+    for (const Asset& asset : m_document.project().assets) assets.push_back({asset.id, textOf(asset.name), {}});
+    offer(*m_asset, assets);
     m_form.refresh();
     const std::vector<Instance> instances = chosen();
     const bool isOne = instances.size() == 1;

@@ -15,6 +15,8 @@ constexpr int kShownDigits = 7;                  // of a number that is too long
 constexpr qint64 kPauseOfRunMilliseconds = 700;  // a longer one begins another run of steps
 constexpr int kStepDigits = 12;                  // sums of steps are rounded to it: 0.1 + 0.2 is 0.3
 
+constexpr int kCursorWidth = 6;  // pixels, with the line's margins
+
 double rounded(double value) { return QString::number(value, 'g', kStepDigits).toDouble(); }
 
 /// One in the second significant digit of the value; towards zero from 1.0 it is that of 0.9.
@@ -194,19 +196,17 @@ void NumberField::changeEvent(QEvent* event) {
 
 void NumberField::clear() { lineEdit()->clear(); }
 
-QSize NumberField::sizeHint() const {
+/// Room for a text with the unit, the frame and the arrows.
+QSize NumberField::sizeFor(const QString& number) const {
     ensurePolished();
-    const QString sample = withUnit(QStringLiteral("-000.0000"), m_format);
-    const QSize text(fontMetrics().horizontalAdvance(sample), lineEdit()->sizeHint().height());
+    const QSize text(fontMetrics().horizontalAdvance(withUnit(number, m_format)) + kCursorWidth,
+                     lineEdit()->sizeHint().height());
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
 }
 
-QSize NumberField::minimumSizeHint() const {
-    QSize size = sizeHint();
-    size.setWidth(size.width() * 2 / 3);
-    return size;
-}
+QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.0000")); }
+QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("00000")); }
 
 }  // namespace rubble

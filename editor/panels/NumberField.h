@@ -82,6 +82,7 @@ protected:
     void clear() override;
 
 private:
+    QSize sizeFor(const QString& number) const;
     void showValue();
     void refuse(const QString& sentence);
     void take(double value);

@@ -19,6 +19,7 @@ namespace rubble {
 namespace {
 
 constexpr int kMostRowsShown = 8;
+constexpr int kRowPadding = 8;  // pixels
 
 /// Edits coordinates in number fields.
 class CoordinateDelegate : public QStyledItemDelegate {
@@ -61,6 +62,7 @@ OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
     m_view->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_view->horizontalHeader()->setHighlightSections(false);
     m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_view->verticalHeader()->setDefaultSectionSize(m_view->fontMetrics().height() + kRowPadding);
     m_rings->setAccessibleName(tr("Ring"));
     m_rings->setToolTip(tr("Which ring's points are shown: the outline's or a hole's"));
 

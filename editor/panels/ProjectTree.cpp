@@ -80,8 +80,8 @@ void ProjectTree::buildButtons() {
     fillAddMenu(*menu);
     add->setMenu(menu);
     add->setPopupMode(QToolButton::InstantPopup);
-    QToolButton* duplicate = panelButton("duplicate", tr("Duplicate"), tr("Duplicate what is chosen (Ctrl+D)"), this);
-    QToolButton* remove = panelButton("delete", tr("Delete"), tr("Delete what is chosen (Delete)"), this);
+    QToolButton* duplicate = panelButton("edit-copy", tr("Duplicate"), tr("Duplicate what is chosen (Ctrl+D)"), this);
+    QToolButton* remove = panelButton("edit-delete", tr("Delete"), tr("Delete what is chosen (Delete)"), this);
     connect(duplicate, &QToolButton::clicked, this, &ProjectTree::duplicateChosen);
     connect(remove, &QToolButton::clicked, this, &ProjectTree::deleteChosen);
     for (QToolButton* button : {add, duplicate, remove}) row->addWidget(button);
@@ -92,11 +92,11 @@ void ProjectTree::buildButtons() {
 void ProjectTree::fillAddMenu(QMenu& menu) {
     QMenu* assets = menu.addMenu(iconNamed("asset"), tr("Asset"));
     assets->setToolTipsVisible(true);
-    menuAction(*assets, "outline-rectangle", tr("Rectangle"), tr("Add a rectangular prism"),
+    menuAction(*assets, "shape-rectangle", tr("Rectangle"), tr("Add a rectangular prism"),
                [this] { addAsset(rectangleOutline(kNewSize, kNewSize), tr("rectangle")); });
-    menuAction(*assets, "outline-triangle", tr("Isosceles triangle"), tr("Add a triangular prism"),
+    menuAction(*assets, "shape-triangle", tr("Isosceles triangle"), tr("Add a triangular prism"),
                [this] { addAsset(isoscelesTriangleOutline(kNewSize, kNewSize), tr("triangle")); });
-    menuAction(*assets, "outline-polygon", tr("Regular polygon"), tr("Add a six-sided prism"),
+    menuAction(*assets, "shape-polygon", tr("Regular polygon"), tr("Add a six-sided prism"),
                [this] { addAsset(regularPolygonOutline(kNewCorners, kNewSize), tr("polygon")); });
     menuAction(menu, "instance", tr("Instance of the asset at hand"),
                tr("Place the asset at hand in the scene once more"), [this] { addInstance(); });
@@ -108,12 +108,13 @@ void ProjectTree::showMenu(const QPoint& position) {
     menu.setToolTipsVisible(true);
     fillAddMenu(*menu.addMenu(iconNamed("add"), tr("Add")));
     menu.addSeparator();
-    QAction* rename = menuAction(menu, "rename", tr("Rename"), tr("Give it another name"), [this] { renameCurrent(); });
+    QAction* rename =
+        menuAction(menu, "edit-rename", tr("Rename"), tr("Give it another name"), [this] { renameCurrent(); });
     rename->setShortcut(kRenameKey);
     QAction* duplicate =
-        menuAction(menu, "duplicate", tr("Duplicate"), tr("Add a copy"), [this] { duplicateChosen(); });
+        menuAction(menu, "edit-copy", tr("Duplicate"), tr("Add a copy"), [this] { duplicateChosen(); });
     duplicate->setShortcut(kDuplicateKey);
-    QAction* remove = menuAction(menu, "delete", tr("Delete"), tr("Delete it with all that speaks of it"),
+    QAction* remove = menuAction(menu, "edit-delete", tr("Delete"), tr("Delete it with all that speaks of it"),
                                  [this] { deleteChosen(); });
     remove->setShortcut(kDeleteKey);
     for (QAction* action : {rename, duplicate, remove}) {

@@ -12,6 +12,8 @@ namespace rubble {
 
 namespace {
 
+constexpr int kLabelCharacters = 13;  // at least, so that the controls of all sections stand in one line
+
 /// Lets a panel be scrolled over combo boxes that do not have the focus.
 class WheelGuard : public QObject {
 public:
@@ -71,7 +73,9 @@ void Section::setRowVisible(QWidget* control, bool isVisible) {
 }
 
 void Section::nameRow(const QString& label, QWidget* control, const QString& hint) {
-    if (QWidget* text = m_rows->labelForField(control)) text->setToolTip(hint);
+    QWidget* text = m_rows->labelForField(control);
+    text->setToolTip(hint);
+    text->setMinimumWidth(fontMetrics().averageCharWidth() * kLabelCharacters);
     control->setAccessibleName(label);
     if (auto* number = qobject_cast<NumberField*>(control)) return number->setHint(hint);
     if (auto* slider = qobject_cast<SliderField*>(control)) {
@@ -82,8 +86,12 @@ void Section::nameRow(const QString& label, QWidget* control, const QString& hin
         control->setFocusPolicy(Qt::StrongFocus);
         control->installEventFilter(new WheelGuard(control));
     }
-    control->setToolTip(hint);
-    control->setStatusTip(hint);
+    QWidget* focused = control->focusProxy() ? control->focusProxy() : control;
+    focused->setAccessibleName(label);
+    for (QWidget* widget : {control, focused}) {
+        widget->setToolTip(hint);
+        widget->setStatusTip(hint);
+    }
 }
 
 }  // namespace rubble

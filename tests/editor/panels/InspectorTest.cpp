@@ -1,0 +1,345 @@
+#include "editor/panels/Inspector.h"
+
+#include "core/base/Random.h"
+#include "core/io/ProjectFile.h"
+#include "editor/commands/Resizing.h"
+#include "editor/panels/EulerAngles.h"
+#include "editor/panels/OutlineEditor.h"
+#include "editor/panels/PatternEditor.h"
+#include "tests/support/Projects.h"
+
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStyle>
+#include <QTableView>
+#include <QTest>
+
+#include <array>
+
+using namespace rubble;
+
+namespace {
+
+/// A document with the inspector in a window.
+struct Desk {
+    Document document;
+    Selection selection;
+    Inspector inspector{document, selection};
+    QSignalSpy refusals{&inspector, &Inspector::refused};
+
+    explicit Desk(Project project = fullProject()) : document(std::move(project)) {
+        selection.prune(document.project());
+        inspector.resize(360, 900);
+        inspector.show();
+        inspector.activateWindow();
+        if (!QTest::qWaitForWindowActive(&inspector)) qFatal("The window does not become active.");
+    }
+    const Asset& asset(Id id = 9) const { return *findAsset(document.project(), id); }
+    std::string text() const { return projectText(document.project()); }
+
+    /// The control of the shown page with an accessible name.
+    template <class Control>
+    Control& control(const QString& name) {
+        for (Control* control : inspector.page().findChildren<Control*>()) {
+            if (control->accessibleName() == name) return *control;
+        }
+        qFatal("There is no control \"%s\".", qPrintable(name));
+    }
+    void type(const QString& name, const QString& text) {
+        auto& field = control<NumberField>(name);
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+    void undoAll() {
+        while (document.undoStack().canUndo()) document.undoStack().undo();
+    }
+};
+
+/// Pulls a slider's handle to its right end.
+void drag(QSlider& slider) {
+    constexpr int kHalfHandle = 6;
+    const int middle = slider.height() / 2;
+    const int from = kHalfHandle + QStyle::sliderPositionFromValue(slider.minimum(), slider.maximum(), slider.value(),
+                                                                   slider.width() - 2 * kHalfHandle);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, {from, middle});
+    for (int x = from; x < slider.width(); x += 5) QTest::mouseMove(&slider, {x, middle});
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, {slider.width() - 2, middle});
+}
+
+double width(const Asset& asset) { return boundsOf(asset.prism.outline.outer).size().x; }
+
+}  // namespace
+
+class InspectorTest : public QObject {
+    Q_OBJECT
+private slots:
+    void thePageFollowsTheSubject() {
+        Desk desk;
+        QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::AssetPage");
+        desk.selection.setMaterial(2);
+        QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::MaterialPage");
+        desk.selection.setInstances(desk.document.project(), {20, 21});
+        QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::InstancePage");
+        desk.selection.setSubject(Part::Scene);
+        QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::ScenePage");
+    }
+    void typedNumbersArriveInTheDocument() {
+        Desk desk;
+        desk.inspector.setLocale(QLocale(QLocale::German, QLocale::Germany));
+        desk.selection.setAsset(9);
+        desk.type("Threshold", "12,5");
+        QCOMPARE(desk.asset().threshold, 12.5);
+        desk.inspector.setUnits({LengthUnit::Centimetre});
+        desk.type("Depth", "7,25");
+        QCOMPARE(desk.asset().prism.depth, 0.0725);
+        QCOMPARE(desk.document.undoStack().count(), 2);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+        QCOMPARE(desk.control<NumberField>("Depth").value(), 0.5);
+    }
+    void aDragOfASliderIsOneStep() {
+        Desk desk;
+        desk.selection.setMaterial(1);
+        drag(desk.control<SliderField>("Friction").slider());
+        QVERIFY(findMaterial(desk.document.project(), 1)->friction > 1.0);
+        QCOMPARE(desk.document.undoStack().count(), 1);
+        drag(desk.control<SliderField>("Density").slider());
+        QCOMPARE(desk.document.undoStack().count(), 2);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void showingChangesNothing() {
+        Desk desk;
+        for (const LengthUnit unit : {LengthUnit::Metre, LengthUnit::Millimetre}) {
+            desk.inspector.setUnits({unit});
+            for (const Id asset : {3u, 9u, 11u}) desk.selection.setAsset(asset);
+            for (const Id material : {1u, 2u}) desk.selection.setMaterial(material);
+            desk.selection.setInstances(desk.document.project(), {21});
+            for (int k = 0; k < 40; ++k) QTest::keyClick(desk.inspector.focusWidget(), Qt::Key_Tab);
+            desk.selection.setSubject(Part::Scene);
+            for (int k = 0; k < 40; ++k) QTest::keyClick(desk.inspector.focusWidget(), Qt::Key_Tab);
+        }
+        QCOMPARE(desk.document.undoStack().count(), 0);
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void badNamesAndNumbersAreRefused() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        auto& name = desk.control<QLineEdit>("Name");
+        name.setFocus();
+        name.selectAll();
+        QTest::keyClicks(&name, "wall");
+        QTest::keyClick(&name, Qt::Key_Return);
+        QCOMPARE(desk.refusals.count(), 1);
+        QCOMPARE(desk.refusals[0][0], "The name \"wall\" is already taken.");
+        QCOMPARE(name.text(), "box");
+        desk.type("Depth", "0");
+        desk.type("Width", "1e300");
+        QCOMPARE(desk.document.undoStack().count(), 0);
+        QCOMPARE(desk.control<NumberField>("Width").value(), 1.0);
+    }
+    void aSizeStretchesOutlineSeedsAndLook() {
+        const Asset wall = fullProject().assets[0];
+        const Vec3 size = sizeOf(wall);
+        const Asset wide = resized(wall, {size.x * 2.0, size.y, size.z});
+        QCOMPARE(width(wide), size.x * 2.0);
+        QVERIFY(validated(wide.prism).hasValue());
+        const auto uOf = [](const Asset& asset, Vec2 at) {
+            const auto& c = asset.surface->front.map.coefficients;
+            return c[0] * at.x + c[1] * at.y + c[2];
+        };
+        for (std::size_t k = 0; k < wall.prism.outline.outer.size(); ++k) {
+            QCOMPARE(uOf(wide, wide.prism.outline.outer[k]), uOf(wall, wall.prism.outline.outer[k]));
+        }
+        const auto seedsOfHand = [](const Asset& asset) {
+            return std::get<PlacedSeeds>(asset.pattern.layers[2].parameters).seeds;
+        };
+        const double middle = width(wall) / 2.0 + boundsOf(wall.prism.outline.outer).min.x;
+        QCOMPARE(seedsOfHand(wide)[0].position.x - middle, 2.0 * (seedsOfHand(wall)[0].position.x - middle));
+        QCOMPARE(resized(wall, size), wall);
+    }
+    void pointsAreTypedAndFaultyOnesRefused() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        auto& editor = *desk.inspector.page().findChild<OutlineEditor*>();
+        const QModelIndex cell = editor.model().index(2, 0);
+        editor.view().setCurrentIndex(cell);
+        editor.view().edit(cell);
+        auto* field = editor.view().viewport()->findChild<NumberField*>();
+        QVERIFY(field);
+        field->selectAll();
+        QTest::keyClicks(field, "1.25");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(desk.asset().prism.outline.outer[2].x, 1.25);
+        QVERIFY(!editor.model().setData(editor.model().index(2, 1), -5.0, Qt::EditRole));
+        QCOMPARE(desk.refusals.count(), 1);
+        QVERIFY2(desk.refusals[0][0].toString().contains("outline"), qPrintable(desk.refusals[0][0].toString()));
+        editor.model().insertAfter(0);
+        QCOMPARE(desk.asset().prism.outline.outer.size(), 5u);
+        QVERIFY(editor.model().addHole());
+        QCOMPARE(desk.asset().prism.outline.holes.size(), 1u);
+        editor.model().removePoints({0, 1, 2});
+        QCOMPARE(desk.refusals.last()[0], "An outline has three points or more.");
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void layersAreAddedMovedSwitchedAndDeleted() {
+        Desk desk;
+        desk.selection.setAsset(3);
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        editor.addLayer(LloydRelaxation{});
+        QCOMPARE(desk.asset(3).pattern.layers.size(), 5u);
+        const Id added = desk.asset(3).pattern.layers.back().id;
+        QTest::mouseClick(&desk.control<QToolButton>("Up"), Qt::LeftButton);
+        QCOMPARE(desk.asset(3).pattern.layers[3].id, added);
+        const QRect row = editor.view().visualRect(editor.view().currentIndex());
+        editor.view().setFocus();
+        QTest::keyClick(&editor.view(), Qt::Key_Space);
+        QVERIFY2(!desk.asset(3).pattern.layers[3].isOn, qPrintable(QString::number(row.height())));
+        QTest::mouseClick(&desk.control<QToolButton>("Delete layer"), Qt::LeftButton);
+        QCOMPARE(desk.asset(3).pattern.layers.size(), 4u);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void levelsAreAddedAndDeleted() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        QTest::mouseClick(&desk.control<QToolButton>("Add level"), Qt::LeftButton);
+        QCOMPARE(desk.asset().levels.size(), 1u);
+        desk.type("From volume", "0.001");
+        QCOMPARE(desk.asset().levels[0].minimumVolume, 0.001);
+        desk.type("Count", "6");
+        QCOMPARE(std::get<UniformScatter>(desk.asset().levels[0].pattern.layers[0].parameters).count, 6u);
+        QVERIFY(!verifyProject(desk.document.project()));
+        QTest::mouseClick(&desk.control<QToolButton>("Delete level"), Qt::LeftButton);
+        QVERIFY(desk.asset().levels.empty());
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void overridesAreRestoredAndDiceThrown() {
+        Desk desk;
+        desk.selection.setAsset(3);
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        editor.showLayer(4);
+        const auto buttons = editor.findChildren<QPushButton*>();
+        QCOMPARE(buttons.size(), 1);
+        QTest::mouseClick(buttons[0], Qt::LeftButton);
+        QVERIFY(desk.asset(3).pattern.layers[0].overrides.empty());
+        QVERIFY(!buttons[0]->isEnabled());
+        auto& seed = *editor.findChild<RandomSeedField*>();
+        QCOMPARE(seed.value(), ~quint64{0});
+        QTest::mouseClick(&seed.dice(), Qt::LeftButton);
+        QVERIFY(desk.asset(3).pattern.layers[0].randomSeed < 1'000'000u);
+        seed.line().setFocus();
+        seed.line().selectAll();
+        QTest::keyClicks(&seed.line(), "-3");
+        QTest::keyClick(&seed.line(), Qt::Key_Return);
+        QCOMPARE(desk.refusals.count(), 1);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void severalInstancesTakeOneNumber() {
+        Desk desk;
+        desk.selection.setInstances(desk.document.project(), {20, 21});
+        QVERIFY(desk.control<NumberField>("Position x").isMixed());
+        desk.type("Position x", "3");
+        for (const Instance& instance : desk.document.project().instances) QCOMPARE(instance.pose.position.x, 3.0);
+        QCOMPARE(desk.document.undoStack().count(), 1);
+        auto& fixed = *[&] {
+            for (QCheckBox* box : desk.inspector.page().findChildren<QCheckBox*>()) {
+                if (box->text() == "Fixed") return box;
+            }
+            qFatal("no box");
+        }();
+        QCOMPARE(fixed.checkState(), Qt::PartiallyChecked);
+        fixed.setFocus();
+        QTest::keyClick(&fixed, Qt::Key_Space);
+        QVERIFY(desk.document.project().instances[0].isFixed == desk.document.project().instances[1].isFixed);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void rotationsStayAsTyped() {
+        Desk desk;
+        desk.selection.setInstances(desk.document.project(), {20});
+        desk.type("Rotation y", "100");
+        desk.type("Rotation x", "30");
+        QCOMPARE(desk.control<NumberField>("Rotation y").value(), 100.0);
+        QCOMPARE(desk.control<NumberField>("Rotation x").value(), 30.0);
+        QVERIFY(!verifyProject(desk.document.project()));
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void turnsComeBackFromOrientations() {
+        for (const Vec3 degrees : {Vec3{0, 0, 0}, Vec3{90, 0, 0}, Vec3{0, 90, 0}, Vec3{0, 0, -90}, Vec3{10, 20, 30},
+                                   Vec3{-170, 45, 120}, Vec3{180, 0, 0}}) {
+            QCOMPARE(eulerDegrees(orientationOf(degrees)), degrees);
+        }
+        const Quat quarter = orientationOf({0, 180, 0});
+        QCOMPARE(quarter.y, 1.0);
+        QCOMPARE(quarter.w, 0.0);
+    }
+    void theScenesSettingsAreEdited() {
+        Desk desk;
+        desk.selection.setSubject(Part::Scene);
+        desk.type("Along y", "-3.7");
+        QCOMPARE(desk.document.project().gravity.y, -3.7);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void randomNumbersUndoneGiveTheSavedBytes() {
+        constexpr std::uint64_t kSeed = 2611;
+        qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
+        Random random(kSeed);
+        Desk desk;
+        const auto below = [&](qsizetype count) {
+            return static_cast<qsizetype>(random.below(static_cast<std::uint64_t>(count)));
+        };
+        for (int k = 0; k < 150; ++k) {
+            switch (below(4)) {
+                case 0: desk.selection.setAsset(std::array{3u, 9u, 11u}[static_cast<std::size_t>(below(3))]); break;
+                case 1: desk.selection.setMaterial(1 + static_cast<Id>(below(2))); break;
+                case 2: desk.selection.setInstances(desk.document.project(), {20, 21}); break;
+                default: desk.selection.setSubject(Part::Scene); break;
+            }
+            const auto fields = desk.inspector.page().findChildren<NumberField*>();
+            NumberField& field = *fields[below(fields.size())];
+            if (!field.isVisible() || !field.isEnabled()) continue;
+            field.setFocus();
+            field.selectAll();
+            QTest::keyClicks(&field, QString::number(random.unit() * 10.0 - 1.0));
+            QTest::keyClick(&field, below(2) == 0 ? Qt::Key_Return : Qt::Key_Up);
+            QVERIFY2(!verifyProject(desk.document.project()), qPrintable(field.accessibleName()));
+        }
+        QVERIFY(desk.document.undoStack().count() > 30);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void everyControlIsExplainedAndReachedByTheKeyboard() {
+        Desk desk;
+        const auto check = [&] {
+            for (QWidget* control : desk.inspector.page().findChildren<QWidget*>()) {
+                if (!control->isVisible() || control->focusPolicy() == Qt::NoFocus || control->focusProxy()) continue;
+                const bool isPart = qobject_cast<QAbstractSpinBox*>(control->parentWidget()) != nullptr;
+                if (isPart) continue;
+                const QByteArray name = control->metaObject()->className();
+                QVERIFY2(!control->toolTip().isEmpty(), name + ' ' + control->accessibleName().toUtf8());
+                const bool isButton = qobject_cast<QAbstractButton*>(control) != nullptr;
+                QVERIFY2(isButton || !control->accessibleName().isEmpty(), name);
+                QVERIFY2(control->focusPolicy() & Qt::TabFocus, name);
+            }
+        };
+        check();
+        desk.selection.setMaterial(1);
+        check();
+        desk.selection.setInstances(desk.document.project(), {20});
+        check();
+        desk.selection.setSubject(Part::Scene);
+        check();
+    }
+};
+
+QTEST_MAIN(InspectorTest)
+#include "InspectorTest.moc"
