@@ -163,7 +163,12 @@ void Views::drawNewOutline() {
     m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
 }
 
-void Views::takePreferences(const Preferences& preferences) { m_tree->setUnits({preferences.unit}); }
+void Views::takePreferences(const Preferences& preferences) {
+    const Units units{preferences.unit};
+    m_tree->setUnits(units);
+    m_inspector->setUnits(units);
+    m_fragments->setUnits(units);
+}
 
 /// Brings what a message is about into view.
 void Views::jump(Id asset, std::optional<SeedId> seed) {
