@@ -1,22 +1,21 @@
 #include "editor/ManualWindow.h"
 
 #include "editor/Action.h"
+#include "editor/ManualPage.h"
 
 #include <QFileInfo>
 #include <QLineEdit>
-#include <QTextBrowser>
 #include <QToolBar>
 #include <QUrl>
 
 namespace rubble {
 
-ManualWindow::ManualWindow(const QString& folder, const QPalette& palette) : m_page(new QTextBrowser) {
+ManualWindow::ManualWindow(const QString& folder, const QPalette& palette) : m_page(new ManualPage) {
     setWindowTitle(tr("Rubble Manual"));
     setPalette(palette);
     m_page->setAccessibleName(tr("Manual page"));
     m_page->setSearchPaths({folder});
     m_page->setOpenExternalLinks(true);
-    m_page->document()->setDocumentMargin(24);
     setCentralWidget(m_page);
 
     QToolBar* bar = addToolBar(tr("Navigation"));

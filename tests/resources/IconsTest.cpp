@@ -1,4 +1,5 @@
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QImage>
 #include <QPainter>
@@ -16,6 +17,18 @@ const QDir kIcons(RUBBLE_SOURCE_DIR "/resources/icons");
 QByteArray textOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// All of the editor's and the viewport's code.
+QString code() {
+    QString text;
+    for (const char* room : {"editor", "viewport"}) {
+        const QString folder = QString(RUBBLE_SOURCE_DIR "/") + room;
+        for (QDirIterator at(folder, {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); at.hasNext();) {
+            text += textOf(at.next());
+        }
+    }
+    return text;
 }
 
 /// An icon as the program draws it: its ink in a colour that the renderer knows.
@@ -62,6 +75,26 @@ private slots:
         const QImage image = drawn(svg, 96);
         QVERIFY(image != drawn("<svg/>", 96));
         QCOMPARE(opacityOfFrame(image), 0);  // nothing is cut off
+    }
+    /// An action without an icon, or with a name that is misspelt, would be seen by users only.
+    void everyIconThatTheCodeNamesIsThere() {
+        const QRegularExpression naming(R"re((?|\{"([a-z0-9]+(?:-[a-z0-9]+)+)",\s(?:\w+::)?tr\()re"
+                                        R"re(|\b(?:icon|iconNamed|panelButton|newAction|addDock)\("([a-z0-9-]+)")re"
+                                        R"re(|\bmenuAction\(\S+ "([a-z0-9-]+)"))re");
+        const QString text = code();
+        int names = 0;
+        for (auto match = naming.globalMatch(text); match.hasNext(); ++names) {
+            const QString name = match.next().captured(1);
+            QVERIFY2(kIcons.exists(name + ".svg"), qPrintable(name));
+        }
+        QVERIFY(names > 40);
+    }
+    void everyIconIsNamedByTheCode() {
+        const QString text = code();
+        for (const QString& file : kIcons.entryList({"*.svg"}, QDir::Files)) {
+            const QString name = file.chopped(4);
+            QVERIFY2(file == kProgramIcon || text.contains('"' + name + '"'), qPrintable(name));
+        }
     }
     void theProgramsIconIsDrawn() {
         const QImage image = drawn(textOf(kIcons.filePath(kProgramIcon)), 64);
