@@ -12,10 +12,14 @@ namespace rubble {
 
 namespace {
 
-constexpr double kLargestSeed = 4.0;          // pixels
-constexpr double kSmallestSign = 1.75;        // pixels; smaller seeds are points without a sign
-constexpr double kSeedPart = 0.14;            // of the mean distance between seeds
-constexpr std::size_t kMostFineLines = 9000;  // more lines than these are painted without smoothing, many times as fast
+constexpr double kLargestSeed = 4.0;    // pixels
+constexpr double kSmallestSign = 1.75;  // pixels; smaller seeds are points without a sign
+constexpr double kSeedPart = 0.14;      // of the mean distance between seeds
+constexpr double kFinestSpacing =
+    10.0;  // pixels between seeds; lines of smaller cells are not smoothed: many times as fast
+constexpr double kVoronoiReach = 10.0;  // times the extent of all seeds, to the end of rays
+constexpr double kLineReach = 2.0;      // pixels that a line reaches beyond where it runs
+constexpr double kSeedSpacing = 5.0;    // pixels; where seeds stand closer, they would hide their cells
 
 /// Paints one part of the contents.
 class ContentsPainter {
@@ -27,9 +31,11 @@ public:
           m_contents(contents),
           m_colours(colours),
           m_pattern(*contents.pattern),
-          m_partition(contents.pattern->partition()) {
-        m_part.include(view.metres(part.topLeft()));
-        m_part.include(view.metres(part.bottomRight()));
+          m_partition(contents.pattern->partition()),
+          m_spacing(seedSpacing(*contents.pattern, view)) {
+        const QPointF width(kLineReach, kLineReach);
+        m_part.include(view.metres(part.topLeft() - width));
+        m_part.include(view.metres(part.bottomRight() + width));
         for (std::uint32_t piece = 0; piece < m_partition.pieceCount(); ++piece) {
             if (isInPart(m_pattern.box(piece))) m_pieces.push_back(piece);
         }
@@ -46,7 +52,7 @@ public:
             if (isHidden(piece)) hatch(piece);
         }
         m_painter.setBrush(Qt::NoBrush);
-        drawLines(cellEdges(), m_colours.cellEdge, 1.0);
+        drawLines(cellEdges(), isOnScale() ? m_colours.edgeOnScale : m_colours.cellEdge);
     }
 
     void paintTriangles() {
@@ -61,18 +67,21 @@ public:
                 addLine(delaunay.sites[from], delaunay.sites[to], lines);
             }
         }
-        drawLines(lines, m_colours.triangle, 1.0);
+        drawLines(lines, isOnScale() ? m_colours.triangleOnScale : m_colours.triangle);
     }
 
     void paintWholeVoronoi() {
+        // Rays end far out, at the same place whatever part is painted: so parts join without a seam.
+        Box2 box = boundsOf(m_pattern.seeds().positions);
+        const Vec2 around(kVoronoiReach * box.diagonal());
+        box = {box.min - around, box.max + around};
         QList<QLineF> lines;
-        for (const auto& [from, to] : voronoiLines(m_pattern.baked().triangulation, m_part)) {
-            lines.push_back({m_view.pixels(from), m_view.pixels(to)});
-        }
-        drawLines(lines, m_colours.wholeVoronoi, 1.0, Qt::DashLine);
+        for (const auto& [from, to] : voronoiLines(m_pattern.baked().triangulation, box)) addLine(from, to, lines);
+        drawLines(lines, m_colours.wholeVoronoi);
     }
 
     void paintSeeds() {
+        if (m_spacing < kSeedSpacing) return;
         const double radius = seedRadius(m_pattern, m_view);
         m_painter.setRenderHint(QPainter::Antialiasing, radius >= kSmallestSign);
         const double reach = (kLargestSeed + 6.0) / m_view.scale;
@@ -142,14 +151,17 @@ private:
         if (isInPart(box)) lines.push_back({m_view.pixels(from), m_view.pixels(to)});
     }
 
-    void drawLines(const QList<QLineF>& lines, const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) {
-        const bool isFine = static_cast<std::size_t>(lines.size()) <= kMostFineLines;
+    /// Fainter where they crowd, so that what they part is still seen.
+    void drawLines(const QList<QLineF>& lines, QColor colour) {
+        const bool isFine = m_spacing >= kFinestSpacing;
+        if (!isFine) colour.setAlphaF(colour.alphaF() * static_cast<float>(std::max(m_spacing / kFinestSpacing, 0.15)));
         m_painter.setRenderHint(QPainter::Antialiasing, isFine);
-        QColor shown = colour;
-        if (!isFine) shown.setAlphaF(0.6F);
-        m_painter.setPen(QPen(shown, isFine ? width : 0.0, isFine ? style : Qt::SolidLine));
+        m_painter.setPen(QPen(colour, isFine ? 1.0 : 0.0));
         m_painter.drawLines(lines);
     }
+
+    /// Cells have the colours of a scale, of which some are dark.
+    bool isOnScale() const { return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least; }
 
     void paintSeed(std::uint32_t seed, QPointF at, double radius) {
         const QColor colour = layerColour(m_pattern.layerNumber(seed));
@@ -174,6 +186,7 @@ private:
     const CanvasColours& m_colours;
     const ShownPattern& m_pattern;
     const Partition& m_partition;
+    double m_spacing;                     // pixels between seeds, about
     Box2 m_part;                          // m
     std::vector<std::uint32_t> m_pieces;  // that reach into the part
     std::vector<QPointF> m_corners;
@@ -218,10 +231,13 @@ QPainterPath pathOfPiece(const ShownPattern& pattern, std::uint32_t piece, const
     return pathOf(outline, shifted);
 }
 
-double seedRadius(const ShownPattern& pattern, const CanvasView& view) {
+double seedSpacing(const ShownPattern& pattern, const CanvasView& view) {
     const auto count = static_cast<double>(std::max<std::size_t>(pattern.seeds().positions.size(), 1));
-    const double spacing = std::sqrt(area(pattern.baked().asset->prism.outline) / count) * view.scale;
-    return std::clamp(kSeedPart * spacing, 0.75, kLargestSeed);
+    return std::sqrt(area(pattern.baked().asset->prism.outline) / count) * view.scale;
+}
+
+double seedRadius(const ShownPattern& pattern, const CanvasView& view) {
+    return std::clamp(kSeedPart * seedSpacing(pattern, view), 0.75, kLargestSeed);
 }
 
 void paintSeedSign(QPainter& painter, QPointF centre, double radius, SeedOrigin origin) {

@@ -26,6 +26,8 @@ void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view
 QPainterPath pathOf(const Polygon& polygon, const CanvasView& view);
 QPainterPath pathOfPiece(const ShownPattern& pattern, std::uint32_t piece, const CanvasView& view);
 
+/// How far apart seeds stand at a view, about, pixels.
+double seedSpacing(const ShownPattern& pattern, const CanvasView& view);
 /// How large seeds are drawn, pixels: smaller where they crowd.
 double seedRadius(const ShownPattern& pattern, const CanvasView& view);
 /// A seed's sign: a disc where it was scattered, a diamond where it was moved by hand, a square where it was placed.

@@ -18,8 +18,8 @@ void forEachLine(double from, double to, double step, Visit visit) {
     for (double k = first; k <= last; k += 1.0) visit(k);
 }
 
-/// Lines are whole pixels wide and stand on them.
-double onPixel(double coordinate) { return std::floor(coordinate) + 0.5; }
+/// Lines are whole pixels wide and stand on them; those between two pixels on the same one however they were computed.
+double onPixel(double coordinate) { return std::floor(coordinate + 1e-3) + 0.5; }
 
 /// How many fine steps a strong line stands apart.
 double strongEvery(const CanvasView& view) { return std::round(roundStep(4.0 * gridStep(view)) / gridStep(view)); }
@@ -76,7 +76,8 @@ double gridStep(const CanvasView& view) { return roundStep(kLeastFineStep / view
 void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasColours& colours) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     const double step = gridStep(view), every = strongEvery(view);
-    const Vec2 low = view.metres(part.bottomLeft()), high = view.metres(part.topRight());
+    const Vec2 low = view.metres(part.bottomLeft() + QPointF(-1.0, 1.0));
+    const Vec2 high = view.metres(part.topRight() + QPointF(1.0, -1.0));
     for (const bool isStrong : {false, true}) {
         const auto pen = [&](double k) {
             return k == 0.0 ? colours.axis : std::fmod(k, every) == 0.0 ? colours.grid : colours.fineGrid;

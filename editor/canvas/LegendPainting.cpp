@@ -22,9 +22,7 @@ constexpr double kSign = 4.0;
 constexpr double kFromEdge = 10.0;
 constexpr std::size_t kMostLayers = 6;
 
-QString tr(const char* text, int count = -1) {
-    return QCoreApplication::translate("CanvasLegend", text, nullptr, count);
-}
+QString tr(const char* text) { return QCoreApplication::translate("CanvasLegend", text); }
 
 /// A sample, painted about a point, and what it means.
 struct Row {
@@ -60,25 +58,25 @@ class Legend {
 public:
     Legend(const CanvasContents& contents, const CanvasColours& colours) : m_contents(contents), m_colours(colours) {
         if (contents.layers.hasSeeds) addSeeds();
-        if (contents.layers.hasTriangles) addLine(colours.triangle, Qt::SolidLine, tr("Delaunay triangulation"));
-        if (contents.layers.hasWholeVoronoi)
-            addLine(colours.wholeVoronoi, Qt::DashLine, tr("Voronoi diagram, unclipped"));
+        if (contents.layers.hasTriangles)
+            addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
+        if (contents.layers.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
         if (contents.layers.hasCells && !contents.hiddenSeeds.empty()) addHatch();
     }
 
     void paint(QPainter& painter, const CanvasView& view) const {
-        const bool hasScale = contentsHaveScale();
-        if (m_rows.empty() && !hasScale) return;
+        const bool isScaled = hasScale();
+        if (m_rows.empty() && !isScaled) return;
         painter.save();
         QFont font = painter.font();
         font.setPixelSize(11);
         painter.setFont(font);
-        double width = hasScale ? kScaleWidth : 0.0;
+        double width = isScaled ? kScaleWidth : 0.0;
         for (const Row& row : m_rows) {
             width = std::max(width, kSampleWidth + QFontMetricsF(font).horizontalAdvance(row.text));
         }
         const double rows = kRowHeight * static_cast<double>(m_rows.size());
-        const QSizeF size(std::ceil(width) + 2.0 * kPadding, rows + (hasScale ? kScaleHeight : 0.0) + 2.0 * kPadding);
+        const QSizeF size(std::ceil(width) + 2.0 * kPadding, rows + (isScaled ? kScaleHeight : 0.0) + 2.0 * kPadding);
         const QRectF panel(
             QPointF(view.size.width() - size.width() - kFromEdge, view.size.height() - size.height() - kFromEdge),
             size);
@@ -92,36 +90,29 @@ public:
                              row.text);
             top += kRowHeight;
         }
-        if (hasScale) paintScale(painter, QRectF(panel.left() + kPadding, top, width, kScaleHeight));
+        if (isScaled) paintScale(painter, QRectF(panel.left() + kPadding, top, width, kScaleHeight));
         painter.restore();
     }
 
 private:
-    bool contentsHaveScale() const {
-        return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least;
-    }
+    bool hasScale() const { return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least; }
 
     void addSeeds() {
         const ShownPattern& pattern = *m_contents.pattern;
         const std::vector<PatternLayer>& layers = pattern.baked().asset->pattern.layers;
-        int shown[3] = {}, duplicates = 0, withoutCell = 0;
-        for (std::uint32_t seed = 0; seed < pattern.seeds().ids.size(); ++seed) {
-            ++shown[static_cast<int>(pattern.origin(seed))];
-            duplicates += pattern.isDuplicate(seed);
-            withoutCell += pattern.hasNoCell(seed);
-        }
-        addSign(SeedOrigin::Scattered, shown[0], tr("scattered seed"));
-        addSign(SeedOrigin::Moved, shown[1], tr("moved by hand"));
-        addSign(SeedOrigin::Placed, shown[2], tr("placed by hand"));
+        const ShownPattern::Counts& counts = pattern.counts();
+        addSign(SeedOrigin::Scattered, counts.scattered, tr("scattered seed"));
+        addSign(SeedOrigin::Moved, counts.moved, tr("moved by hand"));
+        addSign(SeedOrigin::Placed, counts.placed, tr("placed by hand"));
         for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers) && layers.size() > 1; ++k) {
             if (layers[k].isOn && !std::holds_alternative<LloydRelaxation>(layers[k].parameters))
                 addLayer(k, layers[k]);
         }
-        if (duplicates > 0) addDuplicates(duplicates);
-        if (withoutCell > 0) addWithoutCell(withoutCell);
+        if (counts.duplicates > 0) addDuplicates(counts.duplicates);
+        if (counts.withoutCell > 0) addWithoutCell(counts.withoutCell);
     }
 
-    void addSign(SeedOrigin origin, int count, const QString& text) {
+    void addSign(SeedOrigin origin, std::size_t count, const QString& text) {
         if (count == 0) return;
         m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
                               painter.setPen(Qt::NoPen);
@@ -138,27 +129,27 @@ private:
                           tr("layer %1: %2").arg(number + 1).arg(kindOf(layer))});
     }
 
-    void addDuplicates(int count) {
+    void addDuplicates(std::size_t count) {
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.fault, 1.5));
                               painter.drawEllipse(at, kSign + 2.0, kSign + 2.0);
                           },
-                          tr("%n equal seed(s), left out", count)});
+                          tr("equal to another, left out: %1").arg(count)});
     }
 
-    void addWithoutCell(int count) {
+    void addWithoutCell(std::size_t count) {
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.text, 1.5));
                               painter.drawEllipse(at, kSign, kSign);
                           },
-                          tr("%n seed(s) without a cell", count)});
+                          tr("without a cell: %1").arg(count)});
     }
 
-    void addLine(const QColor& colour, Qt::PenStyle style, const QString& text) {
-        m_rows.push_back({[colour, style](QPainter& painter, QPointF at) {
-                              painter.setPen(QPen(colour, 1.5, style));
+    void addLine(const QColor& colour, const QString& text) {
+        m_rows.push_back({[colour](QPainter& painter, QPointF at) {
+                              painter.setPen(QPen(colour, 1.5));
                               painter.drawLine(at - QPointF(8.0, 0.0), at + QPointF(8.0, 0.0));
                           },
                           text});

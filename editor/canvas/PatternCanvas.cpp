@@ -14,6 +14,7 @@
 #include <QPainterPath>
 
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -23,6 +24,7 @@ constexpr double kMargin = 24.0;         // pixels around what is fitted
 constexpr double kAroundChange = 10.0;   // pixels that signs and lines reach beyond what changed
 constexpr double kLargestCircle = 1e5;   // pixels; larger ones look like lines and take long
 constexpr std::size_t kMostRings = 600;  // more chosen seeds are marked by squares, which are painted faster
+constexpr double kWholePixel = 1e-3;     // pixels that a move may be off a whole number
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // as Qt counts a wheel's turning
 
@@ -130,7 +132,9 @@ void PatternCanvas::takePattern() {
     m_contents.range =
         m_contents.pattern ? m_contents.pattern->range(m_contents.layers.colouring) : ShownPattern::Range{};
     m_state.pattern = m_contents.pattern;
-    if (before && m_contents.pattern && range == m_contents.range) {
+    // Triangles and the whole diagram reach beyond the cells that change.
+    const bool isLocal = !m_contents.layers.hasTriangles && !m_contents.layers.hasWholeVoronoi;
+    if (before && m_contents.pattern && range == m_contents.range && isLocal) {
         repaintPart(differenceBox(*before, *m_contents.pattern));
     } else {
         repaintAll();
@@ -152,8 +156,10 @@ void PatternCanvas::repaintAll() {
 void PatternCanvas::repaintPart(const Box2& part) {
     if (part.min.x > part.max.x) return;
     const QPointF reach(kAroundChange, kAroundChange);
-    const QPointF a = m_state.view.pixels(part.min), b = m_state.view.pixels(part.max);
-    m_stale |= QRectF(QRectF(a, b).normalized().topLeft() - reach, QRectF(a, b).normalized().bottomRight() + reach);
+    // Of the picture as it is: the view may have moved since.
+    const QPointF a = m_painted.pixels(part.min), b = m_painted.pixels(part.max);
+    const QRectF box = QRectF(a, b).normalized();
+    m_stale |= (QRectF(box.topLeft() - reach, box.bottomRight() + reach) & QRectF(rect())).toAlignedRect();
     update();
 }
 
@@ -165,13 +171,32 @@ void PatternCanvas::updatePicture() {
         m_picture.setDevicePixelRatio(ratio);
         m_stale = rect();
     }
-    if (m_painted != m_state.view) m_stale = rect();
-    m_painted = m_state.view;
-    const QRectF part = QRectF(m_stale.toAlignedRect()) & QRectF(rect());
+    movePicture();
+    const QRegion stale = m_stale & rect();
     m_stale = {};
-    if (part.isEmpty()) return;
+    if (stale.isEmpty()) return;
     QPainter painter(&m_picture);
-    paintContents(painter, part, m_state.view, m_contents, m_colours);
+    for (const QRect& part : stale) paintContents(painter, part, m_state.view, m_contents, m_colours);
+}
+
+/// Brings the picture to the view: what was only moved by whole pixels is kept.
+void PatternCanvas::movePicture() {
+    const CanvasView before = std::exchange(m_painted, m_state.view);
+    if (before == m_state.view) return;
+    const QPointF moved = m_state.view.pixels(before.centre) - before.pixels(before.centre);
+    const QPoint whole = moved.toPoint();
+    const double ratio = m_picture.devicePixelRatio();
+    const bool isWhole = (moved - whole).manhattanLength() < kWholePixel && ratio == std::floor(ratio);
+    if (before.scale != m_state.view.scale || before.size != m_state.view.size || !isWhole) {
+        m_stale = rect();
+        return;
+    }
+    QImage kept(m_picture.size(), m_picture.format());
+    kept.setDevicePixelRatio(ratio);
+    QPainter(&kept).drawImage(whole, m_picture);
+    m_picture = std::move(kept);
+    m_stale.translate(whole);
+    m_stale |= QRegion(rect()) - QRegion(rect().translated(whole));
 }
 
 void PatternCanvas::paintEvent(QPaintEvent*) {
@@ -206,11 +231,19 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
     painter.setPen(QPen(m_colours.accent, 2.0));
     const double radius = std::max(seedRadius(pattern, m_state.view), 2.0) + 2.5;
     const bool isFine = m_state.selection.seeds().size() <= kMostRings;
+    QColor wash = m_colours.accent;
+    wash.setAlpha(70);
     for (const SeedId id : m_state.selection.seeds()) {
         const std::uint32_t seed = pattern.find(id);
         if (seed == kNone) continue;
         const QPointF at = m_state.view.pixels(pattern.seeds().positions[seed]);
         if (isFine) {
+            painter.setBrush(wash);
+            const IndexRange pieces = pattern.piecesOf(seed);
+            for (std::size_t piece = pieces.begin; piece < pieces.end && m_contents.layers.hasCells; ++piece) {
+                painter.drawPath(pathOfPiece(pattern, static_cast<std::uint32_t>(piece), m_state.view));
+            }
+            painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(at, radius, radius);
         } else {
             painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
@@ -257,12 +290,13 @@ void PatternCanvas::paintCircle(QPainter& painter) const {
 
 void PatternCanvas::paintHoverLabel(QPainter& painter) const {
     if (m_hovered == kNone || !m_contents.pattern || !m_pointer || !m_contents.layers.hasCells) return;
-    if (m_toolKind == CanvasToolKind::Measure || m_outlineTool->isDrawing() || m_panFrom) return;
+    if (m_toolKind == CanvasToolKind::Measure || m_outlineTool->isDrawing() || m_panFrom || m_isPressed) return;
     const ShownPattern& pattern = *m_contents.pattern;
+    const std::size_t neighbours = pattern.neighbours(m_hovered).size();
     const QStringList lines = {
         tr("Piece %1").arg(QString::fromStdString(pattern.fragmentId(m_hovered))),
         areaText(pattern.area(m_hovered)),
-        tr("%n neighbour(s)", nullptr, static_cast<int>(pattern.neighbours(m_hovered).size())),
+        neighbours == 1 ? tr("1 neighbour") : tr("%1 neighbours").arg(neighbours),
         tr("%1 times as long as wide").arg(QLocale().toString(pattern.aspect(m_hovered), 'f', 1)),
     };
     paintLabel(painter, m_pointer->pixels, lines, m_colours, m_colours.panelEdge,
@@ -332,7 +366,9 @@ void PatternCanvas::mousePressEvent(QMouseEvent* event) {
         m_panFrom = event->position();
         return toolChanged();
     }
-    if (event->button() == Qt::LeftButton) m_tool->press(pointerAt(event->position(), event->modifiers()));
+    if (event->button() != Qt::LeftButton) return;
+    m_isPressed = true;
+    m_tool->press(pointerAt(event->position(), event->modifiers()));
 }
 
 void PatternCanvas::mouseMoveEvent(QMouseEvent* event) {
@@ -350,7 +386,9 @@ void PatternCanvas::mouseReleaseEvent(QMouseEvent* event) {
         m_panFrom.reset();
         return toolChanged();
     }
-    if (event->button() == Qt::LeftButton) m_tool->release(pointerAt(event->position(), event->modifiers()));
+    if (event->button() != Qt::LeftButton) return;
+    m_isPressed = false;
+    m_tool->release(pointerAt(event->position(), event->modifiers()));
 }
 
 void PatternCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -380,6 +418,13 @@ void PatternCanvas::keyReleaseEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Space || event->isAutoRepeat()) return QWidget::keyReleaseEvent(event);
     m_hasSpace = false;
     toolChanged();
+}
+
+void PatternCanvas::focusOutEvent(QFocusEvent* event) {
+    m_hasSpace = false;
+    m_panFrom.reset();
+    toolChanged();
+    QWidget::focusOutEvent(event);
 }
 
 void PatternCanvas::leaveEvent(QEvent*) {

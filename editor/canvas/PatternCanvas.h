@@ -70,6 +70,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -84,6 +85,7 @@ private:
     void repaintAll();
     void repaintPart(const Box2& part);
     void updatePicture();
+    void movePicture();
     void paintOutline(QPainter& painter) const;
     void paintChosen(QPainter& painter) const;
     void paintHovered(QPainter& painter) const;
@@ -104,12 +106,13 @@ private:
 
     QImage m_picture;        // the contents as they were painted
     CanvasView m_painted;    // at this view
-    QRectF m_stale;          // what is to be painted again, pixels
+    QRegion m_stale;         // what is to be painted again, pixels
     bool m_isFitted = true;  // until the view is moved by hand
     std::optional<CanvasPointer> m_pointer;
     std::uint32_t m_hovered = kNone;  // piece
     std::optional<QPointF> m_panFrom;
     bool m_hasSpace = false;
+    bool m_isPressed = false;  // the left button, on the tool
 };
 
 }  // namespace rubble

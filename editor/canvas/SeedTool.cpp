@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kGrabReach = 9.0;  // pixels from a seed within which a press takes it
 
+QString moveText(std::size_t count) {
+    return count == 1 ? SeedTool::tr("Move seed") : SeedTool::tr("Move %1 seeds").arg(count);
+}
+
 /// The layer that seeds are placed in: the last one of its kind, or none.
 PatternLayer* placedLayer(Pattern& pattern) {
     for (PatternLayer& layer : pattern.layers | std::views::reverse) {
@@ -105,8 +109,7 @@ void SeedTool::dragBy(Vec2 by) {
     if (by != Vec2(0.0)) {
         for (const auto& [id, from] : m_drag->from) moveSeed(asset.pattern, id, from + by);
     }
-    m_state.document.push(altered(tr("Move %n seed(s)", nullptr, static_cast<int>(m_drag->from.size())),
-                                  std::move(asset), m_drag->stroke));
+    m_state.document.push(altered(moveText(m_drag->from.size()), std::move(asset), m_drag->stroke));
 }
 
 void SeedTool::release(const CanvasPointer& pointer) {
@@ -173,6 +176,11 @@ bool SeedTool::key(const QKeyEvent& event) {
     switch (event.key()) {
         case Qt::Key_Delete:
         case Qt::Key_Backspace: deleteChosen(); return true;
+        case Qt::Key_PageDown: chooseNext(1); return true;
+        case Qt::Key_PageUp: chooseNext(-1); return true;
+        case Qt::Key_Insert:
+            if (m_state.asset()) place(m_state.view.centre);
+            return true;
         case Qt::Key_Escape:
             if (!cancel()) m_state.selection.setSeeds({});
             return true;
@@ -186,8 +194,17 @@ void SeedTool::nudge(Vec2 by, bool isRepeated) {
     Asset asset = *m_state.asset();
     const std::map<SeedId, Vec2> positions = chosenPositions();
     for (const auto& [id, from] : positions) moveSeed(asset.pattern, id, from + by);
-    m_state.document.push(
-        altered(tr("Move %n seed(s)", nullptr, static_cast<int>(positions.size())), std::move(asset), m_nudgeStroke));
+    m_state.document.push(altered(moveText(positions.size()), std::move(asset), m_nudgeStroke));
+}
+
+void SeedTool::chooseNext(int by) {
+    if (!m_state.pattern || m_state.pattern->seeds().ids.empty()) return;
+    const std::vector<SeedId>& ids = m_state.pattern->seeds().ids;
+    const auto count = static_cast<std::int64_t>(ids.size());
+    const std::uint32_t chosen =
+        m_state.selection.seeds().empty() ? kNone : m_state.pattern->find(*m_state.selection.seeds().begin());
+    const std::int64_t now = chosen != kNone ? chosen : by > 0 ? -1 : 0;
+    m_state.selection.setSeeds({ids[static_cast<std::size_t>((now + by + count) % count)]});
 }
 
 void SeedTool::deleteChosen() {
@@ -202,7 +219,7 @@ void SeedTool::deleteChosen() {
         if (isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
     }
     cancel();
-    const QString text = tr("Delete %n seed(s)", nullptr, static_cast<int>(seeds.size()));
+    const QString text = seeds.size() == 1 ? tr("Delete seed") : tr("Delete %1 seeds").arg(seeds.size());
     m_state.selection.setSeeds({});
     m_state.document.push(altered(text, std::move(asset)));
 }
@@ -274,8 +291,9 @@ Qt::CursorShape SeedTool::cursor() const {
 QString SeedTool::hint() const {
     if (m_drag) return tr("Release to drop · Shift: without snapping · Esc: put back");
     if (!m_state.selection.seeds().empty()) {
-        return tr("%n seed(s) chosen · drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: choose none",
-                  nullptr, static_cast<int>(m_state.selection.seeds().size()));
+        const std::size_t count = m_state.selection.seeds().size();
+        return (count == 1 ? tr("1 seed chosen") : tr("%1 seeds chosen").arg(count)) +
+               tr(" · drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: choose none");
     }
     return tr("Click: place a seed · drag a seed: move it · drag elsewhere: choose by a box, with Alt by a lasso");
 }

@@ -53,7 +53,8 @@ private:
     void beginDrag(std::uint32_t seed);
     void dragBy(Vec2 by);
     void place(Vec2 position);
-    void nudge(Vec2 steps, bool isRepeated);
+    void nudge(Vec2 by, bool isRepeated);
+    void chooseNext(int by);
     Selection::Seeds caught() const;
 
     std::optional<Drag> m_drag;

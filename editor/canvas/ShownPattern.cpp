@@ -1,7 +1,6 @@
 #include "editor/canvas/ShownPattern.h"
 
 #include "core/asset/PieceColours.h"
-#include "core/base/Parallel.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/fracture/VoronoiPartition.h"
 #include "core/geometry/Aspect.h"
@@ -27,15 +26,6 @@ bool holds(const Box2& box, Vec2 point) {
 void include(Box2& box, const Box2& other) {
     box.include(other.min);
     box.include(other.max);
-}
-
-/// The seed's pieces [first, end).
-IndexRange piecesOf(const Partition& partition, std::uint32_t seed) {
-    const std::uint32_t first = partition.pieceOfSeed[seed];
-    if (first == kNone) return {};
-    std::uint32_t end = first;
-    while (end < partition.pieceCount() && partition.seedOfPiece[end] == seed) ++end;
-    return {first, end};
 }
 
 /// Compares seeds of two patterns by what is drawn of them.
@@ -77,8 +67,8 @@ private:
 
     bool isSame(std::uint32_t before, std::uint32_t after) const {
         if (m_before.seeds().positions[before] != m_after.seeds().positions[after]) return false;
-        const IndexRange oldPieces = piecesOf(m_before.partition(), before);
-        const IndexRange newPieces = piecesOf(m_after.partition(), after);
+        const IndexRange oldPieces = m_before.piecesOf(before);
+        const IndexRange newPieces = m_after.piecesOf(after);
         if (oldPieces.size() != newPieces.size()) return false;
         for (std::size_t k = 0; k < oldPieces.size(); ++k) {
             if (!isSamePiece(static_cast<std::uint32_t>(oldPieces.begin + k),
@@ -100,7 +90,7 @@ private:
 
     void add(const ShownPattern& pattern, std::uint32_t seed) {
         m_box.include(pattern.seeds().positions[seed]);
-        const IndexRange pieces = piecesOf(pattern.partition(), seed);
+        const IndexRange pieces = pattern.piecesOf(seed);
         for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
             include(m_box, pattern.box(static_cast<std::uint32_t>(piece)));
         }
@@ -118,17 +108,41 @@ ShownPattern::ShownPattern(std::shared_ptr<const BakedPattern> baked) : m_baked(
     m_boxes.resize(count);
     m_areas.resize(count);
     for (std::uint32_t piece = 0; piece < count; ++piece) measure(piece);
+    takeReports();
+    for (std::uint32_t seed = 0; seed < seeds().ids.size(); ++seed) {
+        if (m_runs.empty() || seeds().ids[seed].layer != m_runs.back().layer) {
+            m_runs.push_back({seeds().ids[seed].layer, seed, seed});
+        }
+        ++m_runs.back().end;
+    }
+    countSorts();
+}
+
+void ShownPattern::takeReports() {
     m_marks.resize(seeds().ids.size(), Mark::None);
     for (const Report& report : partition().reports) {
         if (report.seed >= m_marks.size()) continue;
         if (report.code == ReportCode::DuplicateSeed) m_marks[report.seed] = Mark::Duplicate;
         if (report.code == ReportCode::SeedWithoutCell) m_marks[report.seed] = Mark::NoCell;
     }
-    for (std::uint32_t seed = 0; seed < seeds().ids.size(); ++seed) {
-        if (m_runs.empty() || seeds().ids[seed].layer != m_runs.back().layer) {
-            m_runs.push_back({seeds().ids[seed].layer, seed, seed});
+    m_counts.duplicates = static_cast<std::size_t>(std::ranges::count(m_marks, Mark::Duplicate));
+    m_counts.withoutCell = static_cast<std::size_t>(std::ranges::count(m_marks, Mark::NoCell));
+}
+
+void ShownPattern::countSorts() {
+    for (const Run& run : m_runs) {
+        const PatternLayer* layer = findLayer(m_baked->asset->pattern, run.layer);
+        const std::size_t all = run.end - run.begin;
+        if (std::holds_alternative<PlacedSeeds>(layer->parameters)) {
+            m_counts.placed += all;
+            continue;
         }
-        ++m_runs.back().end;
+        const auto moved =
+            static_cast<std::size_t>(std::ranges::count_if(layer->overrides, [&](const SeedOverride& change) {
+                return find({run.layer, change.index}) != kNone;
+            }));
+        m_counts.moved += moved;
+        m_counts.scattered += all - moved;
     }
 }
 
@@ -158,10 +172,18 @@ std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
     const std::uint32_t seed = partition().seedOfPiece[piece];
-    const IndexRange pieces = seed == kNone ? IndexRange{} : piecesOf(partition(), seed);
+    const IndexRange pieces = seed == kNone ? IndexRange{} : piecesOf(seed);
     std::string id = std::to_string(m_baked->asset->id) + "/" + (seed == kNone ? SeedId{} : seeds().ids[seed]).text();
     if (pieces.size() > 1) id += "." + std::to_string(piece - pieces.begin);
     return id;
+}
+
+IndexRange ShownPattern::piecesOf(std::uint32_t seed) const {
+    const std::uint32_t first = partition().pieceOfSeed[seed];
+    if (first == kNone) return {};
+    std::uint32_t end = first;
+    while (end < partition().pieceCount() && partition().seedOfPiece[end] == seed) ++end;
+    return {first, end};
 }
 
 std::uint32_t ShownPattern::pieceAt(Vec2 point) const {

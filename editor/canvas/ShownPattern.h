@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Parallel.h"
 #include "editor/canvas/CanvasLayers.h"
 #include "editor/document/Bakes.h"
 
@@ -35,6 +36,8 @@ public:
     /// As the fragment is called that the piece becomes: "3/5.17".
     std::string fragmentId(std::uint32_t piece) const;
 
+    /// The seed's pieces [begin, end); none where it has no cell.
+    IndexRange piecesOf(std::uint32_t seed) const;
     /// kNone where there is none.
     std::uint32_t pieceAt(Vec2 point) const;
     /// The nearest seed within `reach` metres; kNone where there is none.
@@ -50,6 +53,13 @@ public:
     /// What the bake reports of a seed.
     bool isDuplicate(std::uint32_t seed) const { return m_marks[seed] == Mark::Duplicate; }
     bool hasNoCell(std::uint32_t seed) const { return m_marks[seed] == Mark::NoCell; }
+
+    /// How many seeds there are of each sort, for a legend.
+    struct Counts {
+        std::size_t scattered = 0, moved = 0, placed = 0;
+        std::size_t duplicates = 0, withoutCell = 0;
+    };
+    const Counts& counts() const { return m_counts; }
 
     /// The least and the greatest value that a colouring shows, for its scale; equal where it has none.
     struct Range {
@@ -70,6 +80,8 @@ private:
         std::uint32_t end = 0;
     };
     void measure(std::uint32_t piece);
+    void takeReports();
+    void countSorts();
     double value(std::uint32_t piece, CellColouring colouring) const;
 
     std::shared_ptr<const BakedPattern> m_baked;
@@ -77,6 +89,7 @@ private:
     std::vector<double> m_areas;  // m^2
     std::vector<Mark> m_marks;    // one a seed
     std::vector<Run> m_runs;      // one a layer that has seeds
+    Counts m_counts;
 };
 
 /// A box around all that two patterns draw differently; empty where they look the same.

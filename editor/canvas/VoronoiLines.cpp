@@ -65,9 +65,9 @@ std::optional<std::array<Vec2, 2>> clippedTo(const Box2& box, Vec2 from, Vec2 to
             if (start < low || start > high) last = -1.0;
             return;
         }
-        const auto [enter, leave] = std::minmax((low - start) / step, (high - start) / step);
-        first = std::max(first, enter);
-        last = std::min(last, leave);
+        const double atLow = (low - start) / step, atHigh = (high - start) / step;
+        first = std::max(first, std::min(atLow, atHigh));
+        last = std::min(last, std::max(atLow, atHigh));
     };
     const Vec2 along = to - from;
     cut(from.x, along.x, box.min.x, box.max.x);

@@ -1,0 +1,150 @@
+// How long it takes until a dragged seed's new cells are on the canvas, from the mouse event to the end of painting, against
+// painting the canvas as it is. Percentiles of many drags. Runs without a display.
+#include "core/geometry/OutlineShapes.h"
+#include "editor/Baker.h"
+#include "editor/canvas/PatternCanvas.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+using namespace rubble;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWarmUps = 20;
+constexpr int kMoves = 300;
+constexpr int kPaints = 40;
+constexpr QSize kCanvas(1280, 800);  // pixels
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// A canvas that tells what was painted last.
+class WatchedCanvas : public PatternCanvas {
+public:
+    using PatternCanvas::PatternCanvas;
+    std::shared_ptr<const Asset> painted;  // the state whose cells are on the canvas
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        PatternCanvas::paintEvent(event);
+        if (shownPattern()) painted = shownPattern()->baked().asset;
+    }
+};
+
+Project projectOf(std::uint32_t seeds) {
+    Project project;
+    project.nextId = 10;
+    project.materials = {{.id = 1, .name = "stone"}};
+    Asset asset{.id = 2, .name = "wall", .material = 1, .prism = {rectangleOutline(1.5, 1.0), 0.25}};
+    asset.pattern.layers = {{.id = 3, .randomSeed = 1, .parameters = UniformScatter{.count = seeds}}};
+    project.assets = {asset};
+    return project;
+}
+
+double percentile(std::vector<double> times, double share) {
+    std::ranges::sort(times);
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+}
+
+/// One window's worth of editor with its canvas shown.
+class Drags {
+public:
+    explicit Drags(std::uint32_t seeds) : m_document(projectOf(seeds)) {
+        m_selection.prune(m_document.project());
+        m_canvas.resize(kCanvas);
+        m_canvas.show();
+        waitFor([&] { return isShown() && !m_baker.isBusy(); });
+    }
+
+    /// What zooming pays: every layer of the canvas painted anew.
+    std::vector<double> paintAll() {
+        std::vector<double> times;
+        for (int k = 0; k < kPaints; ++k) {
+            CanvasView view = m_canvas.view();
+            view.scale *= k % 2 == 0 ? 1.0 + 1e-9 : 1.0 - 1e-9;
+            const auto start = Clock::now();
+            m_canvas.setView(view);
+            m_canvas.repaint();
+            times.push_back(millisecondsSince(start));
+        }
+        return times;
+    }
+
+    /// What a canvas pays that is uncovered: the picture that was kept, and what is painted over it.
+    std::vector<double> paintKept() {
+        std::vector<double> times;
+        for (int k = 0; k < kPaints; ++k) {
+            const auto start = Clock::now();
+            m_canvas.repaint();
+            times.push_back(millisecondsSince(start));
+        }
+        return times;
+    }
+
+    std::vector<double> drag() {
+        const Vec2 seed = m_canvas.shownPattern()->seeds().positions[m_canvas.shownPattern()->seedNear({}, 1.0)];
+        const QPointF from = m_canvas.view().pixels(seed);
+        send(QEvent::MouseButtonPress, from);
+        std::vector<double> times;
+        for (int k = 0; k < kWarmUps + kMoves; ++k) {
+            const QPointF to = from + QPointF(20.0 + (k * 7) % 31, (k * 5) % 23);
+            const auto start = Clock::now();
+            send(QEvent::MouseMove, to);
+            waitFor([&] { return isShown(); });
+            if (k >= kWarmUps) times.push_back(millisecondsSince(start));
+        }
+        send(QEvent::MouseButtonRelease, from);
+        return times;
+    }
+
+private:
+    void send(QEvent::Type type, QPointF at) {
+        const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+        QMouseEvent event(type, at, m_canvas.mapToGlobal(at), button, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&m_canvas, &event);
+    }
+    /// The cells on the canvas are those of what the document holds.
+    bool isShown() const { return m_canvas.painted && *m_canvas.painted == asset(); }
+    const Asset& asset() const { return m_document.project().assets.front(); }
+    template <class Condition>
+    void waitFor(Condition isMet) {
+        while (!isMet()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+
+    Document m_document;
+    Selection m_selection;
+    Bakes m_bakes;
+    Baker m_baker{m_document, m_selection, m_bakes};
+    WatchedCanvas m_canvas{m_document, m_selection, m_bakes};
+};
+
+void measure(std::uint32_t seeds) {
+    Drags drags(seeds);
+    const double all = percentile(drags.paintAll(), 0.5);
+    const double kept = percentile(drags.paintKept(), 0.5);
+    const std::vector<double> drag = drags.drag();
+    const double median = percentile(drag, 0.5);
+    std::printf("| %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", seeds, all, kept, median,
+                percentile(drag, 0.9), percentile(drag, 0.99), median / all, median / kept);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication program(argc, argv);
+    std::printf(
+        "| seeds | painting all, ms | painting what is kept, ms | drag to new cells, ms | 90 %% | 99 %% "
+        "| drag : all | drag : kept |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    for (const std::uint32_t seeds : {20u, 1'000u, 20'000u}) measure(seeds);
+    return 0;
+}
