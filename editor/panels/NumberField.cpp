@@ -52,7 +52,7 @@ NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
 
 void NumberField::setValue(double value) {
     const bool isSame = !m_isMixed && m_value == value && std::signbit(m_value) == std::signbit(value);
-    if (isSame && lineEdit()->isModified()) return;  // what is being typed stays
+    if (isSame) return;  // what is being typed stays
     m_isMixed = false;
     m_value = value;
     showValue();
