@@ -152,6 +152,7 @@ std::vector<Id> ProjectTree::chosen(Kind kind) const {
 
 /// Hands the chosen rows to the selection; what the current row shows comes last and is its subject.
 void ProjectTree::takeFromView() {
+    if (m_isTaking) return;
     const QScopedValueRollback taking(m_isTaking, true);
     const std::vector<Id> instances = chosen(Kind::Instance);
     m_selection.setInstances(m_document.project(), {instances.begin(), instances.end()});

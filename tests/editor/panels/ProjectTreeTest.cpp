@@ -92,6 +92,16 @@ private slots:
         QCOMPARE(rows.size(), 1);
         QCOMPARE(desk.model.nodeAt(rows[0]), (ProjectModel::Node{Kind::Asset, 11}));
     }
+    void anotherProjectShowsItsFirstAsset() {
+        Desk desk(emptyProject());
+        desk.selection.setAsset(3);  // a workspace hears of another project before the tree does
+        QCOMPARE(desk.selection.subject(), Part::Asset);
+        desk.document.replace(fullProject());
+        QCOMPARE(desk.selection.subject(), Part::Asset);
+        const QModelIndexList rows = desk.view.selectionModel()->selectedIndexes();
+        QCOMPARE(rows.size(), 1);
+        QCOMPARE(desk.model.nodeAt(rows[0]), (ProjectModel::Node{Kind::Asset, 3}));
+    }
     void f2Renames() {
         Desk desk;
         desk.click(Kind::Asset, 9);
