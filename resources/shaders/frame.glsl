@@ -7,7 +7,7 @@ layout(std140) uniform Frame {
     vec4 eye;            // w: 1 in perspective, 0 where all rays are parallel
     vec4 back;           // from target to eye
     vec4 keyDirection;   // towards the light; w: its strength
-    vec4 skyDirection;   // towards the one place of the sky that lights this sample; w: 0 where the whole sky does
+    vec4 skyDirection;   // towards the one place of the sky that lights a sample
     vec4 skyLight;       // from above; w: how much light the eye itself gives
     vec4 groundLight;    // from below
     vec4 backgroundTop;  // sRGB
@@ -18,7 +18,7 @@ layout(std140) uniform Frame {
     vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows
     vec4 accent;         // sRGB, of what is selected
     vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor
-    vec4 picture;        // width and height, pixels; z: shadows are drawn; w: pixels of the display a point
+    vec4 picture;        // width and height, pixels; w: pixels of the display a point
     uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };
 

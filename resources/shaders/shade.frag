@@ -5,7 +5,6 @@ out vec4 pixel;
 void main() {
     float key = keyDirection.w * max(keyDirection.y, 0.0);
     float sky = dot(skyLight.rgb, vec3(1.0 / 3.0));
-    float skyShare = skyDirection.w == 0.0 ? 0.0 : 2.0 * skyDirection.y * (1.0 - skyReached(scenePoint));
-    float missing = (key * (1.0 - keyReached(scenePoint)) + sky * skyShare) / (key + sky);
+    float missing = (key * (1.0 - keyReached(scenePoint)) + sky * skyMissing(scenePoint)) / (key + sky);
     pixel = vec4(0.0, 0.0, 0.0, spacing.z * min(missing, 1.0));
 }

@@ -54,7 +54,7 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.eye = direction(eyeOf(camera) - scene.origin, camera.projection == Projection::Perspective ? 1.0f : 0.0f);
     frame.back = direction(axesOf(camera).back, 0.0f);
     frame.keyDirection = direction(sample ? sample->keyDirection : keyDirection(), kKeyLight);
-    frame.skyDirection = sample ? direction(sample->skyDirection, 1.0f) : glm::vec4(0.0f);
+    frame.skyDirection = sample ? direction(sample->skyDirection, 0.0f) : glm::vec4(0.0f);
     frame.skyLight = {0.42f, 0.44f, 0.48f, kEyeLight};
     frame.groundLight = {0.17f, 0.16f, 0.15f, 0.0f};
     frame.backgroundTop = around.backgroundTop;
@@ -75,7 +75,7 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
     frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f, static_cast<float>(scene.exploded), 0.0f};
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
-    frame.picture = {view.size.width, view.size.height, settings.hasShadows ? 1.0f : 0.0f, scale};
+    frame.picture = {view.size.width, view.size.height, 0.0f, scale};
     return frame;
 }
 

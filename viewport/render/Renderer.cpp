@@ -19,35 +19,54 @@ constexpr int kShadowWidth = 2048;    // texels: some 5 mm at a house
 constexpr int kSkyShadowWidth = 512;  // soft: the sky is wide
 constexpr int kPickReach = 64;        // pixels around the pointer that are drawn at once, since it will move on
 
+enum class Light { Plain, Shadowed, Sampled };
+
+/// What is drawn with light, in the three ways of shadow.glsl.
+struct LitPrograms {
+    ShaderProgram plain, shadowed, sampled;
+};
+
 struct Programs {
-    ShaderProgram solid, lines, depth, pick, sky, shade, grid, strokes, mean;
+    LitPrograms solid, shade;
+    ShaderProgram lines, depth, pick, sky, grid, strokes, mean;
+};
+
+/// Makes programs, and remembers the first fault.
+class ProgramMaker {
+public:
+    using Files = std::initializer_list<std::string_view>;
+
+    ShaderProgram made(Files vertex, Files fragment, std::string_view defined = {}) {
+        Result<ShaderProgram> program = ShaderProgram::made(vertex, fragment, defined);
+        if (program) return std::move(*program);
+        if (!m_fault) m_fault = program.error();
+        return {};
+    }
+    LitPrograms madeLit(Files vertex, Files fragment) {
+        return {made(vertex, fragment, "WITHOUT_SHADOWS"), made(vertex, fragment),
+                made(vertex, fragment, "BY_SAMPLES")};
+    }
+    const std::optional<Error>& fault() const { return m_fault; }
+
+private:
+    std::optional<Error> m_fault;
 };
 
 Result<Programs> madePrograms() {
-    using Files = std::initializer_list<std::string_view>;
-    std::optional<Error> fault;
-    std::vector<ShaderProgram> programs;
-    const auto make = [&](Files vertex, Files fragment) {
-        if (fault) return;
-        Result<ShaderProgram> program = ShaderProgram::made(vertex, fragment);
-        if (!program)
-            fault = program.error();
-        else
-            programs.push_back(std::move(*program));
+    ProgramMaker maker;
+    Programs programs{
+        .solid = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "solid.frag"}),
+        .shade = maker.madeLit({"shade.vert"}, {"shadow.glsl", "shade.frag"}),
+        .lines = maker.made({"bodies.glsl", "solid.vert"}, {"edge.glsl", "lines.frag"}),
+        .depth = maker.made({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
+        .pick = maker.made({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
+        .sky = maker.made({"whole.vert"}, {"sky.frag"}),
+        .grid = maker.made({"grid.vert"}, {"grid.frag"}),
+        .strokes = maker.made({"strokes.vert"}, {"strokes.frag"}),
+        .mean = maker.made({"whole.vert"}, {"mean.frag"}),
     };
-    make({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "solid.frag"});
-    make({"bodies.glsl", "solid.vert"}, {"edge.glsl", "lines.frag"});
-    make({"bodies.glsl", "depth.vert"}, {"depth.frag"});
-    make({"bodies.glsl", "pick.vert"}, {"pick.frag"});
-    make({"whole.vert"}, {"sky.frag"});
-    make({"shade.vert"}, {"shadow.glsl", "shade.frag"});
-    make({"grid.vert"}, {"grid.frag"});
-    make({"strokes.vert"}, {"strokes.frag"});
-    make({"whole.vert"}, {"mean.frag"});
-    if (fault) return *fault;
-    return Programs{std::move(programs[0]), std::move(programs[1]), std::move(programs[2]),
-                    std::move(programs[3]), std::move(programs[4]), std::move(programs[5]),
-                    std::move(programs[6]), std::move(programs[7]), std::move(programs[8])};
+    if (maker.fault()) return *maker.fault();
+    return programs;
 }
 
 void setCapability(std::uint32_t capability, bool isOn) { isOn ? glEnable(capability) : glDisable(capability); }
@@ -76,8 +95,9 @@ struct Renderer::State {
     explicit State(Programs made) : programs(std::move(made)) {}
 
     void setFrame(const FrameBlock& block);
-    void drawShadows(const PictureView& view, const std::optional<LightSample>& light);
+    void drawShadows(const PictureView& view, const std::optional<LightSample>& lightSample);
     void drawPicture(const PictureView& view);
+    const ShaderProgram& lit(const LitPrograms& ways) const;
     void drawBackground();
     void drawSolid();
     void drawWires(const PictureView& view);
@@ -97,6 +117,7 @@ struct Renderer::State {
     ShadowMap keyShadow{kShadowWidth};
     ShadowMap skyShadow{kSkyShadowWidth};
     bool areShadowsOfScene = false;  // those of `scene`, by the middle of the lights
+    Light light = Light::Plain;
     FrameBlock frame{};
     GlBuffer frameBuffer = GlBuffer::made();
     GlVertexArray nothing = GlVertexArray::made();  // for what needs no vertices
@@ -135,14 +156,21 @@ void Renderer::State::drawTimes(const RenderTarget& source, float share) const {
     drawWhole();
 }
 
-void Renderer::State::drawShadows(const PictureView& view, const std::optional<LightSample>& light) {
-    if (!view.settings.hasShadows || bounds.isEmpty() || (!light && areShadowsOfScene)) return;
+void Renderer::State::drawShadows(const PictureView& view, const std::optional<LightSample>& lightSample) {
+    light = Light::Plain;
+    if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || bounds.isEmpty()) return;
+    light = lightSample ? Light::Sampled : Light::Shadowed;
+    if (!lightSample && areShadowsOfScene) return;
     setFrame(frame);  // for its exploded factor
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    keyShadow.draw(scene, programs.depth, light ? light->keyDirection : keyDirection(), bounds);
-    if (light) skyShadow.draw(scene, programs.depth, light->skyDirection, bounds);
-    areShadowsOfScene = !light;
+    keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), bounds);
+    if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, bounds);
+    areShadowsOfScene = !lightSample;
+}
+
+const ShaderProgram& Renderer::State::lit(const LitPrograms& ways) const {
+    return light == Light::Plain ? ways.plain : light == Light::Shadowed ? ways.shadowed : ways.sampled;
 }
 
 void Renderer::State::drawBackground() {
@@ -157,7 +185,7 @@ void Renderer::State::drawBackground() {
 void Renderer::State::drawSolid() {
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
-    programs.solid.use();
+    lit(programs.solid).use();
     scene.draw(SceneBuffers::Part::Bodies);
     glDisable(GL_CULL_FACE);
 }
@@ -205,8 +233,8 @@ void Renderer::State::drawGround(const PictureView& view) {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
     glBindVertexArray(nothing.id());
-    if (frame.picture.z != 0.0f && !bounds.isEmpty()) {
-        programs.shade.use();
+    if (light != Light::Plain && !bounds.isEmpty()) {
+        lit(programs.shade).use();
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     if (view.settings.hasGrid) {
@@ -246,7 +274,6 @@ void Renderer::State::drawPicture(const PictureView& view) {
     skyShadow.bind(TextureUnit::SkyShadow);
     frame.keyFromScene = keyShadow.placeFromScene();
     frame.skyFromScene = skyShadow.placeFromScene();
-    frame.picture.z = view.settings.hasShadows && view.settings.shading == Shading::Faces ? 1.0f : 0.0f;
     setFrame(frame);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_TRUE);

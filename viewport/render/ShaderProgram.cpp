@@ -28,8 +28,10 @@ std::string oneLine(std::string text) {
     return text;
 }
 
-Result<GlShader> compiled(std::uint32_t stage, std::initializer_list<std::string_view> files) {
+Result<GlShader> compiled(std::uint32_t stage, std::initializer_list<std::string_view> files,
+                          std::string_view defined) {
     std::string text = "#version 330 core\n";
+    if (!defined.empty()) text.append("#define ").append(defined).append("\n");
     std::string_view last;
     text += shaderSource("frame.glsl");
     for (const std::string_view file : files) {
@@ -52,10 +54,11 @@ Result<GlShader> compiled(std::uint32_t stage, std::initializer_list<std::string
 }  // namespace
 
 Result<ShaderProgram> ShaderProgram::made(std::initializer_list<std::string_view> vertexFiles,
-                                          std::initializer_list<std::string_view> fragmentFiles) {
-    const Result<GlShader> vertex = compiled(GL_VERTEX_SHADER, vertexFiles);
+                                          std::initializer_list<std::string_view> fragmentFiles,
+                                          std::string_view defined) {
+    const Result<GlShader> vertex = compiled(GL_VERTEX_SHADER, vertexFiles, defined);
     if (!vertex) return vertex.error();
-    const Result<GlShader> fragment = compiled(GL_FRAGMENT_SHADER, fragmentFiles);
+    const Result<GlShader> fragment = compiled(GL_FRAGMENT_SHADER, fragmentFiles, defined);
     if (!fragment) return fragment.error();
     GlProgram program = GlProgram::made();
     glAttachShader(program.id(), vertex->id());

@@ -15,11 +15,15 @@ namespace rubble {
 /// A program of resources/shaders. All share the block Frame; samplers have fixed units (see kSamplers in the .cpp).
 class ShaderProgram {
 public:
-    /// Made of files, each stage's put together in this order behind frame.glsl.
+    ShaderProgram() = default;  // none
+
+    /// Made of files, each stage's put together in this order behind frame.glsl, with a name defined for #ifdef where one
+    /// is given.
     ///
     /// Errors: Unsupported with what the driver says, where it does not take a file.
     static Result<ShaderProgram> made(std::initializer_list<std::string_view> vertexFiles,
-                                      std::initializer_list<std::string_view> fragmentFiles);
+                                      std::initializer_list<std::string_view> fragmentFiles,
+                                      std::string_view defined = {});
 
     void use() const;
     /// Set a uniform of the program, which is in use.
