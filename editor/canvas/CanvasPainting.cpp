@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -145,6 +146,8 @@ private:
     }
 
     void addLine(Vec2 from, Vec2 to, QList<QLineF>& lines) const {
+        // Smoothing depends on the direction, and that on the order of the pieces, which changes.
+        if (std::pair(to.x, to.y) < std::pair(from.x, from.y)) std::swap(from, to);
         Box2 box;
         box.include(from);
         box.include(to);

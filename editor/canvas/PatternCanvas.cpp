@@ -252,7 +252,7 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
 }
 
 void PatternCanvas::paintHovered(QPainter& painter) const {
-    if (m_hovered == kNone || !m_contents.pattern || !m_contents.layers.hasCells) return;
+    if (m_hovered == kNone || !m_contents.pattern || !m_contents.layers.hasCells || m_isPressed) return;
     painter.setRenderHint(QPainter::Antialiasing);
     QColor wash = m_colours.hover;
     wash.setAlpha(24);

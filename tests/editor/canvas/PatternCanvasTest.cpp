@@ -1,4 +1,5 @@
 #include "core/asset/PieceColours.h"
+#include "core/base/Random.h"
 #include "tests/support/Canvas.h"
 
 #include <QSignalSpy>
@@ -25,6 +26,32 @@ void setPlain(CanvasBench& bench) {
     bench.canvas.setLayers(layers);
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&bench.canvas, &leave);
+}
+
+constexpr int kSmoothing = 8;         // of 255 in a channel: less is not seen
+constexpr double kLinesPart = 0.002;  // of all pixels: Qt smooths a long line a little otherwise where it is clipped
+
+/// The part of all pixels that differ so much that it is seen.
+double differentPart(const QImage& a, const QImage& b) {
+    int different = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb one = a.pixel(x, y), other = b.pixel(x, y);
+            different += std::abs(qRed(one) - qRed(other)) > kSmoothing ||
+                         std::abs(qGreen(one) - qGreen(other)) > kSmoothing ||
+                         std::abs(qBlue(one) - qBlue(other)) > kSmoothing;
+        }
+    }
+    return static_cast<double>(different) / (a.width() * a.height());
+}
+
+/// The picture with every layer painted anew.
+QImage repainted(CanvasBench& bench) {
+    const CanvasLayers layers = bench.canvas.layers();
+    bench.canvas.setLayers({.hasGrid = !layers.hasGrid});
+    bench.canvas.grab();
+    bench.canvas.setLayers(layers);
+    return pictureOf(bench);
 }
 
 }  // namespace
@@ -92,6 +119,25 @@ private slots:
         bench.canvas.setLayers(layers);
         QCOMPARE(pixelAt(bench, {0.9, 0.25}), packed(rampColour(1.0)));
         QCOMPARE(pixelAt(bench, {0.05, 0.25}), packed(rampColour(0.0)));
+    }
+    void whatIsPaintedInPartsLooksAsIfItWerePaintedAtOnce() {
+        for (const std::uint32_t seeds : {12u, 3000u}) {
+            CanvasBench bench(projectOf(squareRing(), UniformScatter{.count = seeds}));
+            setPlain(bench);
+            CanvasLayers layers = bench.canvas.layers();
+            layers.hasTriangles = seeds < 100;
+            bench.canvas.setLayers(layers);
+            Random random(seeds);
+            for (int step = 0; step < 5; ++step) {
+                const Vec2 from = bench.seedAt(random.below(seeds));
+                bench.drag(from, from + Vec2(random.unit() - 0.5, random.unit() - 0.5) * 0.4);
+                bench.canvas.setView(panned(bench.canvas.view(), {random.unit() > 0.5 ? 17.0 : -9.0, 5.0}));
+                setPlain(bench);
+                const QImage inParts = pictureOf(bench);
+                const double off = differentPart(inParts, repainted(bench));
+                QVERIFY2(off <= kLinesPart, qPrintable(QString("%1 seeds, step %2: %3").arg(seeds).arg(step).arg(off)));
+            }
+        }
     }
     void equalSeedsAndThoseWithoutACellAreMarked() {
         CanvasBench bench(projectOf(unitSquare(), PlacedSeeds{{{0, {0.5, 0.5}}, {1, {0.5, 0.5}}, {2, {3.0, 3.0}}}}));
