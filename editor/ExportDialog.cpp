@@ -78,13 +78,14 @@ void ExportDialog::makeFields() {
     m_summary->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-    m_export->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
     auto* form = new QFormLayout(this);
     form->addRow(tr("&Assets:"), m_assets);
-    form->addRow(tr("&Folder:"), folderRow);
+    auto* folderLabel = new QLabel(tr("&Folder:"));
+    folderLabel->setBuddy(m_folder);
+    form->addRow(folderLabel, folderRow);
     form->addRow(tr("Meshes:"), m_obj);
     form->addRow(QString(), m_glb);
     form->addRow(tr("Frag&ments:"), m_split);
@@ -92,6 +93,7 @@ void ExportDialog::makeFields() {
     form->addRow(tr("OBJ fa&ces:"), m_faces);
     form->addRow(m_summary);
     form->addRow(buttons);
+    m_export->setDefault(true);  // a button knows its dialog only now
     resize(sizeHint().expandedTo({520, 480}));
 }
 

@@ -103,7 +103,6 @@ void ImportDialog::makeFields() {
     m_notes->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
-    m_import->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
@@ -121,6 +120,7 @@ void ImportDialog::makeFields() {
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
     layout->addWidget(buttons);
+    m_import->setDefault(true);  // a button knows its dialog only now
     resize(640, 560);
 }
 

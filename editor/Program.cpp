@@ -36,6 +36,7 @@ QString sentenceAbout(const Backup& backup) {
 }  // namespace
 
 Program::Program(QObject* parent) : QObject(parent), m_preferences(readPreferences(QSettings())) {
+    QCoreApplication::installTranslator(&m_plurals);
     applyTheme(m_preferences.theme);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/EnglishPlurals.h"
 #include "editor/Preferences.h"
 #include "editor/RecentFiles.h"
 #include "editor/document/Autosave.h"
@@ -46,6 +47,7 @@ private:
     MainWindow* windowWith(const QString& path) const;
     QList<MainWindow*> windows() const;
 
+    EnglishPlurals m_plurals;
     Preferences m_preferences;
     RecentFiles m_recentFiles;
 };

@@ -14,6 +14,7 @@ namespace {
 constexpr double kShortest = 0.001;  // m
 constexpr double kLongest = 1000.0;  // m
 constexpr int kMostCorners = 256;
+constexpr int kLeastWidth = 320;  // pixels: room for the title
 
 }  // namespace
 
@@ -31,12 +32,14 @@ ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWi
         m_lengths.append(box);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    QPushButton* add = buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(m_form);
     layout->addWidget(buttons);
+    add->setDefault(true);  // a button knows its dialog only now
+    setMinimumWidth(kLeastWidth);
     m_lengths.front()->selectAll();
     m_lengths.front()->setFocus();
 }

@@ -58,7 +58,7 @@ void ViewActions::addTools() {
         {CanvasToolKind::Outline,
          {"tool-outline", tr("&Outline"), tr("Drag, add and delete points of the outline"), QKeySequence("Alt+W")}},
         {CanvasToolKind::Measure,
-         {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+E")}}};
+         {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};
     for (const auto& [kind, look] : tools) {
         QAction* action = makeAction(this, look);
         action->setCheckable(true);
