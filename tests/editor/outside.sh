@@ -34,13 +34,22 @@ until_true() {
 }
 is_as_before() { cmp -s "$folder/before.rubble" "$folder/wall.rubble"; }
 is_other() { ! is_as_before; }
-has_title() { xdotool search --name "^$1" | grep -q .; }
+has_title() { xdotool search --onlyvisible --name "^$1" | grep -q .; }
+# The editor's window, once it is the same for a second: it may be made anew while it opens.
+settled_window() {
+  local window= now= tries
+  for tries in $(seq 60); do
+    now=$(xdotool search --onlyvisible --name '^wall\.rubble' 2>/dev/null | tail -1) || now=
+    [ -z "$now" ] || [ "$now" != "$window" ] || { echo "$now"; return; }
+    window=$now
+    sleep 1
+  done
+  return 1
+}
 
 until_true 60 has_title 'wall\.rubble – Rubble' || fail "no window with the project's name came up"
-window=$(xdotool search --name '^wall\.rubble – Rubble' | head -1)
-xdotool windowactivate --sync "$window"
-xdotool windowsize --sync "$window" 1400 850
-sleep 2
+window=$(settled_window) || fail 'the window does not settle'
+xdotool windowactivate --sync "$window" || fail 'the window does not take the focus'
 [ -e "$folder/.wall.rubble.lock" ] || fail 'the open project is not locked'
 
 eval "$(xdotool getwindowgeometry --shell "$window")"
@@ -50,13 +59,13 @@ xdotool mousemove $((X + WIDTH * 36 / 100)) $((Y + HEIGHT * 30 / 100)) click 1
 until_true 20 has_title 'wall\.rubble\* – Rubble' || fail 'a click on the canvas changed nothing'
 sleep 1
 [ "$(import -window "$window" rgb:- | md5sum)" != "$before" ] || fail 'the window looks as it did'
-xdotool key --window "$window" ctrl+s
+xdotool key ctrl+s
 until_true 20 is_other || fail 'Ctrl+S wrote nothing'
-xdotool key --window "$window" ctrl+z
+xdotool key ctrl+z
 until_true 20 has_title 'wall\.rubble\* – Rubble' || fail 'Ctrl+Z changed nothing'
-xdotool key --window "$window" ctrl+s
+xdotool key ctrl+s
 until_true 20 is_as_before || fail 'undone and saved, the file is not the bytes it was'
-xdotool key --window "$window" ctrl+q
+xdotool key ctrl+q
 until_true 20 bash -c "! kill -0 $editor" || fail 'Ctrl+Q did not end the program'
 wait "$editor" || fail "the program ended with exit code $?"
 [ ! -e "$folder/.wall.rubble.lock" ] || fail 'a lock was left behind'
