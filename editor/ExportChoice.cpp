@@ -53,14 +53,16 @@ void tell(const QString& text, const QStringList& details, QWidget* parent) {
     box.exec();
 }
 
-QString summary(const std::vector<AssetExport>& exports, const QString& folder, QWidget* parent) {
+QString summary(const std::vector<AssetExport>& exports, const QString& folder, Messages& messages, QWidget* parent) {
     QStringList faults;
     int written = 0, unchanged = 0;
     for (const AssetExport& asset : exports) {
-        if (!asset.status)
-            faults.append(QString::fromStdString(asset.status.error().message));
-        else
+        if (asset.status) {
             ++(asset.isUnchanged ? unchanged : written);
+            continue;
+        }
+        faults.append(QString::fromStdString(asset.status.error().message));
+        messages.add({.severity = Severity::Fault, .text = faults.last(), .asset = asset.asset});
     }
     if (!faults.isEmpty()) {
         tell(QCoreApplication::translate("Export", "Assets that could not be exported: %1.").arg(faults.size()), faults,
@@ -94,7 +96,7 @@ std::optional<ExportChoice> lastExport(Workspace& workspace) {
     return choice;
 }
 
-QString exported(Workspace& workspace, const ExportChoice& choice, QWidget* parent) {
+QString exported(Workspace& workspace, const ExportChoice& choice, Messages& messages, QWidget* parent) {
     keep(keyOf(workspace.file().path()), choice);
     const Project project = workspace.project();
     const std::vector<Id> assets = assetsOf(choice, project);
@@ -103,12 +105,18 @@ QString exported(Workspace& workspace, const ExportChoice& choice, QWidget* pare
     const Outcome outcome = dialog.run<Outcome>([&](const TaskContext& task) {
         return exportPacks(project, assets, choice.folder.toStdString(), choice.meshes, task);
     });
-    if (outcome) return summary(*outcome, choice.folder, parent);
+    if (outcome) {
+        const QString sentence = summary(*outcome, choice.folder, messages, parent);
+        messages.add({.text = sentence});
+        return sentence;
+    }
+    if (outcome.error().code == ErrorCode::Cancelled) {
+        return QCoreApplication::translate("Export", "Export cancelled; nothing was left half-written.");
+    }
     const QString sentence = QString::fromStdString(outcome.error().message);
-    if (outcome.error().code != ErrorCode::Cancelled) tell(sentence, {}, parent);
-    return outcome.error().code == ErrorCode::Cancelled
-               ? QCoreApplication::translate("Export", "Export cancelled; nothing was left half-written.")
-               : sentence;
+    messages.add({.severity = Severity::Fault, .text = sentence});
+    tell(sentence, {}, parent);
+    return sentence;
 }
 
 }  // namespace rubble

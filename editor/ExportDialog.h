@@ -2,6 +2,7 @@
 
 #include "core/io/PackMeshes.h"
 #include "editor/Workspace.h"
+#include "editor/document/Messages.h"
 
 #include <QDialog>
 
@@ -25,8 +26,8 @@ struct ExportChoice {
 std::optional<ExportChoice> lastExport(Workspace& workspace);
 
 /// Exports, with progress and a way to cancel, and keeps the choice as the project's last. Gives a sentence that says what
-/// was done or why not; reports of assets and faults go to the user in a box where there are any.
-QString exported(Workspace& workspace, const ExportChoice& choice, QWidget* parent);
+/// was done or why not; faults go to the user in a box, and all of it to the messages.
+QString exported(Workspace& workspace, const ExportChoice& choice, Messages& messages, QWidget* parent);
 
 /// Asks what to export, and shows what will be written.
 class ExportDialog : public QDialog {

@@ -6,6 +6,7 @@
 #include "editor/ImportDialog.h"
 #include "editor/MainWindow.h"
 #include "editor/Program.h"
+#include "editor/Views.h"
 
 #include <QApplication>
 #include <QDir>
@@ -149,6 +150,7 @@ void FileActions::importMesh(const QString& path) {
     ImportDialog dialog(path, m_window.workspace().project(), &m_window);
     if (!dialog.read() || dialog.exec() != QDialog::Accepted) return;
     m_window.showWork();
+    for (Message& message : dialog.messages()) m_window.views().messages().add(std::move(message));
     m_window.workspace().document().push(dialog.edit());
     m_window.workspace().selection().setAsset(dialog.firstAsset());
     m_window.say(tr("Imported %1.").arg(QFileInfo(path).fileName()));
@@ -156,13 +158,17 @@ void FileActions::importMesh(const QString& path) {
 
 void FileActions::exportAs() {
     ExportDialog dialog(m_window.workspace(), &m_window);
-    if (dialog.exec() == QDialog::Accepted) m_window.say(exported(m_window.workspace(), dialog.choice(), &m_window));
+    if (dialog.exec() == QDialog::Accepted) exportWith(dialog.choice());
 }
 
 void FileActions::exportAgain() {
     const std::optional<ExportChoice> last = lastExport(m_window.workspace());
     if (!last) return exportAs();
-    m_window.say(exported(m_window.workspace(), *last, &m_window));
+    exportWith(*last);
+}
+
+void FileActions::exportWith(const ExportChoice& choice) {
+    m_window.say(exported(m_window.workspace(), choice, m_window.views().messages(), &m_window));
 }
 
 void FileActions::closeWindow() { m_window.close(); }

@@ -42,6 +42,7 @@ private:
     void importSlot();
     void exportAs();
     void exportAgain();
+    void exportWith(const struct ExportChoice& choice);
     void closeWindow();
     void fillRecent();
     void tell(const Status& status);

@@ -76,6 +76,17 @@ Edit ImportDialog::edit() const {
     return editBetween(tr("Import %1").arg(QFileInfo(m_path).fileName()), m_project, m_outcome->project);
 }
 
+std::vector<Message> ImportDialog::messages() const {
+    std::vector<Message> messages;
+    for (const ImportedAsset& found : m_outcome->assets) {
+        for (const std::string& note : found.notes) messages.push_back({.text = text(note), .asset = found.asset});
+    }
+    for (const Error& fault : m_outcome->refused) {
+        messages.push_back({.severity = Severity::Fault, .text = text(fault.message)});
+    }
+    return messages;
+}
+
 Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
 
 void ImportDialog::makeFields() {
@@ -101,6 +112,10 @@ void ImportDialog::makeFields() {
     m_notes = new QLabel;
     m_notes->setWordWrap(true);
     m_notes->setTextFormat(Qt::PlainText);
+    m_refused = new QLabel;
+    m_refused->setWordWrap(true);
+    m_refused->setTextFormat(Qt::PlainText);
+    m_refused->hide();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -119,6 +134,7 @@ void ImportDialog::makeFields() {
     layout->addLayout(top);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
+    layout->addWidget(m_refused);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // a button knows its dialog only now
     resize(640, 560);
@@ -140,13 +156,22 @@ void ImportDialog::update() {
                              ? tr("one unit is %1").arg(text(lengthText(m_scene.metresPerUnit)))
                              : tr("it does not say its unit: metres, unless you choose another");
     m_found->setText(
-        tr("The file holds %1 objects of %2 triangles; %3.").arg(m_scene.objects.size()).arg(triangles).arg(unit));
+        tr("The file holds %n object(s) of %1 triangles; %2.", nullptr, static_cast<int>(m_scene.objects.size()))
+            .arg(triangles)
+            .arg(unit));
     Result<ImportOutcome> outcome =
         importedInto(m_project, m_scene, QFileInfo(m_path).completeBaseName().toStdString(), options(), TaskContext{});
     m_outcome.reset();
     if (outcome) m_outcome = std::move(*outcome);
     m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
-    m_notes->setText(outcome ? QString() : text(outcome.error().message));
+    m_notes->clear();
+    QStringList refused;
+    if (!outcome) refused.append(text(outcome.error().message));
+    if (m_outcome) {
+        for (const Error& fault : m_outcome->refused) refused.append(text(fault.message));
+    }
+    m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
+    m_refused->setVisible(!refused.isEmpty());
     fillTable();
 }
 
@@ -173,7 +198,8 @@ void ImportDialog::showRow(int row) {
     m_preview->setOutline(found.prism.outline);
     QStringList notes;
     for (const std::string& note : found.notes) notes.append(text(note));
-    if (!found.isStandIn) {
+    if (!found.isStandIn && found.prism.deviation == 0.0) notes.append(tr("The mesh is this prism exactly."));
+    if (!found.isStandIn && found.prism.deviation > 0.0) {
         notes.append(tr("The mesh lies within %1 of the prism.").arg(text(lengthText(found.prism.deviation))));
     }
     m_notes->setText(notes.join('\n'));

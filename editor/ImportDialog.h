@@ -3,6 +3,7 @@
 #include "core/asset/AssetImport.h"
 #include "core/base/Result.h"
 #include "editor/document/Edit.h"
+#include "editor/document/Messages.h"
 
 #include <QDialog>
 
@@ -28,6 +29,8 @@ public:
     /// What an accepted dialog does to the project.
     Edit edit() const;
     Id firstAsset() const;
+    /// What was merged, turned or left out, and what was refused.
+    std::vector<Message> messages() const;
 
 private:
     void makeFields();
@@ -48,7 +51,8 @@ private:
     QComboBox* m_fallback;
     QTableWidget* m_table;
     OutlinePreview* m_preview;
-    QLabel* m_notes;
+    QLabel* m_notes;    // on the row's asset
+    QLabel* m_refused;  // what does not come through
     QPushButton* m_import = nullptr;
 };
 
