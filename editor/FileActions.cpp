@@ -1,6 +1,7 @@
 #include "editor/FileActions.h"
 
 #include "core/asset/StarterProject.h"
+#include "core/io/MeshImport.h"
 #include "editor/Action.h"
 #include "editor/ExportDialog.h"
 #include "editor/ImportDialog.h"
@@ -147,8 +148,9 @@ void FileActions::importSlot() {
 }
 
 void FileActions::importMesh(const QString& path) {
-    ImportDialog dialog(path, m_window.workspace().project(), &m_window);
-    if (!dialog.read() || dialog.exec() != QDialog::Accepted) return;
+    ImportDialog dialog(path, m_window.workspace().project(), m_window.program().preferences(), &m_window);
+    const std::filesystem::path importer = importerBeside(QApplication::applicationDirPath().toStdString());
+    if (!dialog.read(importer) || dialog.exec() != QDialog::Accepted) return;
     m_window.showWork();
     for (Message& message : dialog.messages()) m_window.views().messages().add(std::move(message));
     m_window.workspace().document().push(dialog.edit());

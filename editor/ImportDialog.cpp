@@ -1,6 +1,7 @@
 #include "editor/ImportDialog.h"
 
 #include "core/io/MeshImport.h"
+#include "editor/ImportView.h"
 #include "editor/OutlinePreview.h"
 #include "editor/TaskDialog.h"
 #include "editor/commands/ProjectEdits.h"
@@ -45,25 +46,25 @@ QString sizeText(const FoundPrism& prism) {
 
 }  // namespace
 
-ImportDialog::ImportDialog(const QString& path, const Project& project, QWidget* parent)
-    : QDialog(parent), m_path(path), m_project(project) {
+ImportDialog::ImportDialog(const QString& path, const Project& project, const Preferences& preferences, QWidget* parent)
+    : QDialog(parent), m_path(path), m_project(project), m_view(new ImportView(preferences)) {
     setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
     makeFields();
-    for (QComboBox* box : {m_unit, m_up, m_axis, m_fallback}) {
+    for (QComboBox* box : {m_unit, m_up}) connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::showMesh);
+    for (QComboBox* box : {m_axis, m_fallback}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::update);
     }
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
 }
 
-bool ImportDialog::read() {
+bool ImportDialog::read(const std::filesystem::path& importer) {
     const QString name = QFileInfo(m_path).fileName();
     TaskDialog dialog(tr("Reading %1…").arg(name), parentWidget());
-    const std::filesystem::path importer = importerBeside(QApplication::applicationDirPath().toStdString());
     Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
         [&](const TaskContext& task) { return rubble::importMesh(m_path.toStdString(), importer, task); });
     if (scene) {
         m_scene = std::move(*scene);
-        update();
+        showMesh();
         return true;
     }
     if (scene.error().code != ErrorCode::Cancelled) {
@@ -121,23 +122,34 @@ void ImportDialog::makeFields() {
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
-    auto* form = new QFormLayout;
-    form->addRow(tr("&Unit:"), m_unit);
-    form->addRow(tr("U&p:"), m_up);
-    form->addRow(tr("&Extrude along:"), m_axis);
-    form->addRow(tr("&No prism:"), m_fallback);
     auto* top = new QHBoxLayout;
-    top->addLayout(form, 1);
-    top->addWidget(m_preview);
+    top->addWidget(m_view, 1);
+    top->addWidget(makeOptions());
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_found);
-    layout->addLayout(top);
+    layout->addLayout(top, 3);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
     layout->addWidget(m_refused);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // a button knows its dialog only now
-    resize(640, 560);
+    resize(920, 700);
+}
+
+/// How the file is taken, above the outline that follows from it.
+QWidget* ImportDialog::makeOptions() {
+    auto* options = new QWidget;
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Unit:"), m_unit);
+    form->addRow(tr("U&p:"), m_up);
+    form->addRow(tr("&Extrude along:"), m_axis);
+    form->addRow(tr("&No prism:"), m_fallback);
+    auto* rows = new QVBoxLayout(options);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addLayout(form);
+    rows->addWidget(new QLabel(tr("Outline, seen along the axis:")));
+    rows->addWidget(m_preview, 1);
+    return options;
 }
 
 ImportOptions ImportDialog::options() const {
@@ -149,7 +161,27 @@ ImportOptions ImportDialog::options() const {
     return options;
 }
 
+double ImportDialog::metresPerUnit() const {
+    const double inFile = m_scene.metresPerUnit > 0.0 ? m_scene.metresPerUnit : 1.0;
+    return metresOf(m_unit->currentIndex()).value_or(inFile);
+}
+
+void ImportDialog::showMesh() {
+    m_view->setModel(sourceModel(m_scene, metresPerUnit(), options().up));
+    update();
+}
+
 void ImportDialog::update() {
+    const Result<ImportOutcome> outcome =
+        importedInto(m_project, m_scene, QFileInfo(m_path).completeBaseName().toStdString(), options(), TaskContext{});
+    m_outcome.reset();
+    if (outcome) m_outcome = *outcome;
+    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
+    showFound(outcome);
+    fillTable();
+}
+
+void ImportDialog::showFound(const Result<ImportOutcome>& outcome) {
     std::size_t triangles = 0;
     for (const SourceObject& object : m_scene.objects) triangles += object.triangles.size();
     const QString unit = m_scene.metresPerUnit > 0.0
@@ -159,12 +191,6 @@ void ImportDialog::update() {
         tr("The file holds %n object(s) of %1 triangles; %2.", nullptr, static_cast<int>(m_scene.objects.size()))
             .arg(triangles)
             .arg(unit));
-    Result<ImportOutcome> outcome =
-        importedInto(m_project, m_scene, QFileInfo(m_path).completeBaseName().toStdString(), options(), TaskContext{});
-    m_outcome.reset();
-    if (outcome) m_outcome = std::move(*outcome);
-    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
-    m_notes->clear();
     QStringList refused;
     if (!outcome) refused.append(text(outcome.error().message));
     if (m_outcome) {
@@ -172,12 +198,13 @@ void ImportDialog::update() {
     }
     m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
     m_refused->setVisible(!refused.isEmpty());
-    fillTable();
 }
 
 void ImportDialog::fillTable() {
     m_table->setRowCount(0);
     m_preview->setOutline({});
+    m_view->setPrism(nullptr);
+    m_notes->clear();
     if (!m_outcome) return;
     m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
@@ -196,6 +223,7 @@ void ImportDialog::showRow(int row) {
     if (!m_outcome || row < 0) return;
     const ImportedAsset& found = m_outcome->assets[static_cast<std::size_t>(row)];
     m_preview->setOutline(found.prism.outline);
+    m_view->setPrism(&found.prism);
     QStringList notes;
     for (const std::string& note : found.notes) notes.append(text(note));
     if (!found.isStandIn && found.prism.deviation == 0.0) notes.append(tr("The mesh is this prism exactly."));

@@ -1,7 +1,7 @@
 #include "editor/SceneView.h"
 
 #include "editor/Action.h"
-#include "editor/Theme.h"
+#include "editor/ViewportLook.h"
 #include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
 
@@ -51,7 +51,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     }
     connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
     connect(m_viewport, &ViewportWidget::picked, this, &SceneView::pick);
-    takeTheme();
+    takeTheme(*m_viewport);
     invalidate();
 }
 
@@ -61,22 +61,11 @@ void SceneView::frameAll() {
     m_viewport->frameAll();
 }
 
-void SceneView::takePreferences(const Preferences& preferences) {
-    m_viewport->setNavigation(preferences.navigation == NavigationChoice::Maya ? NavigationStyle::Maya
-                                                                               : NavigationStyle::Blender);
-    m_viewport->setFlights(preferences.isSmooth);
-    m_settings.msaa = preferences.msaa;
-    m_viewport->setSettings(m_settings);
-}
+void SceneView::takePreferences(const Preferences& preferences) { rubble::takePreferences(*m_viewport, preferences); }
 
 void SceneView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) takeTheme();
+    if (event->type() == QEvent::PaletteChange) takeTheme(*m_viewport);
     QWidget::changeEvent(event);
-}
-
-void SceneView::takeTheme() {
-    m_settings.theme = isDark(palette()) ? rubble::Theme::Dark : rubble::Theme::Light;
-    m_viewport->setSettings(m_settings);
 }
 
 /// Actions for what the viewport's own keys do, so that menu and search find them; the keys are in their texts.
@@ -116,8 +105,9 @@ void SceneView::addToggle(const ActionLook& look, bool isOn, const std::function
 
 void SceneView::addToggles() {
     const auto set = [this](auto RenderSettings::*setting, auto value) {
-        m_settings.*setting = value;
-        m_viewport->setSettings(m_settings);
+        RenderSettings settings = m_viewport->settings();
+        settings.*setting = value;
+        m_viewport->setSettings(settings);
     };
     addToggle({"view-wireframe", tr("&Wireframe"), tr("Draw edges only")}, false,
               [set](bool isOn) { set(&RenderSettings::shading, isOn ? Shading::Wireframe : Shading::Faces); });

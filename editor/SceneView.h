@@ -2,7 +2,6 @@
 
 #include "editor/Preferences.h"
 #include "editor/Workspace.h"
-#include "viewport/render/RenderSettings.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTimer>
@@ -40,14 +39,12 @@ private:
     /// Has the scene made anew before the next picture; what did not change costs nothing.
     void invalidate() { m_timer.start(); }
     void update();
-    void takeTheme();
     SceneMarks marks() const;
     void addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const;
     void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
 
     Workspace& m_workspace;
     ViewportWidget* m_viewport;
-    RenderSettings m_settings;
     SceneBuilder m_builder;
     SceneOptions m_options;
     bool m_isAssetOnly = false;

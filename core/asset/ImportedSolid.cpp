@@ -16,16 +16,6 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-TriangleMesh inMetres(const SourceObject& object, double metresPerUnit, UpAxis up) {
-    TriangleMesh mesh;
-    for (const Vec3 point : object.points) {
-        const Vec3 turned = up == UpAxis::Z ? Vec3(point.x, point.z, -point.y) : point;
-        mesh.points.push_back(metresPerUnit * turned);
-    }
-    for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
-    return mesh;
-}
-
 std::vector<std::string> weldingNotes(const WeldedMesh& welded) {
     std::vector<std::string> notes;
     if (welded.mergedPoints > 0)
@@ -119,8 +109,18 @@ Result<FoundPrism> prismOf(const ImportPart& part, const Result<SolidMesh>& soli
 
 }  // namespace
 
+TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
+    TriangleMesh mesh;
+    for (const Vec3 point : object.points) {
+        const Vec3 turned = up == UpAxis::Z ? Vec3(point.x, point.z, -point.y) : point;
+        mesh.points.push_back(metresPerUnit * turned);
+    }
+    for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
+    return mesh;
+}
+
 Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up) {
-    Result<WeldedMesh> one = welded(inMetres(object, metresPerUnit, up));
+    Result<WeldedMesh> one = welded(meshInWorld(object, metresPerUnit, up));
     if (!one) return one.error();
     ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
     whole.notes = weldingNotes(*one);

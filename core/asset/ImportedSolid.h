@@ -15,6 +15,9 @@ struct ImportPart {
     std::vector<std::string> notes;
 };
 
+/// The triangles of an object where they stand in the world: in metres, y up.
+TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up);
+
 /// Welds an object and takes it apart where it is of several parts that are not joined.
 ///
 /// Errors: those of welded(); Degenerate where a part is the wall of a cavity; Limit above 1000 parts.

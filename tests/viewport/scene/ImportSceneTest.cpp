@@ -1,0 +1,90 @@
+#include "viewport/scene/ImportScene.h"
+#include "viewport/scene/SurfacePiece.h"
+
+#include "tests/support/Outlines.h"
+#include "tests/support/Solids.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+SourceScene sceneOf(const TriangleMesh& mesh) {
+    SourceObject object{.name = "wall", .points = mesh.points};
+    for (const auto& triangle : mesh.triangles) object.triangles.push_back({triangle, {}, 0});
+    return {0.0, {{}}, {object}};
+}
+
+TriangleMesh wallMesh() { return prismSolid({rectangle({0, 0}, {2, 1}), {}}, 0.5); }
+
+bool isNear(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
+
+/// Corners that lie on an edge which shows.
+std::size_t edgeCorners(const SceneGeometry& geometry) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        geometry.vertices, [](const SceneVertex& vertex) { return vertex.across[0] == 0 || vertex.across[1] == 0; }));
+}
+
+}  // namespace
+
+class ImportSceneTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aMeshStandsInMetresAndYUp() {
+        const SourceModel model = sourceModel(sceneOf(wallMesh()), 0.1, UpAxis::Z);
+        const Box3 bounds = boundsOf(importScene(model, nullptr));
+        QVERIFY(isNear(bounds.max - bounds.min, {0.2, 0.05, 0.1}));
+        QVERIFY(isNear(bounds.min, {0.0, -0.025, -0.1}));
+    }
+    void farFromZeroNothingIsRounded() {
+        const SourceModel model = sourceModel(sceneOf(placed(wallMesh(), {{1e7, 0, 0}})), 1.0, UpAxis::Y);
+        const Box3 bounds = boundsOf(importScene(model, nullptr));
+        QVERIFY(isNear(bounds.max - bounds.min, {2.0, 1.0, 0.5}));
+    }
+    void thePrismLiesOverItsMeshAndTheArrowAlongItsAxis() {
+        const TriangleMesh mesh = placed(wallMesh(), {{3, 4, 5}, Quat(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0)});
+        const Result<FoundPrism> found = findPrism(mesh, AxisChoice::Thinnest, 1e-5);
+        QVERIFY(found.hasValue());
+        const RenderScene scene = importScene(sourceModel(sceneOf(mesh), 1.0, UpAxis::Y), &*found);
+        QCOMPARE(scene.batches.size(), std::size_t{3});
+        QVERIFY(!scene.batches[1].hulls->indices.empty());
+        QVERIFY(scene.batches[1].geometry->indices.empty());
+        const Vec3 middle = boundsOf(mesh).centre();
+        for (const std::size_t body : {1, 2}) {
+            QVERIFY(isNear(scene.origin + Vec3(glm::vec3(scene.motions[body].position)), middle));
+        }
+        const Box3 bounds = boundsOf(scene);
+        QVERIFY(std::abs(bounds.max.x - bounds.min.x - 1.7) < 1e-6);  // 0.5, and 0.3 of 2 beyond each cap
+        QCOMPARE(scene.groundHeight, boundsOf(mesh).min.y);
+    }
+    void bothSidesAreDrawnAndFlatEdgesAreNot() {
+        SceneGeometry geometry;
+        addSurface(geometry, wallMesh());
+        QCOMPARE(geometry.indices.size(), 3 * 2 * wallMesh().triangles.size());
+        // Of the two triangles of each side, each has two edges that show: all its corners lie on one.
+        QCOMPARE(edgeCorners(geometry), geometry.vertices.size());
+        SceneGeometry apart;  // as STL has it: no point is shared
+        TriangleMesh soup;
+        for (const auto& triangle : wallMesh().triangles) {
+            for (const std::uint32_t point : triangle) soup.points.push_back(wallMesh().points[point]);
+            const auto first = static_cast<std::uint32_t>(soup.points.size() - 3);
+            soup.triangles.push_back({first, first + 1, first + 2});
+        }
+        addSurface(apart, soup);
+        QCOMPARE(apart.vertices.size(), geometry.vertices.size());
+        QCOMPARE(apart.vertices.size(), apart.indices.size());  // no fan around a centre: no triangle shows three edges
+    }
+    void theEdgeOfAnOpenMeshShows() {
+        TriangleMesh triangle;
+        triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        triangle.triangles = {{0, 1, 2}};
+        SceneGeometry geometry;
+        addSurface(geometry, triangle);
+        QCOMPARE(edgeCorners(geometry), std::size_t{6});
+        QCOMPARE(geometry.vertices.size(), std::size_t{8});
+    }
+};
+
+QTEST_GUILESS_MAIN(ImportSceneTest)
+#include "ImportSceneTest.moc"

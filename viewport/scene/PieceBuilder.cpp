@@ -1,0 +1,102 @@
+#include "viewport/scene/PieceBuilder.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr std::uint8_t kOnEdge = 0, kOnOppositeEdge = 255, kAway = 128;
+
+}  // namespace
+
+PieceBuilder::PieceBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_piece(geometry.pieceCount()) {
+    geometry.boxes.emplace_back();
+}
+
+void PieceBuilder::beginFace(Vec3 normal, FaceSide side) {
+    m_like.normal = glm::vec3(normal);
+    m_like.side = side;
+    m_like.piece = m_piece;
+    m_corners.clear();
+    m_isEdge.clear();
+}
+
+void PieceBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
+    m_geometry.boxes.back().include(position);
+    SceneVertex vertex = m_like;
+    vertex.position = glm::vec3(position);
+    vertex.uv = glm::vec2(uv);
+    m_corners.push_back(vertex);
+    m_isEdge.push_back(isEdge);
+}
+
+void PieceBuilder::endFace() {
+    const bool areAllEdges = std::ranges::find(m_isEdge, false) == m_isEdge.end();
+    if (areAllEdges && m_corners.size() == 4) return addQuad();
+    if (!areAllEdges && m_corners.size() == 3) return addTriangleWithGaps();
+    areAllEdges ? addFan() : addFanWithGaps();
+}
+
+std::uint32_t PieceBuilder::add(SceneVertex vertex, std::uint8_t s, std::uint8_t t) {
+    vertex.across = {s, t};
+    m_geometry.vertices.push_back(vertex);
+    return static_cast<std::uint32_t>(m_geometry.vertices.size() - 1);
+}
+
+void PieceBuilder::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    m_geometry.indices.insert(m_geometry.indices.end(), {a, b, c});
+}
+
+void PieceBuilder::addQuad() {
+    const std::uint32_t first = add(m_corners[0], kOnEdge, kOnEdge);
+    add(m_corners[1], kOnOppositeEdge, kOnEdge);
+    add(m_corners[2], kOnOppositeEdge, kOnOppositeEdge);
+    add(m_corners[3], kOnEdge, kOnOppositeEdge);
+    addTriangle(first, first + 1, first + 2);
+    addTriangle(first, first + 2, first + 3);
+}
+
+/// Of two edges at most: one for each direction of SceneVertex::across.
+void PieceBuilder::addTriangleWithGaps() {
+    const std::size_t gap = static_cast<std::size_t>(std::ranges::find(m_isEdge, false) - m_isEdge.begin());
+    const std::size_t start = (gap + 1) % 3, middle = (gap + 2) % 3;
+    const std::uint8_t s = m_isEdge[start] ? kOnEdge : kAway, t = m_isEdge[middle] ? kOnEdge : kAway;
+    const std::uint32_t first = add(m_corners[start], s, kAway);
+    add(m_corners[middle], s, t);
+    add(m_corners[gap], kAway, t);
+    addTriangle(first, first + 1, first + 2);
+}
+
+SceneVertex PieceBuilder::centre() const {
+    SceneVertex centre = m_like;
+    for (const SceneVertex& corner : m_corners) {
+        centre.position += corner.position;
+        centre.uv += corner.uv;
+    }
+    const auto count = static_cast<float>(m_corners.size());
+    centre.position /= count;
+    centre.uv /= count;
+    return centre;
+}
+
+/// Triangles around the centre: each has one of the face's edges.
+void PieceBuilder::addFan() {
+    const auto count = static_cast<std::uint32_t>(m_corners.size());
+    const std::uint32_t middle = add(centre(), kAway, kAway);
+    for (const SceneVertex& corner : m_corners) add(corner, kOnEdge, kAway);
+    for (std::uint32_t k = 0; k < count; ++k) addTriangle(middle, middle + 1 + k, middle + 1 + (k + 1) % count);
+}
+
+/// The same where some edges must not show: no triangle shares corners with the next.
+void PieceBuilder::addFanWithGaps() {
+    const SceneVertex middle = centre();
+    for (std::size_t k = 0; k < m_corners.size(); ++k) {
+        const std::uint8_t s = m_isEdge[k] ? kOnEdge : kAway;
+        const std::uint32_t first = add(middle, kAway, kAway);
+        add(m_corners[k], s, kAway);
+        add(m_corners[(k + 1) % m_corners.size()], s, kAway);
+        addTriangle(first, first + 1, first + 2);
+    }
+}
+
+}  // namespace rubble

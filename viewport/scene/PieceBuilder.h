@@ -1,0 +1,36 @@
+#pragma once
+
+#include "viewport/scene/SceneGeometry.h"
+
+#include <vector>
+
+namespace rubble {
+
+/// Appends one piece to a geometry, face by face. Faces are convex.
+class PieceBuilder {
+public:
+    explicit PieceBuilder(SceneGeometry& geometry);
+
+    /// Begins a face; its corners follow.
+    void beginFace(Vec3 normal, FaceSide side);
+    /// `isEdge` tells of the way to the next corner.
+    void addCorner(Vec3 position, Vec2 uv, bool isEdge);
+    void endFace();
+
+private:
+    std::uint32_t add(SceneVertex vertex, std::uint8_t s, std::uint8_t t);
+    void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    void addQuad();
+    void addTriangleWithGaps();
+    SceneVertex centre() const;
+    void addFan();
+    void addFanWithGaps();
+
+    SceneGeometry& m_geometry;
+    std::uint32_t m_piece;
+    SceneVertex m_like;  // what all corners of the face have
+    std::vector<SceneVertex> m_corners;
+    std::vector<bool> m_isEdge;
+};
+
+}  // namespace rubble
