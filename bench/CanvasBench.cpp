@@ -142,9 +142,12 @@ void measure(std::uint32_t seeds) {
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication program(argc, argv);
+    std::vector<std::uint32_t> counts;
+    for (const QString& argument : QApplication::arguments().mid(1)) counts.push_back(argument.toUInt());
+    if (counts.empty()) counts = {20, 1'000, 20'000};
     std::printf(
         "| seeds | painting all, ms | painting what is kept, ms | drag to new cells, ms | 90 %% | 99 %% "
         "| drag : all | drag : kept |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-    for (const std::uint32_t seeds : {20u, 1'000u, 20'000u}) measure(seeds);
+    for (const std::uint32_t seeds : counts) measure(seeds);
     return 0;
 }
