@@ -31,12 +31,12 @@ double millisecondsSince(Clock::time_point start) {
 class WatchedCanvas : public PatternCanvas {
 public:
     using PatternCanvas::PatternCanvas;
-    std::shared_ptr<const Asset> painted;  // the state whose cells are on the canvas
+    std::optional<Asset> painted;  // the state whose cells are on the canvas
 
 protected:
     void paintEvent(QPaintEvent* event) override {
         PatternCanvas::paintEvent(event);
-        if (shownPattern()) painted = shownPattern()->baked().asset;
+        if (shownAsset()) painted = *shownAsset();
     }
 };
 

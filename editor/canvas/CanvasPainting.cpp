@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace rubble {
@@ -22,27 +23,34 @@ constexpr double kVoronoiReach = 10.0;  // times the extent of all seeds, to the
 constexpr double kLineReach = 2.0;      // pixels that a line reaches beyond where it runs
 constexpr double kSeedSpacing = 5.0;    // pixels; where seeds stand closer, they would hide their cells
 
-/// Paints one part of the contents.
+/// Which of the seeds are painted.
+enum class Whose {
+    Baked,  // all that were baked, but for those that moved seeds replace
+    Moved,  // the others
+};
+
+/// Paints what lies in one part of the canvas.
 class ContentsPainter {
 public:
     ContentsPainter(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
-                    const CanvasColours& colours)
+                    const CanvasColours& colours, Whose whose)
         : m_painter(painter),
           m_view(view),
           m_contents(contents),
           m_colours(colours),
-          m_pattern(*contents.pattern),
-          m_partition(contents.pattern->partition()),
+          m_whose(whose),
+          m_pattern(whose == Whose::Baked ? *contents.pattern : *contents.moved->pattern),
+          m_partition(m_pattern.partition()),
           m_spacing(seedSpacing(*contents.pattern, view)) {
         const QPointF width(kLineReach, kLineReach);
         m_part.include(view.metres(part.topLeft() - width));
         m_part.include(view.metres(part.bottomRight() + width));
         for (std::uint32_t piece = 0; piece < m_partition.pieceCount(); ++piece) {
-            if (isInPart(m_pattern.box(piece))) m_pieces.push_back(piece);
+            if (isInPart(m_pattern.box(piece)) && isOwn(m_partition.seedOfPiece[piece])) m_pieces.push_back(piece);
         }
     }
 
-    void paintCells() {
+    void fillCells() {
         m_painter.setRenderHint(QPainter::Antialiasing, false);
         m_painter.setPen(Qt::NoPen);
         const bool isColoured = m_contents.layers.colouring != CellColouring::None;
@@ -52,6 +60,9 @@ public:
             fill(piece, colour);
             if (isHidden(piece)) hatch(piece);
         }
+    }
+
+    void drawCellEdges() {
         m_painter.setBrush(Qt::NoBrush);
         drawLines(cellEdges(), isOnScale() ? m_colours.edgeOnScale : m_colours.cellEdge);
     }
@@ -83,7 +94,7 @@ public:
 
     void paintSeeds() {
         if (m_spacing < kSeedSpacing) return;
-        const double radius = seedRadius(m_pattern, m_view);
+        const double radius = seedRadius(*m_contents.pattern, m_view);
         m_painter.setRenderHint(QPainter::Antialiasing, radius >= kSmallestSign);
         const double reach = (kLargestSeed + 6.0) / m_view.scale;
         const Box2 part{m_part.min - Vec2(reach), m_part.max + Vec2(reach)};
@@ -91,7 +102,7 @@ public:
         for (std::uint32_t seed = 0; seed < positions.size(); ++seed) {
             const Vec2 at = positions[seed];
             if (at.x < part.min.x || at.x > part.max.x || at.y < part.min.y || at.y > part.max.y) continue;
-            paintSeed(seed, m_view.pixels(at), radius);
+            if (isOwn(seed)) paintSeed(seed, m_view.pixels(at), radius);
         }
     }
 
@@ -99,6 +110,11 @@ private:
     bool isInPart(const Box2& box) const {
         return box.max.x >= m_part.min.x && box.min.x <= m_part.max.x && box.max.y >= m_part.min.y &&
                box.min.y <= m_part.max.y;
+    }
+
+    bool isOwn(std::uint32_t seed) const {
+        if (!m_contents.moved || seed == kNone) return m_whose == Whose::Baked;
+        return m_whose == Whose::Moved ? m_contents.moved->isShown[seed] : !m_contents.moved->replaces(seed);
     }
 
     bool isHidden(std::uint32_t piece) const {
@@ -127,7 +143,7 @@ private:
         fill(piece, QBrush(m_colours.label, Qt::BDiagPattern));
     }
 
-    /// Each edge once, from the lower of its two pieces.
+    /// Each edge once, from the lower of its two pieces; where the other one's seed did not move, it is the baked one's.
     QList<QLineF> cellEdges() const {
         QList<QLineF> lines;
         for (const std::uint32_t piece : m_pieces) {
@@ -135,14 +151,18 @@ private:
                  ++ring) {
                 const std::uint32_t begin = m_partition.cornersOfRing[ring], end = m_partition.cornersOfRing[ring + 1];
                 for (std::uint32_t corner = begin; corner < end; ++corner) {
-                    const std::uint32_t across = m_partition.across[corner];
-                    const bool isOther = across != kNone && across < piece && isInPart(m_pattern.box(across));
-                    if (isOther) continue;
+                    if (isDrawnFrom(m_partition.across[corner], piece)) continue;
                     addLine(m_pattern.corner(corner), m_pattern.corner(corner + 1 < end ? corner + 1 : begin), lines);
                 }
             }
         }
         return lines;
+    }
+
+    bool isDrawnFrom(std::uint32_t across, std::uint32_t piece) const {
+        if (across == kNone) return false;
+        if (!isOwn(m_partition.seedOfPiece[across])) return m_whose == Whose::Moved;
+        return across < piece && isInPart(m_pattern.box(across));
     }
 
     void addLine(Vec2 from, Vec2 to, QList<QLineF>& lines) const {
@@ -187,6 +207,7 @@ private:
     const CanvasView& m_view;
     const CanvasContents& m_contents;
     const CanvasColours& m_colours;
+    const Whose m_whose;
     const ShownPattern& m_pattern;
     const Partition& m_partition;
     double m_spacing;                     // pixels between seeds, about
@@ -194,6 +215,24 @@ private:
     std::vector<std::uint32_t> m_pieces;  // that reach into the part
     std::vector<QPointF> m_corners;
 };
+
+void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                  const CanvasColours& colours) {
+    ContentsPainter baked(painter, part, view, contents, colours, Whose::Baked);
+    std::optional<ContentsPainter> moved;
+    if (contents.moved) moved.emplace(painter, part, view, contents, colours, Whose::Moved);
+    const CanvasLayers& layers = contents.layers;
+    if (layers.hasCells) {
+        baked.fillCells();
+        if (moved) moved->fillCells();
+        baked.drawCellEdges();
+        if (moved) moved->drawCellEdges();
+    }
+    if (layers.hasWholeVoronoi) baked.paintWholeVoronoi();
+    if (layers.hasTriangles) baked.paintTriangles();
+    if (layers.hasSeeds) baked.paintSeeds();
+    if (layers.hasSeeds && moved) moved->paintSeeds();
+}
 
 void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
     if (ring.empty()) return;
@@ -204,19 +243,21 @@ void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
 
 }  // namespace
 
+std::pair<const ShownPattern*, std::uint32_t> CanvasContents::find(SeedId seed) const {
+    if (moved) {
+        const std::uint32_t place = moved->pattern->find(seed);
+        if (place != kNone && moved->isShown[place]) return {moved->pattern.get(), place};
+    }
+    return {pattern.get(), pattern->find(seed)};
+}
+
 void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
                    const CanvasColours& colours) {
     painter.save();
     painter.setClipRect(part);
     painter.fillRect(part, colours.background);
     if (contents.layers.hasGrid) paintGrid(painter, part, view, colours);
-    if (contents.pattern) {
-        ContentsPainter pattern(painter, part, view, contents, colours);
-        if (contents.layers.hasCells) pattern.paintCells();
-        if (contents.layers.hasWholeVoronoi) pattern.paintWholeVoronoi();
-        if (contents.layers.hasTriangles) pattern.paintTriangles();
-        if (contents.layers.hasSeeds) pattern.paintSeeds();
-    }
+    if (contents.pattern) paintPattern(painter, part, view, contents, colours);
     painter.restore();
 }
 

@@ -2,20 +2,25 @@
 
 #include "editor/canvas/CanvasColours.h"
 #include "editor/canvas/CanvasView.h"
-#include "editor/canvas/ShownPattern.h"
+#include "editor/canvas/MovedCells.h"
 
 #include <QPainter>
 
 #include <set>
+#include <utility>
 
 namespace rubble {
 
 /// What a canvas shows of a pattern; painted where it changes only.
 struct CanvasContents {
-    std::shared_ptr<const ShownPattern> pattern;  // null where there is none
+    std::shared_ptr<const ShownPattern> pattern;  // as it was baked; null where there is none
+    std::shared_ptr<const MovedPart> moved;       // what changed since; null where nothing did
     CanvasLayers layers;
     ShownPattern::Range range;  // of layers.colouring
     std::set<SeedId> hiddenSeeds;
+
+    /// Where a seed is drawn from, and its number there; kNone where there is none of this name.
+    std::pair<const ShownPattern*, std::uint32_t> find(SeedId seed) const;
 };
 
 /// Paints background, grid, cells, triangles and seeds into a part of the canvas, in pixels; nothing beyond it.

@@ -81,6 +81,7 @@ void PatternCanvas::setLayers(const CanvasLayers& layers) {
     if (layers == m_contents.layers) return;
     m_contents.layers = layers;
     if (m_contents.pattern) m_contents.range = m_contents.pattern->range(layers.colouring);
+    takeMoves();
     repaintAll();
     emit layersChanged();
 }
@@ -110,10 +111,10 @@ void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor,
 QString PatternCanvas::hint() const { return m_tool->hint(); }
 
 void PatternCanvas::takeChanges(const Changes& changes) {
-    if (changes.touches(Part::Asset, m_state.selection.asset())) {
-        if (!m_state.asset()) takeAsset();
-        update();
-    }
+    if (!changes.touches(Part::Asset, m_state.selection.asset())) return;
+    if (!m_state.asset()) takeAsset();
+    takeMoves();
+    update();
 }
 
 void PatternCanvas::takeAsset() {
@@ -128,18 +129,42 @@ void PatternCanvas::takePattern() {
     const std::shared_ptr<const BakedPattern> baked = m_bakes.findPattern(m_state.selection.asset());
     const std::shared_ptr<const ShownPattern> before = m_contents.pattern;
     const ShownPattern::Range range = m_contents.range;
+    dropMoves();
     m_contents.pattern = baked && !baked->fault ? std::make_shared<const ShownPattern>(baked) : nullptr;
     m_contents.range =
         m_contents.pattern ? m_contents.pattern->range(m_contents.layers.colouring) : ShownPattern::Range{};
     m_state.pattern = m_contents.pattern;
-    // Triangles and the whole diagram reach beyond the cells that change.
-    const bool isLocal = !m_contents.layers.hasTriangles && !m_contents.layers.hasWholeVoronoi;
-    if (before && m_contents.pattern && range == m_contents.range && isLocal) {
+    m_movedCells.reset();
+    if (m_contents.pattern) m_movedCells = std::make_unique<MovedCells>(m_contents.pattern);
+    if (before && m_contents.pattern && range == m_contents.range && isLocal()) {
         repaintPart(differenceBox(*before, *m_contents.pattern));
     } else {
         repaintAll();
     }
+    takeMoves();
     m_hovered = m_pointer && m_contents.pattern ? m_contents.pattern->pieceAt(m_pointer->metres) : kNone;
+}
+
+/// Triangles and the whole diagram reach beyond the cells that change.
+bool PatternCanvas::isLocal() const { return !m_contents.layers.hasTriangles && !m_contents.layers.hasWholeVoronoi; }
+
+/// Shows what moved since the pattern was baked.
+void PatternCanvas::takeMoves() {
+    dropMoves();
+    if (!m_movedCells || !m_state.asset() || !isLocal()) return;
+    m_contents.moved = m_movedCells->partOf(*m_state.asset());
+    if (m_contents.moved) repaintPart(m_movedCells->boxOf(*m_contents.moved));
+}
+
+void PatternCanvas::dropMoves() {
+    if (!m_contents.moved) return;
+    repaintPart(m_movedCells->boxOf(*m_contents.moved));
+    m_contents.moved = nullptr;
+}
+
+const Asset* PatternCanvas::shownAsset() const {
+    if (!m_contents.pattern) return nullptr;
+    return (m_contents.moved ? m_contents.moved->pattern : m_contents.pattern)->baked().asset.get();
 }
 
 void PatternCanvas::toolChanged() {
@@ -225,23 +250,22 @@ void PatternCanvas::paintOutline(QPainter& painter) const {
 
 void PatternCanvas::paintChosen(QPainter& painter) const {
     if (!m_contents.pattern || m_state.selection.seeds().empty()) return;
-    const ShownPattern& pattern = *m_contents.pattern;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.accent, 2.0));
-    const double radius = std::max(seedRadius(pattern, m_state.view), 2.0) + 2.5;
+    const double radius = std::max(seedRadius(*m_contents.pattern, m_state.view), 2.0) + 2.5;
     const bool isFine = m_state.selection.seeds().size() <= kMostRings;
     QColor wash = m_colours.accent;
     wash.setAlpha(70);
     for (const SeedId id : m_state.selection.seeds()) {
-        const std::uint32_t seed = pattern.find(id);
+        const auto [shown, seed] = m_contents.find(id);
         if (seed == kNone) continue;
-        const QPointF at = m_state.view.pixels(pattern.seeds().positions[seed]);
+        const QPointF at = m_state.view.pixels(shown->seeds().positions[seed]);
         if (isFine) {
             painter.setBrush(wash);
-            const IndexRange pieces = pattern.piecesOf(seed);
+            const IndexRange pieces = shown->piecesOf(seed);
             for (std::size_t piece = pieces.begin; piece < pieces.end && m_contents.layers.hasCells; ++piece) {
-                painter.drawPath(pathOfPiece(pattern, static_cast<std::uint32_t>(piece), m_state.view));
+                painter.drawPath(pathOfPiece(*shown, static_cast<std::uint32_t>(piece), m_state.view));
             }
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(at, radius, radius);

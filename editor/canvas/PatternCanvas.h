@@ -18,7 +18,8 @@ class SeedTool;
 enum class CanvasToolKind { Outline, Seeds, Measure };
 
 /// Shows the pattern of the asset at hand in the plane, and is where it is drawn: outline, seeds and what they make, with
-/// tools to change them. What was painted is kept; only what changed is painted again.
+/// tools to change them. What was painted is kept; only what changed is painted again. While seeds are dragged, the cells
+/// around them are there at once; the whole pattern follows when it was baked.
 class PatternCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -43,8 +44,10 @@ public:
 
     /// What can be done now, for a status bar.
     QString hint() const;
-    /// What is shown; null where nothing is.
+    /// What was baked last; null where nothing was.
     const ShownPattern* shownPattern() const { return m_contents.pattern.get(); }
+    /// The state of the asset whose cells are shown; null where none are.
+    const Asset* shownAsset() const;
     QSize sizeHint() const override { return {800, 600}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
@@ -78,6 +81,9 @@ private:
     void takeChanges(const Changes& changes);
     void takeAsset();
     void takePattern();
+    void takeMoves();
+    void dropMoves();
+    bool isLocal() const;
     void toolChanged();
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void point(const CanvasPointer& pointer);
@@ -97,6 +103,7 @@ private:
     const Bakes& m_bakes;
     CanvasState m_state;
     CanvasContents m_contents;
+    std::unique_ptr<MovedCells> m_movedCells;  // of the pattern in m_contents
     CanvasColours m_colours;
     std::unique_ptr<OutlineTool> m_outlineTool;
     std::unique_ptr<SeedTool> m_seedTool;

@@ -23,11 +23,6 @@ bool holds(const Box2& box, Vec2 point) {
     return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
 }
 
-void include(Box2& box, const Box2& other) {
-    box.include(other.min);
-    box.include(other.max);
-}
-
 /// Compares seeds of two patterns by what is drawn of them.
 class Differences {
 public:
@@ -88,13 +83,7 @@ private:
         return true;
     }
 
-    void add(const ShownPattern& pattern, std::uint32_t seed) {
-        m_box.include(pattern.seeds().positions[seed]);
-        const IndexRange pieces = pattern.piecesOf(seed);
-        for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
-            include(m_box, pattern.box(static_cast<std::uint32_t>(piece)));
-        }
-    }
+    void add(const ShownPattern& pattern, std::uint32_t seed) { include(m_box, pattern.boxOf(seed)); }
 
     const ShownPattern& m_before;
     const ShownPattern& m_after;
@@ -186,6 +175,14 @@ IndexRange ShownPattern::piecesOf(std::uint32_t seed) const {
     return {first, end};
 }
 
+Box2 ShownPattern::boxOf(std::uint32_t seed) const {
+    Box2 box;
+    box.include(seeds().positions[seed]);
+    const IndexRange pieces = piecesOf(seed);
+    for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) include(box, m_boxes[piece]);
+    return box;
+}
+
 std::uint32_t ShownPattern::pieceAt(Vec2 point) const {
     for (std::uint32_t piece = 0; piece < partition().pieceCount(); ++piece) {
         if (!holds(m_boxes[piece], point)) continue;
@@ -268,6 +265,11 @@ QColor ShownPattern::colour(std::uint32_t piece, CellColouring colouring, Range 
     const double spread = range.most - range.least;
     const double share = spread > 0.0 ? (value(piece, colouring) - range.least) / spread : 0.5;
     return QColor(packed(rampColour(share)));
+}
+
+void include(Box2& box, const Box2& other) {
+    box.include(other.min);
+    box.include(other.max);
 }
 
 Box2 differenceBox(const ShownPattern& before, const ShownPattern& after) { return Differences(before, after).box(); }

@@ -38,6 +38,8 @@ public:
 
     /// The seed's pieces [begin, end); none where it has no cell.
     IndexRange piecesOf(std::uint32_t seed) const;
+    /// Around a seed and its pieces.
+    Box2 boxOf(std::uint32_t seed) const;
     /// kNone where there is none.
     std::uint32_t pieceAt(Vec2 point) const;
     /// The nearest seed within `reach` metres; kNone where there is none.
@@ -91,6 +93,8 @@ private:
     std::vector<Run> m_runs;      // one a layer that has seeds
     Counts m_counts;
 };
+
+void include(Box2& box, const Box2& other);
 
 /// A box around all that two patterns draw differently; empty where they look the same.
 Box2 differenceBox(const ShownPattern& before, const ShownPattern& after);

@@ -139,6 +139,26 @@ private slots:
             }
         }
     }
+    void aDraggedSeedHasItsCellsBeforeThePatternIsBaked() {
+        for (const std::uint32_t seeds : {3u, 30u, 3000u}) {
+            CanvasBench bench(projectOf(squareRing(), UniformScatter{.count = seeds}));
+            setPlain(bench);
+            Random random(seeds);
+            const Vec2 from = bench.seedAt(random.below(seeds));
+            bench.press(from);
+            for (int step = 0; step < 20; ++step) {
+                bench.moveTo(from + Vec2(random.unit() - 0.5, random.unit() - 0.5) * 0.6);
+                QVERIFY(*bench.canvas.shownAsset() == bench.asset());
+                const QImage atOnce = pictureOf(bench);
+                QVERIFY(*bench.canvas.shownPattern()->baked().asset != bench.asset());
+                if (step % 3 == 0) continue;  // what was baked is older than the last move
+                bench.settle();
+                const double off = differentPart(atOnce, repainted(bench));
+                QVERIFY2(off <= kLinesPart, qPrintable(QString("%1 seeds, step %2: %3").arg(seeds).arg(step).arg(off)));
+            }
+            bench.release(from);
+        }
+    }
     void equalSeedsAndThoseWithoutACellAreMarked() {
         CanvasBench bench(projectOf(unitSquare(), PlacedSeeds{{{0, {0.5, 0.5}}, {1, {0.5, 0.5}}, {2, {3.0, 3.0}}}}));
         const ShownPattern& pattern = *bench.canvas.shownPattern();
