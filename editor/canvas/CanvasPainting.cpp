@@ -243,6 +243,11 @@ void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
 
 }  // namespace
 
+const Asset* CanvasContents::asset() const {
+    if (!pattern) return nullptr;
+    return (moved ? moved->pattern : pattern)->baked().asset.get();
+}
+
 std::pair<const ShownPattern*, std::uint32_t> CanvasContents::find(SeedId seed) const {
     if (moved) {
         const std::uint32_t place = moved->pattern->find(seed);

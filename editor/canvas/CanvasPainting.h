@@ -19,6 +19,8 @@ struct CanvasContents {
     ShownPattern::Range range;  // of layers.colouring
     std::set<SeedId> hiddenSeeds;
 
+    /// The state of the asset that is shown; null where there is no pattern.
+    const Asset* asset() const;
     /// Where a seed is drawn from, and its number there; kNone where there is none of this name.
     std::pair<const ShownPattern*, std::uint32_t> find(SeedId seed) const;
 };

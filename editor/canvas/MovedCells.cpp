@@ -106,16 +106,27 @@ std::shared_ptr<const MovedPart> MovedCells::partOf(const Asset& now) {
         part->replaced.push_back(cells->seeds[seed]);
     }
     part->pattern = std::make_shared<const ShownPattern>(bakedOf(*m_baked, now, std::move(*cells)));
+    findBoxes(*part, *moved);
     return part;
 }
 
-Box2 MovedCells::boxOf(const MovedPart& part) const {
-    Box2 box;
-    for (const std::uint32_t seed : part.replaced) include(box, m_baked->boxOf(seed));
-    for (std::uint32_t seed = 0; seed < part.isShown.size(); ++seed) {
-        if (part.isShown[seed]) include(box, part.pattern->boxOf(seed));
+/// An area that changes hands was or is a moved seed's. But where another seed gets a piece, loses one or has several,
+/// its pieces may be called otherwise or it be marked otherwise.
+void MovedCells::findBoxes(MovedPart& part, std::span<const MovedSeed> moved) const {
+    bool hasOtherNames = false;
+    for (const std::uint32_t seed : part.replaced) {
+        const std::uint32_t own = part.pattern->find(m_baked->seeds().ids[seed]);
+        Box2 box = m_baked->boxOf(seed);
+        include(box, part.pattern->boxOf(own));
+        include(part.changed, box);
+        if (std::ranges::find(moved, seed, &MovedSeed::seed) != moved.end()) {
+            include(part.moved, box);
+        } else {
+            const std::size_t before = m_baked->piecesOf(seed).size(), now = part.pattern->piecesOf(own).size();
+            hasOtherNames = hasOtherNames || before != now || now > 1;
+        }
     }
-    return box;
+    if (hasOtherNames) part.moved = part.changed;
 }
 
 }  // namespace rubble

@@ -18,6 +18,8 @@ struct MovedPart {
     std::shared_ptr<const ShownPattern> pattern;  // its own seeds; of its asset's state
     std::vector<bool> isShown;                    // of each of its seeds: it is drawn as it is here
     std::vector<std::uint32_t> replaced;          // those seeds as the baked pattern numbers them, ascending
+    Box2 changed;                                 // around all cells that changed, before and after
+    Box2 moved;  // what lies beyond belongs to the same pieces as before, by the same names
 
     bool replaces(std::uint32_t seed) const;
 };
@@ -30,10 +32,10 @@ public:
 
     /// What has changed in a state of the asset. Null where nothing has, or too much to be done at once.
     std::shared_ptr<const MovedPart> partOf(const Asset& now);
-    /// All that is drawn differently with a part, before and after.
-    Box2 boxOf(const MovedPart& part) const;
 
 private:
+    void findBoxes(MovedPart& part, std::span<const MovedSeed> moved) const;
+
     const std::shared_ptr<const ShownPattern> m_baked;
     std::optional<LocalDiagram> m_diagram;  // this and the next: when first needed
     Polygon m_outline;                      // validated

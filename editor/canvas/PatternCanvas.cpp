@@ -128,43 +128,47 @@ void PatternCanvas::takeAsset() {
 void PatternCanvas::takePattern() {
     const std::shared_ptr<const BakedPattern> baked = m_bakes.findPattern(m_state.selection.asset());
     const std::shared_ptr<const ShownPattern> before = m_contents.pattern;
+    const std::shared_ptr<const MovedPart> movedBefore = m_contents.moved;
+    const Asset* shown = m_contents.asset();
     const ShownPattern::Range range = m_contents.range;
-    dropMoves();
     m_contents.pattern = baked && !baked->fault ? std::make_shared<const ShownPattern>(baked) : nullptr;
     m_contents.range =
         m_contents.pattern ? m_contents.pattern->range(m_contents.layers.colouring) : ShownPattern::Range{};
     m_state.pattern = m_contents.pattern;
-    m_movedCells.reset();
-    if (m_contents.pattern) m_movedCells = std::make_unique<MovedCells>(m_contents.pattern);
-    if (before && m_contents.pattern && range == m_contents.range && isLocal()) {
-        repaintPart(differenceBox(*before, *m_contents.pattern));
-    } else {
+    m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
+    findMoved();
+    if (!before || !m_contents.pattern || range != m_contents.range || !isLocal()) {
         repaintAll();
+    } else if (*shown != *m_contents.asset()) {  // else it is on the canvas already
+        Box2 box = differenceBox(*before, *m_contents.pattern);
+        include(box, movedBox(movedBefore.get()));
+        include(box, movedBox(m_contents.moved.get()));
+        repaintPart(box);
     }
-    takeMoves();
     m_hovered = m_pointer && m_contents.pattern ? m_contents.pattern->pieceAt(m_pointer->metres) : kNone;
 }
 
 /// Triangles and the whole diagram reach beyond the cells that change.
 bool PatternCanvas::isLocal() const { return !m_contents.layers.hasTriangles && !m_contents.layers.hasWholeVoronoi; }
 
+void PatternCanvas::findMoved() {
+    m_contents.moved = m_movedCells && m_state.asset() && isLocal() ? m_movedCells->partOf(*m_state.asset()) : nullptr;
+}
+
 /// Shows what moved since the pattern was baked.
 void PatternCanvas::takeMoves() {
-    dropMoves();
-    if (!m_movedCells || !m_state.asset() || !isLocal()) return;
-    m_contents.moved = m_movedCells->partOf(*m_state.asset());
-    if (m_contents.moved) repaintPart(m_movedCells->boxOf(*m_contents.moved));
+    const std::shared_ptr<const MovedPart> before = m_contents.moved;
+    findMoved();
+    Box2 box = movedBox(before.get());
+    include(box, movedBox(m_contents.moved.get()));
+    repaintPart(box);
 }
 
-void PatternCanvas::dropMoves() {
-    if (!m_contents.moved) return;
-    repaintPart(m_movedCells->boxOf(*m_contents.moved));
-    m_contents.moved = nullptr;
-}
-
-const Asset* PatternCanvas::shownAsset() const {
-    if (!m_contents.pattern) return nullptr;
-    return (m_contents.moved ? m_contents.moved->pattern : m_contents.pattern)->baked().asset.get();
+/// Around what a moved part paints otherwise: where not its name but a measure colours a piece, all of the piece.
+Box2 PatternCanvas::movedBox(const MovedPart* part) const {
+    if (!part) return {};
+    const CellColouring colouring = m_contents.layers.colouring;
+    return colouring == CellColouring::None || colouring == CellColouring::Piece ? part->moved : part->changed;
 }
 
 void PatternCanvas::toolChanged() {

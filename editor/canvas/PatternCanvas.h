@@ -47,7 +47,7 @@ public:
     /// What was baked last; null where nothing was.
     const ShownPattern* shownPattern() const { return m_contents.pattern.get(); }
     /// The state of the asset whose cells are shown; null where none are.
-    const Asset* shownAsset() const;
+    const Asset* shownAsset() const { return m_contents.asset(); }
     QSize sizeHint() const override { return {800, 600}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
@@ -81,9 +81,10 @@ private:
     void takeChanges(const Changes& changes);
     void takeAsset();
     void takePattern();
+    void findMoved();
     void takeMoves();
-    void dropMoves();
     bool isLocal() const;
+    Box2 movedBox(const MovedPart* part) const;
     void toolChanged();
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void point(const CanvasPointer& pointer);

@@ -99,7 +99,7 @@ private slots:
         QVERIFY(qFuzzyCompare(part->pattern->area(piece), after->area(whole)));
         QCOMPARE(part->pattern->neighbours(piece).size(), after->neighbours(whole).size());
         QCOMPARE(part->pattern->fragmentId(piece), after->fragmentId(whole));
-        const Box2 box = cells.boxOf(*part), difference = differenceBox(*before, *after);
+        const Box2 box = part->changed, difference = differenceBox(*before, *after);
         QVERIFY(box.min.x <= difference.min.x && box.min.y <= difference.min.y);
         QVERIFY(box.max.x >= difference.max.x && box.max.y >= difference.max.y);
     }
