@@ -26,10 +26,16 @@ if(RUBBLE_SANITIZE)
   target_compile_options(rubble_compile INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(rubble_compile INTERFACE -fsanitize=address,undefined)
+  set(RUBBLE_LEAKS "LSAN_OPTIONS=set:suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # False alarms in std::variant and std::pair where code is instrumented: GCC's manual warns of them.
     target_compile_options(rubble_compile INTERFACE -Wno-maybe-uninitialized)
   endif()
+endif()
+# For programs that load graphics drivers.
+add_library(rubble_kept_libraries INTERFACE)
+if(RUBBLE_SANITIZE)
+  target_sources(rubble_kept_libraries INTERFACE ${PROJECT_SOURCE_DIR}/tests/support/KeptLibraries.cpp)
 endif()
 if(RUBBLE_COVERAGE)
   target_compile_options(rubble_compile INTERFACE --coverage)
