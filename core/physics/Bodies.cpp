@@ -1,0 +1,133 @@
+#include "core/physics/Bodies.h"
+
+#include "core/physics/BroadPhase.h"
+#include "core/physics/Contacts.h"
+#include "core/physics/Sleeping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr double kUnitTolerance = 1e-3;  // of a rotation's length: it is made a unit
+constexpr double kFarthest = 1e5;        // m: floats are good to a centimetre there
+constexpr double kFastest = 1e4;         // m/s
+
+bool isWithin(Vec3 v, double most) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for nan
+}
+
+SymMat3f toFloat(const Mat3& m, double scale) {
+    const auto at = [&](int column, int row) { return static_cast<float>(m[column][row] * scale); };
+    return {at(0, 0), at(1, 0), at(2, 0), at(1, 1), at(2, 1), at(2, 2)};
+}
+
+Quatf toFloat(const Quat& q) {
+    return Quatf{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)}
+        .normalized();
+}
+
+Quat toDouble(const Quatf& q) { return Quat(q.w, q.x, q.y, q.z); }
+
+std::uint32_t newBody(WorldState& state) {
+    if (state.freeBodies.empty()) {
+        state.bodies.emplace_back();
+        state.motions.emplace_back();
+        state.places.emplace_back();
+        state.colours.resizeBodies(state.bodies.size());
+        return static_cast<std::uint32_t>(state.bodies.size() - 1);
+    }
+    const std::uint32_t number = state.freeBodies.back();
+    state.freeBodies.pop_back();
+    return number;
+}
+
+void giveMass(Body& body, BodyMotion& motion, const BodyDefinition& definition) {
+    if (definition.kind != BodyKind::Dynamic) return;
+    const MassProperties& mass = definition.shape->mass;
+    body.mass = static_cast<float>(mass.volume * definition.density);
+    body.inertia = toFloat(mass.inertia, definition.density);
+    body.inverseInertia = toFloat(glm::inverse(mass.inertia), 1.0 / definition.density);
+    motion.inverseMass = 1.0f / body.mass;
+}
+
+}  // namespace
+
+std::optional<std::string> faultOf(const BodyDefinition& definition) {
+    const auto isNegative = [](double value) { return !(value >= 0.0 && std::isfinite(value)); };
+    if (definition.shape == nullptr) return "A body needs a shape.";
+    if (!isWithin(definition.pose.position, kFarthest))
+        return "The position of a body must be within 100 km of the origin.";
+    const Quat& turn = definition.pose.orientation;
+    const double size = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
+    if (!(std::abs(size - 1.0) <= kUnitTolerance)) return "The orientation of a body must be a quaternion of length 1.";
+    if (!isWithin(definition.velocity, kFastest)) return "The velocity of a body must be below 10 km/s.";
+    if (!isWithin(definition.angularVelocity, kFastest))
+        return "The angular velocity of a body must be below 10,000 rad/s.";
+    if (!(definition.density > 0.0 && std::isfinite(definition.density)))
+        return "The density of a body must be positive.";
+    if (isNegative(definition.friction)) return "The friction of a body must not be negative.";
+    if (!(definition.restitution >= 0.0 && definition.restitution <= 1.0)) {
+        return "The restitution of a body must lie between 0 and 1.";
+    }
+    if (isNegative(definition.linearDamping) || isNegative(definition.angularDamping)) {
+        return "The damping of a body must not be negative.";
+    }
+    return std::nullopt;
+}
+
+std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
+    const std::uint32_t number = newBody(state);
+    Body& body = state.bodies[number];
+    body = {.shape = definition.shape, .generation = body.generation + 1, .kind = definition.kind};
+    body.friction = static_cast<float>(definition.friction);
+    body.restitution = static_cast<float>(definition.restitution);
+    body.tag = definition.tag;
+    BodyMotion& motion = state.motions[number] = {};
+    state.places[number] = {};
+    state.places[number].reach = definition.shape->reach;
+    giveMass(body, motion, definition);
+    if (definition.kind != BodyKind::Static) {
+        motion.velocity = toFloat(definition.velocity);
+        motion.spin = toFloat(definition.angularVelocity);
+        motion.linearDamping = static_cast<float>(definition.linearDamping);
+        motion.angularDamping = static_cast<float>(definition.angularDamping);
+    }
+    placeBody(state, number, definition.pose);
+    addProxies(state, number);
+    wakeBody(state, number);
+    return number;
+}
+
+void removeBody(WorldState& state, std::uint32_t number) {
+    wakeBody(state, number);
+    wakeNeighbours(state, number);
+    visitContacts(state, number, [&](std::uint32_t contact, std::uint32_t) { removeContact(state, contact); });
+    removeProxies(state, number);
+    if (state.bodies[number].isAwake) {
+        state.awake.erase(std::lower_bound(state.awake.begin(), state.awake.end(), number));
+    }
+    if (state.grabbed.index == number) state.grabbed = {};
+    state.bodies[number] = {.generation = state.bodies[number].generation};
+    state.motions[number] = {};
+    state.places[number] = {};
+    state.freeBodies.push_back(number);
+}
+
+void placeBody(WorldState& state, std::uint32_t number, const Pose& pose) {
+    const Body& body = state.bodies[number];
+    BodyPlace& place = state.places[number];
+    const glm::dquat turn = glm::normalize(pose.orientation);
+    place.turn = toFloat(turn);
+    place.centre = toFloat(pose.position + turn * body.shape->mass.centre);
+    place.inverseInertia = rotated(body.inverseInertia, place.turn.matrix());
+}
+
+Pose poseOf(const WorldState& state, std::uint32_t number) {
+    const BodyPlace& place = state.places[number];
+    const Quat turn = glm::normalize(toDouble(place.turn));
+    return {toDouble(place.centre) - turn * state.bodies[number].shape->mass.centre, turn};
+}
+
+}  // namespace rubble

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/physics/WorldState.h"
+
+namespace rubble {
+
+/// What keeps a body from being made, as a sentence, or nothing.
+std::optional<std::string> faultOf(const BodyDefinition& definition);
+/// Makes a body of a definition without fault.
+std::uint32_t addBody(WorldState& state, const BodyDefinition& definition);
+/// Takes a body out; what touched it wakes.
+void removeBody(WorldState& state, std::uint32_t body);
+/// Puts the shape's frame elsewhere.
+void placeBody(WorldState& state, std::uint32_t body, const Pose& pose);
+/// The pose of the shape's frame.
+Pose poseOf(const WorldState& state, std::uint32_t body);
+
+}  // namespace rubble

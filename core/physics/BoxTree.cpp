@@ -1,0 +1,163 @@
+#include "core/physics/BoxTree.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+int longestSide(const Box& box) {
+    const Vec3f side = box.high - box.low;
+    if (side.x >= side.y && side.x >= side.z) return 0;
+    return side.y >= side.z ? 1 : 2;
+}
+
+}  // namespace
+
+std::uint32_t BoxTree::newNode() {
+    if (m_free.empty()) {
+        m_nodes.emplace_back();
+        return static_cast<std::uint32_t>(m_nodes.size() - 1);
+    }
+    const std::uint32_t node = m_free.back();
+    m_free.pop_back();
+    m_nodes[node] = Node{};
+    return node;
+}
+
+/// Goes down to the side whose surface grows least, and stops where a new pair would grow less.
+std::uint32_t BoxTree::siblingFor(const Box& box) const {
+    std::uint32_t node = m_root;
+    while (!m_nodes[node].isLeaf()) {
+        const float area = m_nodes[node].box.area();
+        const float whole = joined(m_nodes[node].box, box).area();
+        std::array<float, 2> cost{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Node& child = m_nodes[m_nodes[node].children[side]];
+            const float grown = joined(child.box, box).area();
+            cost[side] = (child.isLeaf() ? grown : grown - child.box.area()) + (whole - area);
+        }
+        if (whole < cost[0] && whole < cost[1]) break;
+        node = m_nodes[node].children[cost[1] < cost[0] ? 1 : 0];
+    }
+    return node;
+}
+
+std::uint32_t BoxTree::insert(const Box& box, std::uint32_t number) {
+    const std::uint32_t leaf = newNode();
+    m_nodes[leaf].box = box;
+    m_nodes[leaf].number = number;
+    ++m_leafCount;
+    ++m_changes;
+    if (m_root == kNone) {
+        m_root = leaf;
+        return leaf;
+    }
+    const std::uint32_t sibling = siblingFor(box);
+    const std::uint32_t parent = newNode(), above = m_nodes[sibling].parent;
+    m_nodes[parent].parent = above;
+    m_nodes[parent].children = {sibling, leaf};
+    m_nodes[sibling].parent = m_nodes[leaf].parent = parent;
+    if (above == kNone) {
+        m_root = parent;
+    } else {
+        m_nodes[above].children[m_nodes[above].children[1] == sibling ? 1 : 0] = parent;
+    }
+    refitAbove(leaf);
+    return leaf;
+}
+
+void BoxTree::refitAbove(std::uint32_t node) {
+    for (std::uint32_t above = m_nodes[node].parent; above != kNone; above = m_nodes[above].parent) {
+        Node& parent = m_nodes[above];
+        parent.box = joined(m_nodes[parent.children[0]].box, m_nodes[parent.children[1]].box);
+    }
+}
+
+void BoxTree::remove(std::uint32_t leaf) {
+    const std::uint32_t parent = m_nodes[leaf].parent;
+    --m_leafCount;
+    m_free.push_back(leaf);
+    if (parent == kNone) {
+        m_root = kNone;
+        return;
+    }
+    const Node& gone = m_nodes[parent];
+    const std::uint32_t sibling = gone.children[gone.children[0] == leaf ? 1 : 0], above = gone.parent;
+    m_nodes[sibling].parent = above;
+    m_free.push_back(parent);
+    if (above == kNone) {
+        m_root = sibling;
+        return;
+    }
+    m_nodes[above].children[m_nodes[above].children[1] == parent ? 1 : 0] = sibling;
+    refitAbove(sibling);
+}
+
+void BoxTree::grow(std::uint32_t leaf, const Box& box) {
+    ++m_changes;
+    m_nodes[leaf].box = joined(m_nodes[leaf].box, box);
+    for (std::uint32_t above = m_nodes[leaf].parent; above != kNone; above = m_nodes[above].parent) {
+        if (m_nodes[above].box.contains(box)) return;
+        m_nodes[above].box = joined(m_nodes[above].box, box);
+    }
+}
+
+void BoxTree::move(std::uint32_t leaf, const Box& box) {
+    ++m_changes;
+    m_nodes[leaf].box = box;
+    refitAbove(leaf);
+}
+
+std::uint32_t BoxTree::built(std::size_t begin, std::size_t end) {
+    if (end - begin == 1) return m_leaves[begin];
+    const auto first = m_leaves.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = m_leaves.begin() + static_cast<std::ptrdiff_t>(end);
+    Vec3f start = m_nodes[*first].box.middle();
+    Box middles{start, start};
+    for (auto leaf = first; leaf != last; ++leaf) {
+        const Vec3f middle = m_nodes[*leaf].box.middle();
+        middles = joined(middles, {middle, middle});
+    }
+    const int side = longestSide(middles);
+    const std::size_t half = begin + (end - begin) / 2;
+    const auto place = [&](std::uint32_t leaf) { return m_nodes[leaf].box.low[side] + m_nodes[leaf].box.high[side]; };
+    std::nth_element(first, m_leaves.begin() + static_cast<std::ptrdiff_t>(half), last,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         const float placeA = place(a), placeB = place(b);
+                         return placeA != placeB ? placeA < placeB : m_nodes[a].number < m_nodes[b].number;
+                     });
+    const std::uint32_t node = newNode();
+    const std::uint32_t left = built(begin, half), right = built(half, end);
+    m_nodes[node].children = {left, right};
+    m_nodes[node].box = joined(m_nodes[left].box, m_nodes[right].box);
+    m_nodes[left].parent = m_nodes[right].parent = node;
+    return node;
+}
+
+void BoxTree::rebuild() {
+    m_leaves.clear();
+    std::vector<std::uint32_t>& inner = m_free;  // every inner node is free again
+    inner.reserve(m_nodes.size());
+    std::vector<std::uint32_t> open;
+    if (m_root != kNone) open.push_back(m_root);
+    while (!open.empty()) {
+        const std::uint32_t node = open.back();
+        open.pop_back();
+        if (m_nodes[node].isLeaf()) {
+            m_leaves.push_back(node);
+            continue;
+        }
+        open.push_back(m_nodes[node].children[1]);
+        open.push_back(m_nodes[node].children[0]);
+        inner.push_back(node);
+    }
+    m_root = m_leaves.empty() ? kNone : built(0, m_leaves.size());
+    if (m_root != kNone) m_nodes[m_root].parent = kNone;
+    m_changes = 0;
+}
+
+void BoxTree::tidy() {
+    if (2 * m_changes > m_leafCount) rebuild();
+}
+
+}  // namespace rubble

@@ -1,0 +1,161 @@
+#include "core/physics/BroadPhase.h"
+
+#include "core/physics/Contacts.h"
+#include "core/physics/Sleeping.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr float kMostMargin = 0.05f;      // m: of fat boxes, so that what jitters stays in them
+constexpr float kMarginOfReach = 0.125f;  // small bodies have narrower ones
+constexpr std::size_t kLeastBodies = 64;  // a worker's share of a search
+
+/// The most that gravity can add to a way, and a little for what contacts do.
+float foreseenWay(const WorldState& state, std::uint32_t body, float dt) {
+    const BodyMotion& motion = state.motions[body];
+    const float speed = length(motion.velocity) + length(motion.spin) * state.places[body].reach;
+    return (speed + length(state.gravity) * dt) * dt;
+}
+
+float marginOf(const WorldState& state, std::uint32_t body) {
+    return std::min(kMostMargin, kMarginOfReach * state.places[body].reach);
+}
+
+void rebox(WorldState& state, std::uint32_t number, float dt) {
+    Body& body = state.bodies[number];
+    const BodyPlace& place = state.places[number];
+    const float margin = marginOf(state, number);
+    const Vec3f way = state.motions[number].velocity * dt;
+    // What turning adds to the way is in the margin, or it is added to it.
+    const float extra = std::max(0.0f, place.ahead - place.travel - length(way));
+    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+        const Box tight = tightBox(state, state.proxies[proxy]);
+        state.tree.move(state.proxies[proxy].leaf, widened(swept(tight, way), margin + extra));
+    }
+    body.boxedUntil = place.travel + margin + extra;
+    if (length(way) > margin) body.boxedUntil = place.travel;  // on its way through the box: again next time
+}
+
+void markMoved(PairScratch& scratch, std::uint32_t body) {
+    if (scratch.isMoved[body] != 0) return;
+    scratch.isMoved[body] = 1;
+    scratch.moved.push_back(body);
+}
+
+void widenBoxes(WorldState& state, PairScratch& scratch, float dt, bool all) {
+    scratch.moved.clear();
+    scratch.isMoved.assign(state.bodies.size(), 0);
+    for (std::uint32_t body : state.rebox) {
+        if (state.bodies[body].shape == nullptr) continue;
+        state.places[body].ahead = state.places[body].travel + foreseenWay(state, body, dt);
+        rebox(state, body, dt);
+        markMoved(scratch, body);
+    }
+    state.rebox.clear();
+    if (!all) return;
+    for (std::uint32_t body : state.awake) {
+        BodyPlace& place = state.places[body];
+        place.ahead = place.travel + foreseenWay(state, body, dt);
+        if (place.ahead <= state.bodies[body].boxedUntil || scratch.isMoved[body] != 0) continue;
+        rebox(state, body, dt);
+        markMoved(scratch, body);
+    }
+}
+
+/// The pairs of a body's boxes that have no contact yet; of two bodies that both moved, the lower looks.
+void searchAround(const WorldState& state, const PairScratch& scratch, std::uint32_t number,
+                  std::vector<std::uint32_t>& found) {
+    const Body& body = state.bodies[number];
+    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+        state.tree.visitOverlapping(state.tree.box(state.proxies[proxy].leaf), [&](std::uint32_t otherProxy) {
+            const std::uint32_t other = state.proxies[otherProxy].body;
+            if (other == number || (scratch.isMoved[other] != 0 && other < number)) return;
+            if (!body.isDynamic() && !state.bodies[other].isDynamic()) return;
+            if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) return;
+            found.push_back(proxy);
+            found.push_back(otherProxy);
+        });
+    }
+}
+
+bool boxesOverlap(const WorldState& state, const Contact& contact) {
+    return state.tree.box(state.proxies[contact.proxies[0]].leaf)
+        .overlaps(state.tree.box(state.proxies[contact.proxies[1]].leaf));
+}
+
+void removeParted(WorldState& state, PairScratch& scratch) {
+    scratch.gone.clear();
+    for (std::uint32_t body : scratch.moved) {
+        visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
+            if (scratch.isMoved[other] != 0 && other < body) return;
+            if (!boxesOverlap(state, state.contacts[contact])) scratch.gone.push_back(contact);
+        });
+    }
+    for (std::uint32_t contact : scratch.gone) {
+        for (std::uint32_t body : state.contacts[contact].bodies) {
+            if (state.contacts[contact].stored != kNone) wakeBody(state, body);
+        }
+        removeContact(state, contact);
+    }
+}
+
+}  // namespace
+
+Box tightBox(const WorldState& state, const Proxy& proxy) {
+    const BodyPlace& place = state.places[proxy.body];
+    const Hull& hull = state.bodies[proxy.body].shape->hulls[proxy.hull];
+    const Mat3f turn = place.turn.matrix();
+    const Vec3f middle = place.centre + turn * hull.middle;
+    const Vec3f half =
+        magnitudes(turn.x) * hull.extents.x + magnitudes(turn.y) * hull.extents.y + magnitudes(turn.z) * hull.extents.z;
+    return {middle - half, middle + half};
+}
+
+void addProxies(WorldState& state, std::uint32_t body) {
+    const auto hulls = static_cast<std::uint32_t>(state.bodies[body].shape->hulls.size());
+    for (std::uint32_t hull = hulls; hull-- > 0;) {
+        if (state.freeProxies.empty()) {
+            state.freeProxies.push_back(static_cast<std::uint32_t>(state.proxies.size()));
+            state.proxies.emplace_back();
+        }
+        const std::uint32_t number = state.freeProxies.back();
+        state.freeProxies.pop_back();
+        Proxy& proxy = state.proxies[number];
+        proxy = {body, hull, BoxTree::kNone, state.bodies[body].firstProxy};
+        proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
+        state.bodies[body].firstProxy = number;
+    }
+    state.rebox.push_back(body);
+}
+
+void removeProxies(WorldState& state, std::uint32_t body) {
+    for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone;) {
+        const std::uint32_t next = state.proxies[proxy].next;
+        state.tree.remove(state.proxies[proxy].leaf);
+        state.proxies[proxy] = {};
+        state.freeProxies.push_back(proxy);
+        proxy = next;
+    }
+    state.bodies[body].firstProxy = kNone;
+}
+
+void findPairs(WorldState& state, WorkerTeam& team, PairScratch& scratch, float dt, bool all) {
+    widenBoxes(state, scratch, dt, all);
+    if (scratch.moved.empty()) return;
+    state.tree.tidy();
+    removeParted(state, scratch);
+    scratch.found.resize(static_cast<std::size_t>(team.size()));
+    for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
+    team.share(scratch.moved.size(), kLeastBodies, [&](IndexRange range, int worker) {
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            searchAround(state, scratch, scratch.moved[i], scratch.found[static_cast<std::size_t>(worker)]);
+        }
+    });
+    for (const std::vector<std::uint32_t>& found : scratch.found) {
+        for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/physics/WorkerTeam.h"
+#include "core/physics/WorldState.h"
+
+namespace rubble {
+
+/// Memory that the search for pairs uses again from step to step.
+struct PairScratch {
+    std::vector<std::uint32_t> moved;               // bodies with new fat boxes
+    std::vector<char> isMoved;                      // by body
+    std::vector<std::vector<std::uint32_t>> found;  // by worker: proxies, two a pair
+    std::vector<std::uint32_t> gone;                // contacts
+};
+
+/// Where the box of a proxy's hull is now, without any margin.
+Box tightBox(const WorldState& state, const Proxy& proxy);
+
+/// Puts a body's hulls in the tree, or takes them out.
+void addProxies(WorldState& state, std::uint32_t body);
+void removeProxies(WorldState& state, std::uint32_t body);
+
+/// Foresees how far bodies can move in dt seconds, widens the boxes of those that may leave theirs, makes contacts for boxes that
+/// came to overlap, and removes those of boxes that no longer do. `all` looks at every awake body, else at those that were put in
+/// or moved by hand.
+void findPairs(WorldState& state, WorkerTeam& team, PairScratch& scratch, float dt, bool all);
+
+}  // namespace rubble

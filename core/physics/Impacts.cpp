@@ -1,0 +1,117 @@
+#include "core/physics/Impacts.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr float kImpactSpeed = 0.5f;  // m/s: slower, and nothing is hurt
+constexpr float kHitSpeed = 1.0f;     // m/s
+
+Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
+
+template <class Visit>
+void visitContacts(const WorldState& state, const Visit& visit) {
+    for (const ContactColours::Colour& colour : state.colours.colours()) {
+        for (const ContactBlock& block : colour.blocks) {
+            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                if (block.pointCount[lane] > 0) visit(block, lane);
+            }
+        }
+    }
+}
+
+template <class Event>
+void sortByBodies(std::vector<Event>& events) {
+    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        return a.first != b.first ? a.first < b.first : a.second < b.second;
+    });
+}
+
+/// The mean place of the points that `counts` accepts, from the first body's centre, or nothing where there is none.
+template <class Counts>
+int meanPlace(const ContactBlock& block, std::size_t lane, const Counts& counts, Vec3f& place) {
+    int count = 0;
+    place = Vec3f(0.0f);
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        if (!counts(block.points[i])) continue;
+        place += at(block.points[i].place, lane);
+        ++count;
+    }
+    if (count > 0) place *= 1.0f / static_cast<float>(count);
+    return count;
+}
+
+/// What a body adds to the inverse of the effective mass at a place along a direction.
+float mobility(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f normal) {
+    const Vec3f turning = cross(arm, normal);
+    return state.motions[body].inverseMass + dot(turning, state.places[body].inverseInertia * turning);
+}
+
+}  // namespace
+
+std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
+    std::vector<Impact> impacts;
+    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        const auto approaches = [&](const PointRows& point) {
+            return -point.approach[lane] > kImpactSpeed && point.separation[lane] <= -point.approach[lane] * step.dt;
+        };
+        Vec3f place(0.0f);
+        if (meanPlace(block, lane, approaches, place) == 0) return;
+        const std::uint32_t a = block.first[lane], b = block.second[lane];
+        const Vec3f normal = at(block.normal, lane), otherPlace = place + at(block.apart, lane);
+        const Vec3f speed = state.motions[b].velocity + cross(state.motions[b].spin, otherPlace) -
+                            state.motions[a].velocity - cross(state.motions[a].spin, place);
+        const float mobilities = mobility(state, a, place, normal) + mobility(state, b, otherPlace, normal);
+        if (mobilities <= 0.0f) return;
+        Impact impact;
+        impact.first = state.idOf(a);
+        impact.second = state.idOf(b);
+        impact.point = toDouble(state.places[a].centre + place);
+        impact.normal = toDouble(normal);
+        impact.approachSpeed = -dot(speed, normal);
+        impact.effectiveMass = 1.0f / mobilities;
+        impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
+        impacts.push_back(impact);
+    });
+    sortByBodies(impacts);
+    return impacts;
+}
+
+void listHits(const WorldState& state, std::vector<HitEvent>& hits) {
+    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        const auto isHit = [&](const PointRows& point) {
+            return point.approach[lane] < -kHitSpeed && point.stepImpulse[lane] > 0.0f;
+        };
+        Vec3f place(0.0f);
+        if (meanPlace(block, lane, isHit, place) == 0) return;
+        HitEvent hit{state.idOf(block.first[lane]),
+                     state.idOf(block.second[lane]),
+                     toDouble(state.places[block.first[lane]].centre + place),
+                     toDouble(at(block.normal, lane)),
+                     0.0,
+                     0.0};
+        for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+            hit.approachSpeed = std::max(hit.approachSpeed, -static_cast<double>(block.points[i].approach[lane]));
+            hit.impulse += block.points[i].stepImpulse[lane];
+        }
+        hits.push_back(hit);
+    });
+    sortByBodies(hits);
+}
+
+std::vector<ContactPoint> contactPointsOf(const WorldState& state) {
+    std::vector<ContactPoint> points;
+    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+            const PointRows& point = block.points[i];
+            points.push_back({state.idOf(block.first[lane]), state.idOf(block.second[lane]),
+                              toDouble(state.places[block.first[lane]].centre + at(point.place, lane)),
+                              toDouble(at(block.normal, lane)), point.separation[lane], point.impulse[lane]});
+        }
+    });
+    sortByBodies(points);
+    return points;
+}
+
+}  // namespace rubble

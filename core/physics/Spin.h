@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/physics/WorldState.h"
+
+namespace rubble {
+
+/// True for a body that turns so fast that its inertia changes much within a step of dt seconds.
+bool isSpinner(const WorldState& state, std::uint32_t body, float dt);
+/// Turns such a body on by h seconds: angular momentum is kept exactly, and energy does not drift, as the step is the same
+/// backwards.
+/// Source: Hairer, Lubich, Wanner 2006, "Geometric numerical integration", VII.5 (midpoint rule).
+Quatf turnedBySpin(const WorldState& state, std::uint32_t body, float h);
+/// The world inertia of a body that was turned, and the spin that keeps its angular momentum.
+void takeTurn(WorldState& state, std::uint32_t body);
+
+}  // namespace rubble
