@@ -1,0 +1,78 @@
+#include "core/base/Random.h"
+#include "core/physics/ContactColours.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace rubble;
+
+namespace {
+
+struct Kept {
+    std::uint32_t contact, first, second;
+    ContactSlot slot;
+};
+
+/// No two contacts of a colour share a dynamic body, and every contact is where its slot says.
+bool isSound(const ContactColours& colours, const std::vector<Kept>& kept, std::uint32_t fixedBodies) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;  // colour and body
+    for (const Kept& one : kept) {
+        const ContactBlock& block = colours.block(one.slot);
+        const auto lane = static_cast<std::size_t>(ContactColours::laneOf(one.slot));
+        if (block.contact[lane] != one.contact || block.first[lane] != one.first || block.second[lane] != one.second)
+            return false;
+        if (one.slot.colour == ContactColours::kOneByOne) continue;
+        for (std::uint32_t body : {one.first, one.second}) {
+            if (body > fixedBodies && !seen.insert({one.slot.colour, body}).second) return false;
+        }
+    }
+    return colours.contactCount() == kept.size();
+}
+
+}  // namespace
+
+class ContactColoursTest : public QObject {
+    Q_OBJECT
+private slots:
+    void contactsOfAColourShareNoBody() {
+        constexpr std::uint32_t kFixed = 3;  // bodies 1 to 3
+        Random random(11);
+        ContactColours colours;
+        colours.resizeBodies(60);
+        std::vector<Kept> kept;
+        for (std::uint32_t round = 0; round < 3000; ++round) {
+            if (random.below(3) > 0 || kept.empty()) {
+                const auto first = 1 + static_cast<std::uint32_t>(random.below(30));
+                const auto second = 31 + static_cast<std::uint32_t>(random.below(29));
+                kept.push_back({round, first, second, colours.add(round, first, first > kFixed, second, true)});
+            } else {
+                const std::size_t place = random.below(kept.size());
+                const Kept gone = kept[place];
+                const std::uint32_t moved = colours.remove(gone.slot, gone.first > kFixed, true);
+                kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(place));
+                for (Kept& one : kept) {
+                    if (one.contact == moved) one.slot = gone.slot;
+                }
+            }
+            QVERIFY(isSound(colours, kept, kFixed));
+        }
+    }
+    void contactsAgainstFixedBodiesAreSolvedLast() {
+        ContactColours colours;
+        colours.resizeBodies(4);
+        const ContactSlot free = colours.add(0, 1, true, 2, true), fixed = colours.add(1, 1, true, 3, false);
+        QVERIFY(free.colour < ContactColours::kBetweenBodies && fixed.colour >= ContactColours::kBetweenBodies);
+    }
+    void aBodyWithManyContactsIsSolvedOneByOne() {
+        ContactColours colours;
+        colours.resizeBodies(102);
+        std::uint32_t oneByOne = 0;
+        for (std::uint32_t i = 0; i < 100; ++i)
+            oneByOne += colours.add(i, 1, true, 2 + i, true).colour == ContactColours::kOneByOne;
+        QCOMPARE(oneByOne, 100 - ContactColours::kBetweenBodies);
+    }
+};
+
+QTEST_APPLESS_MAIN(ContactColoursTest)
+#include "ContactColoursTest.moc"

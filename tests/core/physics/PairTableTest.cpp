@@ -1,0 +1,43 @@
+#include "core/base/Random.h"
+#include "core/physics/PairTable.h"
+
+#include <QTest>
+
+#include <map>
+
+using namespace rubble;
+
+class PairTableTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theOrderOfAPairIsNoMatter() {
+        PairTable table;
+        QCOMPARE(table.find(3, 5), PairTable::kNone);
+        table.insert(5, 3, 7);
+        QCOMPARE(table.find(3, 5), 7u);
+        QCOMPARE(table.find(5, 3), 7u);
+        table.erase(3, 5);
+        QCOMPARE(table.find(5, 3), PairTable::kNone);
+    }
+    void itHoldsWhatAMapHolds() {
+        Random random(3);
+        PairTable table;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> map;
+        for (std::uint32_t i = 0; i < 50000; ++i) {
+            const auto a = static_cast<std::uint32_t>(random.below(40)),
+                       b = a + 1 + static_cast<std::uint32_t>(random.below(40));
+            const auto found = map.find({a, b});
+            QCOMPARE(table.find(a, b), found == map.end() ? PairTable::kNone : found->second);
+            if (found == map.end()) {
+                table.insert(a, b, i);
+                map[{a, b}] = i;
+            } else {
+                table.erase(b, a);
+                map.erase(found);
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(PairTableTest)
+#include "PairTableTest.moc"

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/base/Random.h"
+#include "core/base/Trigonometry.h"
+#include "core/geometry/ConvexHull.h"
+#include "core/physics/Hull.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace rubble::test {
+
+/// A box about the origin.
+inline Polytope box(Vec3 sides) {
+    const Vec3 half = 0.5 * sides;
+    return extruded(std::vector<Vec2>{{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}},
+                    -half.z, half.z);
+}
+
+inline Vec3 randomIn(Random& random, double half) {
+    const double x = random.between(-half, half), y = random.between(-half, half);
+    return {x, y, random.between(-half, half)};
+}
+
+/// A rotation that is as likely as any other.
+inline Quat randomTurn(Random& random) {
+    while (true) {
+        const Vec3 v = randomIn(random, 1.0);
+        const Quat turn(random.between(-1.0, 1.0), v.x, v.y, v.z);
+        const double size = glm::dot(turn, turn);
+        if (size > 0.01 && size <= 1.0) return glm::normalize(turn);
+    }
+}
+
+/// A prism of 5 to 8 sides, as fragments are, or the hull of some points.
+inline Polytope randomSolid(Random& random) {
+    std::vector<Vec3> points;
+    if (random.below(2) == 0) {
+        while (points.size() < 12) points.push_back(randomIn(random, 0.3));
+    } else {
+        const auto sides = 5 + random.below(4);
+        for (std::uint64_t i = 0; i < sides; ++i) {
+            const double angle =
+                6.283185307 * (static_cast<double>(i) + random.between(0.0, 0.8)) / static_cast<double>(sides);
+            for (double z : {-0.25, 0.25}) points.push_back({0.3 * cosine(angle), 0.3 * sine(angle), z});
+        }
+    }
+    return *convexHull(points);
+}
+
+inline Hull hullOf(const Polytope& polytope) { return *makeHull(polytope, Vec3(0.0)); }
+
+}  // namespace rubble::test
