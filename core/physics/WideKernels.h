@@ -25,23 +25,27 @@ struct WideKernels {
     static constexpr float kLeastTurnCosine = 0.9924f;  // squared, of half the angle: ten degrees
 
     // Rows to lanes.
-    static F row(const FloatRow& values, int part) { return loaded<W>(values.data() + part * W); }
-    static V row(const Vec3Row& values, int part) {
+    [[gnu::always_inline]] static F row(const FloatRow& values, int part) {
+        return loaded<W>(values.data() + part * W);
+    }
+    [[gnu::always_inline]] static V row(const Vec3Row& values, int part) {
         return {row(values.x, part), row(values.y, part), row(values.z, part)};
     }
-    static Q row(const QuatRow& values, int part) {
+    [[gnu::always_inline]] static Q row(const QuatRow& values, int part) {
         return {row(values.x, part), row(values.y, part), row(values.z, part), row(values.w, part)};
     }
-    static WideSym3<W> row(const SymMat3Row& m, int part) {
+    [[gnu::always_inline]] static WideSym3<W> row(const SymMat3Row& m, int part) {
         return {row(m.xx, part), row(m.xy, part), row(m.xz, part), row(m.yy, part), row(m.yz, part), row(m.zz, part)};
     }
-    static void put(F value, FloatRow& values, int part) { store<W>(value, values.data() + part * W); }
-    static void put(const V& value, Vec3Row& values, int part) {
+    [[gnu::always_inline]] static void put(F value, FloatRow& values, int part) {
+        store<W>(value, values.data() + part * W);
+    }
+    [[gnu::always_inline]] static void put(const V& value, Vec3Row& values, int part) {
         put(value.x, values.x, part);
         put(value.y, values.y, part);
         put(value.z, values.z, part);
     }
-    static void put(const WideSym3<W>& m, SymMat3Row& values, int part) {
+    [[gnu::always_inline]] static void put(const WideSym3<W>& m, SymMat3Row& values, int part) {
         put(m.xx, values.xx, part);
         put(m.xy, values.xy, part);
         put(m.xz, values.xz, part);
@@ -52,7 +56,7 @@ struct WideKernels {
 
     /// Columns of `Count` numbers that lie one after another in each of W places.
     template <int Count>
-    static void gather(const float* const* from, F* columns) {
+    [[gnu::always_inline]] static void gather(const float* const* from, F* columns) {
         static_assert(Count % W == 0);
         for (int chunk = 0; chunk < Count; chunk += W) {
             for (int lane = 0; lane < W; ++lane) columns[chunk + lane] = loaded<W>(from[lane] + chunk);
@@ -71,17 +75,18 @@ struct WideKernels {
         Q turned;
     };
 
-    static void motionRows(const IndexRow& bodies, int part, const SolverStep& step, const float** rows) {
+    [[gnu::always_inline]] static void motionRows(const IndexRow& bodies, int part, const SolverStep& step,
+                                                  const float** rows) {
         for (int lane = 0; lane < W; ++lane) rows[lane] = &step.motions[bodies[part * W + lane]].velocity.x;
     }
-    static Velocities velocities(const IndexRow& bodies, int part, const SolverStep& step) {
+    [[gnu::always_inline]] static Velocities velocities(const IndexRow& bodies, int part, const SolverStep& step) {
         const float* rows[W];
         motionRows(bodies, part, step, rows);
         F c[8];
         gather<8>(rows, c);
         return {{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}, c[7]};
     }
-    static Motions motions(const IndexRow& bodies, int part, const SolverStep& step) {
+    [[gnu::always_inline]] static Motions motions(const IndexRow& bodies, int part, const SolverStep& step) {
         const float* rows[W];
         motionRows(bodies, part, step, rows);
         F c[16];
@@ -90,7 +95,8 @@ struct WideKernels {
             {{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}, c[7]}, {c[8], c[9], c[10]}, {c[12], c[13], c[14], c[15]}};
     }
     /// Writes velocities back, of dynamic bodies only: others may be in several lanes, and of several threads.
-    static void putVelocities(const Velocities& v, const IndexRow& bodies, int part, const SolverStep& step) {
+    [[gnu::always_inline]] static void putVelocities(const Velocities& v, const IndexRow& bodies, int part,
+                                                     const SolverStep& step) {
         F c[8] = {v.linear.x, v.linear.y, v.linear.z, v.inverseMass, v.spin.x, v.spin.y, v.spin.z, v.damping};
         for (int chunk = 0; chunk < 8; chunk += W) transpose<W>(c + chunk);
         const unsigned dynamic = bitsOf<W>(v.inverseMass > F{});
@@ -107,7 +113,7 @@ struct WideKernels {
         WideSym3<W> inverseInertia;
         F reach;
     };
-    static Places places(const IndexRow& bodies, int part, const SolverStep& step) {
+    [[gnu::always_inline]] static Places places(const IndexRow& bodies, int part, const SolverStep& step) {
         const float* rows[W];
         for (int lane = 0; lane < W; ++lane) rows[lane] = &step.places[bodies[part * W + lane]].centre.x;
         F c[16];
@@ -115,7 +121,7 @@ struct WideKernels {
         return {{c[0], c[1], c[2]}, {c[4], c[5], c[6], c[7]}, {c[8], c[9], c[10], c[11], c[12], c[13]}, c[14]};
     }
 
-    static int mostPoints(const ContactBlock& block, int part) {
+    [[gnu::always_inline]] static int mostPoints(const ContactBlock& block, int part) {
         std::uint32_t most = 0;
         for (int lane = 0; lane < W; ++lane) {
             const std::uint32_t count = block.pointCount[part * W + lane];
@@ -123,7 +129,7 @@ struct WideKernels {
         }
         return static_cast<int>(most);
     }
-    static Masks<W> hasPoint(const ContactBlock& block, int part, int point) {
+    [[gnu::always_inline]] static Masks<W> hasPoint(const ContactBlock& block, int part, int point) {
         Masks<W> mask{};
         for (int lane = 0; lane < W; ++lane) {
             mask[lane] = block.pointCount[part * W + lane] > static_cast<std::uint32_t>(point) ? -1 : 0;
@@ -136,8 +142,8 @@ struct WideKernels {
         F along{};
         V moment{};  // sum of impulse times place
     };
-    static void apply(const Push& push, const V& n, const V& apart, const ContactBlock& block, int part, Velocities& a,
-                      Velocities& b) {
+    [[gnu::always_inline]] static void apply(const Push& push, const V& n, const V& apart, const ContactBlock& block,
+                                             int part, Velocities& a, Velocities& b) {
         const V impulse = n * push.along;
         a.linear = a.linear - impulse * a.inverseMass;
         b.linear = b.linear + impulse * b.inverseMass;
@@ -145,14 +151,15 @@ struct WideKernels {
         b.spin = b.spin + row(block.secondInverseInertia, part) * cross<W>(push.moment + apart * push.along, n);
     }
     /// An impulse at a place.
-    static void applyAt(const V& impulse, const V& place, const V& apart, const ContactBlock& block, int part,
-                        Velocities& a, Velocities& b) {
+    [[gnu::always_inline]] static void applyAt(const V& impulse, const V& place, const V& apart,
+                                               const ContactBlock& block, int part, Velocities& a, Velocities& b) {
         a.linear = a.linear - impulse * a.inverseMass;
         b.linear = b.linear + impulse * b.inverseMass;
         a.spin = a.spin - row(block.firstInverseInertia, part) * cross<W>(place, impulse);
         b.spin = b.spin + row(block.secondInverseInertia, part) * cross<W>(place + apart, impulse);
     }
-    static void applyTwist(F twist, const V& n, const ContactBlock& block, int part, Velocities& a, Velocities& b) {
+    [[gnu::always_inline]] static void applyTwist(F twist, const V& n, const ContactBlock& block, int part,
+                                                  Velocities& a, Velocities& b) {
         a.spin = a.spin - row(block.firstInverseInertia, part) * (n * twist);
         b.spin = b.spin + row(block.secondInverseInertia, part) * (n * twist);
     }
@@ -177,8 +184,9 @@ struct WideKernels {
     }
 
     /// The separations now, and the speeds at which they change.
-    static void placePoints(ContactBlock& block, const ReferenceBlock& reference, int part, const Places& a,
-                            const Places& b, const Velocities& va, const Velocities& vb) {
+    [[gnu::always_inline]] static void placePoints(ContactBlock& block, const ReferenceBlock& reference, int part,
+                                                   const Places& a, const Places& b, const Velocities& va,
+                                                   const Velocities& vb) {
         const V n = row(block.normal, part), now = a.centre - b.centre, then = row(reference.apart, part);
         // Impulses act at one place of the world: where the bodies are, or, of fast ones, where they will be when they meet.
         const auto isSwept = row(reference.isSwept, part) > F{};
@@ -201,7 +209,8 @@ struct WideKernels {
     }
 
     /// How the points of a manifold answer to impulses along the normal.
-    static void coupleNormals(ContactBlock& block, int part, const Places& a, const Places& b, F inverseMass) {
+    [[gnu::always_inline]] static void coupleNormals(ContactBlock& block, int part, const Places& a, const Places& b,
+                                                     F inverseMass) {
         const V n = row(block.normal, part), apart = row(block.apart, part);
         V armA[4], armB[4], answerA[4], answerB[4];
         for (int i = 0; i < 4; ++i) {
@@ -222,7 +231,7 @@ struct WideKernels {
         }
     }
 
-    static V frictionCentre(const ContactBlock& block, int part) {
+    [[gnu::always_inline]] static V frictionCentre(const ContactBlock& block, int part) {
         V centre{};
         F whole{};
         for (int i = 0; i < 4; ++i) {
@@ -237,7 +246,8 @@ struct WideKernels {
     }
 
     /// How a manifold answers to friction at its centre, and to a twist about its normal.
-    static void coupleFriction(ContactBlock& block, int part, const Places& a, const Places& b, F inverseMass) {
+    [[gnu::always_inline]] static void coupleFriction(ContactBlock& block, int part, const Places& a, const Places& b,
+                                                      F inverseMass) {
         const V n = row(block.normal, part), apart = row(block.apart, part);
         const V tangent = row(block.tangent, part), other = cross<W>(n, tangent);
         const V centre = frictionCentre(block, part);
@@ -305,8 +315,9 @@ struct WideKernels {
     };
 
     template <bool kWithBias>
-    static Load pushNormals(ContactBlock& block, int part, int points, const SolverStep& step, const Motions& from,
-                            Velocities& a, const Motions& to, Velocities& b) {
+    [[gnu::always_inline]] static Load pushNormals(ContactBlock& block, int part, int points, const SolverStep& step,
+                                                   const Motions& from, Velocities& a, const Motions& to,
+                                                   Velocities& b) {
         const V n = row(block.normal, part), apart = row(block.apart, part);
         const V nA = turned<W>(from.turned.conjugate(), n) - n, nB = turned<W>(to.turned.conjugate(), n) - n;
         const F moved = dot<W>(n, to.moved - from.moved) + dot<W>(apart, nB);
@@ -363,7 +374,8 @@ struct WideKernels {
     /// The number of a pair of points in ContactBlock::coupling.
     static constexpr int coupled(int i, int j) { return i == 0 ? j - 1 : i + j; }
 
-    static void pushTangents(ContactBlock& block, int part, const Load& load, Velocities& a, Velocities& b) {
+    [[gnu::always_inline]] static void pushTangents(ContactBlock& block, int part, const Load& load, Velocities& a,
+                                                    Velocities& b) {
         const V n = row(block.normal, part), apart = row(block.apart, part), centre = row(block.frictionCentre, part);
         const V tangent = row(block.tangent, part), other = cross<W>(n, tangent);
         const F friction = row(block.friction, part);
@@ -422,8 +434,8 @@ struct WideKernels {
         }
     }
 
-    static void throwBack(ContactBlock& block, int part, int points, F restitution, const SolverStep& step,
-                          Velocities& a, Velocities& b) {
+    [[gnu::always_inline]] static void throwBack(ContactBlock& block, int part, int points, F restitution,
+                                                 const SolverStep& step, Velocities& a, Velocities& b) {
         const V n = row(block.normal, part), apart = row(block.apart, part);
         for (int i = 0; i < points; ++i) {
             PointRows& point = block.points[i];
