@@ -35,6 +35,7 @@ std::uint32_t newBody(WorldState& state) {
         state.bodies.emplace_back();
         state.motions.emplace_back();
         state.places.emplace_back();
+        state.ahead.emplace_back();
         state.colours.resizeBodies(state.bodies.size());
         return static_cast<std::uint32_t>(state.bodies.size() - 1);
     }
@@ -86,6 +87,7 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
     body.tag = definition.tag;
     BodyMotion& motion = state.motions[number] = {};
     state.places[number] = {};
+    state.ahead[number] = 0.0f;
     state.places[number].reach = definition.shape->reach;
     giveMass(body, motion, definition);
     if (definition.kind != BodyKind::Static) {

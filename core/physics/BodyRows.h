@@ -21,8 +21,8 @@ static_assert(sizeof(BodyMotion) == 64);
 /// What is read once a step: where a body was when the step began.
 struct alignas(64) BodyPlace {
     Vec3f centre{0.0f, 0.0f, 0.0f};  // m
-    float ahead = 0.0f;  // m: how far any point of it can have moved by the end of the coming step, since it was put in
-    Quatf turn;          // world from body
+    float unused = 0.0f;
+    Quatf turn;               // world from body
     SymMat3f inverseInertia;  // 1/(kg m^2), in world axes
     float reach = 0.0f;       // m: from the centre of mass to its farthest corner
     float travel = 0.0f;      // m: how far any point of it can have moved since it was put in

@@ -29,7 +29,7 @@ void rebox(WorldState& state, std::uint32_t number, float dt) {
     const float margin = marginOf(state, number);
     const Vec3f way = state.motions[number].velocity * dt;
     // What turning adds to the way is in the margin, or it is added to it.
-    const float extra = std::max(0.0f, place.ahead - place.travel - length(way));
+    const float extra = std::max(0.0f, state.ahead[number] - place.travel - length(way));
     for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
         const Box tight = tightBox(state, state.proxies[proxy]);
         state.tree.move(state.proxies[proxy].leaf, widened(swept(tight, way), margin + extra));
@@ -49,16 +49,15 @@ void widenBoxes(WorldState& state, PairScratch& scratch, float dt, bool all) {
     scratch.isMoved.assign(state.bodies.size(), 0);
     for (std::uint32_t body : state.rebox) {
         if (state.bodies[body].shape == nullptr) continue;
-        state.places[body].ahead = state.places[body].travel + foreseenWay(state, body, dt);
+        state.ahead[body] = state.places[body].travel + foreseenWay(state, body, dt);
         rebox(state, body, dt);
         markMoved(scratch, body);
     }
     state.rebox.clear();
     if (!all) return;
     for (std::uint32_t body : state.awake) {
-        BodyPlace& place = state.places[body];
-        place.ahead = place.travel + foreseenWay(state, body, dt);
-        if (place.ahead <= state.bodies[body].boxedUntil || scratch.isMoved[body] != 0) continue;
+        state.ahead[body] = state.places[body].travel + foreseenWay(state, body, dt);
+        if (state.ahead[body] <= state.bodies[body].boxedUntil || scratch.isMoved[body] != 0) continue;
         rebox(state, body, dt);
         markMoved(scratch, body);
     }

@@ -23,18 +23,20 @@ struct SymMat3Row {
 };
 
 /// One point of a manifold, in eight contacts.
-struct alignas(32) PointRows {
+struct alignas(64) PointRows {
+    // What each pass reads comes first: it is memory that limits the solver.
     Vec3Row place;           // m, from the first body's centre, in world axes at the time the manifold was made
     FloatRow separation;     // m, when the step began
     FloatRow impulse;        // N s, of the last sub-step; kept from step to step
-    FloatRow stepImpulse;    // N s, of all sub-steps of this step
-    FloatRow approach;       // m/s along the normal before the step, negative where they come nearer
     FloatRow effectiveMass;  // kg
     FloatRow lever;          // m, from the friction centre
+    FloatRow stepImpulse;    // N s, of all sub-steps of this step
+    FloatRow approach;       // m/s along the normal before the step, negative where they come nearer
+    FloatRow unused;
 };
 
 /// Eight contacts as the solver sees them: what it reads and writes in every pass.
-struct alignas(32) ContactBlock {
+struct alignas(64) ContactBlock {
     IndexRow first, second;  // bodies
     IndexRow contact;        // whose lane this is
     IndexRow pointCount;

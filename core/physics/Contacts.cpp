@@ -64,7 +64,6 @@ std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint3
     Contact& record = state.contacts[contact];
     record.proxies = {firstProxy, secondProxy};
     record.bodies = {state.proxies[firstProxy].body, state.proxies[secondProxy].body};
-    record.lookAt = kNeverLooked;
     state.pairs.insert(firstProxy, secondProxy, contact);
     link(state, contact, 0);
     link(state, contact, 1);
@@ -104,17 +103,17 @@ void listOpen(WorldState& state, std::uint32_t contact) {
     Contact& record = state.contacts[contact];
     if (record.openIndex != kNone) return;
     record.openIndex = static_cast<std::uint32_t>(state.open.size());
-    state.open.push_back(contact);
+    state.open.push_back({contact, record.bodies});
 }
 
 void unlistOpen(WorldState& state, std::uint32_t contact) {
     const std::uint32_t place = std::exchange(state.contacts[contact].openIndex, kNone);
     if (place == kNone) return;
-    const std::uint32_t last = state.open.back();
+    const OpenContact last = state.open.back();
     state.open.pop_back();
-    if (last == contact) return;
+    if (last.contact == contact) return;
     state.open[place] = last;
-    state.contacts[last].openIndex = place;
+    state.contacts[last.contact].openIndex = place;
 }
 
 void storeContact(WorldState& state, std::uint32_t contact) {

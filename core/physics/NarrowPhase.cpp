@@ -12,6 +12,8 @@ namespace {
 constexpr float kSpeculativeDistance = 0.02f;  // m
 /// A manifold is kept while its bodies move less against each other than this.
 constexpr float kMostSlack = 0.02f;  // m
+/// Bodies that are apart are looked at again when they may have closed this share of the gap.
+constexpr float kGapShare = 0.75f;
 /// Bodies that pass this share of the thinner one's breadth in a step are swept.
 constexpr float kSweptShare = 0.5f;
 constexpr std::size_t kLeastLooks = 8;
@@ -128,7 +130,7 @@ void keepManifold(WorldState& state, std::uint32_t number, const Look& look) {
 void noteGap(WorldState& state, std::uint32_t number, const Look& look) {
     Contact& contact = state.contacts[number];
     const float travelled = state.places[contact.bodies[0]].travel + state.places[contact.bodies[1]].travel;
-    contact.lookAt = travelled + std::max(0.0f, look.axis.separation - kSpeculativeDistance);
+    state.open[contact.openIndex].lookAt = travelled + std::max(0.0f, kGapShare * look.axis.separation);
     contact.axis = look.axis;
 }
 
@@ -168,9 +170,9 @@ void listOpenThatMayTouch(const WorldState& state, WorkerTeam& team, LookScratch
     team.share(state.open.size(), kLeastOpen, [&](IndexRange range, int worker) {
         std::vector<std::uint32_t>& open = scratch.open[static_cast<std::size_t>(worker)];
         for (std::size_t i = range.begin; i < range.end; ++i) {
-            const Contact& contact = state.contacts[state.open[i]];
-            const float ahead = state.places[contact.bodies[0]].ahead + state.places[contact.bodies[1]].ahead;
-            if (newOnly ? contact.lookAt == kNeverLooked : ahead >= contact.lookAt) open.push_back(state.open[i]);
+            const OpenContact& contact = state.open[i];
+            const float ahead = state.ahead[contact.bodies[0]] + state.ahead[contact.bodies[1]];
+            if (newOnly ? contact.lookAt == kNeverLooked : ahead >= contact.lookAt) open.push_back(contact.contact);
         }
     });
     for (const std::vector<std::uint32_t>& open : scratch.open) {

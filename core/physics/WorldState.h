@@ -15,7 +15,7 @@
 namespace rubble {
 
 inline constexpr std::uint32_t kNone = ~0u;
-inline constexpr float kNeverLooked = -1e30f;  // Contact::lookAt of a new one
+inline constexpr float kNeverLooked = -1e30f;  // OpenContact::lookAt of a new one
 
 /// What a body is, beside its rows; number 0 is the nobody in empty lanes.
 struct Body {
@@ -52,12 +52,18 @@ struct Contact {
     std::array<std::uint32_t, 2> bodies{};
     std::array<std::uint32_t, 2> next{kNone, kNone};  // 2 * contact + side, of the same body
     std::array<std::uint32_t, 2> previous{kNone, kNone};
-    ContactSlot slot;                 // set where it has a manifold and is awake
-    std::uint32_t stored = kNone;     // its lane while it sleeps
-    std::uint32_t openIndex = kNone;  // its place in WorldState::open
-    float lookAt = 0.0f;  // m: without manifold, they cannot touch before both have travelled that far together
-    SeparatingAxis axis;  // the last
+    ContactSlot slot;                         // set where it has a manifold and is awake
+    std::uint32_t stored = kNone;             // its lane while it sleeps
+    std::uint32_t openIndex = kNone;          // its place in WorldState::open
+    SeparatingAxis axis;                      // the last
     std::array<std::uint32_t, 4> features{};  // of the manifold's points
+};
+
+/// An awake contact without manifold.
+struct OpenContact {
+    std::uint32_t contact = kNone;
+    std::array<std::uint32_t, 2> bodies{};
+    float lookAt = kNeverLooked;  // m: they cannot touch before both together have travelled that far
 };
 
 /// Bodies that came to rest together.
@@ -80,6 +86,7 @@ struct WorldState {
     std::vector<Body> bodies = std::vector<Body>(1);
     std::vector<BodyMotion> motions = std::vector<BodyMotion>(1);
     std::vector<BodyPlace> places = std::vector<BodyPlace>(1);
+    std::vector<float> ahead = std::vector<float>(1);  // m: what BodyPlace::travel can be when the coming step ends
     std::vector<std::uint32_t> freeBodies;
     std::vector<std::uint32_t> awake;  // dynamic and kinematic, ascending
 
@@ -92,7 +99,7 @@ struct WorldState {
     std::vector<std::uint32_t> freeContacts;
     PairTable pairs;
     ContactColours colours;
-    std::vector<std::uint32_t> open;  // awake contacts without manifold
+    std::vector<OpenContact> open;
 
     std::vector<Sleepers> sleepers;
     std::vector<std::uint32_t> freeSleepers;
