@@ -5,29 +5,62 @@
 #include <bit>
 
 namespace rubble {
+namespace {
 
-std::uint32_t ContactColours::freeColour(std::uint64_t taken, bool isAgainstFixed) const {
-    constexpr std::uint64_t kBetween = (std::uint64_t{1} << kBetweenBodies) - 1;
+/// The first colour that neither body is in, or kColours.
+std::uint32_t freeColour(std::uint64_t taken, bool isAgainstFixed) {
+    constexpr std::uint64_t kBetween = (std::uint64_t{1} << ContactColours::kBetweenBodies) - 1;
     const std::uint64_t free = ~taken & (isAgainstFixed ? ~kBetween : kBetween);
-    return free == 0 ? kOneByOne : static_cast<std::uint32_t>(std::countr_zero(free));
+    return free == 0 ? ContactColours::kColours : static_cast<std::uint32_t>(std::countr_zero(free));
+}
+
+std::uint32_t listOf(std::uint32_t colour, std::uint32_t pointCount) {
+    if (colour == ContactColours::kColours) return ContactColours::kOneByOne;
+    return 2 * colour + (pointCount > ContactColours::kFewPoints ? 1 : 0);
+}
+
+std::uint64_t bitOf(std::uint32_t list) {
+    return list == ContactColours::kOneByOne ? 0 : std::uint64_t{1} << (list / 2);
+}
+
+}  // namespace
+
+ContactSlot ContactColours::addLane(std::uint32_t number) {
+    List& list = m_lists[number];
+    const ContactSlot slot{number, list.count++};
+    if (blockOf(slot) == list.blocks.size()) {
+        list.blocks.push_back({});
+        list.references.push_back({});
+    }
+    return slot;
+}
+
+std::uint32_t ContactColours::removeLane(ContactSlot slot) {
+    List& list = m_lists[slot.list];
+    const ContactSlot last{slot.list, --list.count};
+    const int lane = laneOf(slot), lastLane = laneOf(last);
+    std::uint32_t moved = ContactSlot::kNone;
+    if (last.index != slot.index) {
+        putLane(block(slot), lane, storedLane(block(last), lastLane));
+        putLane(reference(slot), lane, storedLane(reference(last), lastLane));
+        moved = block(slot).contact[static_cast<std::size_t>(lane)];
+    }
+    putLane(block(last), lastLane, {});
+    putLane(reference(last), lastLane, {});
+    if (lastLane == 0) {
+        list.blocks.pop_back();
+        list.references.pop_back();
+    }
+    return moved;
 }
 
 ContactSlot ContactColours::add(std::uint32_t contact, std::uint32_t first, bool firstIsDynamic, std::uint32_t second,
-                                bool secondIsDynamic) {
+                                bool secondIsDynamic, std::uint32_t pointCount) {
     const std::uint64_t taken =
         (firstIsDynamic ? m_coloursOfBody[first] : 0) | (secondIsDynamic ? m_coloursOfBody[second] : 0);
-    ContactSlot slot{freeColour(taken, !firstIsDynamic || !secondIsDynamic), 0};
-    Colour& colour = m_colours[slot.colour];
-    slot.index = colour.count++;
-    if (blockOf(slot) == colour.blocks.size()) {
-        colour.blocks.push_back({});
-        colour.references.push_back({});
-    }
-    if (slot.colour != kOneByOne) {
-        const std::uint64_t bit = std::uint64_t{1} << slot.colour;
-        if (firstIsDynamic) m_coloursOfBody[first] |= bit;
-        if (secondIsDynamic) m_coloursOfBody[second] |= bit;
-    }
+    const ContactSlot slot = addLane(listOf(freeColour(taken, !firstIsDynamic || !secondIsDynamic), pointCount));
+    if (firstIsDynamic) m_coloursOfBody[first] |= bitOf(slot.list);
+    if (secondIsDynamic) m_coloursOfBody[second] |= bitOf(slot.list);
     ContactBlock& home = block(slot);
     const auto lane = static_cast<std::size_t>(laneOf(slot));
     home.first[lane] = first;
@@ -38,34 +71,33 @@ ContactSlot ContactColours::add(std::uint32_t contact, std::uint32_t first, bool
 }
 
 std::uint32_t ContactColours::remove(ContactSlot slot, bool firstIsDynamic, bool secondIsDynamic) {
-    Colour& colour = m_colours[slot.colour];
-    const int lane = laneOf(slot);
-    if (slot.colour != kOneByOne) {
-        const std::uint64_t bit = std::uint64_t{1} << slot.colour;
-        const auto place = static_cast<std::size_t>(lane);
-        if (firstIsDynamic) m_coloursOfBody[block(slot).first[place]] &= ~bit;
-        if (secondIsDynamic) m_coloursOfBody[block(slot).second[place]] &= ~bit;
-    }
-    const ContactSlot last{slot.colour, --colour.count};
-    const int lastLane = laneOf(last);
-    std::uint32_t moved = ContactSlot::kNone;
-    if (last.index != slot.index) {
-        putLane(block(slot), lane, storedLane(block(last), lastLane));
-        putLane(reference(slot), lane, storedLane(reference(last), lastLane));
-        moved = block(slot).contact[static_cast<std::size_t>(lane)];
-    }
-    putLane(block(last), lastLane, {});
-    putLane(reference(last), lastLane, {});
-    if (lastLane == 0) {
-        colour.blocks.pop_back();
-        colour.references.pop_back();
-    }
+    const auto lane = static_cast<std::size_t>(laneOf(slot));
+    if (firstIsDynamic) m_coloursOfBody[block(slot).first[lane]] &= ~bitOf(slot.list);
+    if (secondIsDynamic) m_coloursOfBody[block(slot).second[lane]] &= ~bitOf(slot.list);
+    return removeLane(slot);
+}
+
+std::uint32_t ContactColours::moveToOtherList(ContactSlot& slot) {
+    RUBBLE_ASSERT(slot.list != kOneByOne);
+    const ContactSlot home = addLane(slot.list ^ 1u);
+    putLane(block(home), laneOf(home), storedLane(block(slot), laneOf(slot)));
+    putLane(reference(home), laneOf(home), storedLane(reference(slot), laneOf(slot)));
+    const std::uint32_t moved = removeLane(slot);
+    slot = home;
     return moved;
 }
 
 std::size_t ContactColours::contactCount() const {
     std::size_t count = 0;
-    for (const Colour& colour : m_colours) count += colour.count;
+    for (const List& list : m_lists) count += list.count;
+    return count;
+}
+
+int ContactColours::colourCount() const {
+    int count = 0;
+    for (std::size_t i = 0; i < kLists; i += 2) {
+        count += m_lists[i].count > 0 || (i + 1 < kLists && m_lists[i + 1].count > 0) ? 1 : 0;
+    }
     return count;
 }
 

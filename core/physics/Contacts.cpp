@@ -3,6 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/physics/Sleeping.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace rubble {
@@ -50,10 +51,10 @@ void freeSlot(WorldState& state, Contact& record) {
     if (moved != ContactSlot::kNone) state.contacts[moved].slot = slot;
 }
 
-void takeSlot(WorldState& state, std::uint32_t contact) {
+void takeSlot(WorldState& state, std::uint32_t contact, std::uint32_t pointCount) {
     Contact& record = state.contacts[contact];
     record.slot = state.colours.add(contact, record.bodies[0], isDynamic(state, record, 0), record.bodies[1],
-                                    isDynamic(state, record, 1));
+                                    isDynamic(state, record, 1), pointCount);
 }
 
 }  // namespace
@@ -83,12 +84,20 @@ void removeContact(WorldState& state, std::uint32_t contact) {
     state.freeContacts.push_back(contact);
 }
 
-void beginTouching(WorldState& state, std::uint32_t contact) {
+void beginTouching(WorldState& state, std::uint32_t contact, std::uint32_t pointCount) {
     const std::array<std::uint32_t, 2> bodies = state.contacts[contact].bodies;
     for (std::uint32_t body : bodies) wakeBody(state, body);
     unlistOpen(state, contact);
-    takeSlot(state, contact);
+    takeSlot(state, contact, pointCount);
     state.events.began.push_back({state.idOf(bodies[0]), state.idOf(bodies[1])});
+}
+
+void moveLane(WorldState& state, std::uint32_t contact, std::uint32_t pointCount) {
+    Contact& record = state.contacts[contact];
+    if (!ContactColours::isMisplaced(record.slot, pointCount)) return;
+    const ContactSlot left = record.slot;
+    const std::uint32_t moved = state.colours.moveToOtherList(record.slot);
+    if (moved != ContactSlot::kNone) state.contacts[moved].slot = left;
 }
 
 void endTouching(WorldState& state, std::uint32_t contact) {
@@ -131,8 +140,11 @@ void storeContact(WorldState& state, std::uint32_t contact) {
 }
 
 void bringBackContact(WorldState& state, std::uint32_t contact) {
-    takeSlot(state, contact);
     Contact& record = state.contacts[contact];
+    // How many points it has is one of the words that were stored.
+    const std::uint32_t points =
+        state.stored[record.stored].block[offsetof(ContactBlock, pointCount) / sizeof(IndexRow)];
+    takeSlot(state, contact, points);
     const int lane = ContactColours::laneOf(record.slot);
     putLane(state.colours.block(record.slot), lane, state.stored[record.stored].block);
     putLane(state.colours.reference(record.slot), lane, state.stored[record.stored].reference);

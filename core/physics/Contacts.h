@@ -10,8 +10,10 @@ std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint3
 /// Takes it out; what lay on either body wakes where they touched.
 void removeContact(WorldState& state, std::uint32_t contact);
 
-/// Gives a contact that has no manifold a lane to keep one in.
-void beginTouching(WorldState& state, std::uint32_t contact);
+/// Gives a contact that has no manifold a lane to keep one of so many points in.
+void beginTouching(WorldState& state, std::uint32_t contact, std::uint32_t pointCount);
+/// Moves its lane where those of so many points are.
+void moveLane(WorldState& state, std::uint32_t contact, std::uint32_t pointCount);
 /// Frees its lane and lists it among those without.
 void endTouching(WorldState& state, std::uint32_t contact);
 

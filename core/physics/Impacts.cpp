@@ -12,8 +12,8 @@ Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], row
 
 template <class Visit>
 void visitContacts(const WorldState& state, const Visit& visit) {
-    for (const ContactColours::Colour& colour : state.colours.colours()) {
-        for (const ContactBlock& block : colour.blocks) {
+    for (const ContactColours::List& list : state.colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
             for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
                 if (block.pointCount[lane] > 0) visit(block, lane);
             }

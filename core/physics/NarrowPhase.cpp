@@ -137,15 +137,15 @@ void noteGap(WorldState& state, std::uint32_t number, const Look& look) {
 void markStale(const WorldState& state, WorkerTeam& team, LookScratch& scratch, const SolverKernels& kernels,
                const SolverStep& step) {
     std::size_t count = 0;
-    for (const ContactColours::Colour& colour : state.colours.colours()) count += colour.blocks.size();
+    for (const ContactColours::List& list : state.colours.lists()) count += list.blocks.size();
     scratch.staleLanes.resize(count);
     team.share(count, kLeastBlocks, [&](IndexRange range, int) {
         std::size_t first = 0;  // block of this colour
-        for (const ContactColours::Colour& colour : state.colours.colours()) {
-            const std::size_t end = first + colour.blocks.size();
+        for (const ContactColours::List& list : state.colours.lists()) {
+            const std::size_t end = first + list.blocks.size();
             for (std::size_t i = std::max(first, range.begin); i < std::min(end, range.end); ++i) {
                 scratch.staleLanes[i] = static_cast<unsigned char>(
-                    kernels.staleLanes(colour.blocks[i - first], colour.references[i - first], step));
+                    kernels.staleLanes(list.blocks[i - first], list.references[i - first], step));
             }
             first = end;
         }
@@ -154,8 +154,8 @@ void markStale(const WorldState& state, WorkerTeam& team, LookScratch& scratch, 
 
 void listStale(const WorldState& state, LookScratch& scratch) {
     std::size_t number = 0;
-    for (const ContactColours::Colour& colour : state.colours.colours()) {
-        for (const ContactBlock& block : colour.blocks) {
+    for (const ContactColours::List& list : state.colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
             const unsigned stale = scratch.staleLanes[number++];
             for (std::size_t lane = 0; stale >> lane != 0; ++lane) {
                 if ((stale >> lane & 1u) != 0) scratch.contacts.push_back(block.contact[lane]);
@@ -223,8 +223,11 @@ int findManifolds(WorldState& state, WorkerTeam& team, LookScratch& scratch, con
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
         const std::uint32_t number = scratch.contacts[i];
         const bool touches = scratch.looks[i].manifold.count > 0, touched = state.contacts[number].slot.isSet();
-        if (touches && !touched) {
-            beginTouching(state, number);
+        const auto points = static_cast<std::uint32_t>(scratch.looks[i].manifold.count);
+        if (touches && touched) {
+            moveLane(state, number, points);
+        } else if (touches) {
+            beginTouching(state, number, points);
             keepManifold(state, number, scratch.looks[i]);
         } else if (!touches) {
             if (touched) endTouching(state, number);

@@ -56,8 +56,8 @@ private:
 
 template <class Visit>
 void visitLanes(const ContactColours& colours, const Visit& visit) {
-    for (const ContactColours::Colour& colour : colours.colours()) {
-        for (const ContactBlock& block : colour.blocks) {
+    for (const ContactColours::List& list : colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
             for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
                 if (block.first[lane] != 0) visit(block, lane);
             }

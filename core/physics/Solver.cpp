@@ -54,6 +54,22 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     motion.spin += place.inverseInertia * (turning * impulse);
 }
 
+/// What workers have begun since they last met. Lists of one colour may run side by side, and so may what one worker does alone.
+struct Pending {
+    static constexpr std::uint32_t kNoColour = ~0u, kSeveral = ~0u - 1;
+    std::uint32_t colour = kNoColour;        // of all that was begun
+    std::uint32_t sharedColour = kNoColour;  // of what all workers do
+
+    bool mustEndBefore(std::uint32_t next, bool isShared) const {
+        const std::uint32_t other = isShared ? colour : sharedColour;
+        return other != kNoColour && other != next;
+    }
+    void add(std::uint32_t next, bool isShared) {
+        colour = colour == kNoColour || colour == next ? next : kSeveral;
+        if (isShared) sharedColour = next;
+    }
+};
+
 /// The stages of a step on every worker. All workers call the same stages in the same order; what a stage is given to do is parted
 /// between them, and they meet where the next stage reads what this one wrote.
 class Stages {
@@ -61,26 +77,24 @@ public:
     Stages(WorldState& state, WorkerTeam& team, int worker, int workers, const SolverStep& step)
         : m_state(state), m_team(team), m_worker(worker), m_workers(workers), m_step(step) {}
 
-    /// One pass over all colours in turn. Small colours in a row are done by the first worker.
+    /// One pass over all colours in turn. Short lists are done by the first worker alone.
     void overContacts(Pass pass) {
-        bool isBehind = false;  // the others wait for what the first has done alone
-        std::uint32_t number = 0;
-        for (ContactColours::Colour& colour : m_state.colours.colours()) {
-            const bool isShared = number++ != ContactColours::kOneByOne && m_workers > 1 &&
-                                  colour.blocks.size() >= kLeastBlocks * static_cast<std::size_t>(m_workers);
-            if (colour.blocks.empty()) continue;
-            if (!isShared) {
-                if (m_worker == 0) pass(colour.blocks, m_step);
-                isBehind = m_workers > 1;
-                continue;
+        Pending pending;
+        const std::span<ContactColours::List> lists = m_state.colours.lists();
+        for (std::size_t i = 0; i < lists.size(); ++i) {
+            const std::span<ContactBlock> blocks = lists[i].blocks;
+            if (blocks.empty()) continue;
+            const bool isShared = m_workers > 1 && i != ContactColours::kOneByOne &&
+                                  blocks.size() >= kLeastBlocks * static_cast<std::size_t>(m_workers);
+            if (pending.mustEndBefore(ContactColours::colourOf(i), isShared)) {
+                meet();
+                pending = {};
             }
-            if (isBehind) m_team.meet();
-            isBehind = false;
-            const IndexRange range = share(colour.blocks.size());
-            pass(std::span(colour.blocks).subspan(range.begin, range.size()), m_step);
-            m_team.meet();
+            const IndexRange range = isShared ? share(blocks.size()) : IndexRange{0, m_worker == 0 ? blocks.size() : 0};
+            pass(blocks.subspan(range.begin, range.size()), m_step);
+            pending.add(ContactColours::colourOf(i), isShared);
         }
-        if (isBehind) m_team.meet();
+        meet();
     }
 
     void overBodies(void (*pass)(std::span<const std::uint32_t>, const SolverStep&),
@@ -149,18 +163,18 @@ SolverStep solverStep(WorldState& state, float dt) {
 }
 
 void prepareContacts(WorldState& state, WorkerTeam& team, const SolverKernels& kernels, const SolverStep& step) {
-    const auto prepare = [&](ContactColours::Colour& colour, IndexRange range) {
-        kernels.prepare(std::span(colour.blocks).subspan(range.begin, range.size()),
-                        std::span<const ReferenceBlock>(colour.references).subspan(range.begin, range.size()), step);
+    const auto prepare = [&](ContactColours::List& list, IndexRange range) {
+        kernels.prepare(std::span(list.blocks).subspan(range.begin, range.size()),
+                        std::span<const ReferenceBlock>(list.references).subspan(range.begin, range.size()), step);
     };
     const auto workers = static_cast<std::size_t>(team.size());
     if (workers == 1 || state.colours.contactCount() < kLeastContacts) {
-        for (ContactColours::Colour& colour : state.colours.colours()) prepare(colour, {0, colour.blocks.size()});
+        for (ContactColours::List& list : state.colours.lists()) prepare(list, {0, list.blocks.size()});
         return;
     }
     team.run([&](int worker) {
-        for (ContactColours::Colour& colour : state.colours.colours()) {
-            prepare(colour, partOf(colour.blocks.size(), static_cast<std::size_t>(worker), workers));
+        for (ContactColours::List& list : state.colours.lists()) {
+            prepare(list, partOf(list.blocks.size(), static_cast<std::size_t>(worker), workers));
         }
     });
 }

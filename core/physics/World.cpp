@@ -178,10 +178,10 @@ StepCounts World::counts() const {
     StepCounts counts = m_workshop->counts;
     counts.bodies = static_cast<int>(bodyCount());
     counts.candidatePairs = static_cast<int>(m_state->contacts.size() - m_state->freeContacts.size());
+    counts.colours = m_state->colours.colourCount();
     counts.contacts = static_cast<int>(m_state->colours.contactCount());
-    for (const ContactColours::Colour& colour : m_state->colours.colours()) {
-        counts.colours += colour.count > 0 ? 1 : 0;
-        for (const ContactBlock& block : colour.blocks) {
+    for (const ContactColours::List& list : m_state->colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
             for (std::uint32_t points : block.pointCount) counts.contactPoints += static_cast<int>(points);
         }
     }

@@ -22,9 +22,10 @@ bool isSound(const ContactColours& colours, const std::vector<Kept>& kept, std::
         const auto lane = static_cast<std::size_t>(ContactColours::laneOf(one.slot));
         if (block.contact[lane] != one.contact || block.first[lane] != one.first || block.second[lane] != one.second)
             return false;
-        if (one.slot.colour == ContactColours::kOneByOne) continue;
+        if (one.slot.list == ContactColours::kOneByOne) continue;
         for (std::uint32_t body : {one.first, one.second}) {
-            if (body > fixedBodies && !seen.insert({one.slot.colour, body}).second) return false;
+            if (body > fixedBodies && !seen.insert({ContactColours::colourOf(one.slot.list), body}).second)
+                return false;
         }
     }
     return colours.contactCount() == kept.size();
@@ -45,7 +46,16 @@ private slots:
             if (random.below(3) > 0 || kept.empty()) {
                 const auto first = 1 + static_cast<std::uint32_t>(random.below(30));
                 const auto second = 31 + static_cast<std::uint32_t>(random.below(29));
-                kept.push_back({round, first, second, colours.add(round, first, first > kFixed, second, true)});
+                kept.push_back(
+                    {round, first, second, colours.add(round, first, first > kFixed, second, true, 1 + round % 4)});
+            } else if (random.below(2) == 0) {
+                Kept& one = kept[random.below(kept.size())];
+                if (one.slot.list == ContactColours::kOneByOne) continue;
+                const ContactSlot left = one.slot;
+                const std::uint32_t moved = colours.moveToOtherList(one.slot);
+                for (Kept& other : kept) {
+                    if (other.contact == moved) other.slot = left;
+                }
             } else {
                 const std::size_t place = random.below(kept.size());
                 const Kept gone = kept[place];
@@ -61,15 +71,16 @@ private slots:
     void contactsAgainstFixedBodiesAreSolvedLast() {
         ContactColours colours;
         colours.resizeBodies(4);
-        const ContactSlot free = colours.add(0, 1, true, 2, true), fixed = colours.add(1, 1, true, 3, false);
-        QVERIFY(free.colour < ContactColours::kBetweenBodies && fixed.colour >= ContactColours::kBetweenBodies);
+        const ContactSlot free = colours.add(0, 1, true, 2, true, 4), fixed = colours.add(1, 1, true, 3, false, 4);
+        QVERIFY(ContactColours::colourOf(free.list) < ContactColours::kBetweenBodies);
+        QVERIFY(ContactColours::colourOf(fixed.list) >= ContactColours::kBetweenBodies);
     }
     void aBodyWithManyContactsIsSolvedOneByOne() {
         ContactColours colours;
         colours.resizeBodies(102);
         std::uint32_t oneByOne = 0;
         for (std::uint32_t i = 0; i < 100; ++i)
-            oneByOne += colours.add(i, 1, true, 2 + i, true).colour == ContactColours::kOneByOne;
+            oneByOne += colours.add(i, 1, true, 2 + i, true, 4).list == ContactColours::kOneByOne;
         QCOMPARE(oneByOne, 100 - ContactColours::kBetweenBodies);
     }
 };
