@@ -9,8 +9,6 @@
 #include <QMessageBox>
 #include <QSettings>
 
-#include <algorithm>
-
 namespace rubble {
 
 namespace {
@@ -32,18 +30,16 @@ void keep(const QString& key, const ExportChoice& choice) {
     settings.setValue("filePerFragment", choice.meshes.split == FileSplit::PerFragment);
     settings.setValue("centred", choice.meshes.place == PartPlace::Centred);
     settings.setValue("triangles", choice.meshes.faces == FaceShape::Triangles);
+    if (!choice.assets) return settings.remove("assets");
     QStringList assets;
-    for (const Id asset : choice.assets) assets.append(QString::number(asset));
+    for (const Id asset : *choice.assets) assets.append(QString::number(asset));
     settings.setValue("assets", assets);
 }
 
-/// The chosen assets that are still there; all where none was chosen.
 std::vector<Id> assetsOf(const ExportChoice& choice, const Project& project) {
+    if (choice.assets) return *choice.assets;
     std::vector<Id> assets;
-    for (const Asset& asset : project.assets) {
-        const bool isChosen = std::ranges::find(choice.assets, asset.id) != choice.assets.end();
-        if (choice.assets.empty() || isChosen) assets.push_back(asset.id);
-    }
+    for (const Asset& asset : project.assets) assets.push_back(asset.id);
     return assets;
 }
 
@@ -90,8 +86,10 @@ std::optional<ExportChoice> lastExport(Workspace& workspace) {
     if (settings.value("filePerFragment").toBool()) choice.meshes.split = FileSplit::PerFragment;
     if (settings.value("centred").toBool()) choice.meshes.place = PartPlace::Centred;
     if (settings.value("triangles").toBool()) choice.meshes.faces = FaceShape::Triangles;
+    if (!settings.contains("assets")) return choice;
+    choice.assets.emplace();
     for (const QString& asset : settings.value("assets").toStringList()) {
-        if (findAsset(workspace.project(), asset.toUInt())) choice.assets.push_back(asset.toUInt());
+        if (findAsset(workspace.project(), asset.toUInt())) choice.assets->push_back(asset.toUInt());
     }
     return choice;
 }

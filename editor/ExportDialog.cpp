@@ -44,7 +44,7 @@ QComboBox* pairBox(const QString& first, const QString& second, const QString& t
 ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(parent), m_workspace(workspace) {
     setWindowTitle(tr("Export"));
     makeFields();
-    show(lastExport(workspace).value_or(usualChoice(workspace)));
+    fill(lastExport(workspace).value_or(usualChoice(workspace)));
     for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::update);
     for (QComboBox* box : {m_split, m_place, m_faces}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
@@ -97,12 +97,11 @@ void ExportDialog::makeFields() {
     resize(sizeHint().expandedTo({520, 480}));
 }
 
-void ExportDialog::show(const ExportChoice& choice) {
+void ExportDialog::fill(const ExportChoice& choice) {
     for (const Asset& asset : m_workspace.project().assets) {
         auto* item = new QListWidgetItem(QString::fromStdString(asset.name), m_assets);
         item->setData(Qt::UserRole, asset.id);
-        const bool isChosen =
-            choice.assets.empty() || std::ranges::find(choice.assets, asset.id) != choice.assets.end();
+        const bool isChosen = !choice.assets || std::ranges::find(*choice.assets, asset.id) != choice.assets->end();
         item->setCheckState(isChosen ? Qt::Checked : Qt::Unchecked);
     }
     m_folder->setText(QDir::toNativeSeparators(choice.folder));
@@ -113,12 +112,20 @@ void ExportDialog::show(const ExportChoice& choice) {
     m_faces->setCurrentIndex(choice.meshes.faces == FaceShape::Triangles);
 }
 
-ExportChoice ExportDialog::choice() const {
-    ExportChoice choice{.folder = QDir::fromNativeSeparators(m_folder->text())};
+std::vector<Id> ExportDialog::chosenAssets() const {
+    std::vector<Id> chosen;
     for (int row = 0; row < m_assets->count(); ++row) {
         const QListWidgetItem* item = m_assets->item(row);
-        if (item->checkState() == Qt::Checked) choice.assets.push_back(item->data(Qt::UserRole).toUInt());
+        if (item->checkState() == Qt::Checked) chosen.push_back(item->data(Qt::UserRole).toUInt());
     }
+    return chosen;
+}
+
+ExportChoice ExportDialog::choice() const {
+    ExportChoice choice{.folder = QDir::fromNativeSeparators(m_folder->text())};
+    std::vector<Id> chosen = chosenAssets();
+    const bool areAll = static_cast<int>(chosen.size()) == m_assets->count();
+    if (!areAll) choice.assets = std::move(chosen);  // all: those that are added later, too
     choice.meshes.obj = m_obj->isChecked();
     choice.meshes.glb = m_glb->isChecked();
     choice.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
@@ -135,12 +142,13 @@ void ExportDialog::browse() {
 /// Says what will be written.
 void ExportDialog::update() {
     const ExportChoice chosen = choice();
+    const std::vector<Id> assets = chosenAssets();
     m_split->setEnabled(chosen.meshes.obj || chosen.meshes.glb);
     m_place->setEnabled(chosen.meshes.obj || chosen.meshes.glb);
     m_faces->setEnabled(chosen.meshes.obj);
-    m_export->setEnabled(!chosen.assets.empty() && !chosen.folder.isEmpty());
+    m_export->setEnabled(!assets.empty() && !chosen.folder.isEmpty());
     QStringList folders;
-    for (const Id id : chosen.assets) {
+    for (const Id id : assets) {
         if (folders.size() == kMostNames) {
             folders.append("…");
             break;
@@ -152,7 +160,7 @@ void ExportDialog::update() {
                            : chosen.meshes.glb                    ? tr("a GLB mesh")
                                                                   : tr("no meshes");
     m_summary->setText(
-        chosen.assets.empty()
+        assets.empty()
             ? tr("No asset is chosen.")
             : tr("Folders that will be written, each with pack.json and %1: %2.").arg(meshes, folders.join(", ")));
 }

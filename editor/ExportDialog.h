@@ -18,11 +18,12 @@ namespace rubble {
 /// What an export writes and where.
 struct ExportChoice {
     QString folder;
-    std::vector<Id> assets;  // none: all
+    std::optional<std::vector<Id>> assets;  // none: all there are when it is carried out
     MeshOptions meshes;
 };
 
-/// How the project was exported last; kept beside the preferences, by the project's path. None where it never was.
+/// How the project was exported last; kept beside the preferences, by the project's path. None where it never was. Of
+/// chosen assets those that are still there.
 std::optional<ExportChoice> lastExport(Workspace& workspace);
 
 /// Exports, with progress and a way to cancel, and keeps the choice as the project's last. Gives a sentence that says what
@@ -38,8 +39,9 @@ public:
 
 private:
     void makeFields();
-    void show(const ExportChoice& choice);
+    void fill(const ExportChoice& choice);
     void browse();
+    std::vector<Id> chosenAssets() const;
     void update();
 
     Workspace& m_workspace;

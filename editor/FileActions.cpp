@@ -165,7 +165,8 @@ void FileActions::exportAs() {
 
 void FileActions::exportAgain() {
     const std::optional<ExportChoice> last = lastExport(m_window.workspace());
-    if (!last) return exportAs();
+    const bool isNothingLeft = last && last->assets && last->assets->empty();
+    if (!last || isNothingLeft) return exportAs();
     exportWith(*last);
 }
 

@@ -1,0 +1,118 @@
+#include "editor/ExportDialog.h"
+
+#include "core/asset/StarterProject.h"
+#include "core/geometry/OutlineShapes.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+QPushButton& exportButton(const QDialog& dialog) {
+    for (auto* button : dialog.findChildren<QPushButton*>()) {
+        if (button->text() == "Export") return *button;
+    }
+    qFatal("there is no button \"Export\"");
+}
+
+}  // namespace
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder->path());
+        QCoreApplication::setOrganizationName("RubbleTest");
+        m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
+        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
+        addPrism("gable");
+    }
+
+    void allAssetsMeansThoseToComeToo() {
+        exportBy([](QListWidget&) {});
+        QCOMPARE(folders(), (QStringList{"gable", "wall"}));
+        addPrism("column");
+        exportAgain();
+        QCOMPARE(folders(), (QStringList{"column", "gable", "wall"}));
+    }
+    void aChoiceOfAssetsStaysOne() {
+        exportBy([](QListWidget& assets) { untick(assets, "wall"); });
+        QCOMPARE(folders(), QStringList{"gable"});
+        addPrism("column");
+        exportAgain();
+        QCOMPARE(folders(), QStringList{"gable"});
+        ExportDialog dialog(*m_workspace, nullptr);
+        const auto* assets = dialog.findChild<QListWidget*>();
+        QCOMPARE(assets->findItems("wall", Qt::MatchExactly).first()->checkState(), Qt::Unchecked);
+        QCOMPARE(assets->findItems("gable", Qt::MatchExactly).first()->checkState(), Qt::Checked);
+    }
+    void ofChosenAssetsThoseThatAreLeftAreExported() {
+        exportBy([](QListWidget& assets) { untick(assets, "wall"); });
+        const Id gable = m_workspace->project().assets.back().id;
+        m_workspace->document().push(removeAssets(m_workspace->project(), std::vector{gable}));
+        QVERIFY(lastExport(*m_workspace)->assets->empty());
+    }
+    void withoutAnAssetNothingIsExported() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        auto& assets = *dialog.findChild<QListWidget*>();
+        for (const char* name : {"wall", "gable"}) untick(assets, name);
+        QVERIFY(!exportButton(dialog).isEnabled());
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QVERIFY(dialog.isVisible());
+    }
+    void meshesAreRememberedForTheProject() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        for (auto* box : dialog.findChildren<QCheckBox*>()) {
+            if (box->text().contains("GLB") != box->isChecked()) QTest::mouseClick(box, Qt::LeftButton, {}, {10, 8});
+        }
+        exported(*m_workspace, dialog.choice(), m_messages, nullptr);
+        QVERIFY(!lastExport(*m_workspace)->meshes.obj);
+        QVERIFY(lastExport(*m_workspace)->meshes.glb);
+        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
+        QVERIFY(!lastExport(*m_workspace));
+    }
+
+private:
+    void addPrism(const char* name) {
+        m_workspace->document().push(
+            addAsset(m_workspace->project(), name, {isoscelesTriangleOutline(2.0, 1.0), 0.5}).edit);
+    }
+    /// By the mouse, on the box before the name.
+    static void untick(QListWidget& assets, const char* name) {
+        const QRect row = assets.visualItemRect(assets.findItems(name, Qt::MatchExactly).first());
+        QTest::mouseClick(assets.viewport(), Qt::LeftButton, {}, {row.left() + 10, row.center().y()});
+    }
+    template <class Choosing>
+    void exportBy(Choosing choosing) {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        choosing(*dialog.findChild<QListWidget*>());
+        QTest::mouseClick(&exportButton(dialog), Qt::LeftButton);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        exported(*m_workspace, dialog.choice(), m_messages, nullptr);
+    }
+    void exportAgain() { exported(*m_workspace, *lastExport(*m_workspace), m_messages, nullptr); }
+    QStringList folders() const {
+        return QDir(m_folder->filePath("packs")).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Workspace> m_workspace;
+    Messages m_messages;
+};
+
+QTEST_MAIN(ExportDialogTest)
+#include "ExportDialogTest.moc"
