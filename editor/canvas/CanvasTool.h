@@ -53,6 +53,8 @@ public:
     virtual bool key(const QKeyEvent& event) = 0;
     /// Puts back what is being dragged or drawn; false where nothing is.
     virtual bool cancel() = 0;
+    /// Ends what is being dragged, leaving things as they are now: a step was undone or done again meanwhile.
+    virtual void letGo() {}
 
     virtual void paint(QPainter& painter, const CanvasColours& colours) const = 0;
     virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }

@@ -233,6 +233,12 @@ bool OutlineTool::cancel() {
     return true;
 }
 
+void OutlineTool::letGo() {
+    m_drag.reset();
+    m_faulty.reset();
+    emit changed();
+}
+
 bool OutlineTool::draftKey(int key) {
     switch (key) {
         case Qt::Key_Return:

@@ -31,6 +31,7 @@ public:
     void doubleClick(const CanvasPointer& pointer) override;
     bool key(const QKeyEvent& event) override;
     bool cancel() override;
+    void letGo() override;
     void paint(QPainter& painter, const CanvasColours& colours) const override;
     Qt::CursorShape cursor() const override;
     QString hint() const override;

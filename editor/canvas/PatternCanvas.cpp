@@ -111,6 +111,7 @@ void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor,
 QString PatternCanvas::hint() const { return m_tool->hint(); }
 
 void PatternCanvas::takeChanges(const Changes& changes) {
+    if (changes.isStepTaken) m_tool->letGo();
     if (!changes.touches(Part::Asset, m_state.selection.asset())) return;
     if (!m_state.asset()) takeAsset();
     takeMoves();

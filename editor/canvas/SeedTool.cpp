@@ -164,6 +164,11 @@ bool SeedTool::cancel() {
     return true;
 }
 
+void SeedTool::letGo() {
+    m_drag.reset();
+    emit changed();
+}
+
 bool SeedTool::key(const QKeyEvent& event) {
     if (const std::optional<Vec2> by = nudgeOf(event, m_state)) {
         nudge(*by, event.isAutoRepeat());

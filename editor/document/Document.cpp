@@ -2,6 +2,8 @@
 
 #include <QUndoCommand>
 
+#include <utility>
+
 namespace rubble {
 
 /// A step that can be undone: undo and redo are the same swap.
@@ -9,8 +11,8 @@ class Document::Command : public QUndoCommand {
 public:
     Command(Document& document, Edit edit) : QUndoCommand(edit.text), m_document(document), m_edit(std::move(edit)) {}
 
-    void undo() override { m_document.apply(m_edit); }
-    void redo() override { m_document.apply(m_edit); }
+    void undo() override { m_document.apply(m_edit, true); }
+    void redo() override { m_document.apply(m_edit, std::exchange(m_wasDone, true)); }
 
     int id() const override { return m_edit.stroke == 0 ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override {
@@ -24,6 +26,7 @@ public:
 private:
     Document& m_document;
     Edit m_edit;
+    bool m_wasDone = false;
 };
 
 Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
@@ -54,6 +57,10 @@ void Document::setUnsaved() {
     emit modifiedChanged(isModified());
 }
 
-void Document::apply(Edit& edit) { emit changed(swapInto(m_project, edit)); }
+void Document::apply(Edit& edit, bool isStepTaken) {
+    Changes changes = swapInto(m_project, edit);
+    changes.isStepTaken = isStepTaken;
+    emit changed(changes);
+}
 
 }  // namespace rubble

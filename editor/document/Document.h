@@ -39,7 +39,7 @@ signals:
 
 private:
     class Command;
-    void apply(Edit& edit);
+    void apply(Edit& edit, bool isStepTaken);
 
     Project m_project;
     QUndoStack m_undoStack;

@@ -33,6 +33,7 @@ struct Change {
 struct Changes {
     std::vector<Change> list;
     bool isEverything = false;
+    bool isStepTaken = false;  // by undo or redo: what is being dragged is not what is there any more
 
     bool touches(Part part) const;
     bool touches(Part part, Id id) const;

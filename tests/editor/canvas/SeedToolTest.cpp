@@ -49,6 +49,18 @@ private slots:
         bench.document.undoStack().undo();
         QVERIFY(placedSeeds(bench) == fourSeeds().seeds);
     }
+    void undoInMidDragEndsTheDrag() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        const Project before = bench.document.project();
+        bench.press({0.25, 0.25});
+        bench.moveTo({0.4, 0.35});
+        QVERIFY(bench.document.project() != before);
+        bench.document.undoStack().undo();
+        bench.moveTo({0.5, 0.5});
+        bench.release({0.5, 0.5});
+        QVERIFY(bench.document.project() == before);
+        QVERIFY(bench.document.undoStack().canRedo());
+    }
     void escapePutsADraggedSeedBack() {
         CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 5}));
         const Vec2 seed = bench.seedAt(2);
