@@ -35,12 +35,12 @@ AssetActions::AssetActions(MainWindow& window)
         layers->addAction(action);
         m_forAsset.append(action);
     };
-    addToLayers({"layer-uniform", tr("&Scatter"), tr("Add seeds thrown evenly at random")}, &AssetActions::scatter);
-    addToLayers({"layer-blue-noise", tr("Scatter with &Distance"), tr("Add random seeds that keep a distance")},
+    addToLayers({"layer-uniform", tr("&Uniform"), tr("Add seeds thrown evenly at random")}, &AssetActions::scatter);
+    addToLayers({"layer-blue-noise", tr("&Blue Noise"), tr("Add random seeds that keep a distance")},
                 &AssetActions::blueNoise);
     addToLayers({"layer-placed", tr("&Placed Seeds"), tr("Add a layer for seeds placed by hand")},
                 &AssetActions::placed);
-    addToLayers({"layer-lloyd", tr("&Relax"), tr("Even out the scattered seeds of the layers above")},
+    addToLayers({"layer-lloyd", tr("&Lloyd Relaxation"), tr("Even out the scattered seeds of the layers above")},
                 &AssetActions::relax);
     m_forAsset +=
         {add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),

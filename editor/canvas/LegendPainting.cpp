@@ -2,6 +2,7 @@
 
 #include "core/asset/PieceColours.h"
 #include "editor/canvas/LabelPainting.h"
+#include "editor/commands/LayerKind.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -29,13 +30,6 @@ struct Row {
     std::function<void(QPainter&, QPointF)> paintSample;
     QString text;
 };
-
-QString kindOf(const PatternLayer& layer) {
-    if (std::holds_alternative<UniformScatter>(layer.parameters)) return tr("scatter");
-    if (std::holds_alternative<BlueNoise>(layer.parameters)) return tr("blue noise");
-    if (std::holds_alternative<PlacedSeeds>(layer.parameters)) return tr("placed");
-    return tr("relaxation");
-}
 
 QString scaleTitle(CellColouring colouring) {
     switch (colouring) {
@@ -126,7 +120,7 @@ private:
         m_rows.push_back({[number](QPainter& painter, QPointF at) {
                               painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
                           },
-                          tr("layer %1: %2").arg(number + 1).arg(kindOf(layer))});
+                          tr("layer %1: %2").arg(number + 1).arg(kindText(layer.parameters).toLower())});
     }
 
     void addDuplicates(std::size_t count) {

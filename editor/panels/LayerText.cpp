@@ -31,22 +31,15 @@ struct Describing {
         const NumberFormat format = units.lengths();
         return tr("%1 apart").arg(withUnit(roundedText(noise.minimumDistance, kDigits, format, locale), format));
     }
-    QString operator()(const PlacedSeeds& placed) const { return seedsText(placed.seeds.size(), locale); }
+    QString operator()(const PlacedSeeds& placed) const {
+        return locale.toString(static_cast<qulonglong>(placed.seeds.size()));
+    }
     QString operator()(const LloydRelaxation& relaxation) const {
         return counted(relaxation.rounds, tr("1 round"), tr("%1 rounds"), locale);
     }
 };
 
 }  // namespace
-
-QString kindText(const LayerParameters& parameters) {
-    switch (parameters.index()) {
-        case 0: return tr("Uniform");
-        case 1: return tr("Blue noise");
-        case 2: return tr("Placed");
-        default: return tr("Lloyd");
-    }
-}
 
 QString kindIconName(const LayerParameters& parameters) {
     switch (parameters.index()) {
