@@ -24,9 +24,10 @@ namespace rubble {
 namespace {
 
 constexpr const char* kStateKey = "window/state";
-constexpr int kTreeWidth = 240;  // this and the following: pixels, at first
+constexpr const char* kFoldedKey = "window/folded";  // sections of the inspector
+constexpr int kTreeWidth = 240;                      // this and the following: pixels, at first
 constexpr int kInspectorWidth = 320;
-constexpr int kTableHeight = 190;
+constexpr int kTableHeight = 240;
 constexpr int kStateVersion = 1;  // of the docks: another set of docks, another version
 
 }  // namespace
@@ -125,6 +126,7 @@ void Views::showDocks(bool areShown) {
         for (QDockWidget* dock : m_docks) dock->hide();
         return;
     }
+    m_inspector->setFolded(QSettings().value(kFoldedKey).toStringList());
     const QByteArray kept = QSettings().value(kStateKey).toByteArray();
     if (!m_window.restoreState(kept, kStateVersion)) resetLayout();
 }
@@ -138,10 +140,15 @@ void Views::toggleDocks() {
     m_hidden = visible;
 }
 
-void Views::keepLayout() const { QSettings().setValue(kStateKey, m_window.saveState(kStateVersion)); }
+void Views::keepLayout() const {
+    QSettings settings;
+    settings.setValue(kStateKey, m_window.saveState(kStateVersion));
+    settings.setValue(kFoldedKey, m_inspector->folded());
+}
 
 void Views::resetLayout() {
     arrange();
+    m_inspector->setFolded({});
     showCanvas(true);
     showScene(true);
     m_centre->setSizes({1, 1});

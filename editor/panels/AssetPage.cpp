@@ -31,9 +31,9 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
       m_selection(selection),
       m_form(
           document, [this] { return chosen(); }, pushOf<Asset>(document)) {
-    auto* asset = new Section(tr("Asset"), this);
-    auto* shape = new Section(tr("Shape"), this);
-    auto* pattern = new Section(tr("Pattern"), this);
+    auto* asset = new Section("asset", tr("Asset"), this);
+    auto* shape = new Section("shape", tr("Shape"), this);
+    auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

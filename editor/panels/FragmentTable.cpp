@@ -378,8 +378,10 @@ QString FragmentTable::totals() const {
     if (!baked->bake) return QString::fromStdString(baked->fault->message);
     const FragmentSum shown = m_model->figures().sum(m_model->shownFragments());
     const FragmentSum chosen = m_model->figures().sum(m_model->fragmentsOf(m_selection.seeds()));
-    return tr("Listed: %1 of %2").arg(locale().toString(shown.count), locale().toString(m_model->figures().count())) +
-           sumText(shown) + '\n' + tr("Chosen: %1").arg(locale().toString(chosen.count)) + sumText(chosen);
+    const QString count = locale().toString(m_model->figures().count());
+    const QString listed = tr("Listed: %1 of %2").arg(locale().toString(shown.count), count) + sumText(shown);
+    if (chosen.count == 0) return listed;
+    return tr("%1 · Chosen: %2").arg(listed, locale().toString(chosen.count)) + sumText(chosen);
 }
 
 /// ", 0.25 m³, 250 kg"

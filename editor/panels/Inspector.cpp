@@ -54,6 +54,18 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     showSubject();
 }
 
+QStringList Inspector::folded() const {
+    QStringList names;
+    for (const Section* section : findChildren<Section*>()) {
+        if (section->isFolded()) names.append(section->objectName());
+    }
+    return names;
+}
+
+void Inspector::setFolded(const QStringList& names) {
+    for (Section* section : findChildren<Section*>()) section->setFolded(names.contains(section->objectName()));
+}
+
 QWidget& Inspector::page() { return *static_cast<QScrollArea*>(m_pages->currentWidget())->widget(); }
 
 void Inspector::showSubject() {

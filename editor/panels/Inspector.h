@@ -4,6 +4,7 @@
 #include "editor/document/Selection.h"
 #include "editor/panels/Units.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QScrollArea;
@@ -23,6 +24,9 @@ public:
     Inspector(Document& document, Selection& selection, QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
+    /// The names of the sections that are folded; kept by whoever keeps the window's layout.
+    QStringList folded() const;
+    void setFolded(const QStringList& names);
     /// The page that is shown.
     QWidget& page();
 

@@ -29,9 +29,9 @@ InstancePage::InstancePage(Document& document, Selection& selection, QWidget* pa
       m_selection(selection),
       m_form(
           document, [this] { return chosen(); }, pushOf<Instance>(document)),
-      m_instance(new Section(tr("Instance"), this)) {
-    auto* place = new Section(tr("Place"), this);
-    auto* strength = new Section(tr("Strength"), this);
+      m_instance(new Section("instance", tr("Instance"), this)) {
+    auto* place = new Section("place", tr("Place"), this);
+    auto* strength = new Section("strength", tr("Strength"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -121,7 +121,14 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
 }
 
 Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const {
-    return QAbstractListModel::flags(index) | Qt::ItemIsUserCheckable;
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;  // between rows, never onto one
+    return QAbstractListModel::flags(index) | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled;
+}
+
+bool LayerModel::moveRows(const QModelIndex&, int row, int count, const QModelIndex&, int before) {
+    if (count != 1 || before == row || before == row + 1) return false;
+    move(layerAt(row), (before > row ? before - 1 : before) - row);
+    return true;
 }
 
 }  // namespace rubble

@@ -63,7 +63,7 @@ LayerPage::LayerPage(Document& document, QWidget* parent)
           [this](std::vector<PatternLayer> layers, const QString& text, quint64 stroke) {
               push(std::move(layers), text, stroke);
           }),
-      m_rows(new Section({}, this)) {
+      m_rows(new Section(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_rows);

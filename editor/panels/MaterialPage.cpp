@@ -32,7 +32,7 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
       m_form(
           document, [&] { return chosenMaterials(document, selection); }, pushOf<Material>(document)),
       m_uses(new QLabel(this)) {
-    auto* section = new Section(tr("Material"), this);
+    auto* section = new Section("material", tr("Material"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(section);

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QListView>
 #include <QMenu>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 namespace rubble {
@@ -24,14 +25,16 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
       m_levels(new QComboBox(this)),
       m_form(
           document, [this] { return chosen(); }, pushOf<Asset>(document)),
-      m_ofLevel(new Section({}, this)),
+      m_ofLevel(new Section(this)),
       m_minimumVolume(new NumberField),
       m_view(new QListView(this)),
       m_page(new LayerPage(document, this)) {
     m_view->setModel(m_model);
     m_view->setAccessibleName(tr("Layers"));
-    m_view->setToolTip(tr("Layers of seeds, carried out from top to bottom"));
+    m_view->setToolTip(tr("Layers of seeds, carried out from top to bottom; drag them, or Alt+Up and Alt+Down"));
     m_view->setUniformItemSizes(true);
+    m_view->setDragDropMode(QAbstractItemView::InternalMove);
+    m_view->setDefaultDropAction(Qt::MoveAction);
     m_ofLevel->addRow(tr("From volume"), m_minimumVolume, tr("Fragments smaller than this are not broken again"));
     m_minimumVolume->setRange(NumberRange::zeroOrAbove());
     m_form.bind(
@@ -51,6 +54,8 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
     const int rowHeight = m_view->fontMetrics().height() + 8;
     m_view->setFixedHeight(kRowsShown * rowHeight + 2 * m_view->frameWidth());
 
+    addMove(Qt::Key_Up, -1);
+    addMove(Qt::Key_Down, 1);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!current.isValid()) return;
         m_layer = m_model->layerAt(current.row());
@@ -106,8 +111,8 @@ QWidget* PatternEditor::buttonRow() {
     add->setMenu(menu);
     add->setPopupMode(QToolButton::InstantPopup);
     auto* duplicate = panelButton("edit-copy", tr("Duplicate"), tr("Add a copy with another random seed"), row);
-    auto* up = panelButton("move-up", tr("Up"), tr("Carry the layer out earlier"), row);
-    auto* down = panelButton("move-down", tr("Down"), tr("Carry the layer out later"), row);
+    auto* up = panelButton("move-up", tr("Up"), tr("Carry the layer out earlier (Alt+Up)"), row);
+    auto* down = panelButton("move-down", tr("Down"), tr("Carry the layer out later (Alt+Down)"), row);
     auto* remove = panelButton("edit-delete", tr("Delete layer"), tr("Delete the layer"), row);
     for (QToolButton* button : {add, duplicate, up, down, remove}) layout->addWidget(button);
     layout->addStretch();
@@ -118,6 +123,12 @@ QWidget* PatternEditor::buttonRow() {
     connect(down, &QToolButton::clicked, this, [this] { m_model->move(m_layer, 1); });
     connect(remove, &QToolButton::clicked, this, [this] { m_model->remove(m_layer); });
     return row;
+}
+
+/// Has a key with Alt move the current layer by rows while the list has the focus.
+void PatternEditor::addMove(Qt::Key key, int by) {
+    auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), m_view, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(shortcut, &QShortcut::activated, this, [this, by] { m_model->move(m_layer, by); });
 }
 
 std::vector<Asset> PatternEditor::chosen() const {

@@ -31,6 +31,7 @@ signals:
 private:
     QWidget* levelRow();
     QWidget* buttonRow();
+    void addMove(Qt::Key key, int by);
     void showLevels();
     void showCurrent();
     void setLevel(std::size_t level);

@@ -25,9 +25,9 @@ ScenePage::ScenePage(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    auto* ground = new Section(tr("Ground"), this);
-    auto* gravity = new Section(tr("Gravity"), this);
-    auto* damage = new Section(tr("Damage"), this);
+    auto* ground = new Section("ground", tr("Ground"), this);
+    auto* gravity = new Section("gravity", tr("Gravity"), this);
+    auto* damage = new Section("damage", tr("Damage"), this);
     for (Section* section : {ground, gravity, damage}) layout->addWidget(section);
     layout->addStretch();
     buildGround(*ground);

@@ -27,8 +27,9 @@ public:
 
 }  // namespace
 
-Section::Section(const QString& title, QWidget* parent)
+Section::Section(const QString& name, const QString& title, QWidget* parent)
     : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QFormLayout(m_body)) {
+    setObjectName(name);
     setTitle(title);
     m_head->setVisible(!title.isEmpty());
     m_head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -10,7 +10,10 @@ namespace rubble {
 class Section : public QWidget {
     Q_OBJECT
 public:
-    explicit Section(const QString& title, QWidget* parent = nullptr);
+    /// `name` stays whatever language the title is in: "shape".
+    Section(const QString& name, const QString& title, QWidget* parent = nullptr);
+    /// Without a title.
+    explicit Section(QWidget* parent) : Section({}, {}, parent) {}
     void setTitle(const QString& title);
 
     /// Adds a control with its label; both take the hint as tooltip, the control the label as accessible name.

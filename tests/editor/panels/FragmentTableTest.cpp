@@ -106,7 +106,7 @@ private slots:
             QCOMPARE(desk.text(row, Column::Neighbours), "1");
             QCOMPARE(desk.text(row, Column::Level), "0");
         }
-        QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 1000 kg\nChosen: 0");
+        QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 1000 kg");
         const QVariant header = desk.model.headerData(2, Qt::Horizontal, Qt::DisplayRole);
         QCOMPARE(header.toString(), "Volume, m³");
     }
@@ -115,7 +115,7 @@ private slots:
         desk.table.setUnits({LengthUnit::Centimetre});
         QCOMPARE(desk.text(0, Column::Area), "5000");
         QCOMPARE(desk.text(0, Column::Volume), "250000");
-        QCOMPARE(desk.totals(), "Listed: 2 of 2, 500000 cm³, 1000 kg\nChosen: 0");
+        QCOMPARE(desk.totals(), "Listed: 2 of 2, 500000 cm³, 1000 kg");
         desk.filter.setText("area < 5001");
         QCOMPARE(desk.model.rowCount(), 2);
         desk.filter.setText("area > 1 m²");
@@ -127,15 +127,15 @@ private slots:
         stone.density = 1000.0;
         desk.document.push({.text = "Set density", .swaps = {Swap<Material>{1, stone}}});
         QCOMPARE(desk.text(0, Column::Mass), "250");
-        QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 500 kg\nChosen: 0");
+        QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 500 kg");
     }
     void piecesOfPiecesStandBelowThemAndCountOnce() {
         Desk desk(boxOfLevels());
         QCOMPARE(desk.texts(Column::Name), QStringList({"2/3.0", "2/3.0/4.0", "2/3.0/4.1", "2/3.1", "2/3.2"}));
         QCOMPARE(desk.texts(Column::Level), QStringList({"0", "1", "1", "0", "0"}));
-        QCOMPARE(desk.totals(), "Listed: 5 of 5, 0.5 m³, 1000 kg\nChosen: 0");
+        QCOMPARE(desk.totals(), "Listed: 5 of 5, 0.5 m³, 1000 kg");
         desk.filter.setText("level=1");
-        QCOMPARE(desk.totals(), "Listed: 2 of 5, 0.2 m³, 400 kg\nChosen: 0");
+        QCOMPARE(desk.totals(), "Listed: 2 of 5, 0.2 m³, 400 kg");
     }
     void aFragmentsSeedIsThatOfItsAncestor() {
         const Bake bake = *rubble::bake(ringAsset());

@@ -204,6 +204,46 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void layersAreMovedByKeysAndByDragging() {
+        Desk desk;
+        desk.selection.setAsset(3);
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        const auto order = [&] {
+            std::vector<Id> ids;
+            for (const PatternLayer& layer : desk.asset(3).pattern.layers) ids.push_back(layer.id);
+            return ids;
+        };
+        const std::vector<Id> first = order();
+        editor.showLayer(first[2]);
+        editor.view().setFocus();
+        QTest::keyClick(&editor.view(), Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(order(), (std::vector{first[0], first[2], first[1], first[3]}));
+        QTest::keyClick(&editor.view(), Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(order(), first);
+        const int steps = desk.document.undoStack().count();
+        // What a list does when a row is dropped before another one, or behind the last.
+        QAbstractItemModel& rows = *editor.view().model();
+        QVERIFY(rows.moveRow({}, 0, {}, 4));
+        QCOMPARE(order(), (std::vector{first[1], first[2], first[3], first[0]}));
+        QVERIFY(rows.moveRow({}, 3, {}, 1));
+        QCOMPARE(order(), (std::vector{first[1], first[0], first[2], first[3]}));
+        QVERIFY(!rows.moveRow({}, 1, {}, 2));
+        QCOMPARE(desk.document.undoStack().count(), steps + 2);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void whatIsFoldedCanBeKept() {
+        Desk desk, next;
+        for (auto* section : desk.inspector.findChildren<Section*>()) {
+            QVERIFY(!section->isFolded());
+            if (section->objectName() == "shape") section->setFolded(true);
+        }
+        QCOMPARE(desk.inspector.folded(), QStringList{"shape"});
+        next.inspector.setFolded(desk.inspector.folded());
+        QCOMPARE(next.inspector.folded(), QStringList{"shape"});
+        next.inspector.setFolded({});
+        QCOMPARE(next.inspector.folded(), QStringList{});
+    }
     void levelsAreAddedAndDeleted() {
         Desk desk;
         desk.selection.setAsset(9);
