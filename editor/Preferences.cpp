@@ -12,12 +12,14 @@ constexpr const char* kNavigation = "preferences/navigation";
 constexpr const char* kUnit = "preferences/lengthUnit";
 constexpr const char* kAutosave = "preferences/autosaveSeconds";
 constexpr const char* kMsaa = "preferences/msaa";
+constexpr const char* kRefining = "preferences/softLight";
 constexpr const char* kSmooth = "preferences/smoothCamera";
 
 constexpr std::array kThemeWords = {"system", "light", "dark"};
 constexpr std::array kNavigationWords = {"blender", "maya"};
 constexpr std::array kUnitWords = {"m", "cm", "mm"};
-constexpr std::array kMsaaSamples = {1, 2, 4, 8};
+constexpr std::array kRefiningWords = {"never", "with-card", "always"};
+constexpr std::array kMsaaSamples = {0, 1, 2, 4, 8};
 constexpr int kLongestAutosaveSeconds = 3600;
 
 /// The choice that a kept word stands for: words keep their meaning when choices are added.
@@ -45,6 +47,7 @@ Preferences readPreferences(const QSettings& settings) {
     kept.autosaveSeconds = std::clamp(numberOf(settings, kAutosave, usual.autosaveSeconds), 0, kLongestAutosaveSeconds);
     kept.msaa = numberOf(settings, kMsaa, usual.msaa);
     if (std::ranges::find(kMsaaSamples, kept.msaa) == kMsaaSamples.end()) kept.msaa = usual.msaa;
+    kept.refining = choiceOf(settings, kRefining, kRefiningWords, usual.refining);
     kept.isSmooth = settings.value(kSmooth, usual.isSmooth).toBool();
     return kept;
 }
@@ -55,6 +58,7 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kUnit, kUnitWords[static_cast<std::size_t>(preferences.unit)]);
     settings.setValue(kAutosave, preferences.autosaveSeconds);
     settings.setValue(kMsaa, preferences.msaa);
+    settings.setValue(kRefining, kRefiningWords[static_cast<std::size_t>(preferences.refining)]);
     settings.setValue(kSmooth, preferences.isSmooth);
 }
 

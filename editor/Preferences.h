@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/panels/Units.h"
+#include "viewport/Refining.h"
 
 #include <QSettings>
 
@@ -14,9 +15,10 @@ struct Preferences {
     ThemeChoice theme = ThemeChoice::System;
     NavigationChoice navigation = NavigationChoice::Blender;
     LengthUnit unit = LengthUnit::Metre;
-    int autosaveSeconds = 60;  // 0: no backups
-    int msaa = 4;              // samples a pixel of the 3D view: 1, 2, 4 or 8
-    bool isSmooth = true;      // the 3D view moves to a new place instead of jumping
+    int autosaveSeconds = 60;                // 0: no backups
+    int msaa = 0;                            // samples a pixel of the 3D view: 1, 2, 4 or 8; 0: as suits the machine
+    Refining refining = Refining::WithCard;  // of the 3D view while nothing moves
+    bool isSmooth = true;                    // the 3D view moves to a new place instead of jumping
     bool operator==(const Preferences&) const = default;
 };
 

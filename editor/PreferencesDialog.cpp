@@ -29,7 +29,7 @@ PreferencesDialog::PreferencesDialog(Program& program, QWidget* parent)
     setWindowTitle(tr("Preferences"));
     makeFields();
     show(m_before);
-    for (QComboBox* box : {m_theme, m_unit, m_navigation, m_msaa}) {
+    for (QComboBox* box : {m_theme, m_unit, m_navigation, m_msaa, m_refining}) {
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::apply);
     }
     connect(m_smooth, &QCheckBox::toggled, this, &PreferencesDialog::apply);
@@ -45,8 +45,10 @@ void PreferencesDialog::makeFields() {
                            tr("How the mouse moves the 3D view"));
     m_smooth = new QCheckBox(tr("Move smoothly to another view"));
     m_smooth->setToolTip(tr("The 3D view glides to a new place instead of jumping"));
-    m_msaa = choices({tr("Off"), tr("2×"), tr("4×"), tr("8×")},
-                     tr("Smooth edges in the 3D view; off is quicker without a graphics card"));
+    m_msaa = choices({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
+                     tr("Smooth edges in the 3D view; automatic is 4×, and off without a graphics card"));
+    m_refining = choices({tr("Never"), tr("With a graphics card"), tr("Always")},
+                         tr("Light and edges of the 3D view become softer while nothing moves"));
     m_autosave = new QSpinBox;
     m_autosave->setRange(0, 3600);
     m_autosave->setSuffix(tr(" s"));
@@ -64,6 +66,7 @@ void PreferencesDialog::makeFields() {
     form->addRow(tr("&Navigation:"), m_navigation);
     form->addRow(QString(), m_smooth);
     form->addRow(tr("&Smooth edges:"), m_msaa);
+    form->addRow(tr("So&ft light:"), m_refining);
     form->addRow(tr("&Backup after:"), m_autosave);
     form->addRow(buttons);
 }
@@ -73,7 +76,8 @@ void PreferencesDialog::show(const Preferences& preferences) {
     m_unit->setCurrentIndex(static_cast<int>(preferences.unit));
     m_navigation->setCurrentIndex(static_cast<int>(preferences.navigation));
     m_smooth->setChecked(preferences.isSmooth);
-    m_msaa->setCurrentIndex(std::countr_zero(static_cast<unsigned>(preferences.msaa)));
+    m_msaa->setCurrentIndex(std::bit_width(static_cast<unsigned>(preferences.msaa)));
+    m_refining->setCurrentIndex(static_cast<int>(preferences.refining));
     m_autosave->setValue(preferences.autosaveSeconds);
 }
 
@@ -83,7 +87,8 @@ void PreferencesDialog::apply() {
     chosen.unit = static_cast<LengthUnit>(m_unit->currentIndex());
     chosen.navigation = static_cast<NavigationChoice>(m_navigation->currentIndex());
     chosen.isSmooth = m_smooth->isChecked();
-    chosen.msaa = 1 << m_msaa->currentIndex();
+    chosen.msaa = (1 << m_msaa->currentIndex()) / 2;  // 0, 1, 2, 4, 8
+    chosen.refining = static_cast<Refining>(m_refining->currentIndex());
     chosen.autosaveSeconds = m_autosave->value();
     m_program.setPreferences(chosen);
 }

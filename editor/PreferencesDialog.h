@@ -31,6 +31,7 @@ private:
     QComboBox* m_navigation = nullptr;
     QCheckBox* m_smooth = nullptr;
     QComboBox* m_msaa = nullptr;
+    QComboBox* m_refining = nullptr;
     QSpinBox* m_autosave = nullptr;
 };
 

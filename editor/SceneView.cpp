@@ -13,6 +13,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
@@ -51,6 +53,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     }
     connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
     connect(m_viewport, &ViewportWidget::picked, this, &SceneView::pick);
+    connect(m_viewport, &ViewportWidget::boxed, this, &SceneView::pickAll);
     takeTheme(*m_viewport);
     invalidate();
 }
@@ -194,12 +197,21 @@ SceneMarks SceneView::marks() const {
 /// Marks for the fragments that come from seeds of the asset at hand, in all its instances.
 void SceneView::addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const {
     const Id asset = m_workspace.selection().asset();
-    const auto baked = m_workspace.bakes().find(asset);
-    if (seeds.empty() || !baked || !baked->bake) return;
-    const std::vector<SeedId> all = seedsOfFragments(*baked->bake);
+    if (seeds.empty()) return;
+    const std::vector<SeedId> all = seedsOf(asset);
     for (std::uint32_t fragment = 0; fragment < all.size(); ++fragment) {
         if (seeds.contains(all[fragment])) picks.push_back({asset, 0, fragment});
     }
+}
+
+std::vector<SeedId> SceneView::seedsOf(Id asset) const {
+    const auto baked = m_workspace.bakes().find(asset);
+    return baked && baked->bake ? seedsOfFragments(*baked->bake) : std::vector<SeedId>();
+}
+
+void SceneView::chooseNothing() {
+    m_workspace.selection().setSeeds({});
+    m_workspace.selection().setInstances(m_workspace.project(), {});
 }
 
 /// A click chooses the fragment's seed and its instance; with Ctrl or Shift one more.
@@ -207,16 +219,38 @@ void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modi
     Selection& selection = m_workspace.selection();
     const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
     if (!id) {
-        if (!isMore) selection.setSeeds({});
-        if (!isMore) selection.setInstances(m_workspace.project(), {});
+        if (!isMore) chooseNothing();
         return;
     }
     if (id->instance != 0) selection.setInstances(m_workspace.project(), {id->instance});
     selection.setAsset(id->asset);
-    const auto baked = m_workspace.bakes().find(id->asset);
-    if (id->fragment == kNone || !baked || !baked->bake) return selection.setSeeds({});
-    const SeedId seed = seedsOfFragments(*baked->bake)[id->fragment];
+    const std::vector<SeedId> all = seedsOf(id->asset);
+    if (id->fragment >= all.size()) return selection.setSeeds({});
+    const SeedId seed = all[id->fragment];
     isMore ? selection.toggleSeed(seed) : selection.setSeeds({seed});
+}
+
+/// Chooses the instances in a box, and of one asset the fragments: of the one at hand, or else of the first.
+void SceneView::pickAll(const std::vector<PickId>& ids, Qt::KeyboardModifiers modifiers) {
+    Selection& selection = m_workspace.selection();
+    const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
+    if (!isMore) chooseNothing();
+    if (ids.empty()) return;
+    const bool hasAssetAtHand = std::ranges::find(ids, selection.asset(), &PickId::asset) != ids.end();
+    const Id asset = hasAssetAtHand ? selection.asset() : ids.front().asset;
+    std::set<Id> instances;
+    if (isMore) instances = selection.instances();
+    for (const PickId& id : ids) {
+        if (id.instance != 0) instances.insert(id.instance);
+    }
+    if (!instances.empty()) selection.setInstances(m_workspace.project(), instances);
+    selection.setAsset(asset);
+    const std::vector<SeedId> all = seedsOf(asset);
+    Selection::Seeds seeds = selection.seeds();
+    for (const PickId& id : ids) {
+        if (id.asset == asset && id.fragment < all.size()) seeds.insert(all[id.fragment]);
+    }
+    selection.setSeeds(std::move(seeds));
 }
 
 }  // namespace rubble

@@ -41,6 +41,10 @@ private:
     void update();
     SceneMarks marks() const;
     void addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const;
+    void pickAll(const std::vector<PickId>& ids, Qt::KeyboardModifiers modifiers);
+    /// Of an asset's fragments, in the bake's order; none where there is no bake.
+    std::vector<SeedId> seedsOf(Id asset) const;
+    void chooseNothing();
     void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
 
     Workspace& m_workspace;

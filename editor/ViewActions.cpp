@@ -136,8 +136,8 @@ void ViewActions::addPanes() {
         m_menu->addAction(action);
         return action;
     };
-    QAction* canvas = add({"view-2d", tr("Show C&anvas"), tr("Show the pattern canvas"), QKeySequence("Ctrl+1")});
-    QAction* scene = add({"view-3d", tr("Show 3&D View"), tr("Show the 3D view"), QKeySequence("Ctrl+2")});
+    QAction* canvas = add({"view-2d", tr("Show C&anvas"), tr("Show the pattern canvas"), QKeySequence("Alt+7")});
+    QAction* scene = add({"view-3d", tr("Show 3&D View"), tr("Show the 3D view"), QKeySequence("Alt+8")});
     for (QAction* action : {canvas, scene}) {
         action->setCheckable(true);
         action->setChecked(true);

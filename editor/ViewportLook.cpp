@@ -9,6 +9,7 @@ void takePreferences(ViewportWidget& viewport, const Preferences& preferences) {
     const bool isMaya = preferences.navigation == NavigationChoice::Maya;
     viewport.setNavigation(isMaya ? NavigationStyle::Maya : NavigationStyle::Blender);
     viewport.setFlights(preferences.isSmooth);
+    viewport.setRefining(preferences.refining);
     RenderSettings settings = viewport.settings();
     settings.msaa = preferences.msaa;
     viewport.setSettings(settings);

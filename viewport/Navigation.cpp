@@ -21,6 +21,7 @@ ViewKey viewOrOpposite(StandardView view, StandardView opposite, Qt::KeyboardMod
 }
 
 std::optional<ViewKey> numberKey(int key, Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testAnyFlags(Qt::AltModifier | Qt::ShiftModifier | Qt::MetaModifier)) return std::nullopt;
     switch (key) {
         case Qt::Key_1: return viewOrOpposite(StandardView::Front, StandardView::Back, modifiers);
         case Qt::Key_3: return viewOrOpposite(StandardView::Right, StandardView::Left, modifiers);

@@ -50,6 +50,7 @@ void ViewportCanvas::initializeGL() {
     }
     m_renderer = std::move(*renderer);
     m_renderer->setScene(m_scene);
+    m_hasCard = !m_renderer->isSoftware();
     m_samples = 0;
 }
 
@@ -69,9 +70,14 @@ void ViewportCanvas::setView(const PictureView& view) {
     invalidate();
 }
 
-void ViewportCanvas::setRefining(bool isOn) {
-    m_isRefining = isOn;
+void ViewportCanvas::setRefining(Refining refining) {
+    if (refining == m_refining) return;
+    m_refining = refining;
     invalidate();
+}
+
+bool ViewportCanvas::mayRefine() const {
+    return m_refining == Refining::Always || (m_refining == Refining::WithCard && m_hasCard);
 }
 
 void ViewportCanvas::invalidate() {
@@ -107,11 +113,11 @@ void ViewportCanvas::paintGL() {
         m_renderer->showMean(sizedView(), defaultFramebufferObject());
     else
         m_renderer->draw(sizedView(), defaultFramebufferObject());
-    if (m_isRefining && m_samples == 0) m_idle.start(kIdle);
+    if (mayRefine() && m_samples == 0) m_idle.start(kIdle);
 }
 
 void ViewportCanvas::refine() {
-    if (!m_renderer || !m_isRefining || m_samples >= kMostSamples) return;
+    if (!m_renderer || !mayRefine() || m_samples >= kMostSamples) return;
     makeCurrent();
     m_renderer->addSample(sizedView(), m_samples++);
     doneCurrent();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viewport/Refining.h"
 #include "viewport/render/Renderer.h"
 
 #include <QOpenGLWidget>
@@ -22,7 +23,7 @@ public:
     /// The size is the widget's own, whatever the view's is.
     void setView(const PictureView& view);
     /// Whether light and edges become softer while nothing changes.
-    void setRefining(bool isOn);
+    void setRefining(Refining refining);
 
     /// The widget's size in pixels of the display.
     PictureSize pictureSize() const;
@@ -39,6 +40,7 @@ protected:
 
 private:
     void invalidate();
+    bool mayRefine() const;
     void refine();
     void release();
     PictureView sizedView() const;
@@ -46,7 +48,8 @@ private:
     std::unique_ptr<Renderer> m_renderer;  // null before the widget is shown and while it changes its window
     std::shared_ptr<const RenderScene> m_scene;
     PictureView m_view;
-    bool m_isRefining = false;
+    bool m_hasCard = false;  // once there is a renderer
+    Refining m_refining = Refining::Never;
     int m_samples = 0;  // taken since something changed
     QTimer m_idle;
 };

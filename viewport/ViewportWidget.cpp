@@ -2,12 +2,14 @@
 
 #include "viewport/OpenGlProbe.h"
 #include "viewport/ViewportCanvas.h"
+#include "viewport/scene/BodiesWithin.h"
 
 #include <QApplication>
 #include <QEasingCurve>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QRubberBand>
 #include <QStackedLayout>
 #include <QWheelEvent>
 
@@ -28,7 +30,8 @@ Qt::CursorShape cursorOf(Drag drag) {
 
 }  // namespace
 
-ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent), m_scene(std::make_shared<RenderScene>()) {
+ViewportWidget::ViewportWidget(QWidget* parent)
+    : QWidget(parent), m_scene(std::make_shared<RenderScene>()), m_box(new QRubberBand(QRubberBand::Rectangle, this)) {
     setAccessibleName(tr("3D view"));
     setAccessibleDescription(
         tr("The pieces in 3D. Arrow keys turn the view, with Shift they move it, plus and minus "
@@ -87,8 +90,8 @@ void ViewportWidget::setSettings(const RenderSettings& settings) {
     showFrom(m_camera);
 }
 
-void ViewportWidget::setRefining(bool isOn) {
-    if (m_canvas != nullptr) m_canvas->setRefining(isOn);
+void ViewportWidget::setRefining(Refining refining) {
+    if (m_canvas != nullptr) m_canvas->setRefining(refining);
 }
 
 PictureSize ViewportWidget::pictureSize() const {
@@ -165,7 +168,13 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
     m_lastAt = event->position();
     if (m_drag) return setCamera(dragged(m_camera, *m_drag, pixels(moved), pictureSize()));
     const int far = (event->position() - m_pressedAt).toPoint().manhattanLength();
-    if (m_isClick && far >= QApplication::startDragDistance()) m_isClick = false;
+    if (m_isClick && far >= QApplication::startDragDistance() && m_canvas != nullptr) {
+        m_isClick = false;
+        hover(std::nullopt);
+        m_box->raise();
+        m_box->show();
+    }
+    if (m_box->isVisible()) m_box->setGeometry(QRectF(m_pressedAt, event->position()).normalized().toRect());
     if (event->buttons() == Qt::NoButton && m_canvas != nullptr && m_flight.state() != QAbstractAnimation::Running) {
         hover(m_canvas->bodyAt(event->position()));
     }
@@ -174,9 +183,20 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (m_drag) unsetCursor();
     m_drag.reset();
+    if (m_box->isVisible() && event->button() == Qt::LeftButton) return endBox(event->modifiers());
     if (!m_isClick || event->button() != Qt::LeftButton) return;
     m_isClick = false;
     if (m_canvas != nullptr) emit picked(pickOf(m_canvas->bodyAt(event->position())), event->modifiers());
+}
+
+void ViewportWidget::endBox(Qt::KeyboardModifiers modifiers) {
+    m_box->hide();
+    const Vec2 from = pixels(m_box->geometry().topLeft()), to = pixels(m_box->geometry().bottomRight());
+    std::vector<PickId> picks;
+    for (const std::uint32_t body : bodiesWithin(*m_scene, m_camera, pictureSize(), {from, to})) {
+        picks.push_back(m_scene->picks[body]);
+    }
+    emit boxed(picks, modifiers);
 }
 
 void ViewportWidget::wheelEvent(QWheelEvent* event) {
@@ -205,6 +225,7 @@ void ViewportWidget::apply(const ViewKey& key) {
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event) {
     const auto key = viewKeyOf(m_style, event->key(), event->modifiers());
+    if (event->key() == Qt::Key_Escape && m_box->isVisible()) return m_box->hide();
     if (!key) return QWidget::keyPressEvent(event);
     apply(*key);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewport/Navigation.h"
+#include "viewport/Refining.h"
 #include "viewport/render/RenderSettings.h"
 #include "viewport/scene/RenderScene.h"
 
@@ -11,6 +12,7 @@
 #include <optional>
 
 class QLabel;
+class QRubberBand;
 
 namespace rubble {
 
@@ -19,7 +21,8 @@ class ViewportCanvas;
 /// The 3D view: shows the scene that it is given, lets the user move around in it, and tells what is clicked. It asks
 /// nobody and changes nothing but its camera. Where there is no OpenGL, a sentence stands in its place.
 ///
-/// Mouse and keys: see NavigationStyle and viewKeyOf(). A click with the left button picks.
+/// Mouse and keys: see NavigationStyle and viewKeyOf(). A click with the left button picks; a drag with it draws a box around
+/// what is to be picked.
 class ViewportWidget : public QWidget {
     Q_OBJECT
 public:
@@ -35,7 +38,7 @@ public:
     /// Whether views change by a short flight or at once.
     void setFlights(bool areOn) { m_hasFlights = areOn; }
     /// Whether light and edges become softer while nothing changes; slow without a graphics card.
-    void setRefining(bool isOn);
+    void setRefining(Refining refining);
 
     /// Where the camera is, or flies to.
     const Camera& camera() const { return m_goal; }
@@ -57,6 +60,8 @@ public:
 signals:
     /// Something was clicked; nothing where the background was.
     void picked(const std::optional<rubble::PickId>& pick, Qt::KeyboardModifiers modifiers);
+    /// A box was drawn around the middles of these.
+    void boxed(const std::vector<rubble::PickId>& picks, Qt::KeyboardModifiers modifiers);
     /// What lies under the pointer changed.
     void hovered(const std::optional<rubble::PickId>& pick);
     /// The camera's goal changed.
@@ -79,6 +84,7 @@ private:
     void apply(const ViewKey& key);
     PictureSize pictureSize() const;
     Vec2 pixels(QPointF point) const;
+    void endBox(Qt::KeyboardModifiers modifiers);
     std::optional<PickId> pickOf(std::optional<std::uint32_t> body) const;
 
     ViewportCanvas* m_canvas = nullptr;  // null where there is no OpenGL
@@ -94,6 +100,7 @@ private:
     QVariantAnimation m_flight;
     std::optional<Drag> m_drag;
     bool m_isClick = false;  // the left button is down and was not moved
+    QRubberBand* m_box;      // visible while one is drawn
     QPointF m_pressedAt;
     QPointF m_lastAt;
     std::optional<std::uint32_t> m_hovered;

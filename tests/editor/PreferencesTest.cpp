@@ -25,6 +25,7 @@ private slots:
                                  .unit = LengthUnit::Millimetre,
                                  .autosaveSeconds = 0,
                                  .msaa = 8,
+                                 .refining = Refining::Always,
                                  .isSmooth = false};
         QSettings settings;
         writePreferences(chosen, settings);

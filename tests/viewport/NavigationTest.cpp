@@ -57,6 +57,8 @@ private slots:
         QVERIFY(!viewKeyOf(kBlender, Qt::Key_F, Qt::ControlModifier));
         QVERIFY(!viewKeyOf(kBlender, Qt::Key_A, {}));
         QVERIFY(!viewKeyOf(kBlender, Qt::Key_Tab, {}));
+        QVERIFY(!viewKeyOf(kBlender, Qt::Key_1, Qt::AltModifier));
+        QVERIFY(!viewKeyOf(kBlender, Qt::Key_1, Qt::ControlModifier | Qt::ShiftModifier));
         QCOMPARE(viewKeyOf(kMaya, Qt::Key_A, {})->action, ViewAction::FrameAll);
     }
 };

@@ -195,13 +195,44 @@ private slots:
         QTest::mouseClick(viewport.get(), Qt::LeftButton, {}, top);
         QVERIFY(picks[0][0].value<std::optional<PickId>>());
     }
+    void aBoxTakesWhoseMiddlesAreInIt() {
+        const auto viewport = shownWall();
+        QSignalSpy boxes(viewport.get(), &ViewportWidget::boxed), picks(viewport.get(), &ViewportWidget::picked);
+        drag(*viewport, Qt::LeftButton, Qt::ShiftModifier, {2, 2}, {478, 358});
+        QCOMPARE(boxes.count(), 1);
+        QCOMPARE(boxes[0][0].value<std::vector<PickId>>(), viewport->scene().picks);
+        QCOMPARE(boxes[0][1].value<Qt::KeyboardModifiers>(), Qt::ShiftModifier);
+        drag(*viewport, Qt::LeftButton, {}, {2, 2}, kMiddle);
+        const auto upperLeft = boxes[1][0].value<std::vector<PickId>>();
+        QVERIFY(!upperLeft.empty() && upperLeft.size() < viewport->scene().picks.size() / 2);
+        const Vec3 centre = boundsOf(viewport->scene()).centre();
+        RenderScene only = viewport->scene();
+        for (BodyLook& look : only.looks) look.marks = 0;
+        setMarks(only, {.selected = upperLeft});
+        const Vec3 middle = boundsOf(only, kSelected).centre();
+        QVERIFY(middle.x < centre.x && middle.y > centre.y);
+        drag(*viewport, Qt::LeftButton, {}, {2, 2}, {20, 20});
+        QVERIFY(boxes[2][0].value<std::vector<PickId>>().empty());
+        QCOMPARE(picks.count(), 0);
+    }
+    void escapeGivesABoxUp() {
+        const auto viewport = shownWall();
+        QSignalSpy boxes(viewport.get(), &ViewportWidget::boxed);
+        QTest::mousePress(viewport.get(), Qt::LeftButton, {}, kCorner);
+        QMouseEvent move(QEvent::MouseMove, QPointF(kMiddle), viewport->mapToGlobal(QPointF(kMiddle)), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QCoreApplication::sendEvent(viewport.get(), &move);
+        QTest::keyClick(viewport.get(), Qt::Key_Escape);
+        QTest::mouseRelease(viewport.get(), Qt::LeftButton, {}, kMiddle);
+        QCOMPARE(boxes.count(), 0);
+    }
     void refiningEndsByItself() {
         const auto viewport = shownWall();
         viewport->resize(160, 120);
         const QImage before = viewport->grab().toImage();
         auto* canvas = viewport->findChild<QOpenGLWidget*>();
         auto* timer = canvas->findChild<QTimer*>();
-        viewport->setRefining(true);
+        viewport->setRefining(Refining::Always);
         QTRY_VERIFY(timer->isActive());
         QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), 60000);
         QTest::qWait(100);
