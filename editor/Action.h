@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QMenu>
 
 namespace rubble {
 
@@ -15,5 +16,16 @@ struct ActionLook {
 
 /// An action that looks so, belonging to `parent`. Its tooltip tells the shortcut, too.
 QAction* makeAction(QObject* parent, const ActionLook& look);
+
+/// A function that adds actions to a menu: each looks as it is told, belongs to `owner` and calls one of its slots.
+template <class Owner>
+auto addingTo(QMenu& menu, Owner* owner) {
+    return [&menu, owner](const ActionLook& look, void (Owner::*slot)()) {
+        QAction* action = makeAction(owner, look);
+        QObject::connect(action, &QAction::triggered, owner, slot);
+        menu.addAction(action);
+        return action;
+    };
+}
 
 }  // namespace rubble

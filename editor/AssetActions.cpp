@@ -19,6 +19,7 @@ constexpr double kDistanceShare = 0.15;  // of the outline's diameter: how far a
 
 AssetActions::AssetActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Asset"), &window)) {
+    const auto add = addingTo(*m_menu, this);
     m_rectangle = add({"shape-rectangle", tr("Add &Rectangle…"), tr("Add a box: a rectangle with a depth")},
                       &AssetActions::addRectangle);
     m_triangle = add({"shape-triangle", tr("Add &Triangle…"), tr("Add a gable: an isosceles triangle with a depth")},
@@ -29,12 +30,7 @@ AssetActions::AssetActions(MainWindow& window)
                  &AssetActions::drawOutline);
     m_menu->addSeparator();
     QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
-    const auto addToLayers = [&](const ActionLook& look, void (AssetActions::*slot)()) {
-        QAction* action = makeAction(this, look);
-        connect(action, &QAction::triggered, this, slot);
-        layers->addAction(action);
-        m_forAsset.append(action);
-    };
+    const auto addToLayers = addingTo(*layers, this);
     addToLayers({"layer-uniform", tr("&Uniform"), tr("Add seeds thrown evenly at random")}, &AssetActions::scatter);
     addToLayers({"layer-blue-noise", tr("&Blue Noise"), tr("Add random seeds that keep a distance")},
                 &AssetActions::blueNoise);
@@ -42,6 +38,7 @@ AssetActions::AssetActions(MainWindow& window)
                 &AssetActions::placed);
     addToLayers({"layer-lloyd", tr("&Lloyd Relaxation"), tr("Even out the scattered seeds of the layers above")},
                 &AssetActions::relax);
+    m_forAsset = layers->actions();
     m_forAsset +=
         {add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),
               QKeySequence("Ctrl+R")},
@@ -54,13 +51,6 @@ AssetActions::AssetActions(MainWindow& window)
              &AssetActions::remove)};
     connect(&window.workspace().selection(), &Selection::assetChanged, this, &AssetActions::update);
     update();
-}
-
-QAction* AssetActions::add(const ActionLook& look, void (AssetActions::*slot)()) {
-    QAction* action = makeAction(this, look);
-    connect(action, &QAction::triggered, this, slot);
-    m_menu->addAction(action);
-    return action;
 }
 
 void AssetActions::addRectangle() {

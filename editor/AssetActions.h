@@ -21,7 +21,6 @@ public:
     QList<QAction*> toolbarActions() const { return {m_rectangle, m_triangle, m_polygon, m_draw}; }
 
 private:
-    QAction* add(const struct ActionLook& look, void (AssetActions::*slot)());
     void addRectangle();
     void addTriangle();
     void addPolygon();

@@ -41,6 +41,7 @@ Selection::Seeds withNeighbours(Workspace& workspace) {
 
 EditActions::EditActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Edit"), &window)) {
+    const auto add = addingTo(*m_menu, this);
     QUndoStack& stack = window.workspace().document().undoStack();
     m_undo = stack.createUndoAction(this, tr("&Undo"));
     m_redo = stack.createRedoAction(this, tr("&Redo"));
@@ -76,13 +77,6 @@ EditActions::EditActions(MainWindow& window)
     m_forSeeds = {remove, neighbours};
     connect(&window.workspace().selection(), &Selection::seedsChanged, this, &EditActions::update);
     update();
-}
-
-QAction* EditActions::add(const ActionLook& look, void (EditActions::*slot)()) {
-    QAction* action = makeAction(this, look);
-    connect(action, &QAction::triggered, this, slot);
-    m_menu->addAction(action);
-    return action;
 }
 
 void EditActions::deleteSeeds() {

@@ -19,7 +19,6 @@ public:
     QList<QAction*> toolbarActions() const { return {m_undo, m_redo}; }
 
 private:
-    QAction* add(const struct ActionLook& look, void (EditActions::*slot)());
     void deleteSeeds();
     void restoreSeeds();
     void chooseAll();

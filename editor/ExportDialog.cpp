@@ -1,9 +1,9 @@
 #include "editor/ExportDialog.h"
 
 #include "core/io/ExportFolder.h"
+#include "editor/ChoiceBox.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -29,14 +29,6 @@ ExportChoice usualChoice(Workspace& workspace) {
     const QString base = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                                         : QFileInfo(path).absolutePath();
     return {.folder = base + "/packs"};
-}
-
-/// A combo box whose second item is what `isSecond` says.
-QComboBox* pairBox(const QString& first, const QString& second, const QString& tip) {
-    auto* box = new QComboBox;
-    box->addItems({first, second});
-    box->setToolTip(tip);
-    return box;
 }
 
 }  // namespace
@@ -69,10 +61,10 @@ void ExportDialog::makeFields() {
     m_obj->setToolTip(tr("Wavefront OBJ: read by every 3D program"));
     m_glb = new QCheckBox(tr("&GLB"));
     m_glb->setToolTip(tr("Binary glTF: a node for each fragment, at its place"));
-    m_split = pairBox(tr("All in one file"), tr("A file each"), tr("Which fragments share a mesh file"));
-    m_place =
-        pairBox(tr("At their places"), tr("Each about its centre of mass"), tr("Where fragments stand in the files"));
-    m_faces = pairBox(tr("Polygons"), tr("Triangles"), tr("What the faces of OBJ files are"));
+    m_split = choiceBox({tr("All in one file"), tr("A file each")}, tr("Which fragments share a mesh file"));
+    m_place = choiceBox({tr("At their places"), tr("Each about its centre of mass")},
+                        tr("Where fragments stand in the files"));
+    m_faces = choiceBox({tr("Polygons"), tr("Triangles")}, tr("What the faces of OBJ files are"));
     m_summary = new QLabel;
     m_summary->setWordWrap(true);
     m_summary->setTextFormat(Qt::PlainText);

@@ -33,6 +33,7 @@ bool isMeshPath(const QString& path) { return kMeshSuffixes.contains(QFileInfo(p
 
 FileActions::FileActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&File"), &window)) {
+    const auto add = addingTo(*m_menu, this);
     m_new = add({"file-new", tr("&New"), tr("Start a new project"), QKeySequence::New}, &FileActions::newProject);
     m_open = add({"file-open", tr("&Open…"), tr("Open a project"), QKeySequence::Open}, &FileActions::open);
     m_recent = m_menu->addMenu(tr("Open &Recent"));
@@ -71,13 +72,6 @@ FileActions::FileActions(MainWindow& window)
 }
 
 QList<QAction*> FileActions::toolbarActions() const { return {m_new, m_open, m_save, m_import, m_export}; }
-
-QAction* FileActions::add(const ActionLook& look, void (FileActions::*slot)()) {
-    QAction* action = makeAction(this, look);
-    connect(action, &QAction::triggered, this, slot);
-    m_menu->addAction(action);
-    return action;
-}
 
 void FileActions::newProject() {
     if (m_window.isPristine()) return m_window.showWork();

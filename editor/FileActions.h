@@ -33,7 +33,6 @@ public:
     void importMesh(const QString& path);
 
 private:
-    QAction* add(const struct ActionLook& look, void (FileActions::*slot)());
     void newProject();
     void open();
     void saveSlot() { save(); }

@@ -29,11 +29,7 @@ void addActionsOf(const QMenu& menu, QList<QAction*>& actions) {
 
 HelpActions::HelpActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Help"), &window)) {
-    const auto add = [&](const ActionLook& look, void (HelpActions::*slot)()) {
-        QAction* action = makeAction(this, look);
-        connect(action, &QAction::triggered, this, slot);
-        m_menu->addAction(action);
-    };
+    const auto add = addingTo(*m_menu, this);
     add({"help-manual", tr("&Manual"), tr("Open the manual"), QKeySequence::HelpContents}, &HelpActions::openManual);
     add({"help-search", tr("&Search Actions…"), tr("Find anything the program can do"), QKeySequence("Ctrl+Shift+P")},
         &HelpActions::search);

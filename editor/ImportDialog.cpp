@@ -1,13 +1,13 @@
 #include "editor/ImportDialog.h"
 
 #include "core/io/MeshImport.h"
+#include "editor/ChoiceBox.h"
 #include "editor/ImportView.h"
 #include "editor/OutlinePreview.h"
 #include "editor/TaskDialog.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -24,13 +24,6 @@ namespace {
 enum Column { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
 QString text(const std::string& sentence) { return QString::fromStdString(sentence); }
-
-QComboBox* choices(const QStringList& labels, const QString& tip) {
-    auto* box = new QComboBox;
-    box->addItems(labels);
-    box->setToolTip(tip);
-    return box;
-}
 
 /// A file's unit in metres; none: as the file says.
 std::optional<double> metresOf(int unit) {
@@ -93,14 +86,14 @@ Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
 void ImportDialog::makeFields() {
     m_found = new QLabel;
     m_found->setWordWrap(true);
-    m_unit =
-        choices({tr("As the file says"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
-                tr("What one unit of the file is"));
-    m_up = choices({tr("Y"), tr("Z")}, tr("Which axis of the file points up"));
-    m_axis = choices({tr("Where it is thinnest"), tr("X"), tr("Y (up)"), tr("Z")},
-                     tr("Along which axis of the world the outline is extruded"));
-    m_fallback = choices({tr("Refuse it"), tr("Take its silhouette"), tr("Take its top face")},
-                         tr("What to do with an object that is no prism"));
+    m_unit = choiceBox(
+        {tr("As the file says"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
+        tr("What one unit of the file is"));
+    m_up = choiceBox({tr("Y"), tr("Z")}, tr("Which axis of the file points up"));
+    m_axis = choiceBox({tr("Where it is thinnest"), tr("X"), tr("Y (up)"), tr("Z")},
+                       tr("Along which axis of the world the outline is extruded"));
+    m_fallback = choiceBox({tr("Refuse it"), tr("Take its silhouette"), tr("Take its top face")},
+                           tr("What to do with an object that is no prism"));
     m_table = new QTableWidget(0, kColumns);
     m_table->setHorizontalHeaderLabels({tr("Asset"), tr("Outline"), tr("Depth"), tr("Axis"), tr("Tolerance")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

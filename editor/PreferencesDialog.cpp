@@ -1,9 +1,9 @@
 #include "editor/PreferencesDialog.h"
 
+#include "editor/ChoiceBox.h"
 #include "editor/Program.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
@@ -12,17 +12,6 @@
 #include <bit>
 
 namespace rubble {
-
-namespace {
-
-QComboBox* choices(const QStringList& labels, const QString& tip) {
-    auto* box = new QComboBox;
-    box->addItems(labels);
-    box->setToolTip(tip);
-    return box;
-}
-
-}  // namespace
 
 PreferencesDialog::PreferencesDialog(Program& program, QWidget* parent)
     : QDialog(parent), m_program(program), m_before(program.preferences()) {
@@ -38,17 +27,18 @@ PreferencesDialog::PreferencesDialog(Program& program, QWidget* parent)
 
 void PreferencesDialog::makeFields() {
     m_theme =
-        choices({tr("As the desktop"), tr("Light"), tr("Dark")}, tr("The colours of windows, canvas and 3D view"));
-    m_unit = choices({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
-                     tr("In what lengths are shown and typed; files hold metres always"));
-    m_navigation = choices({tr("Like Blender: middle button turns, Shift moves"), tr("Like Maya: Alt and the buttons")},
-                           tr("How the mouse moves the 3D view"));
+        choiceBox({tr("As the desktop"), tr("Light"), tr("Dark")}, tr("The colours of windows, canvas and 3D view"));
+    m_unit = choiceBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
+                       tr("In what lengths are shown and typed; files hold metres always"));
+    m_navigation =
+        choiceBox({tr("Like Blender: middle button turns, Shift moves"), tr("Like Maya: Alt and the buttons")},
+                  tr("How the mouse moves the 3D view"));
     m_smooth = new QCheckBox(tr("Move smoothly to another view"));
     m_smooth->setToolTip(tr("The 3D view glides to a new place instead of jumping"));
-    m_msaa = choices({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
-                     tr("Smooth edges in the 3D view; automatic is 4×, and off without a graphics card"));
-    m_refining = choices({tr("Never"), tr("With a graphics card"), tr("Always")},
-                         tr("Light and edges of the 3D view become softer while nothing moves"));
+    m_msaa = choiceBox({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
+                       tr("Smooth edges in the 3D view; automatic is 4×, and off without a graphics card"));
+    m_refining = choiceBox({tr("Never"), tr("With a graphics card"), tr("Always")},
+                           tr("Light and edges of the 3D view become softer while nothing moves"));
     m_autosave = new QSpinBox;
     m_autosave->setRange(0, 3600);
     m_autosave->setSuffix(tr(" s"));

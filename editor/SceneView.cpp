@@ -1,11 +1,11 @@
 #include "editor/SceneView.h"
 
 #include "editor/Action.h"
+#include "editor/ChoiceBox.h"
 #include "editor/ViewportLook.h"
 #include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -128,17 +128,14 @@ void SceneView::addToggles() {
 QWidget* SceneView::makeBar() {
     auto* bar = new QToolBar(tr("3D view"));
     bar->setIconSize(kBarIcon);
-    auto* scope = new QComboBox;
-    scope->addItems({tr("Whole scene"), tr("Asset at hand")});
-    scope->setToolTip(tr("Show every instance where it stands, or the asset at hand by itself"));
+    auto* scope = choiceBox({tr("Whole scene"), tr("Asset at hand")},
+                            tr("Show every instance where it stands, or the asset at hand by itself"));
     scope->setAccessibleName(tr("What is shown"));
     connect(scope, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_isAssetOnly = index == 1;
         frameAll();
     });
-    auto* colouring = new QComboBox;
-    colouring->addItems({tr("By material"), tr("By piece"), tr("By volume")});
-    colouring->setToolTip(tr("What colours mean"));
+    auto* colouring = choiceBox({tr("By material"), tr("By piece"), tr("By volume")}, tr("What colours mean"));
     colouring->setAccessibleName(tr("Colouring"));
     connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_options.colouring = static_cast<SceneColouring>(index);

@@ -9,33 +9,24 @@ namespace rubble {
 
 namespace {
 
+/// Where a project keeps things of one kind, and what the kind is called in changes.
 template <class Value>
-struct Home;
-template <>
-struct Home<Material> {
-    static constexpr Part part = Part::Material;
-    static constexpr auto list = &Project::materials;
+struct Home {
+    Part part;
+    std::vector<Value> Project::*list;
 };
+template <class Value>
+constexpr Home<Value> kHome{};
 template <>
-struct Home<Asset> {
-    static constexpr Part part = Part::Asset;
-    static constexpr auto list = &Project::assets;
-};
+constexpr Home<Material> kHome<Material>{Part::Material, &Project::materials};
 template <>
-struct Home<Instance> {
-    static constexpr Part part = Part::Instance;
-    static constexpr auto list = &Project::instances;
-};
+constexpr Home<Asset> kHome<Asset>{Part::Asset, &Project::assets};
 template <>
-struct Home<Shot> {
-    static constexpr Part part = Part::Shot;
-    static constexpr auto list = &Project::shots;
-};
+constexpr Home<Instance> kHome<Instance>{Part::Instance, &Project::instances};
 template <>
-struct Home<PlayTest> {
-    static constexpr Part part = Part::PlayTest;
-    static constexpr auto list = &Project::playTests;
-};
+constexpr Home<Shot> kHome<Shot>{Part::Shot, &Project::shots};
+template <>
+constexpr Home<PlayTest> kHome<PlayTest>{Part::PlayTest, &Project::playTests};
 
 /// Where the thing with an id stands, or would.
 template <class List>
@@ -45,23 +36,23 @@ auto placeOf(List& list, Id id) {
 
 template <class Value>
 Change exchange(Project& project, Swap<Value>& swap) {
-    auto& list = project.*Home<Value>::list;
+    auto& list = project.*kHome<Value>.list;
     const auto place = placeOf(list, swap.id);
     const bool isThere = place != list.end() && place->id == swap.id;
     RUBBLE_ASSERT(!swap.value || swap.value->id == swap.id);
     if (isThere && swap.value) {
         std::swap(*place, *swap.value);
-        return {Home<Value>::part, swap.id, ChangeKind::Altered};
+        return {kHome<Value>.part, swap.id, ChangeKind::Altered};
     }
     if (isThere) {
         swap.value = std::move(*place);
         list.erase(place);
-        return {Home<Value>::part, swap.id, ChangeKind::Removed};
+        return {kHome<Value>.part, swap.id, ChangeKind::Removed};
     }
     RUBBLE_ASSERT(swap.value);
     list.insert(place, std::move(*swap.value));
     swap.value.reset();
-    return {Home<Value>::part, swap.id, ChangeKind::Added};
+    return {kHome<Value>.part, swap.id, ChangeKind::Added};
 }
 
 Change exchange(Project& project, SceneSettings& scene) {
@@ -73,7 +64,7 @@ Change exchange(Project& project, SceneSettings& scene) {
 
 template <class Value>
 bool isSame(const Project& project, const Swap<Value>& swap) {
-    const auto& list = project.*Home<Value>::list;
+    const auto& list = project.*kHome<Value>.list;
     const auto place = placeOf(list, swap.id);
     const bool isThere = place != list.end() && place->id == swap.id;
     return isThere ? swap.value && *swap.value == *place : !swap.value;
