@@ -48,11 +48,14 @@ private:
         const std::size_t begin = corners.size();
         const std::uint32_t first = m_sources.outgoing[site];
         std::uint32_t spoke = first, place = kUnknown;
+        std::uint32_t before = Delaunay::triangleOf(m_delaunay.twin(first));
         do {
             const Delaunay::Triangle& triangle = m_delaunay.triangles[spoke >> 2];
             const std::uint32_t back = Delaunay::previous(spoke) & 3;
             const std::uint32_t neighbour = triangle.corner[back];
             corners.push_back({spoke >> 2, neighbour});
+            noteIfCoincident(before, spoke >> 2);
+            before = spoke >> 2;
             if (neighbour - m_firstSite < m_places.size()) place |= m_places[neighbour - m_firstSite];
             spoke = triangle.twin[back];
         } while (spoke != first);

@@ -53,28 +53,4 @@ void computeOutlinePoints(const Delaunay& delaunay, const OutlineTrace& trace, c
     }
 }
 
-std::vector<std::array<std::uint32_t, 2>> coincidentCorners(const Delaunay& delaunay, const PointFrame& frame,
-                                                            int threads, const RawVector<Vec2>& points) {
-    std::vector<std::vector<std::array<std::uint32_t, 2>>> found(partsOf(delaunay));
-    forEachIndex(found.size(), threads, [&](std::size_t part) {
-        const IndexRange range = partOf(delaunay.triangles.size(), part, found.size());
-        for (std::size_t t = range.begin; t < range.end; ++t) {
-            const std::uint32_t* twin = delaunay.triangles[t].twin;
-            // One branch that is hardly ever taken: which of two neighbours comes first cannot be predicted.
-            const bool any = frame.areOne(points[t], points[twin[0] >> 2]) |
-                             frame.areOne(points[t], points[twin[1] >> 2]) |
-                             frame.areOne(points[t], points[twin[2] >> 2]);
-            for (int k = 0; any && k < 3; ++k) {
-                const std::uint32_t before = twin[k] >> 2;
-                if (before < t && frame.areOne(points[t], points[before])) {
-                    found[part].push_back({before, static_cast<std::uint32_t>(t)});
-                }
-            }
-        }
-    });
-    std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    return pairs;
-}
-
 }  // namespace rubble

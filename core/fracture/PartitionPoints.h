@@ -4,9 +4,7 @@
 #include "core/fracture/OutlineTrace.h"
 #include "core/geometry/PointFrame.h"
 
-#include <array>
 #include <cstdint>
-#include <vector>
 
 namespace rubble {
 
@@ -26,9 +24,5 @@ void computeCorners(const Delaunay& delaunay, const PointFrame& frame, int threa
 /// Writes the outline's vertices and crossings behind the corners.
 void computeOutlinePoints(const Delaunay& delaunay, const OutlineTrace& trace, const PointFrame& frame,
                           RawVector<Vec2>& points);
-
-/// Triangles side by side whose corners are one point, as those on one circle are.
-std::vector<std::array<std::uint32_t, 2>> coincidentCorners(const Delaunay& delaunay, const PointFrame& frame,
-                                                            int threads, const RawVector<Vec2>& points);
 
 }  // namespace rubble

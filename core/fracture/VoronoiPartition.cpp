@@ -162,9 +162,6 @@ Status cutIntoCells(const Polygon& outline, const Delaunay& delaunay, const Task
     Joiner joiner(delaunay, stretches, partition);
     joiner.join(task.threads);
     Coincidences coincidences = joiner.coincidences(numbers, frame.joinDistance);
-    for (const auto& pair : coincidentCorners(delaunay, frame, task.threads, partition.points)) {
-        coincidences.pairs.push_back(pair);
-    }
     if (!coincidences.pairs.empty() || !coincidences.touches.empty()) {
         joinCoincidences(partition, std::move(coincidences));
     }

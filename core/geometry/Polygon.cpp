@@ -78,11 +78,6 @@ void turnRound(Ring& ring) {
 
 }  // namespace
 
-void Box2::include(Vec2 point) {
-    min = glm::min(min, point);
-    max = glm::max(max, point);
-}
-
 double Box2::diagonal() const { return min.x > max.x ? 0.0 : glm::length(size()); }
 
 double signedArea(std::span<const Vec2> ring) { return ring.size() < 3 ? 0.0 : momentsOf(ring, ring[0]).area; }

@@ -21,7 +21,10 @@ struct Polygon {
 struct Box2 {
     Vec2 min{1e308, 1e308};
     Vec2 max{-1e308, -1e308};
-    void include(Vec2 point);
+    void include(Vec2 point) {
+        min = glm::min(min, point);
+        max = glm::max(max, point);
+    }
     Vec2 size() const { return max - min; }
     double diagonal() const;
 };
