@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct UnsetAllocator : std::allocator<T> {
     template <class U>
     UnsetAllocator(const UnsetAllocator<U>&) {}
 
+    /// Plain values need no constructor; one that gives their members defaults would write all of them.
     template <class U>
     void construct(U* place) {
-        ::new (static_cast<void*>(place)) U;
+        if constexpr (!std::is_trivially_copyable_v<U>) ::new (static_cast<void*>(place)) U;
     }
     template <class U, class... Arguments>
     void construct(U* place, Arguments&&... arguments) {
