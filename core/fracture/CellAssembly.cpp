@@ -84,7 +84,7 @@ private:
                     const std::uint32_t next = corner + 1 < m_cut.ringEnds[ring] ? corner + 1 : begin;
                     noteIfCoincident(m_cut.corners[corner].point, m_cut.corners[next].point);
                 }
-                noteTips(std::span(m_cut.corners).subspan(begin, corner - begin));
+                if (!m_sources.tips.areNone()) noteTips(std::span(m_cut.corners).subspan(begin, corner - begin));
                 endRing();
             }
             endPiece();

@@ -2,9 +2,12 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace rubble {
 
 OutlineTips::OutlineTips(const Polygon& outline, const PointFrame& frame) : m_joinDistance(frame.joinDistance) {
+    m_tips.reserve(outline.outer.size());
     addRing(outline.outer, frame);
     for (const Ring& hole : outline.holes) addRing(hole, frame);
 }
@@ -21,6 +24,7 @@ void OutlineTips::addRing(const Ring& ring, const PointFrame& frame) {
         tip.back = glm::normalize(previous - corner);
         const double sine = cross(tip.ahead, tip.back);
         if (sine > 0.0 && glm::dot(tip.ahead, tip.back) > 0.0) tip.length = kWidest * m_joinDistance / sine;
+        m_longest = std::max(m_longest, tip.length);
     }
 }
 

@@ -15,6 +15,8 @@ public:
     /// Of a canonical outline; vertices are numbered ring by ring.
     OutlineTips(const Polygon& outline, const PointFrame& frame);
 
+    /// Whether no corner is so sharp.
+    bool areNone() const { return m_longest == 0.0; }
     /// Whether a point, relative to the frame, lies in the tip at a vertex.
     bool contain(std::uint32_t vertex, Vec2 point) const {
         return m_tips[vertex].length > 0.0 && isIn(m_tips[vertex], point);
@@ -31,6 +33,7 @@ private:
     void addRing(const Ring& ring, const PointFrame& frame);
 
     double m_joinDistance;
+    double m_longest = 0.0;   // m
     std::vector<Tip> m_tips;  // of each vertex
 };
 

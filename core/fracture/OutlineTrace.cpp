@@ -2,6 +2,8 @@
 
 #include "core/base/Assert.h"
 
+#include <cmath>
+
 namespace rubble {
 
 namespace {
@@ -13,6 +15,10 @@ public:
     Tracer(const Delaunay& delaunay, const std::vector<std::uint32_t>& outgoing, OutlineTrace& trace)
         : m_delaunay(delaunay), m_diagram(delaunay), m_outgoing(outgoing), m_trace(trace) {
         trace.firstPassage.assign(delaunay.sites.size(), kNone);
+        // As many as a square's outline enters of evenly spread cells, and some more.
+        const auto expected = static_cast<std::size_t>(6.0 * std::sqrt(static_cast<double>(delaunay.sites.size())));
+        trace.crossings.reserve(expected);
+        trace.passages.reserve(expected);
     }
 
     void traceRing(std::uint32_t ring) {

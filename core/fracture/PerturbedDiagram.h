@@ -65,7 +65,7 @@ inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double reach) {
     const double doubledArea = cross(ab, ac), inverse = 0.5 / doubledArea;
     const Vec2 offset = {(bSquare * ac.y - cSquare * ab.y) * inverse, (cSquare * ab.x - bSquare * ac.x) * inverse};
     // Forward error: six roundings a numerator, five in the denominator.
-    const double longest = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ac.x), std::abs(ac.y)});
+    const double longest = std::max(std::max(std::abs(ab.x), std::abs(ab.y)), std::max(std::abs(ac.x), std::abs(ac.y)));
     const double far = std::max(std::abs(offset.x), std::abs(offset.y));
     const double error = 8.0 * kRounding * longest * inverse * (bSquare + cSquare + 4.0 * longest * far);
     const Vec2 centre = (a - origin) + offset;

@@ -8,6 +8,8 @@ namespace rubble {
 
 namespace {
 
+constexpr std::size_t kUsual = 16;  // more than most cells have of anything
+
 std::span<const PieceCorner> ringOf(const CellPieces& pieces, std::size_t ring) {
     const std::size_t begin = ring == 0 ? 0 : pieces.ringEnds[ring - 1];
     return std::span(pieces.corners).subspan(begin, pieces.ringEnds[ring] - begin);
@@ -60,7 +62,10 @@ CellCutter::CellCutter(const Delaunay& delaunay, const std::vector<std::uint32_t
       m_outgoing(outgoing),
       m_trace(trace),
       m_numbers(numbers),
-      m_points(points) {}
+      m_points(points) {
+    m_spokes.reserve(kUsual);
+    m_marks.reserve(kUsual);
+}
 
 void CellCutter::cut(std::uint32_t site, CellPieces& pieces) {
     pieces.clear();
