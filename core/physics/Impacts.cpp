@@ -6,6 +6,7 @@ namespace rubble {
 namespace {
 
 constexpr float kImpactSpeed = 0.5f;  // m/s: slower, and nothing is hurt
+constexpr float kRoundingSpeed = 0.01f;  // m/s
 constexpr float kHitSpeed = 1.0f;     // m/s
 
 Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
@@ -52,9 +53,11 @@ float mobility(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f nor
 
 std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
     std::vector<Impact> impacts;
+    // Gravity speeds bodies up within the step, and rounding must not let a hit pass between two steps.
+    const float late = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
         const auto approaches = [&](const PointRows& point) {
-            return -point.approach[lane] > kImpactSpeed && point.separation[lane] <= -point.approach[lane] * step.dt;
+            return -point.approach[lane] > kImpactSpeed && point.separation[lane] <= -point.approach[lane] * step.dt + late;
         };
         Vec3f place(0.0f);
         if (meanPlace(block, lane, approaches, place) == 0) return;

@@ -44,7 +44,8 @@ void sweep(Look& look, const Hull& first, const Hull& second, RelativePlace plac
     look.axis = touch.axis;
     look.offset = place.offset;
     look.isSwept = true;
-    look.manifold = manifoldAlong(touch.axis, first, second, place, kSpeculativeDistance);
+    // What has not arrived yet when the first corner does holds the others back as they turn towards it.
+    look.manifold = manifoldAlong(touch.axis, first, second, place, 2.0f * std::min(first.reach, second.reach));
     look.manifold.normal = touch.axis.normal;
     if (look.manifold.count == 0) touchAtCorner(look.manifold, touch.axis, second, place);
 }

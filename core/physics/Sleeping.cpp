@@ -100,6 +100,7 @@ void layToSleep(WorldState& state, std::uint32_t number, std::uint32_t sleepers)
     body.isAwake = false;
     body.sleepers = sleepers;
     state.motions[number].velocity = state.motions[number].spin = Vec3f(0.0f);
+    body.momentum = body.spinThen = Vec3f(0.0f);
     state.sleepers[sleepers].bodies.push_back(number);
 }
 

@@ -202,10 +202,14 @@ void finishBodies(WorldState& state, WorkerTeam& team) {
     team.share(state.awake.size(), kLeastBodies, [&](IndexRange range, int) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const std::uint32_t number = state.awake[i];
+            Body& body = state.bodies[number];
             BodyPlace& place = state.places[number];
             BodyMotion& motion = state.motions[number];
             place.travel += length(motion.moved) + 2.0f * length(motion.turned.vector()) * place.reach;
-            place.centre += motion.moved;
+            // Summed up with what rounding left out, so that free flight keeps to its line for minutes.
+            const Vec3f moved = motion.moved + body.centreRest, centre = place.centre + moved;
+            body.centreRest = moved - (centre - place.centre);
+            place.centre = centre;
             takeTurn(state, number);
             motion.moved = Vec3f(0.0f);
             motion.turned = {};

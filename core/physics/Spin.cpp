@@ -4,7 +4,7 @@ namespace rubble {
 namespace {
 
 constexpr float kSpinnerAngle = 0.02f;  // rad a step
-constexpr int kMidpointRounds = 3;      // each gains as many digits as the angle of a sub-step is small
+constexpr int kMidpointRounds = 6;      // each gains as many digits as the angle of a sub-step is small
 
 /// q turned on by half * 2 of spin w, to first order, then made a unit again.
 Quatf turnedOn(const Quatf& q, Vec3f w, float half) {
@@ -14,18 +14,18 @@ Quatf turnedOn(const Quatf& q, Vec3f w, float half) {
         .normalized();
 }
 
-/// Angular momentum in world axes, from the spin that goes with a body's place.
-Vec3f momentum(const Body& body, const BodyPlace& place, Vec3f spin) {
-    const Mat3f turn = place.turn.matrix();
-    return turn * (body.inertia * turn.transposedTimes(spin));
-}
-
 Vec3f spinOf(const Body& body, const Quatf& turn, Vec3f momentum) {
     const Mat3f matrix = turn.matrix();
     return matrix * (body.inverseInertia * matrix.transposedTimes(momentum));
 }
 
 }  // namespace
+
+Vec3f angularMomentum(const WorldState& state, std::uint32_t number) {
+    const Body& body = state.bodies[number];
+    const Mat3f turn = state.places[number].turn.matrix();
+    return body.momentum + turn * (body.inertia * turn.transposedTimes(state.motions[number].spin - body.spinThen));
+}
 
 bool isSpinner(const WorldState& state, std::uint32_t body, float dt) {
     return state.bodies[body].isDynamic() &&
@@ -36,7 +36,7 @@ Quatf turnedBySpin(const WorldState& state, std::uint32_t number, float h) {
     const Body& body = state.bodies[number];
     const BodyPlace& place = state.places[number];
     const BodyMotion& motion = state.motions[number];
-    const Vec3f held = momentum(body, place, motion.spin);
+    const Vec3f held = angularMomentum(state, number);
     const Quatf start = motion.turned;
     Quatf end = turnedOn(start, spinOf(body, start * place.turn, held), 0.5f * h);
     for (int round = 0; round < kMidpointRounds; ++round) {
@@ -47,15 +47,14 @@ Quatf turnedBySpin(const WorldState& state, std::uint32_t number, float h) {
 }
 
 void takeTurn(WorldState& state, std::uint32_t number) {
-    const Body& body = state.bodies[number];
+    Body& body = state.bodies[number];
     BodyPlace& place = state.places[number];
     BodyMotion& motion = state.motions[number];
     const Quatf turn = (motion.turned * place.turn).normalized();
     if (body.isDynamic()) {
-        const Vec3f held = momentum(body, place, motion.spin);
-        const Mat3f matrix = turn.matrix();
-        motion.spin = matrix * (body.inverseInertia * matrix.transposedTimes(held));
-        place.inverseInertia = rotated(body.inverseInertia, matrix);
+        body.momentum = angularMomentum(state, number);
+        body.spinThen = motion.spin = spinOf(body, turn, body.momentum);
+        place.inverseInertia = rotated(body.inverseInertia, turn.matrix());
     }
     place.turn = turn;
 }

@@ -1,4 +1,5 @@
-#include "core/physics/Manifold.h"
+#include "core/physics/SeparatingAxis.h"
+#include "core/physics/Spin.h"
 #include "core/physics/World.h"
 #include "core/physics/WorldState.h"
 
@@ -130,9 +131,8 @@ Momenta World::momenta() const {
         if (!body.isDynamic()) continue;
         const BodyPlace& place = m_state->places[id.index];
         const BodyMotion& motion = m_state->motions[id.index];
-        const Mat3f turn = place.turn.matrix();
-        const Vec3 spin = toDouble(motion.spin), velocity = toDouble(motion.velocity), centre = toDouble(place.centre);
-        const Vec3 turning = toDouble(turn * (body.inertia * turn.transposedTimes(motion.spin)));
+        const Vec3 spin = toDouble(motion.spin), velocity = toDouble(motion.velocity), centre = toDouble(place.centre) + toDouble(body.centreRest);
+        const Vec3 turning = toDouble(angularMomentum(*m_state, id.index));
         const double mass = body.mass;
         sum.linear += mass * velocity;
         sum.angular += turning + mass * glm::cross(centre, velocity);

@@ -25,7 +25,10 @@ struct Body {
     bool isAwake = false;     // always false for static bodies
     float mass = 0.0f;        // kg; 0 unless dynamic
     SymMat3f inertia;         // kg m^2, in the body's axes
-    SymMat3f inverseInertia;  // 0 unless dynamic
+    SymMat3f inverseInertia;    // 0 unless dynamic
+    Vec3f centreRest{0.0f, 0.0f, 0.0f};  // m: what rounding left out of the place's centre
+    Vec3f momentum{0.0f, 0.0f, 0.0f};  // kg m^2/s about its centre, in world axes, as it was with spinThen
+    Vec3f spinThen{0.0f, 0.0f, 0.0f};  // rad/s
     float friction = 0.0f;
     float restitution = 0.0f;
     float boxedUntil = 0.0f;         // m: its fat boxes hold until it has travelled that far
