@@ -5,9 +5,9 @@
 namespace rubble {
 namespace {
 
-constexpr float kImpactSpeed = 0.5f;  // m/s: slower, and nothing is hurt
+constexpr float kImpactSpeed = 0.5f;     // m/s: slower, and nothing is hurt
 constexpr float kRoundingSpeed = 0.01f;  // m/s
-constexpr float kHitSpeed = 1.0f;     // m/s
+constexpr float kHitSpeed = 1.0f;        // m/s
 
 Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
 
@@ -57,7 +57,8 @@ std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
     const float late = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
         const auto approaches = [&](const PointRows& point) {
-            return -point.approach[lane] > kImpactSpeed && point.separation[lane] <= -point.approach[lane] * step.dt + late;
+            return -point.approach[lane] > kImpactSpeed &&
+                   point.separation[lane] <= -point.approach[lane] * step.dt + late;
         };
         Vec3f place(0.0f);
         if (meanPlace(block, lane, approaches, place) == 0) return;

@@ -352,7 +352,11 @@ struct WideKernels {
                 back = mass * (select<W>(open, all<W>(1.0f), massScale) * normalSpeed[i] + bias) +
                        select<W>(open, F{}, impulseScale) * before;
             } else {
-                back = mass * (normalSpeed[i] + greater<W>(separation, F{}) * perSubStep);
+                // A point that neither touches nor pushes waits for the next sub-step: it must not be slowed down before, or
+                // the impact that the next step measures would be less.
+                const auto waits = (separation > F{}) & (before <= F{});
+                const F slowed = mass * (normalSpeed[i] + greater<W>(separation, F{}) * perSubStep);
+                back = select<W>(waits, F{}, slowed);
             }
             const F after = greater<W>(before - back, F{}), change = after - before;
             put(after, point.impulse, part);

@@ -4,6 +4,7 @@
 #include "core/physics/Bodies.h"
 #include "core/physics/BroadPhase.h"
 #include "core/physics/Contacts.h"
+#include "core/physics/FastBodies.h"
 #include "core/physics/Impacts.h"
 #include "core/physics/NarrowPhase.h"
 #include "core/physics/Sleeping.h"
@@ -160,6 +161,7 @@ void World::solve(double dt) {
     solveSubSteps(*m_state, shop.team, shop.solve, shop.kernels, step);
     shop.times.solve = watch.lap();
     listHits(*m_state, m_state->events.hits);
+    holdBackFastBodies(*m_state);
     finishBodies(*m_state, shop.team);
     shop.counts.awake = static_cast<int>(m_state->awake.size());
     shop.counts.islands = sleepWhereAtRest(*m_state, shop.dt);

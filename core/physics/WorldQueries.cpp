@@ -1,3 +1,4 @@
+#include "core/physics/HullRay.h"
 #include "core/physics/SeparatingAxis.h"
 #include "core/physics/Spin.h"
 #include "core/physics/World.h"
@@ -24,31 +25,6 @@ bool meetsSegment(const Box& box, Vec3f from, Vec3f way) {
     return begin <= end;
 }
 
-struct HullHit {
-    float fraction = 2.0f;
-    Vec3f normal{0.0f, 0.0f, 0.0f};
-};
-
-/// Where a segment enters a hull, both in its frame; fraction 2 where it does not, or begins inside.
-HullHit entered(const Hull& hull, Vec3f from, Vec3f way) {
-    float begin = -1.0f, end = 1.0f;
-    HullHit hit;
-    for (const HullPlane& plane : hull.planes) {
-        const float above = dot(plane.normal, from) - plane.offset, speed = dot(plane.normal, way);
-        if (speed == 0.0f) {
-            if (above > 0.0f) return {};
-            continue;
-        }
-        const float share = -above / speed;
-        if (speed < 0.0f && share > begin) {
-            begin = share;
-            hit = {share, plane.normal};
-        }
-        if (speed > 0.0f) end = std::min(end, share);
-    }
-    return begin >= 0.0f && begin <= end ? hit : HullHit{};
-}
-
 void addBits(Hasher& hasher, float a, float b) {
     std::uint32_t bits[2];
     const float values[2] = {a + 0.0f, b + 0.0f};  // one zero only
@@ -69,8 +45,8 @@ std::optional<RayHit> World::castRay(Vec3 from, Vec3 to) const {
             const Proxy& proxy = state.proxies[number];
             const BodyPlace& place = state.places[proxy.body];
             const Mat3f turn = place.turn.matrix();
-            const HullHit hit = entered(state.bodies[proxy.body].shape->hulls[proxy.hull],
-                                        turn.transposedTimes(start - place.centre), turn.transposedTimes(way));
+            const HullEntry hit = entryOf(state.bodies[proxy.body].shape->hulls[proxy.hull],
+                                          turn.transposedTimes(start - place.centre), turn.transposedTimes(way));
             const bool isNearer =
                 hit.fraction < best.fraction || (hit.fraction == best.fraction && state.idOf(proxy.body) < best.body);
             if (hit.fraction > 1.0f || !isNearer) return;
@@ -131,7 +107,8 @@ Momenta World::momenta() const {
         if (!body.isDynamic()) continue;
         const BodyPlace& place = m_state->places[id.index];
         const BodyMotion& motion = m_state->motions[id.index];
-        const Vec3 spin = toDouble(motion.spin), velocity = toDouble(motion.velocity), centre = toDouble(place.centre) + toDouble(body.centreRest);
+        const Vec3 spin = toDouble(motion.spin), velocity = toDouble(motion.velocity),
+                   centre = toDouble(place.centre) + toDouble(body.centreRest);
         const Vec3 turning = toDouble(angularMomentum(*m_state, id.index));
         const double mass = body.mass;
         sum.linear += mass * velocity;

@@ -22,13 +22,13 @@ struct Body {
     std::shared_ptr<const Shape> shape;  // none: the place is free
     std::uint32_t generation = 0;
     BodyKind kind = BodyKind::Static;
-    bool isAwake = false;     // always false for static bodies
-    float mass = 0.0f;        // kg; 0 unless dynamic
-    SymMat3f inertia;         // kg m^2, in the body's axes
-    SymMat3f inverseInertia;    // 0 unless dynamic
+    bool isAwake = false;                // always false for static bodies
+    float mass = 0.0f;                   // kg; 0 unless dynamic
+    SymMat3f inertia;                    // kg m^2, in the body's axes
+    SymMat3f inverseInertia;             // 0 unless dynamic
     Vec3f centreRest{0.0f, 0.0f, 0.0f};  // m: what rounding left out of the place's centre
-    Vec3f momentum{0.0f, 0.0f, 0.0f};  // kg m^2/s about its centre, in world axes, as it was with spinThen
-    Vec3f spinThen{0.0f, 0.0f, 0.0f};  // rad/s
+    Vec3f momentum{0.0f, 0.0f, 0.0f};    // kg m^2/s about its centre, in world axes, as it was with spinThen
+    Vec3f spinThen{0.0f, 0.0f, 0.0f};    // rad/s
     float friction = 0.0f;
     float restitution = 0.0f;
     float boxedUntil = 0.0f;         // m: its fat boxes hold until it has travelled that far
