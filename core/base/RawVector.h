@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/base/LargeMemory.h"
+
+#include <cstddef>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -8,7 +11,7 @@
 
 namespace rubble {
 
-/// An allocator that leaves new elements unset where no value is given for them.
+/// An allocator that leaves new elements unset where no value is given for them, and puts many on large pages.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
     template <class U>
@@ -18,6 +21,15 @@ struct UnsetAllocator : std::allocator<T> {
     UnsetAllocator() = default;
     template <class U>
     UnsetAllocator(const UnsetAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        if (count * sizeof(T) < kLeastForLargePages) return std::allocator<T>::allocate(count);
+        return static_cast<T*>(allocateLarge(count * sizeof(T)));
+    }
+    void deallocate(T* values, std::size_t count) {
+        if (count * sizeof(T) < kLeastForLargePages) return std::allocator<T>::deallocate(values, count);
+        freeLarge(values);
+    }
 
     /// Plain values need no constructor; one that gives their members defaults would write all of them.
     template <class U>
