@@ -13,7 +13,11 @@ namespace {
 
 constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::uint32_t kSitesInRange = 16384;  // at least: so many that few are near the border
+constexpr std::uint32_t kLeastInRange = 256;    // sites that are there before a round has ranges
 constexpr std::uint32_t kMostRanges = 16;
+constexpr std::uint32_t kStep = 8;           // times as many sites are there after a round as before
+constexpr std::uint32_t kLeastInRound = 12;  // in the first one, where there is more than one
+constexpr std::uint32_t kFirstTriangles = 4;
 
 /// The first triangle, of sites 0, 1 and 2, with its three ghosts.
 void makeFirstTriangle(Delaunay& delaunay) {
@@ -34,18 +38,27 @@ public:
     InsertionRounds(Delaunay& delaunay, const TaskContext& task)
         : m_delaunay(delaunay),
           m_task(task),
-          m_triangulation(delaunay),
+          m_triangulation(delaunay, kFirstTriangles),
           m_count(static_cast<std::uint32_t>(delaunay.sites.size())) {}
 
+    /// Inserts every so many-th site along the curve first, then those between them. In a triangulation that is there
+    /// already in the rough, a site changes fewer triangles than at the end of a row of sites; and several threads can work
+    /// on it.
     Status run() {
-        if (m_count < kLeastForThreads) return insertRound(1, 0, 1);
-        const std::uint32_t ranges = std::bit_floor(std::min(m_count / kSitesInRange, kMostRanges));
-        if (const Status done = insertRound(64, 0, 1); !done) return done;
-        if (const Status done = insertRound(8, 64, ranges); !done) return done;
-        return insertRound(1, 8, ranges);
+        std::uint32_t stride = 1;
+        while (m_count / stride >= kStep * kLeastInRound) stride *= kStep;
+        Status inserted = insertRound(stride, 0, 1);
+        for (; inserted && stride > 1; stride /= kStep) inserted = insertRound(stride / kStep, stride, rangeCount());
+        return inserted;
     }
 
 private:
+    /// How many ranges the next round has: no more than have sites away from their borders already.
+    std::uint32_t rangeCount() const {
+        const std::uint32_t most = std::min({m_count / kSitesInRange, m_inserted / kLeastInRange, kMostRanges});
+        return std::bit_floor(std::max(most, 1u));
+    }
+
     /// Inserts the sites whose numbers are multiples of `stride` and not of `done`, which are there already (0: none are).
     Status insertRound(std::uint32_t stride, std::uint32_t done, std::uint32_t rangeCount) {
         const std::uint32_t triangleCount = 2 * m_inserted - 2;

@@ -2,10 +2,15 @@
 
 #include "core/base/Random.h"
 #include "core/fracture/Verify.h"
+#include "core/geometry/Predicates.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+
+Q_DECLARE_METATYPE(rubble::Vec2)
 
 using namespace rubble;
 
@@ -45,6 +50,25 @@ std::uint32_t firstOwned(const Unfinished& all) {
     return t;
 }
 
+/// On a circle, as nearly as doubles can tell, and its middle; `scale` wide about `centre`.
+std::vector<Vec2> pointsOnCircle(std::uint64_t seed, std::size_t count, Vec2 centre, double scale) {
+    std::vector<Vec2> points = {centre};
+    for (const Vec2 point : randomPoints(seed, count)) {
+        const Vec2 offset = point - Vec2{0.5, 0.5};
+        points.push_back(centre + offset * (scale / std::hypot(offset.x, offset.y)));
+    }
+    return points;
+}
+
+/// The sign by exact numbers: of the in-circle determinant, or of the side of the hull's edge.
+int exactConflict(const Delaunay& delaunay, std::array<std::uint32_t, 3> corner, Vec2 p) {
+    const auto ghost = std::ranges::find(corner, Delaunay::kGhost);
+    if (ghost != corner.end()) std::ranges::rotate(corner, ghost);
+    const Vec2 second = delaunay.sites[corner[1]], third = delaunay.sites[corner[2]];
+    if (ghost != corner.end()) return orient2dExact(second, third, p);
+    return inCircleExact(delaunay.sites[corner[0]], second, third, p);
+}
+
 }  // namespace
 
 class SiteInsertionTest : public QObject {
@@ -53,7 +77,7 @@ private slots:
     void aRangeLeavesTheTrianglesOfOthersAlone() {
         Unfinished all = unfinished();
         const RawVector<Delaunay::Triangle> before = all.delaunay.triangles;
-        const Triangulation triangulation(all.delaunay);
+        Triangulation triangulation(all.delaunay, 2 * kThere - 2);
         insertSites(triangulation, all.range, firstOwned(all), all.work, {});
         QVERIFY(all.work.sites.size() > kNew / 3 && all.work.sites.size() < kNew);
         for (std::uint32_t t = 0; t < 2 * kThere - 2; ++t) {
@@ -63,13 +87,38 @@ private slots:
     }
     void whatARangeLeftIsInsertedAfterwards() {
         Unfinished all = unfinished();
-        const Triangulation triangulation(all.delaunay);
+        Triangulation triangulation(all.delaunay, 2 * kThere - 2);
         insertSites(triangulation, all.range, firstOwned(all), all.work, {});
         insertSites(triangulation, firstOwned(all), all.work, {});
         QVERIFY(all.work.sites.empty());
         std::vector<Vec2> seeds = randomPoints(1, kThere);
         std::ranges::copy(randomPoints(2, kNew), std::back_inserter(seeds));
         QCOMPARE(verifyDelaunay(all.delaunay, seeds).value_or(""), std::string());
+    }
+    void planesAreRightBeyondTheirBound_data() {
+        QTest::addColumn<Vec2>("centre");
+        QTest::addColumn<double>("scale");
+        QTest::newRow("a unit circle about zero") << Vec2{0.0, 0.0} << 1.0;
+        QTest::newRow("a small one far away") << Vec2{1e6, -3e6} << 1e-7;
+        QTest::newRow("a few steps of the coordinates wide") << Vec2{1e6, 1e6} << 1e-9;
+    }
+    void planesAreRightBeyondTheirBound() {
+        QFETCH(Vec2, centre);
+        QFETCH(double, scale);
+        Delaunay delaunay = *triangulate(pointsOnCircle(3, 200, centre, scale));
+        const auto count = static_cast<std::uint32_t>(delaunay.triangles.size());
+        const Triangulation triangulation(delaunay, count);
+        int sure = 0;
+        for (std::uint32_t t = 0; t < count; ++t) {
+            for (const Vec2 site : delaunay.sites) {
+                const double depth = triangulation.planes[t].depth(triangulation.lifted(site));
+                if (std::abs(depth) <= triangulation.inCircleBound) continue;
+                QCOMPARE(depth > 0.0 ? 1 : -1,
+                         exactConflict(delaunay, std::to_array(delaunay.triangles[t].corner), site));
+                ++sure;
+            }
+        }
+        QVERIFY(sure > 0);
     }
 };
 
