@@ -13,51 +13,29 @@ bool isDark(const QPalette& palette) {
 }  // namespace
 
 CanvasColours canvasColours(const QPalette& palette) {
-    const QColor accent = palette.color(QPalette::Highlight);
-    if (isDark(palette)) {
-        return {.background = "#202225",
-                .fineGrid = "#282a2e",
-                .grid = "#34373c",
-                .axis = "#555a62",
-                .label = "#969ba3",
-                .cell = "#3b3f46",
-                .cellEdge = "#17181a",
-                .outline = "#f1eee8",
-                .halo = "#17181a",
-                .triangle = "#1c3f8f",
-                .circle = "#7c3aed",
-                .wholeVoronoi = "#c9a227",
-                .edgeOnScale = QColor(255, 252, 245, 130),
-                .triangleOnScale = "#7fa8ff",
-                .accent = accent,
-                .hover = "#ffffff",
-                .fault = "#ff5a4f",
-                .measure = "#4cc2ff",
-                .panel = "#2b2d31",
-                .panelEdge = "#44474d",
-                .text = "#e4e2de"};
-    }
-    return {.background = "#faf9f7",
-            .fineGrid = "#f0eeea",
-            .grid = "#e0ddd7",
-            .axis = "#b5b0a8",
-            .label = "#6f6a63",
-            .cell = "#ece8e1",
-            .cellEdge = "#6d665d",
-            .outline = "#2c2823",
-            .halo = "#ffffff",
-            .triangle = "#1f4fb0",
+    const bool hasDark = isDark(palette);
+    const auto either = [&](const char* light, const char* dark) { return QColor(hasDark ? dark : light); };
+    return {.background = either("#faf9f7", "#202225"),
+            .fineGrid = either("#f0eeea", "#282a2e"),
+            .grid = either("#e0ddd7", "#34373c"),
+            .axis = either("#b5b0a8", "#555a62"),
+            .label = either("#6f6a63", "#969ba3"),
+            .cell = either("#ece8e1", "#3b3f46"),
+            .cellEdge = either("#6d665d", "#17181a"),
+            .outline = either("#2c2823", "#f1eee8"),
+            .halo = either("#ffffff", "#17181a"),
+            .triangle = either("#1f4fb0", "#1c3f8f"),
             .circle = "#7c3aed",
-            .wholeVoronoi = "#a1780a",
+            .wholeVoronoi = either("#a1780a", "#c9a227"),
             .edgeOnScale = QColor(255, 252, 245, 130),
             .triangleOnScale = "#7fa8ff",
-            .accent = accent,
-            .hover = "#1a1714",
-            .fault = "#c8201a",
-            .measure = "#0b63b8",
-            .panel = "#ffffff",
-            .panelEdge = "#cfcac2",
-            .text = "#232323"};
+            .accent = palette.color(QPalette::Highlight),
+            .hover = either("#1a1714", "#ffffff"),
+            .fault = either("#c8201a", "#ff5a4f"),
+            .measure = either("#0b63b8", "#4cc2ff"),
+            .panel = either("#ffffff", "#2b2d31"),
+            .panelEdge = either("#cfcac2", "#44474d"),
+            .text = either("#232323", "#e4e2de")};
 }
 
 QColor layerColour(std::size_t layer) {

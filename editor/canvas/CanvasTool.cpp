@@ -29,4 +29,9 @@ std::optional<Vec2> nudgeOf(const QKeyEvent& event, const CanvasState& state) {
     return *direction * ((isBig ? kBigNudge : kNudge) / state.view.scale);
 }
 
+quint64 CanvasTool::nudgeStroke(bool isRepeated) {
+    if (!isRepeated || m_nudgeStroke == 0) m_nudgeStroke = m_state.document.newStroke();
+    return m_nudgeStroke;
+}
+
 }  // namespace rubble

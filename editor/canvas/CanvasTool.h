@@ -70,7 +70,13 @@ signals:
     void said(const QString& sentence);
 
 protected:
+    /// The stroke of an arrow key's edit: held down, it is one step to undo.
+    quint64 nudgeStroke(bool isRepeated);
+
     CanvasState& m_state;
+
+private:
+    quint64 m_nudgeStroke = 0;
 };
 
 }  // namespace rubble

@@ -290,10 +290,9 @@ bool OutlineTool::key(const QKeyEvent& event) {
 
 void OutlineTool::nudge(Vec2 by, bool isRepeated) {
     if (!m_state.asset() || !m_chosen || m_drag || !isIn(m_state.asset()->prism.outline, *m_chosen)) return;
-    if (!isRepeated || m_nudgeStroke == 0) m_nudgeStroke = m_state.document.newStroke();
     Polygon outline = m_state.asset()->prism.outline;
     pointOf(outline, *m_chosen) += by;
-    offer(tr("Move point"), std::move(outline), m_nudgeStroke);
+    offer(tr("Move point"), std::move(outline), nudgeStroke(isRepeated));
 }
 
 /// Goes through the points of all rings.

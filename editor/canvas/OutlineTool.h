@@ -80,7 +80,6 @@ private:
     std::optional<Faulty> m_faulty;  // while it is dragged
     std::optional<Place> m_hovered;
     std::optional<RingPoint> m_chosen;
-    quint64 m_nudgeStroke = 0;
 };
 
 }  // namespace rubble

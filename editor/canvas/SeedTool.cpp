@@ -195,11 +195,10 @@ bool SeedTool::key(const QKeyEvent& event) {
 
 void SeedTool::nudge(Vec2 by, bool isRepeated) {
     if (!m_state.asset() || !m_state.pattern || m_drag || m_state.selection.seeds().empty()) return;
-    if (!isRepeated || m_nudgeStroke == 0) m_nudgeStroke = m_state.document.newStroke();
     Asset asset = *m_state.asset();
     const std::map<SeedId, Vec2> positions = chosenPositions();
     for (const auto& [id, from] : positions) moveSeed(asset.pattern, id, from + by);
-    m_state.document.push(altered(moveText(positions.size()), std::move(asset), m_nudgeStroke));
+    m_state.document.push(altered(moveText(positions.size()), std::move(asset), nudgeStroke(isRepeated)));
 }
 
 void SeedTool::chooseNext(int by) {

@@ -64,7 +64,6 @@ private:
     bool m_hasMoved = false;
     CanvasPointer m_pointer{};
     std::uint32_t m_hovered = kNone;  // seed
-    quint64 m_nudgeStroke = 0;
 };
 
 }  // namespace rubble
