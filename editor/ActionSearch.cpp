@@ -8,17 +8,35 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace rubble {
 
 namespace {
 
 QString plain(QString text) { return text.remove('&').remove("…"); }
 
-/// True where each word stands somewhere in the text.
-bool hasWords(const QString& text, const QString& words) {
-    const QStringList list = words.split(' ', Qt::SkipEmptyParts);
-    return std::all_of(list.begin(), list.end(),
-                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+/// Where a word was found, the best place first.
+enum Place { kNameBegins, kNameWordBegins, kMenuWordBegins, kWithinPath, kTipWordBegins, kWithinTip, kNowhere };
+
+bool hasWordThatBegins(const QString& text, const QString& start) {
+    for (qsizetype at = text.indexOf(start, 0, Qt::CaseInsensitive); at >= 0;
+         at = text.indexOf(start, at + 1, Qt::CaseInsensitive)) {
+        if (at == 0 || !text[at - 1].isLetterOrNumber()) return true;
+    }
+    return false;
+}
+
+Place placeOf(const QString& word, const QAction* action) {
+    const QString name = plain(action->text()), path = pathOf(action), tip = action->statusTip();
+    if (name.startsWith(word, Qt::CaseInsensitive)) return kNameBegins;
+    if (hasWordThatBegins(name, word)) return kNameWordBegins;
+    if (hasWordThatBegins(path, word)) return kMenuWordBegins;
+    if (path.contains(word, Qt::CaseInsensitive)) return kWithinPath;
+    if (hasWordThatBegins(tip, word)) return kTipWordBegins;
+    return tip.contains(word, Qt::CaseInsensitive) ? kWithinTip : kNowhere;
 }
 
 }  // namespace
@@ -30,6 +48,25 @@ QString pathOf(const QAction* action) {
         if (menu && !menu->title().isEmpty()) return pathOf(menu->menuAction()) + " ▸ " + path;
     }
     return path;
+}
+
+QList<QAction*> actionsFor(const QString& words, const QList<QAction*>& actions) {
+    const QStringList list = words.split(' ', Qt::SkipEmptyParts);
+    std::vector<std::pair<int, QAction*>> found;  // with the sum of their words' places
+    for (QAction* action : actions) {
+        int sum = 0;
+        bool hasAll = action->isEnabled();
+        for (const QString& word : list) {
+            const Place place = placeOf(word, action);
+            sum += place;
+            hasAll = hasAll && place != kNowhere;
+        }
+        if (hasAll) found.emplace_back(sum, action);
+    }
+    std::ranges::stable_sort(found, {}, &std::pair<int, QAction*>::first);
+    QList<QAction*> sorted;
+    for (const auto& [sum, action] : found) sorted.append(action);
+    return sorted;
 }
 
 ActionSearch::ActionSearch(const QList<QAction*>& actions, QWidget* parent)
@@ -68,9 +105,8 @@ bool ActionSearch::eventFilter(QObject* watched, QEvent* event) {
 
 void ActionSearch::filter(const QString& words) {
     m_list->clear();
-    for (QAction* action : m_actions) {
+    for (QAction* action : actionsFor(words, m_actions)) {
         const QString path = pathOf(action);
-        if (!action->isEnabled() || !hasWords(path + ' ' + action->statusTip(), words)) continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? path : path + "    " + keys, m_list);
         item->setToolTip(action->statusTip());

@@ -26,6 +26,10 @@ private:
     QListWidget* m_list;
 };
 
+/// The actions that can be carried out now and bear each of some words, or of their beginnings, in their name, their menus'
+/// names or their tip: names before menus, those before tips, beginnings of words before what is within; then in the order given.
+QList<QAction*> actionsFor(const QString& words, const QList<QAction*>& actions);
+
 /// All actions of menus with what leads to them: "File ▸ Save".
 QString pathOf(const QAction* action);
 

@@ -1,0 +1,54 @@
+#include "editor/ActionSearch.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QTest>
+
+using namespace rubble;
+
+class ActionSearchTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        add(m_edit, "Re&store Seeds", "Bring back scattered seeds");
+        add(m_edit, "&Escape", "Leave");
+        add(m_asset, "Du&plicate Asset", "Add a copy");
+        add(m_asset, "Grid &Scale…", "Wider or narrower");
+        add(m_asset, "Scatter A&gain", "Another random seed");
+    }
+    void namesComeBeforeTipsAndBeginningsFirst() {
+        QCOMPARE(found("sca"), QStringList({"Scatter A&gain", "Grid &Scale…", "&Escape", "Re&store Seeds"}));
+    }
+    void allWordsAreWanted() {
+        QCOMPARE(found("seed again"), QStringList({"Scatter A&gain"}));
+        QCOMPARE(found("asset  DUP"), QStringList({"Du&plicate Asset"}));
+        QCOMPARE(found("again never"), QStringList());
+    }
+    void menusAreFoundByTheirNames() {
+        QCOMPARE(found("edit"), QStringList({"Re&store Seeds", "&Escape"}));
+        QCOMPARE(found("asset")[0], "Du&plicate Asset");
+    }
+    void withoutWordsAllAreThereInOrder() { QCOMPARE(found("").size(), 5); }
+    void whatCannotBeDoneNowIsLeftOut() {
+        m_actions.back()->setEnabled(false);
+        QVERIFY(!found("sca").contains("Scatter A&gain"));
+        m_actions.back()->setEnabled(true);
+    }
+
+private:
+    void add(QMenu& menu, const QString& text, const QString& tip) {
+        m_actions.append(menu.addAction(text));
+        m_actions.back()->setStatusTip(tip);
+    }
+    QStringList found(const QString& words) const {
+        QStringList texts;
+        for (const QAction* action : actionsFor(words, m_actions)) texts.append(action->text());
+        return texts;
+    }
+
+    QMenu m_edit{"&Edit"}, m_asset{"&Asset"};
+    QList<QAction*> m_actions;
+};
+
+QTEST_MAIN(ActionSearchTest)
+#include "ActionSearchTest.moc"
