@@ -14,13 +14,16 @@ namespace {
 constexpr int kTicks = 1000;      // positions of a slider
 constexpr int kSliderDigits = 3;  // of the values that it gives
 
-/// A slider that a panel can be scrolled over.
+/// A slider that a panel can be scrolled over, and that does not follow the mouse any more once it was let go of.
 class QuietSlider : public QSlider {
 public:
     using QSlider::QSlider;
 
 protected:
     void wheelEvent(QWheelEvent* event) override { hasFocus() ? QSlider::wheelEvent(event) : event->ignore(); }
+    void mouseMoveEvent(QMouseEvent* event) override {
+        isSliderDown() ? QSlider::mouseMoveEvent(event) : event->ignore();
+    }
 };
 
 }  // namespace
@@ -56,6 +59,7 @@ SliderField::SliderField(const NumberRange& range, double from, double to, Slide
 void SliderField::setValue(double value) {
     m_field->setValue(value);
     if (m_slider->isSliderDown() && valueAt(m_slider->value()) == value) return;
+    m_slider->setSliderDown(false);  // what is dragged was undone, or altered elsewhere
     showOnSlider();
 }
 

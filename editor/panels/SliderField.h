@@ -21,7 +21,7 @@ public:
     NumberField& field() { return *m_field; }
     QSlider& slider() { return *m_slider; }
     double value() const { return m_field->value(); }
-    /// Shows a number; not told by `edited`.
+    /// Shows a number; not told by `edited`. A drag that gave another one ends.
     void setValue(double value);
     void setMixed();
     void setFormat(const NumberFormat& format) { m_field->setFormat(format); }

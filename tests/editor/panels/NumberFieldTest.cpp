@@ -221,6 +221,22 @@ private slots:
         QVERIFY(slider.value() > 1.0 && slider.value() < 10.0);
         QCOMPARE(slider.field().value(), slider.value());
     }
+    void aSliderThatIsShownAnotherNumberIsLetGo() {
+        SliderField slider(NumberRange::zeroOrAbove(), 0.0, 10.0);
+        slider.resize(400, 30);
+        slider.show();
+        const int middle = slider.slider().height() / 2;
+        QTest::mousePress(&slider.slider(), Qt::LeftButton, {}, {6, middle});
+        QTest::mouseMove(&slider.slider(), {80, middle});
+        QVERIFY(slider.value() > 1.0);
+        slider.setValue(0.0);  // as when the drag is undone before it ends
+        QSignalSpy edits(&slider, &SliderField::edited);
+        QTest::mouseMove(&slider.slider(), {120, middle});
+        QTest::mouseRelease(&slider.slider(), Qt::LeftButton, {}, {120, middle});
+        QCOMPARE(edits.count(), 0);
+        QCOMPARE(slider.value(), 0.0);
+        QCOMPARE(slider.slider().value(), 0);
+    }
     void aSliderNeverAltersWhatItShows() {
         SliderField slider(NumberRange::aboveZero(), 0.01, 100.0, SliderScale::Logarithmic);
         QSignalSpy edits(&slider, &SliderField::edited);
