@@ -22,6 +22,12 @@ std::string sentence(std::string text) {
 
 std::string at(Vec2 point) { return "(" + messageText(point.x) + ", " + messageText(point.y) + ")"; }
 
+/// Of a place that was computed: the input bears no such number.
+std::string nearAt(Vec2 point) {
+    constexpr int kDigits = 9;  // tell 1 cm at 1000 km
+    return "(" + roundedText(point.x, kDigits) + ", " + roundedText(point.y, kDigits) + ")";
+}
+
 PolygonFault pointFault(PolygonFaultKind kind, RingPoint place, Vec2 where, std::string text) {
     return {kind, place, place, where, sentence(std::move(text))};
 }
@@ -92,9 +98,9 @@ std::string crossingText(RingPoint first, RingPoint second, Vec2 where) {
     const std::string a = std::to_string(first.point), b = std::to_string(second.point);
     const std::string name = ringName(first.ring);
     if (first.ring == second.ring)
-        return name + " crosses itself between points " + a + " and " + b + ", at " + at(where);
+        return name + " crosses itself between points " + a + " and " + b + ", at " + nearAt(where);
     return name + " after its point " + a + " crosses " + ringName(second.ring) + " after its point " + b + ", at " +
-           at(where);
+           nearAt(where);
 }
 
 std::string touchText(const NumberedCorners& corners, const BoundaryContact& contact) {

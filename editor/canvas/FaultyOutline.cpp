@@ -56,9 +56,9 @@ void paintFaults(QPainter& painter, const Polygon& outline, const std::vector<Po
         painter.drawLine(at - QPointF(2.5, -2.5), at + QPointF(2.5, -2.5));
     }
     if (faults.empty()) return;
-    const QRectF bounds(QPointF(4.0, 4.0), view.size - QSizeF(8.0, 8.0));
-    const QPointF beside = hasPlace(faults[0]) ? view.pixels(faults[0].where) : bounds.center();
-    paintLabel(painter, beside, {QString::fromStdString(faults[0].message)}, colours, colours.fault, bounds);
+    const QPointF middle(view.size.width() / 2.0, view.size.height() / 2.0);
+    const QPointF beside = hasPlace(faults[0]) ? view.pixels(faults[0].where) : middle;
+    paintLabel(painter, beside, {QString::fromStdString(faults[0].message)}, colours, colours.fault, view);
 }
 
 const Ring& ringOf(const Polygon& outline, int ring) {

@@ -1,5 +1,7 @@
 #include "editor/canvas/LabelPainting.h"
 
+#include "editor/canvas/GridPainting.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kPadding = 6.0;   // pixels, between a panel's border and its text
 constexpr double kApart = 14.0;    // pixels, between the point and its panel
+constexpr double kMargin = 4.0;    // pixels, between a panel and the canvas's border or its rulers
 constexpr double kWidest = 320.0;  // pixels of text; longer lines are broken
 constexpr int kDigits = 4;         // that count
 
@@ -28,7 +31,9 @@ QString numberText(double value) {
 }  // namespace
 
 void paintLabel(QPainter& painter, QPointF beside, const QStringList& lines, const CanvasColours& colours,
-                const QColor& edge, const QRectF& bounds) {
+                const QColor& edge, const CanvasView& view) {
+    const QRectF bounds =
+        QRectF({}, view.size).adjusted(kRulerWidth + kMargin, kRulerWidth + kMargin, -kMargin, -kMargin);
     painter.save();
     QFont plain = painter.font(), bold = plain;
     bold.setBold(lines.size() > 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/canvas/CanvasColours.h"
+#include "editor/canvas/CanvasView.h"
 
 #include <QPainter>
 #include <QStringList>
@@ -8,9 +9,9 @@
 namespace rubble {
 
 /// Paints lines of text on a panel beside a point, the first one bold where there are several, moved so that all of it lies
-/// within `bounds`. `edge`: the panel's border.
+/// on the canvas and off its rulers. `edge`: the panel's border.
 void paintLabel(QPainter& painter, QPointF beside, const QStringList& lines, const CanvasColours& colours,
-                const QColor& edge, const QRectF& bounds);
+                const QColor& edge, const CanvasView& view);
 
 /// A length or an area as people write it in their language, with three or four digits that count and a unit that
 /// suits: "1.25 m", "3.4 mm", "12.5 cm²".

@@ -85,7 +85,7 @@ void MeasureTool::paint(QPainter& painter, const CanvasColours& colours) const {
     paintLabel(painter, to,
                {lengthText(length), tr("x %1   y %2").arg(lengthText(along.x), lengthText(along.y)),
                 tr("angle %1°").arg(QLocale().toString(angle, 'f', 1))},
-               colours, colours.measure, QRectF(QPointF(4.0, 4.0), m_state.view.size - QSizeF(8.0, 8.0)));
+               colours, colours.measure, m_state.view);
 }
 
 QString MeasureTool::hint() const {

@@ -367,7 +367,7 @@ void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     const int hole = place ? place->at.ring : 0;
     menu.addAction(tr("Delete &hole"), this, [this, hole] { deleteHole(hole); })->setEnabled(hole > 0);
     menu.addSeparator();
-    menu.addAction(tr("Draw a h&ole"), this, [this] { beginDrawing(Drawing::Hole); })->setEnabled(asset != nullptr);
+    menu.addAction(tr("Draw a hol&e"), this, [this] { beginDrawing(Drawing::Hole); })->setEnabled(asset != nullptr);
     menu.addAction(tr("Draw the &outline anew"), this, [this] { beginDrawing(Drawing::Outline); })
         ->setEnabled(asset != nullptr);
     menu.addAction(tr("Draw a &new asset"), this, [this] { beginDrawing(Drawing::NewAsset); });

@@ -237,8 +237,8 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
     paintOutline(painter);
     paintCircle(painter);
     paintChosen(painter);
-    m_tool->paint(painter, m_colours);
     if (m_contents.layers.hasLegend) paintLegend(painter, m_state.view, m_contents, m_colours);
+    m_tool->paint(painter, m_colours);  // over the legend, so that no sentence about a fault is hidden
     paintHoverLabel(painter);
     paintSentence(painter);
     paintRulers(painter, m_state.view, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
@@ -328,8 +328,7 @@ void PatternCanvas::paintHoverLabel(QPainter& painter) const {
         neighbours == 1 ? tr("1 neighbour") : tr("%1 neighbours").arg(neighbours),
         tr("%1 times as long as wide").arg(QLocale().toString(pattern.aspect(m_hovered), 'f', 1)),
     };
-    paintLabel(painter, m_pointer->pixels, lines, m_colours, m_colours.panelEdge,
-               QRectF(rect()).adjusted(kRulerWidth + 4.0, kRulerWidth + 4.0, -4.0, -4.0));
+    paintLabel(painter, m_pointer->pixels, lines, m_colours, m_colours.panelEdge, m_state.view);
 }
 
 void PatternCanvas::paintSentence(QPainter& painter) const {
