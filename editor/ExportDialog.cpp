@@ -86,7 +86,7 @@ void ExportDialog::makeFields() {
     form->addRow(m_summary);
     form->addRow(buttons);
     m_export->setDefault(true);  // a button knows its dialog only now
-    resize(sizeHint().expandedTo({520, 480}));
+    resize(sizeHint().expandedTo({520, 0}));
 }
 
 void ExportDialog::fill(const ExportChoice& choice) {

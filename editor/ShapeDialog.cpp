@@ -49,6 +49,9 @@ void ShapeDialog::askCorners(int usual) {
     m_corners->setRange(3, kMostCorners);
     m_corners->setValue(usual);
     m_form->insertRow(0, tr("&Corners:"), m_corners);
+    setTabOrder(m_corners, m_lengths.front());
+    m_corners->selectAll();
+    m_corners->setFocus();
 }
 
 double ShapeDialog::length(int index) const { return m_lengths[index]->value(); }

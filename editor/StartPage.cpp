@@ -47,6 +47,7 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
     columns->addWidget(beginnings(), 1);
     auto* recentColumn = new QWidget;
     auto* recentLayout = new QVBoxLayout(recentColumn);
+    recentLayout->setContentsMargins({});
     recentLayout->addWidget(heading(tr("Recent"), 1.15));
     m_recentRows = new QVBoxLayout;
     recentLayout->addLayout(m_recentRows);
@@ -61,8 +62,10 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
     rows->addSpacing(16);
     rows->addLayout(columns);
     rows->addSpacing(16);
-    rows->addWidget(heading(tr("Examples"), 1.15));
-    rows->addWidget(examples());
+    if (QWidget* cards = examples()) {
+        rows->addWidget(heading(tr("Examples"), 1.15));
+        rows->addWidget(cards);
+    }
     auto* middle = new QHBoxLayout;
     middle->addStretch(1);
     middle->addWidget(page, 10);
@@ -78,6 +81,7 @@ StartPage::StartPage(RecentFiles& recent, QWidget* parent) : QWidget(parent), m_
 QWidget* StartPage::beginnings() {
     auto* column = new QWidget;
     auto* rows = new QVBoxLayout(column);
+    rows->setContentsMargins({});
     rows->addWidget(heading(tr("Start"), 1.15));
     const auto add = [&](const char* name, const QString& text, const QString& hint, void (StartPage::*signal)()) {
         auto* button = new QCommandLinkButton(text, hint);
@@ -93,11 +97,14 @@ QWidget* StartPage::beginnings() {
     return column;
 }
 
+/// Null where none are installed.
 QWidget* StartPage::examples() {
+    const QStringList paths = Program::examples();
+    if (paths.isEmpty()) return nullptr;
     auto* row = new QWidget;
     auto* cards = new QHBoxLayout(row);
     cards->setContentsMargins(0, 0, 0, 0);
-    for (const QString& path : Program::examples()) {
+    for (const QString& path : paths) {
         auto* card = new QToolButton;
         card->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         card->setAutoRaise(true);

@@ -1,7 +1,9 @@
 #include "editor/Theme.h"
 
 #include <QApplication>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace rubble {
 
@@ -36,6 +38,24 @@ QPalette paletteOf(const Shades& shades) {
     return palette;
 }
 
+/// Fusion frames boxes to be ticked by a darker shade of the window: in a dark theme that is the shade within the box.
+class Style : public QProxyStyle {
+public:
+    Style() : QProxyStyle("Fusion") {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox || !isDark(option->palette)) return;
+        const bool isEnabled = option->state.testFlag(State_Enabled);
+        painter->save();
+        painter->setPen(option->palette.color(isEnabled ? QPalette::PlaceholderText : QPalette::Mid));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
+
 }  // namespace
 
 QPalette lightPalette() {
@@ -64,7 +84,7 @@ bool isDark(const QPalette& palette) {
 
 void applyTheme(ThemeChoice choice) {
     static const bool isSystemDark = isDark(QApplication::palette());  // before it was dressed the first time
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new Style);
     const bool wantsDark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && isSystemDark);
     QApplication::setPalette(wantsDark ? darkPalette() : lightPalette());
 }

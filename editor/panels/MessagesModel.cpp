@@ -45,7 +45,9 @@ int MessagesModel::columnCount(const QModelIndex& parent) const { return parent.
 QVariant MessagesModel::data(const QModelIndex& index, int role) const {
     const Message& told = message(index.row());
     if (role == Qt::DecorationRole && index.column() == kText) return iconOf(told.severity);
-    if (role == Qt::ToolTipRole) return told.text;
+    if (role == Qt::ToolTipRole) {
+        return told.asset == 0 ? told.text : tr("%1\nDouble click or Enter: show where").arg(told.text);
+    }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
         case kTime: return QLocale().toString(told.time.time(), QLocale::LongFormat).section(' ', 0, 0);
