@@ -5,6 +5,7 @@
 #include "editor/SceneView.h"
 #include "editor/Views.h"
 #include "editor/canvas/PatternCanvas.h"
+#include "editor/panels/Section.h"
 #include "editor/panels/SliderField.h"
 #include "viewport/ViewportWidget.h"
 
@@ -154,6 +155,7 @@ private slots:
         QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
         QCOMPARE(bytesOf(path).toStdString(), m_editedBytes);
         QVERIFY(!m_window->isWindowModified());
+        m_window->findChild<Section*>("shape")->setFolded(true);
         QVERIFY(m_window->close());
         delete m_window;
         m_window = m_program->open(path);
@@ -161,6 +163,8 @@ private slots:
         m_window->setAttribute(Qt::WA_DeleteOnClose, false);
         QVERIFY(isActive());
         QCOMPARE(projectText(project()), m_editedBytes);
+        QVERIFY(m_window->findChild<Section*>("shape")->isFolded());
+        QVERIFY(!m_window->findChild<Section*>("pattern")->isFolded());
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(37), kPatience);
     }
     void itIsExportedAsObj() {
