@@ -145,11 +145,12 @@ void findPairs(WorldState& state, WorkerTeam& team, PairScratch& scratch, float 
     if (scratch.moved.empty()) return;
     state.tree.tidy();
     removeParted(state, scratch);
-    scratch.found.resize(static_cast<std::size_t>(team.size()));
+    const std::size_t chunks = team.chunksOf(scratch.moved.size(), kLeastBodies);
+    scratch.found.resize(std::max(chunks, scratch.found.size()));
     for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
-    team.share(scratch.moved.size(), kLeastBodies, [&](IndexRange range, int worker) {
+    team.share(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
-            searchAround(state, scratch, scratch.moved[i], scratch.found[static_cast<std::size_t>(worker)]);
+            searchAround(state, scratch, scratch.moved[i], scratch.found[chunk]);
         }
     });
     for (const std::vector<std::uint32_t>& found : scratch.found) {

@@ -9,7 +9,7 @@ namespace rubble {
 struct PairScratch {
     std::vector<std::uint32_t> moved;               // bodies with new fat boxes
     std::vector<char> isMoved;                      // by body
-    std::vector<std::vector<std::uint32_t>> found;  // by worker: proxies, two a pair
+    std::vector<std::vector<std::uint32_t>> found;  // by chunk: proxies, two a pair
     std::vector<std::uint32_t> gone;                // contacts
 };
 

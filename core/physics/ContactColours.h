@@ -51,6 +51,22 @@ public:
     /// kNone.
     std::uint32_t moveToOtherList(ContactSlot& slot);
 
+    /// Sorts the contacts of each list by their bodies, so that neighbours in memory are neighbours in space and threads that share a
+    /// list work on bodies of their own, and calls moved(contact, slot) for each. Nothing else depends on the order.
+    template <class Moved>
+    void sortByBodies(const Moved& moved) {
+        for (std::uint32_t list = 0; list < kOneByOne; ++list) {
+            sortList(m_lists[list]);
+            for (std::uint32_t i = 0; i < m_lists[list].count; ++i) {
+                const ContactSlot slot{list, i};
+                moved(block(slot).contact[static_cast<std::size_t>(laneOf(slot))], slot);
+            }
+        }
+        m_changes = 0;
+    }
+    /// Contacts that came, went or moved since they were sorted.
+    std::size_t changes() const { return m_changes; }
+
     ContactBlock& block(ContactSlot slot) { return m_lists[slot.list].blocks[blockOf(slot)]; }
     const ContactBlock& block(ContactSlot slot) const { return m_lists[slot.list].blocks[blockOf(slot)]; }
     ReferenceBlock& reference(ContactSlot slot) { return m_lists[slot.list].references[blockOf(slot)]; }
@@ -69,11 +85,13 @@ private:
     static std::size_t blockOf(ContactSlot slot) {
         return slot.list == kOneByOne ? slot.index : slot.index / kBlockLanes;
     }
+    static void sortList(List& list);
     ContactSlot addLane(std::uint32_t list);
     std::uint32_t removeLane(ContactSlot slot);
 
     std::vector<List> m_lists = std::vector<List>(kLists);
     std::vector<std::uint64_t> m_coloursOfBody;  // of dynamic bodies
+    std::size_t m_changes = 0;
 };
 
 }  // namespace rubble

@@ -140,7 +140,7 @@ void markStale(const WorldState& state, WorkerTeam& team, LookScratch& scratch, 
     std::size_t count = 0;
     for (const ContactColours::List& list : state.colours.lists()) count += list.blocks.size();
     scratch.staleLanes.resize(count);
-    team.share(count, kLeastBlocks, [&](IndexRange range, int) {
+    team.share(count, team.chunksOf(count, kLeastBlocks), [&](IndexRange range, std::size_t) {
         std::size_t first = 0;  // block of this colour
         for (const ContactColours::List& list : state.colours.lists()) {
             const std::size_t end = first + list.blocks.size();
@@ -166,10 +166,11 @@ void listStale(const WorldState& state, LookScratch& scratch) {
 }
 
 void listOpenThatMayTouch(const WorldState& state, WorkerTeam& team, LookScratch& scratch, bool newOnly) {
-    scratch.open.resize(static_cast<std::size_t>(team.size()));
+    const std::size_t chunks = team.chunksOf(state.open.size(), kLeastOpen);
+    scratch.open.resize(std::max(chunks, scratch.open.size()));
     for (std::vector<std::uint32_t>& open : scratch.open) open.clear();
-    team.share(state.open.size(), kLeastOpen, [&](IndexRange range, int worker) {
-        std::vector<std::uint32_t>& open = scratch.open[static_cast<std::size_t>(worker)];
+    team.share(state.open.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        std::vector<std::uint32_t>& open = scratch.open[chunk];
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const OpenContact& contact = state.open[i];
             const float ahead = state.ahead[contact.bodies[0]] + state.ahead[contact.bodies[1]];
@@ -211,8 +212,11 @@ int findManifolds(WorldState& state, WorkerTeam& team, LookScratch& scratch, con
         listStale(state, scratch);
     }
     listOpenThatMayTouch(state, team, scratch, newOnly);
+    // In which lanes contacts are must not decide who gets which colour.
+    std::sort(scratch.contacts.begin(), scratch.contacts.end());
     scratch.looks.resize(scratch.contacts.size());
-    team.share(scratch.contacts.size(), kLeastLooks, [&](IndexRange range, int) {
+    const std::size_t chunks = team.chunksOf(scratch.contacts.size(), kLeastLooks);
+    team.share(scratch.contacts.size(), chunks, [&](IndexRange range, std::size_t) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const std::uint32_t number = scratch.contacts[i];
             scratch.looks[i] = lookAt(state, state.contacts[number], step.dt);

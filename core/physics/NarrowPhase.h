@@ -21,7 +21,7 @@ Look lookAt(const WorldState& state, const Contact& contact, float dt);
 /// Memory that is used again from step to step.
 struct LookScratch {
     std::vector<unsigned char> staleLanes;         // a bit a lane, by block in order of the colours
-    std::vector<std::vector<std::uint32_t>> open;  // by worker: contacts without manifold that may touch now
+    std::vector<std::vector<std::uint32_t>> open;  // by chunk: contacts without manifold that may touch now
     std::vector<std::uint32_t> contacts;           // to look at
     std::vector<Look> looks;
 };

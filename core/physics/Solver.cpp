@@ -14,10 +14,9 @@ constexpr float kLongestSubStep = 1.0f / 240.0f + 1e-6f;  // s
 // the most that is stable.
 constexpr float kContactHertz = 50.0f;
 constexpr float kDampingRatio = 2.0f;
-constexpr float kPushOutSpeed = 3.0f;        // m/s
-constexpr float kRestitutionSpeed = 1.0f;    // m/s
-constexpr std::size_t kLeastContacts = 384;  // in all, for a second worker to be worth its while
-constexpr std::size_t kLeastBlocks = 12;     // of a colour, to be shared
+constexpr float kPushOutSpeed = 3.0f;      // m/s
+constexpr float kRestitutionSpeed = 1.0f;  // m/s
+constexpr std::size_t kLeastBlocks = 8;    // of a chunk: a microsecond's work
 constexpr std::size_t kLeastBodies = 128;
 
 /// Source: Catto 2011, "Soft constraints", by the spring's frequency and damping ratio.
@@ -54,97 +53,45 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     motion.spin += place.inverseInertia * (turning * impulse);
 }
 
-/// What workers have begun since they last met. Lists of one colour may run side by side, and so may what one worker does alone.
-struct Pending {
-    static constexpr std::uint32_t kNoColour = ~0u, kSeveral = ~0u - 1;
-    std::uint32_t colour = kNoColour;        // of all that was begun
-    std::uint32_t sharedColour = kNoColour;  // of what all workers do
-
-    bool mustEndBefore(std::uint32_t next, bool isShared) const {
-        const std::uint32_t other = isShared ? colour : sharedColour;
-        return other != kNoColour && other != next;
-    }
-    void add(std::uint32_t next, bool isShared) {
-        colour = colour == kNoColour || colour == next ? next : kSeveral;
-        if (isShared) sharedColour = next;
-    }
-};
-
-/// The stages of a step on every worker. All workers call the same stages in the same order; what a stage is given to do is parted
-/// between them, and they meet where the next stage reads what this one wrote.
-class Stages {
+/// The passes of a step, over all contacts or bodies. The blocks of a list, and awake bodies, are shared between the workers.
+class Passes {
 public:
-    Stages(WorldState& state, WorkerTeam& team, int worker, int workers, const SolverStep& step)
-        : m_state(state), m_team(team), m_worker(worker), m_workers(workers), m_step(step) {}
+    Passes(WorldState& state, WorkerTeam& team, const SolverStep& step) : m_state(state), m_team(team), m_step(step) {}
 
-    /// One pass over all colours in turn. Short lists are done by the first worker alone.
-    void overContacts(Pass pass) {
-        Pending pending;
+    /// One colour after another.
+    void overContacts(Pass pass) const {
         const std::span<ContactColours::List> lists = m_state.colours.lists();
         for (std::size_t i = 0; i < lists.size(); ++i) {
             const std::span<ContactBlock> blocks = lists[i].blocks;
             if (blocks.empty()) continue;
-            const bool isShared = m_workers > 1 && i != ContactColours::kOneByOne &&
-                                  blocks.size() >= kLeastBlocks * static_cast<std::size_t>(m_workers);
-            if (pending.mustEndBefore(ContactColours::colourOf(i), isShared)) {
-                meet();
-                pending = {};
-            }
-            const IndexRange range = isShared ? share(blocks.size()) : IndexRange{0, m_worker == 0 ? blocks.size() : 0};
-            pass(blocks.subspan(range.begin, range.size()), m_step);
-            pending.add(ContactColours::colourOf(i), isShared);
+            const std::size_t chunks =
+                i == ContactColours::kOneByOne ? 1 : m_team.chunksOf(blocks.size(), kLeastBlocks);
+            m_team.share(blocks.size(), chunks, [&](IndexRange range, std::size_t) {
+                pass(blocks.subspan(range.begin, range.size()), m_step);
+            });
         }
-        meet();
     }
-
     void overBodies(void (*pass)(std::span<const std::uint32_t>, const SolverStep&),
-                    std::span<const std::uint32_t> bodies) {
-        const IndexRange range = share(bodies.size());
-        pass(bodies.subspan(range.begin, range.size()), m_step);
+                    std::span<const std::uint32_t> bodies) const {
+        m_team.share(bodies.size(), m_team.chunksOf(bodies.size(), kLeastBodies),
+                     [&](IndexRange range, std::size_t) { pass(bodies.subspan(range.begin, range.size()), m_step); });
     }
-    void turnSpinners(std::span<const std::uint32_t> spinners) {
-        const IndexRange range = share(spinners.size());
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            BodyMotion& motion = m_state.motions[spinners[i]];
-            motion.turned = turnedBySpin(m_state, spinners[i], m_step.subStep);
-            motion.moved += motion.velocity * m_step.subStep;
-        }
-    }
-    void pull() {
-        if (m_worker == 0) pullGrabbed(m_state, m_step);
-        meet();
-    }
-    void meet() {
-        if (m_workers > 1) m_team.meet();
+    void turnSpinners(std::span<const std::uint32_t> spinners) const {
+        const std::size_t chunks = m_team.chunksOf(spinners.size(), kLeastBodies);
+        m_team.share(spinners.size(), chunks, [&](IndexRange range, std::size_t) {
+            for (std::size_t i = range.begin; i < range.end; ++i) {
+                BodyMotion& motion = m_state.motions[spinners[i]];
+                motion.turned = turnedBySpin(m_state, spinners[i], m_step.subStep);
+                motion.moved += motion.velocity * m_step.subStep;
+            }
+        });
     }
 
 private:
-    IndexRange share(std::size_t count) const {
-        return partOf(count, static_cast<std::size_t>(m_worker), static_cast<std::size_t>(m_workers));
-    }
-
     WorldState& m_state;
     WorkerTeam& m_team;
-    const int m_worker;
-    const int m_workers;
     const SolverStep& m_step;
 };
-
-void runSubSteps(Stages& stages, WorldState& state, const SolveScratch& scratch, const SolverKernels& kernels,
-                 int count) {
-    for (int i = 0; i < count; ++i) {
-        stages.overBodies(kernels.integrateVelocities, state.awake);
-        stages.meet();
-        if (state.grabbed.index != 0) stages.pull();
-        stages.overContacts(kernels.warmStart);
-        stages.overContacts(kernels.solve);
-        stages.overBodies(kernels.integratePositions, scratch.others);
-        stages.turnSpinners(scratch.spinners);
-        stages.meet();
-        stages.overContacts(kernels.relax);
-    }
-    stages.overContacts(kernels.restitute);
-}
 
 }  // namespace
 
@@ -163,20 +110,14 @@ SolverStep solverStep(WorldState& state, float dt) {
 }
 
 void prepareContacts(WorldState& state, WorkerTeam& team, const SolverKernels& kernels, const SolverStep& step) {
-    const auto prepare = [&](ContactColours::List& list, IndexRange range) {
-        kernels.prepare(std::span(list.blocks).subspan(range.begin, range.size()),
-                        std::span<const ReferenceBlock>(list.references).subspan(range.begin, range.size()), step);
-    };
-    const auto workers = static_cast<std::size_t>(team.size());
-    if (workers == 1 || state.colours.contactCount() < kLeastContacts) {
-        for (ContactColours::List& list : state.colours.lists()) prepare(list, {0, list.blocks.size()});
-        return;
+    for (ContactColours::List& list : state.colours.lists()) {
+        const std::size_t count = list.blocks.size();
+        if (count == 0) continue;
+        team.share(count, team.chunksOf(count, kLeastBlocks), [&](IndexRange range, std::size_t) {
+            kernels.prepare(std::span(list.blocks).subspan(range.begin, range.size()),
+                            std::span<const ReferenceBlock>(list.references).subspan(range.begin, range.size()), step);
+        });
     }
-    team.run([&](int worker) {
-        for (ContactColours::List& list : state.colours.lists()) {
-            prepare(list, partOf(list.blocks.size(), static_cast<std::size_t>(worker), workers));
-        }
-    });
 }
 
 void solveSubSteps(WorldState& state, WorkerTeam& team, SolveScratch& scratch, const SolverKernels& kernels,
@@ -186,20 +127,22 @@ void solveSubSteps(WorldState& state, WorkerTeam& team, SolveScratch& scratch, c
     for (std::uint32_t body : state.awake) {
         (isSpinner(state, body, step.dt) ? scratch.spinners : scratch.others).push_back(body);
     }
-    const int count = subStepsOf(step.dt);
-    if (team.size() == 1 || state.colours.contactCount() < kLeastContacts) {
-        Stages stages(state, team, 0, 1, step);
-        runSubSteps(stages, state, scratch, kernels, count);
-        return;
+    const Passes passes(state, team, step);
+    for (int i = subStepsOf(step.dt); i > 0; --i) {
+        passes.overBodies(kernels.integrateVelocities, state.awake);
+        if (state.grabbed.index != 0) pullGrabbed(state, step);
+        passes.overContacts(kernels.warmStart);
+        passes.overContacts(kernels.solve);
+        passes.overBodies(kernels.integratePositions, scratch.others);
+        passes.turnSpinners(scratch.spinners);
+        passes.overContacts(kernels.relax);
     }
-    team.run([&](int worker) {
-        Stages stages(state, team, worker, team.size(), step);
-        runSubSteps(stages, state, scratch, kernels, count);
-    });
+    passes.overContacts(kernels.restitute);
 }
 
 void finishBodies(WorldState& state, WorkerTeam& team) {
-    team.share(state.awake.size(), kLeastBodies, [&](IndexRange range, int) {
+    const std::size_t chunks = team.chunksOf(state.awake.size(), kLeastBodies);
+    team.share(state.awake.size(), chunks, [&](IndexRange range, std::size_t) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const std::uint32_t number = state.awake[i];
             Body& body = state.bodies[number];

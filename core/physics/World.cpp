@@ -45,6 +45,7 @@ struct World::Workshop {
     SolveScratch solve;
     StepCounts counts;
     StepTimes times;
+    int stepsSinceSort = 0;
     float dt = 0.0f;          // s, of the step that was collided
     bool isCollided = false;  // and not solved yet
 };
@@ -130,6 +131,12 @@ void World::collide(double dt) {
     shop.times.pairs += watch.lap();
     shop.counts.separatingAxisTests +=
         findManifolds(*m_state, shop.team, shop.looks, shop.kernels, solverStep(*m_state, shop.dt), newOnly);
+    // Several threads need their contacts apart from each other's, when there are many; not every time that they change.
+    constexpr int kStepsASort = 16;
+    if (shop.team.size() > 1 && ++shop.stepsSinceSort >= kStepsASort) {
+        shop.stepsSinceSort = 0;
+        sortLanes(*m_state);
+    }
     shop.times.collide += watch.lap();
 }
 
