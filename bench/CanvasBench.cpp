@@ -1,5 +1,6 @@
 // How long it takes until a dragged seed's new cells are on the canvas, from the mouse event to the end of painting, against
 // painting the canvas as it is. Percentiles of many drags. Runs without a display.
+#include "core/base/Percentile.h"
 #include "core/geometry/OutlineShapes.h"
 #include "editor/Baker.h"
 #include "editor/canvas/PatternCanvas.h"
@@ -7,7 +8,6 @@
 #include <QApplication>
 #include <QMouseEvent>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <vector>
@@ -48,11 +48,6 @@ Project projectOf(std::uint32_t seeds) {
     asset.pattern.layers = {{.id = 3, .randomSeed = 1, .parameters = UniformScatter{.count = seeds}}};
     project.assets = {asset};
     return project;
-}
-
-double percentile(std::vector<double> times, double share) {
-    std::ranges::sort(times);
-    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
 }
 
 /// One window's worth of editor with its canvas shown.

@@ -66,7 +66,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     const std::vector<Verb> verbs = {addNew(program),   addImport(program), addFracture(program), addExport(program),
-                                     addCheck(program), addDraw(program),   addRender(program)};
+                                     addCheck(program), addDraw(program),   addRender(program),   addSimulate(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(

@@ -1,11 +1,27 @@
 #include "app/cli/CommonOptions.h"
 
+#include "core/base/MessageText.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <thread>
 
 namespace rubble {
+namespace {
+
+template <class Number>
+CLI::Validator validatorOf(Number min, Number max, const std::string& kind) {
+    const std::string fault = "\" is no " + kind + " from " + messageText(min) + " to " + messageText(max);
+    const auto check = [min, max, fault](const std::string& given) {
+        Number number{};
+        const bool isNumber = CLI::detail::lexical_cast(given, number) && number >= min && number <= max;
+        return isNumber ? std::string() : '"' + given + fault;
+    };
+    return CLI::Validator(check, "");
+}
+
+}  // namespace
 
 std::string joinedText(const std::vector<std::string>& words) {
     std::string text;
@@ -21,16 +37,14 @@ CLI::Validator oneOf(const std::vector<std::string>& words) {
     return CLI::Validator(fault, "");
 }
 
+CLI::Validator numberBetween(int min, int max) { return validatorOf(min, max, "whole number"); }
+
+CLI::Validator numberBetween(double min, double max) { return validatorOf(min, max, "number"); }
+
 void addThreadsOption(CLI::App& command, int& threads) {
     threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const auto fault = [](const std::string& given) {
-        int number = 0;
-        const bool isNumber = CLI::detail::lexical_cast(given, number);
-        return isNumber && number >= 1 && number <= 1024 ? std::string()
-                                                         : '"' + given + "\" is no whole number from 1 to 1024";
-    };
     command.add_option("--threads", threads, "How many threads to use: all processors if not given")
-        ->check(CLI::Validator(fault, ""))
+        ->check(numberBetween(1, 1024))
         ->option_text("N");
 }
 

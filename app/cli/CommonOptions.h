@@ -13,6 +13,10 @@ namespace rubble {
 /// Lets an option take these words only; what else is given is refused with all of them.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
+/// Lets an option take numbers of a range only; anything else is refused with the range.
+CLI::Validator numberBetween(int min, int max);
+CLI::Validator numberBetween(double min, double max);
+
 /// Adds --threads, which is all processors unless it is given.
 void addThreadsOption(CLI::App& command, int& threads);
 

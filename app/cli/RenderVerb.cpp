@@ -115,16 +115,9 @@ void addParsed(CLI::App& command, const char* name, std::string& text, const cha
     command.add_option(name, text, help)->check(CLI::Validator(check, ""))->option_text(label);
 }
 
-void addNumber(CLI::App& command, const char* name, auto& number, const char* help, const char* label, double most) {
-    const std::string fault = " is no " +
-                              std::string(std::is_integral_v<std::decay_t<decltype(number)>> ? "whole " : "") +
-                              "number from 0 to " + std::to_string(static_cast<int>(most));
-    const auto check = [fault, most](const std::string& given) {
-        std::decay_t<decltype(number)> value{};
-        const bool isNumber = CLI::detail::lexical_cast(given, value) && value >= 0 && value <= most;
-        return isNumber ? std::string() : '"' + given + '"' + fault;
-    };
-    command.add_option(name, number, help)->check(CLI::Validator(check, ""))->option_text(label);
+template <class Number>
+void addNumber(CLI::App& command, const char* name, Number& number, const char* help, const char* label, Number most) {
+    command.add_option(name, number, help)->check(numberBetween(Number{0}, most))->option_text(label);
 }
 
 void addLooks(CLI::App& command, RenderOptions& options) {
@@ -159,7 +152,7 @@ Verb addRender(CLI::App& program) {
               "A word as front, top or iso, or AZIMUTH,ELEVATION in degrees: iso if not given", "VIEW", cameraOf,
               "none of " + viewWords() + ", and no azimuth,elevation in degrees");
     addNumber(*command, "--explode", options->exploded, "How far pieces stand apart: 1 doubles their distances", "F",
-              100);
+              100.0);
     addLooks(*command, *options);
     addThreadsOption(*command, options->threads);
     return {command, [options](const CliContext& context) { return render(*options, context); }};

@@ -28,6 +28,7 @@ Verb addExport(CLI::App& program);
 Verb addCheck(CLI::App& program);
 Verb addDraw(CLI::App& program);
 Verb addRender(CLI::App& program);
+Verb addSimulate(CLI::App& program);
 
 /// The whole of a file, or of `context.in` where `path` is "-".
 ///

@@ -11,8 +11,6 @@ namespace rubble {
 namespace {
 
 constexpr double kUnitTolerance = 1e-3;  // of a rotation's length: it is made a unit
-constexpr double kFarthest = 1e5;        // m: floats are good to a centimetre there
-constexpr double kFastest = 1e4;         // m/s
 
 bool isWithin(Vec3 v, double most) {
     return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for nan

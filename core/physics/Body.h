@@ -7,6 +7,9 @@
 
 namespace rubble {
 
+inline constexpr double kFarthest = 1e5;  // m from the origin, of a body: single precision is good to 8 mm there
+inline constexpr double kFastest = 1e4;   // m/s or rad/s; at the usual 1/60 s that is 170 m a step
+
 /// Names a body of a world for good: the index is used again after the body is removed, the pair never is.
 struct BodyId {
     std::uint32_t index = 0;  // 0 names no body

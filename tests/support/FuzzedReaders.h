@@ -3,10 +3,12 @@
 #include "core/fracture/ThesisMethod.h"
 #include "core/fracture/Verify.h"
 #include "core/fracture/VoronoiPartition.h"
+#include "core/io/BodiesJson.h"
 #include "core/io/FractureJson.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +19,8 @@ namespace rubble::test {
 /// accepted and says what is wrong with it, or nothing. Bigger input than this is read only.
 inline constexpr std::size_t kMostFuzzedSeeds = 64;
 inline constexpr std::size_t kMostFuzzedCorners = 64;
+inline constexpr std::size_t kMostFuzzedBodies = 16;
+inline constexpr int kFuzzedSteps = 5;
 
 using Sentence = std::optional<std::string>;
 
@@ -76,6 +80,23 @@ inline Sentence packFault(std::string_view bytes) {
     if (!pack) return refusalFault(pack.error());
     const Sentence fault = verifyPack(*pack);
     return fault ? refusalFault({ErrorCode::BadInput, *fault}) : std::nullopt;
+}
+
+/// Bodies that are accepted move without ending up nowhere.
+inline Sentence bodiesFault(std::string_view bytes) {
+    const Result<BodyScene> scene = readBodyScene(bytes);
+    if (!scene) return refusalFault(scene.error());
+    if (Sentence fault = verifyBodyScene(*scene)) return fault;
+    if (scene->bodies.size() > kMostFuzzedBodies) return std::nullopt;
+    Result<SceneWorld> moved = makeWorld(*scene);
+    if (!moved) return refusalFault(moved.error());
+    for (int step = 0; step < kFuzzedSteps; ++step) moved->world.step(1.0 / 60.0);
+    for (std::size_t k = 0; k < moved->bodies.size(); ++k) {
+        const Pose pose = moved->world.state(moved->bodies[k]).pose;
+        const bool isFinite = std::isfinite(glm::length(pose.position)) && std::isfinite(glm::length(pose.orientation));
+        if (!isFinite) return "Body \"" + scene->bodies[k].name + "\" is nowhere after some steps.";
+    }
+    return std::nullopt;
 }
 
 }  // namespace rubble::test

@@ -14,7 +14,10 @@ namespace fs = std::filesystem;
 using Reader = test::Sentence (*)(std::string_view);
 
 const std::vector<std::pair<const char*, Reader>> kReaders{
-    {"FractureJson", test::fractureFault}, {"Project", test::projectFault}, {"Pack", test::packFault}};
+    {"FractureJson", test::fractureFault},
+    {"Project", test::projectFault},
+    {"Pack", test::packFault},
+    {"BodiesJson", test::bodiesFault}};
 
 std::vector<fs::path> inputsOf(const char* target) {
     std::vector<fs::path> paths;

@@ -1,0 +1,97 @@
+// How long a step of the simulation takes, on one thread and on two, against Bullet on the same bodies; and how deep bodies
+// lie in each other after it, judged alike. All move in turns, some steps each, so that what disturbs one disturbs the others.
+//
+//   PhysicsBench [scene]...    for instance: PhysicsBench heap-2000 wall
+#include "bench/BulletBodies.h"
+#include "core/base/Percentile.h"
+#include "core/physics/Penetration.h"
+#include "tests/support/scenes/Scenes.h"
+
+#include <chrono>
+#include <cstdio>
+#include <span>
+#include <string>
+
+using namespace rubble;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kStep = 1.0 / 60.0;  // s
+constexpr int kSettling = 120;        // steps before the clock starts
+constexpr int kTimed = 300;
+constexpr int kTurn = 20;  // steps that one takes before the next has its turn
+
+/// A world of ours with what its steps took.
+class OurBodies {
+public:
+    OurBodies(const BodyScene& scene, int threads)
+        : m_moved(std::move(*makeWorld(scene, {.sleeping = false, .threads = threads}))) {}
+
+    void step(double dt) { m_moved.world.step(dt); }
+    std::vector<Pose> poses() const {
+        std::vector<Pose> poses;
+        for (const BodyId body : m_moved.bodies) poses.push_back(m_moved.world.state(body).pose);
+        return poses;
+    }
+    std::size_t contactPoints() const { return static_cast<std::size_t>(m_moved.world.counts().contactPoints); }
+
+private:
+    SceneWorld m_moved;
+};
+
+/// Something that moves the scene, and the milliseconds of each step.
+template <class Bodies>
+struct Runner {
+    Bodies bodies;
+    std::vector<double> times;
+
+    void run(int steps) {
+        for (int k = 0; k < steps; ++k) {
+            const auto start = Clock::now();
+            bodies.step(kStep);
+            times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        }
+    }
+    double median() const { return percentile({times.begin() + kSettling, times.end()}, 0.5); }
+};
+
+void measure(const std::string& name, const BodyScene& scene) {
+    Runner<OurBodies> one{{scene, 1}, {}};
+    Runner<OurBodies> two{{scene, 2}, {}};
+    Runner<bench::BulletBodies> bullet{bench::BulletBodies(scene), {}};
+    for (int step = 0; step < kSettling + kTimed; step += kTurn) {
+        one.run(kTurn);
+        two.run(kTurn);
+        bullet.run(kTurn);
+    }
+    const Penetration ours = penetrationOf(scene, one.bodies.poses());
+    const Penetration theirs = penetrationOf(scene, bullet.bodies.poses());
+    std::printf("| %s | %zu | %zu | %.3f | %.3f | %.3f | %.1f | %.2f | %.1f / %.2f | %.1f / %.2f |\n", name.c_str(),
+                test::freeBodies(scene), one.bodies.contactPoints(), one.median(), two.median(), bullet.median(),
+                bullet.median() / one.median(), one.median() / two.median(), 1e3 * ours.largest, 1e3 * ours.mean,
+                1e3 * theirs.largest, 1e3 * theirs.mean);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> names(argv + 1, argv + argc);
+    if (names.empty()) {
+        names = {"house", "cut-house", "wall", "pyramid", "heap-600", "heap-2000", "heap-3350", "heap-5000"};
+    }
+    std::printf("| scene | bodies | points | ours, ms | ours on 2 threads, ms | Bullet, ms | Bullet : ours "
+                "| 1 thread : 2 | our overlap, max / mean, mm | Bullet's |\n"
+                "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    for (const std::string& name : names) {
+        const BodyScene scene = test::sceneNamed(name);
+        if (scene.bodies.empty()) {
+            std::fprintf(stderr, "There is no scene \"%s\".\n", name.c_str());
+            return 2;
+        }
+        measure(name, scene);
+    }
+    return 0;
+}

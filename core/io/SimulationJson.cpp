@@ -1,0 +1,63 @@
+#include "core/io/SimulationJson.h"
+
+#include "core/io/JsonLayout.h"
+#include "core/io/SceneJson.h"
+
+namespace rubble {
+namespace {
+
+void writeBody(JsonLayout& json, const SimulatedBody& body) {
+    const Quat& turn = body.pose.orientation;
+    json.openObject({}, JsonLines::One);
+    json.text("name", body.name);
+    writeVector(json, "position", body.pose.position);
+    json.numbers("orientation", {turn.w, turn.x, turn.y, turn.z});
+    json.boolean("asleep", body.isAsleep);
+    json.close();
+}
+
+void writeBreak(JsonLayout& json, const SimulatedBreak& broken) {
+    json.openObject({}, JsonLines::One);
+    json.wholeNumber("step", broken.step);
+    json.text("body", broken.body);
+    json.number("impact", broken.impact);
+    json.number("threshold", broken.threshold);
+    writeVector(json, "point", broken.point);
+    json.wholeNumber("fragments", broken.fragments);
+    json.close();
+}
+
+void writeCounts(JsonLayout& json, const SimulatedCounts& counts) {
+    json.openObject("counts", JsonLines::One);
+    json.number("bodies", counts.bodies);
+    json.number("pairs", counts.pairs);
+    json.number("contactPoints", counts.contactPoints);
+    json.close();
+}
+
+void writeTimes(JsonLayout& json, const StepMilliseconds& times) {
+    json.openObject("stepMilliseconds", JsonLines::One);
+    json.number("median", times.median);
+    json.number("p99", times.p99);
+    json.number("max", times.max);
+    json.close();
+}
+
+}  // namespace
+
+std::string simulationJson(const SimulationOutcome& outcome) {
+    JsonLayout json;
+    json.openObject();
+    json.wholeNumber("steps", outcome.steps);
+    json.list("bodies", outcome.bodies, writeBody);
+    writeCounts(json, outcome.counts);
+    json.wholeNumber("swaps", outcome.breaks.size());
+    json.list("breaks", outcome.breaks, writeBreak);
+    json.number("largestPenetration", outcome.largestPenetration);
+    json.text("hash", outcome.hash.hex());
+    if (outcome.stepMilliseconds) writeTimes(json, *outcome.stepMilliseconds);
+    json.close();
+    return std::move(json).finished();
+}
+
+}  // namespace rubble

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/base/Hash.h"
+#include "core/geometry/Vec.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// Where a body came to.
+struct SimulatedBody {
+    std::string name;
+    Pose pose;  // of the frame that its hulls were given in
+    bool isAsleep = false;
+};
+
+/// A body that was swapped for its fragments.
+struct SimulatedBreak {
+    std::uint64_t step = 0;
+    std::string body;
+    double impact = 0.0;     // N s
+    double threshold = 0.0;  // N s
+    Vec3 point{0.0, 0.0, 0.0};
+    std::uint32_t fragments = 0;
+};
+
+/// Means over the last steps.
+struct SimulatedCounts {
+    double bodies = 0.0;
+    double pairs = 0.0;  // whose boxes come near
+    double contactPoints = 0.0;
+};
+
+/// How long steps took, in milliseconds.
+struct StepMilliseconds {
+    double median = 0.0;
+    double p99 = 0.0;
+    double max = 0.0;
+};
+
+/// What came of a simulation.
+struct SimulationOutcome {
+    std::uint64_t steps = 0;
+    std::vector<SimulatedBody> bodies;  // in input order
+    SimulatedCounts counts;
+    std::vector<SimulatedBreak> breaks;  // in order of time
+    double largestPenetration = 0.0;     // m, exact, on the final poses
+    ContentHash hash;
+    std::optional<StepMilliseconds> stepMilliseconds;
+};
+
+/// The outcome as JSON, a body a line:
+///
+///     {"steps":N,"bodies":[{"name":s,"position":[x,y,z],"orientation":[w,x,y,z],"asleep":false},...],
+///      "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,
+///      "breaks":[{"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n},...],
+///      "largestPenetration":d,"hash":"...","stepMilliseconds":{"median":t,"p99":t,"max":t}}
+///
+/// `swaps` is the number of breaks; `stepMilliseconds` is there only where it was measured.
+std::string simulationJson(const SimulationOutcome& outcome);
+
+}  // namespace rubble

@@ -1,0 +1,107 @@
+#include "core/physics/Penetration.h"
+
+#include "core/base/Assert.h"
+#include "core/geometry/HullOverlap.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+/// A hull's box in the world.
+struct HullBox {
+    std::uint32_t body = 0;
+    std::uint32_t hull = 0;
+    Vec3 low;
+    Vec3 high;
+};
+
+HullBox boxOf(const PlacedHulls& body, std::uint32_t hull) {
+    const Mat3 turn = glm::mat3_cast(body.pose.orientation);
+    HullBox box;
+    box.hull = hull;
+    bool isFirst = true;
+    for (const Vec3& vertex : body.hulls[hull].vertices) {
+        const Vec3 point = turn * vertex + body.pose.position;
+        box.low = isFirst ? point : glm::min(box.low, point);
+        box.high = isFirst ? point : glm::max(box.high, point);
+        isFirst = false;
+    }
+    return box;
+}
+
+/// The boxes of all hulls from left to right.
+std::vector<HullBox> boxesOf(std::span<const PlacedHulls> bodies) {
+    std::vector<HullBox> boxes;
+    for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+        for (std::uint32_t hull = 0; hull < bodies[body].hulls.size(); ++hull) {
+            boxes.push_back(boxOf(bodies[body], hull));
+            boxes.back().body = body;
+        }
+    }
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](const HullBox& a, const HullBox& b) { return a.low.x < b.low.x; });
+    return boxes;
+}
+
+bool overlapInYz(const HullBox& a, const HullBox& b) {
+    return a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+struct PairDepth {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    double depth = 0.0;
+};
+
+/// Every two hulls that overlap, by their bodies.
+std::vector<PairDepth> hullDepths(std::span<const PlacedHulls> bodies) {
+    const std::vector<HullBox> boxes = boxesOf(bodies);
+    std::vector<PairDepth> depths;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
+            const auto& [a, b] = std::minmax(boxes[i], boxes[k], [](const HullBox& left, const HullBox& right) {
+                return left.body < right.body;
+            });
+            if (a.body == b.body || !overlapInYz(a, b) || (!bodies[a.body].isFree && !bodies[b.body].isFree)) continue;
+            const double depth = hullOverlap(bodies[a.body].hulls[a.hull], bodies[a.body].pose,
+                                             bodies[b.body].hulls[b.hull], bodies[b.body].pose)
+                                     .depth;
+            if (depth > 0.0) depths.push_back({a.body, b.body, depth});
+        }
+    }
+    return depths;
+}
+
+}  // namespace
+
+Penetration penetrationOf(std::span<const PlacedHulls> bodies) {
+    std::vector<PairDepth> depths = hullDepths(bodies);
+    // The deepest of each pair of bodies first.
+    std::sort(depths.begin(), depths.end(), [](const PairDepth& a, const PairDepth& b) {
+        return std::tuple(a.first, a.second, -a.depth) < std::tuple(b.first, b.second, -b.depth);
+    });
+    Penetration result;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        if (k > 0 && depths[k].first == depths[k - 1].first && depths[k].second == depths[k - 1].second) continue;
+        ++result.pairs;
+        sum += depths[k].depth;
+        result.largest = std::max(result.largest, depths[k].depth);
+    }
+    if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
+    return result;
+}
+
+Penetration penetrationOf(const BodyScene& scene, std::span<const Pose> poses) {
+    RUBBLE_ASSERT(poses.size() == scene.bodies.size());
+    std::vector<PlacedHulls> bodies;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        const SceneBody& body = scene.bodies[k];
+        bodies.push_back({scene.shapes[body.shape], poses[k], body.kind == BodyKind::Dynamic});
+    }
+    return penetrationOf(bodies);
+}
+
+}  // namespace rubble

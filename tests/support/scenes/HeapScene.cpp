@@ -1,0 +1,71 @@
+#include "core/base/Random.h"
+#include "core/base/Trigonometry.h"
+#include "tests/support/scenes/SceneParts.h"
+#include "tests/support/scenes/Scenes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace rubble::test {
+namespace {
+
+constexpr std::uint32_t kForms = 64;
+constexpr std::uint32_t kLayers = 8;
+constexpr double kSpacing = 0.6;      // m: a fragment's diagonal is 0.58
+constexpr double kAcross = 0.3;       // m
+constexpr double kDepth = 0.5;        // m
+constexpr double kWallHeight = 6.0;   // m
+constexpr double kWallThickness = 1.0;  // m
+constexpr std::uint64_t kSeed = 20;
+
+/// A ring of corners on a circle, each up to three tenths of a step off its even place, so that no two come together.
+Polytope fragmentForm(Random& random) {
+    const auto corners = static_cast<int>(5 + random.below(4));
+    std::vector<Vec2> ring;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2.0 * std::numbers::pi / corners * (k + random.between(-0.3, 0.3));
+        ring.push_back(0.5 * kAcross * Vec2(cosine(angle), sine(angle)));
+    }
+    return extruded(ring, -0.5 * kDepth, 0.5 * kDepth);
+}
+
+/// Uniform over all rotations.
+/// Source: Shoemake 1992, "Uniform random rotations".
+Quat anyTurn(Random& random) {
+    const double share = random.unit();
+    const double first = 2.0 * std::numbers::pi * random.unit();
+    const double second = 2.0 * std::numbers::pi * random.unit();
+    const double a = std::sqrt(1.0 - share);
+    const double b = std::sqrt(share);
+    return {b * cosine(second), a * sine(first), a * cosine(first), b * sine(second)};
+}
+
+void addPen(BodyScene& scene, double half) {
+    const double outer = half + kWallThickness;
+    addGround(scene, outer);
+    addFixedBox(scene, "wall -x", {-outer, 0.0, -outer}, {-half, kWallHeight, outer});
+    addFixedBox(scene, "wall +x", {half, 0.0, -outer}, {outer, kWallHeight, outer});
+    addFixedBox(scene, "wall -z", {-half, 0.0, -outer}, {half, kWallHeight, -half});
+    addFixedBox(scene, "wall +z", {-half, 0.0, half}, {half, kWallHeight, outer});
+}
+
+}  // namespace
+
+BodyScene heapScene(std::uint32_t count) {
+    std::uint32_t across = 1;
+    while (across * across * kLayers < count) ++across;
+    BodyScene scene;
+    addPen(scene, 0.5 * kSpacing * across);
+    Random random(kSeed);
+    std::vector<std::uint32_t> forms;
+    for (std::uint32_t k = 0; k < kForms; ++k) forms.push_back(addShape(scene, {fragmentForm(random)}));
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const Vec3 cell(k % across, k / (across * across), k / across % across);
+        const Vec3 corner(-0.5 * (across - 1), 0.5, -0.5 * (across - 1));
+        addFreeBody(scene, "fragment " + std::to_string(k), forms[random.below(kForms)],
+                    {kSpacing * (cell + corner), anyTurn(random)});
+    }
+    return scene;
+}
+
+}  // namespace rubble::test
