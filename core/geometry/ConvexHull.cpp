@@ -1,6 +1,5 @@
 #include "core/geometry/ConvexHull.h"
 
-#include "core/geometry/Expansion.h"
 #include "core/geometry/HullTriangles.h"
 #include "core/geometry/Predicates.h"
 
@@ -93,15 +92,6 @@ Loop loopOf(std::span<const BoundaryEdge> edges, const std::vector<std::uint32_t
     } while (corner != start);
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
     return loop;
-}
-
-Vec3 exactCross(Vec3 origin, Vec3 a, Vec3 b) {
-    const auto minor = [&](int i, int j) {
-        const auto first = exactDifference(a[i], origin[i]) * exactDifference(b[j], origin[j]);
-        const auto second = exactDifference(a[j], origin[j]) * exactDifference(b[i], origin[i]);
-        return (first - second).estimate();
-    };
-    return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
 /// The plane of a face, from the largest triangle that its first corner makes with one of its edges.

@@ -100,4 +100,13 @@ int nearer(Vec2 p, Vec2 a, Vec2 b) {
     return (ba.x * (pa.x + pb.x) + ba.y * (pa.y + pb.y)).sign();
 }
 
+Vec3 exactCross(Vec3 origin, Vec3 a, Vec3 b) {
+    const auto minor = [&](int i, int j) {
+        const auto first = exactDifference(a[i], origin[i]) * exactDifference(b[j], origin[j]);
+        const auto second = exactDifference(a[j], origin[j]) * exactDifference(b[i], origin[i]);
+        return (first - second).estimate();
+    };
+    return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
 }  // namespace rubble

@@ -38,6 +38,10 @@ int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 /// +1 where p is nearer to a than to b, -1 where it is farther, 0 where the distances are equal.
 int nearer(Vec2 p, Vec2 a, Vec2 b);
 
+/// The cross product of a - origin and b - origin, each coordinate within one rounding of the exact value: its direction is right
+/// where the three points are nearly on one line.
+Vec3 exactCross(Vec3 origin, Vec3 a, Vec3 b);
+
 /// The same signs without any filter: slower, for those who have filtered already.
 int orient2dExact(Vec2 a, Vec2 b, Vec2 c);
 int inCircleExact(Vec2 a, Vec2 b, Vec2 c, Vec2 d);

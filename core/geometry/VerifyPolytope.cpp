@@ -1,4 +1,5 @@
 #include "core/geometry/Polytope.h"
+#include "core/geometry/Predicates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,11 +71,12 @@ Fault eulerFault(const Polytope& polytope) {
     return "The Euler number is " + std::to_string(euler) + " in place of 2.";
 }
 
+/// Exact enough for needles, whose corners are nearly on one line.
 Vec3 loopNormal(const Polytope& polytope, const std::vector<std::uint32_t>& loop) {
     const Vec3 origin = polytope.vertices[loop[0]];
     Vec3 normal{0.0, 0.0, 0.0};
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-        normal += glm::cross(polytope.vertices[loop[k]] - origin, polytope.vertices[loop[k + 1]] - origin);
+        normal += exactCross(origin, polytope.vertices[loop[k]], polytope.vertices[loop[k + 1]]);
     }
     return normal;
 }

@@ -1,6 +1,7 @@
 #include "core/physics/Hull.h"
 
 #include "core/geometry/ConvexHull.h"
+#include "core/physics/FaceMerging.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double kMergeDistance = 1e-3;        // m
 constexpr double kMergeShareOfBreadth = 0.02;  // so that small hulls keep their form
+constexpr double kPlanarDistance = 1e-3;        // m: faces that are flat to that are one, as points rounded to 3 digits give
+constexpr double kPlanarShareOfBreadth = 5e-3;  // for the same reason
 constexpr std::size_t kRowMultiple = 4;
 
 double widthAlong(const Polytope& polytope, const Plane& plane) {
@@ -38,10 +41,13 @@ std::vector<Vec3> mergedVertices(const Polytope& polytope, double distance) {
 }
 
 Result<Polytope> simplified(const Polytope& polytope) {
-    const double distance = std::min(kMergeDistance, kMergeShareOfBreadth * breadthOf(polytope));
-    const std::vector<Vec3> vertices = mergedVertices(polytope, distance);
-    if (vertices.size() == polytope.vertices.size()) return polytope;
-    return convexHull(vertices);
+    const double breadth = breadthOf(polytope);
+    const std::vector<Vec3> vertices =
+        mergedVertices(polytope, std::min(kMergeDistance, kMergeShareOfBreadth * breadth));
+    Result<Polytope> hull =
+        vertices.size() == polytope.vertices.size() ? Result<Polytope>(polytope) : convexHull(vertices);
+    if (!hull) return hull;
+    return withMergedFaces(*hull, std::min(kPlanarDistance, kPlanarShareOfBreadth * breadth));
 }
 
 void append(VectorRows& rows, Vec3f v) {

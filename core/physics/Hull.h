@@ -58,7 +58,8 @@ struct Hull {
 };
 
 /// The hull of a polytope, moved by -centre. Corners nearer to each other than 1 mm, or a fiftieth of its breadth where that is
-/// less, become one: Voronoi cells have tiny sides, whose normals say little about the body.
+/// less, become one: Voronoi cells have tiny sides, whose normals say little about the body. So do faces within 1 mm of one
+/// plane, or half a percent of the breadth.
 ///
 /// Errors: BadInput where it has more than kMostHullCorners corners; Degenerate where it has no volume.
 Result<Hull> makeHull(const Polytope& polytope, Vec3 centre);

@@ -29,17 +29,6 @@ Polytope fragmentForm(Random& random) {
     return extruded(ring, -0.5 * kDepth, 0.5 * kDepth);
 }
 
-/// Uniform over all rotations.
-/// Source: Shoemake 1992, "Uniform random rotations".
-Quat anyTurn(Random& random) {
-    const double share = random.unit();
-    const double first = 2.0 * std::numbers::pi * random.unit();
-    const double second = 2.0 * std::numbers::pi * random.unit();
-    const double a = std::sqrt(1.0 - share);
-    const double b = std::sqrt(share);
-    return {b * cosine(second), a * sine(first), a * cosine(first), b * sine(second)};
-}
-
 void addPen(BodyScene& scene, double half) {
     const double outer = half + kWallThickness;
     addGround(scene, outer);

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "core/base/Random.h"
+#include "core/base/Trigonometry.h"
 #include "core/physics/BodyScene.h"
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -35,6 +39,17 @@ inline void addGround(BodyScene& scene, double halfWidth) {
 /// Adds a body that falls.
 inline void addFreeBody(BodyScene& scene, const std::string& name, std::uint32_t shape, const Pose& pose) {
     scene.bodies.push_back({.name = name, .pose = pose, .shape = shape});
+}
+
+/// Uniform over all rotations.
+/// Source: Shoemake 1992, "Uniform random rotations".
+inline Quat anyTurn(Random& random) {
+    const double share = random.unit();
+    const double first = 2.0 * std::numbers::pi * random.unit();
+    const double second = 2.0 * std::numbers::pi * random.unit();
+    const double a = std::sqrt(1.0 - share);
+    const double b = std::sqrt(share);
+    return {b * cosine(second), a * sine(first), a * cosine(first), b * sine(second)};
 }
 
 }  // namespace rubble::test

@@ -1,0 +1,143 @@
+#include "tests/support/Simulated.h"
+#include "tests/support/scenes/SceneParts.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kHalfPane = 0.5;  // m
+
+/// A pane of 1 x 1 m, 5 mm thick, and a box of 5 cm that flies at it at 200 m/s from anywhere in front of it.
+BodyScene shotAtPane(Random& random, BodyKind kind) {
+    BodyScene scene;
+    scene.gravity = Vec3(0.0);
+    const std::uint32_t pane = test::addShape(scene, {test::boxOf({2.0 * kHalfPane, 2.0 * kHalfPane, 0.005})});
+    const std::uint32_t box = test::addShape(scene, {test::boxOf({0.05, 0.05, 0.05})});
+    scene.bodies.push_back({.name = "pane", .kind = kind, .density = 2500.0, .shape = pane});
+    const Vec3 aim{random.between(-0.4, 0.4), random.between(-0.4, 0.4), 0.0};
+    const Vec3 way = glm::normalize(Vec3{random.between(-1.0, 1.0), random.between(-1.0, 1.0), -1.0});
+    const Vec3 spin{random.between(-20.0, 20.0), random.between(-20.0, 20.0), random.between(-20.0, 20.0)};
+    scene.bodies.push_back({.name = "box",
+                            .pose = {.position = aim - way * random.between(0.2, 4.0),
+                                     .orientation = test::anyTurn(random)},
+                            .velocity = 200.0 * way,
+                            .angularVelocity = spin,
+                            .shape = box});
+    return scene;
+}
+
+/// Where the box is in the pane's frame.
+Vec3 boxFromPane(const SceneWorld& moved) {
+    const Pose pane = moved.world.state(moved.bodies[0]).pose;
+    return glm::conjugate(pane.orientation) * (moved.world.state(moved.bodies[1]).pose.position - pane.position);
+}
+
+bool passesThrough(const BodyScene& scene) {
+    SceneWorld moved = test::worldOf(scene);
+    Vec3 before = boxFromPane(moved);
+    for (int step = 0; step < 12; ++step) {
+        moved.world.step(test::kStep);
+        const Vec3 now = boxFromPane(moved);
+        if (before.z > 0.0 && now.z <= 0.0) {
+            const Vec3 crossing = before + (now - before) * (before.z / (before.z - now.z));
+            return std::abs(crossing.x) < kHalfPane && std::abs(crossing.y) < kHalfPane;
+        }
+        before = now;
+    }
+    return false;
+}
+
+/// The first impact of a scene of two bodies in steps of dt.
+Impact firstImpact(const BodyScene& scene, double dt) {
+    SceneWorld moved = test::worldOf(scene);
+    for (double time = 0.0; time < 3.0; time += dt) {
+        moved.world.collide(dt);
+        const std::vector<Impact> impacts = moved.world.impacts();
+        if (!impacts.empty()) return impacts[0];
+        moved.world.solve(dt);
+    }
+    return {};
+}
+
+/// A fixed wall whose face is the plane x = 0, and a box before it.
+BodyScene boxAndWall(const Pose& pose, Vec3 velocity) {
+    BodyScene scene;
+    scene.gravity = Vec3(0.0);
+    test::addFixedBox(scene, "wall", {0.0, -20.0, -20.0}, {1.0, 20.0, 20.0});
+    const std::uint32_t box = test::addShape(scene, {test::boxOf({0.5, 0.5, 0.5})});
+    scene.bodies.push_back({.name = "box", .pose = pose, .velocity = velocity, .shape = box});
+    return scene;
+}
+
+/// A box that stands on a corner, its centre above it.
+Quat onACorner() {
+    const Vec3 diagonal = glm::normalize(Vec3(1.0)), up{0.0, 1.0, 0.0};
+    const Vec3 half = glm::normalize(diagonal + up);
+    const Vec3 axis = glm::cross(diagonal, half);
+    return {glm::dot(diagonal, half), axis.x, axis.y, axis.z};
+}
+
+BodyScene cornerDrop() {
+    BodyScene scene;
+    test::addGround(scene, 10.0);
+    const std::uint32_t box = test::addShape(scene, {test::boxOf({0.5, 0.5, 0.5})});
+    test::addFreeBody(scene, "box", box, {.position = {0.0, 5.0, 0.0}, .orientation = onACorner()});
+    return scene;
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(BodyScene)
+Q_DECLARE_METATYPE(BodyKind)
+
+/// What is fast neither passes through what is thin nor hits differently in steps of another length.
+class FastBodiesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingPassesThroughAPane_data() {
+        QTest::addColumn<BodyKind>("kind");
+        QTest::newRow("fixed") << BodyKind::Static;
+        QTest::newRow("free") << BodyKind::Dynamic;
+    }
+    void nothingPassesThroughAPane() {
+        QFETCH(BodyKind, kind);
+        Random random(200);
+        int passed = 0;
+        for (int shot = 0; shot < 1000; ++shot) {
+            if (!passesThrough(shotAtPane(random, kind))) continue;
+            ++passed;
+            qWarning("shot %d", shot);
+        }
+        QCOMPARE(passed, 0);
+    }
+    void impactsDoNotDependOnTheStep_data() {
+        QTest::addColumn<BodyScene>("scene");
+        const Quat askew = glm::normalize(Quat(0.9, 0.2, 0.3, -0.1));
+        QTest::newRow("face") << boxAndWall({.position = {-3.0, 0.0, 0.0}}, {12.0, 0.0, 0.0});
+        QTest::newRow("edge") << boxAndWall({.position = {-3.0, 0.0, 0.0}, .orientation = askew}, {12.0, 0.0, 0.0});
+        QTest::newRow("grazing") << boxAndWall({.position = {-1.0, 0.0, 0.0}}, {1.5, 10.0, 0.0});
+        QTest::newRow("corner drop") << cornerDrop();
+    }
+    void impactsDoNotDependOnTheStep() {
+        QFETCH(BodyScene, scene);
+        const double finest = firstImpact(scene, 1.0 / 240.0).impulse();
+        QVERIFY(finest > 0.0);
+        for (const double rate : {30.0, 60.0, 120.0}) {
+            const double impulse = firstImpact(scene, 1.0 / rate).impulse();
+            qInfo("%.0f Hz: %.3f N s, %+.2f %%", rate, impulse, 100.0 * (impulse / finest - 1.0));
+            QVERIFY(std::abs(impulse - finest) <= 0.05 * finest);
+        }
+    }
+    void aFlatHitIsMassTimesSpeed() {
+        const Impact impact = firstImpact(boxAndWall({.position = {-3.0, 0.0, 0.0}}, {12.0, 0.0, 0.0}), test::kStep);
+        QVERIFY(std::abs(impact.approachSpeed - 12.0) < 1e-4);
+        QVERIFY(std::abs(impact.effectiveMass - 125.0) < 1e-2);
+        QVERIFY(std::abs(std::abs(impact.normal.x) - 1.0) < 1e-6);
+        QVERIFY(std::abs(impact.point.y) < 1e-3 && std::abs(impact.point.z) < 1e-3);
+    }
+};
+
+QTEST_APPLESS_MAIN(FastBodiesTest)
+#include "FastBodiesTest.moc"
