@@ -80,8 +80,8 @@ Plane planeOf(const Polytope& polytope, const std::vector<std::uint32_t>& member
     return {normal, 0.5 * (low + high)};
 }
 
-/// The group of each face: from the largest on, each takes the neighbours that lie in its plane, which then is taken anew, since
-/// that of one face alone leads astray far from it.
+/// The group of each face: from the largest on, each takes the neighbours that lie in its plane, which then is taken anew: that
+/// of one face alone leads astray far from it.
 std::vector<std::uint32_t> groupsOfFaces(const Polytope& polytope, const Faces& faces, double tolerance) {
     std::vector<std::uint32_t> groups(polytope.faces.size(), kNoGroup);
     for (const std::uint32_t seed : largestFirst(polytope)) {
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> groupsOfFaces(const Polytope& polytope, const Faces& 
         std::vector<std::uint32_t> members{seed};
         Plane plane = polytope.planes[seed];
         for (int round = 0; round < kPlaneRounds; ++round) {
-            members = grown(polytope, faces, groups, seed, plane, tolerance);
+            members = grown(polytope, faces, groups, seed, plane, round == 0 ? 2.0 * tolerance : tolerance);
             if (members.size() == 1) break;
             plane = planeOf(polytope, members);
         }

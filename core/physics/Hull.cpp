@@ -148,6 +148,11 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
                                               " corners; the simulation takes up to " +
                                               std::to_string(kMostHullCorners) + "."};
     }
+    if (polytope.vertices.size() < 4 || polytope.faces.size() < 4) {
+        return Error{ErrorCode::Degenerate, "A hull needs at least four corners and four faces; it has " +
+                                                std::to_string(polytope.vertices.size()) + " and " +
+                                                std::to_string(polytope.faces.size()) + "."};
+    }
     const Result<Polytope> simple = simplified(polytope);
     if (!simple) return simple.error();
     Hull hull;

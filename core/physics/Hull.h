@@ -61,7 +61,7 @@ struct Hull {
 /// less, become one: Voronoi cells have tiny sides, whose normals say little about the body. So do faces within 1 mm of one
 /// plane, or half a percent of the breadth.
 ///
-/// Errors: BadInput where it has more than kMostHullCorners corners; Degenerate where it has no volume.
+/// Errors: BadInput where it has more than kMostHullCorners corners; Degenerate where it has fewer than four or no volume.
 Result<Hull> makeHull(const Polytope& polytope, Vec3 centre);
 
 }  // namespace rubble
