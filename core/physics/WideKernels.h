@@ -20,6 +20,7 @@ struct WideKernels {
     using V = WideVec3<W>;
     using Q = WideQuat<W>;
 
+    static constexpr int kThrowRounds = 8;              // after one alone, a box that lands flat would spin
     static constexpr float kFrictionReach = 0.02f;      // m: points farther apart count less for the friction centre
     static constexpr float kLeastWeight = 1e-10f;       // so that some centre is always there
     static constexpr float kLeastTurnCosine = 0.9924f;  // squared, of half the angle: ten degrees
@@ -441,7 +442,8 @@ struct WideKernels {
     [[gnu::always_inline]] static void throwBack(ContactBlock& block, int part, int points, F restitution,
                                                  const SolverStep& step, Velocities& a, Velocities& b) {
         const V n = row(block.normal, part), apart = row(block.apart, part);
-        for (int i = 0; i < points; ++i) {
+        for (int round = 0; round < kThrowRounds * points; ++round) {
+            const int i = round % points;
             PointRows& point = block.points[i];
             const V place = row(point.place, part);
             const F came = row(point.approach, part), stepImpulse = row(point.stepImpulse, part);

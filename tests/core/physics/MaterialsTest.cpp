@@ -87,6 +87,17 @@ private slots:
         qInfo("%.3f", rise);
         QVERIFY(std::abs(rise - restitution * restitution) < 0.02);  // a hull touches by a face or corner off its middle
     }
+    void aBoxThatLandsFlatDoesNotSpin() {
+        BodyScene scene;
+        test::addGround(scene, 20.0);
+        test::addFreeBody(scene, "box", test::addShape(scene, {test::boxOf({1.0, 1.0, 1.0})}), {.position = {0.0, 4.5, 0.0}});
+        scene.bodies[1].restitution = 0.8;
+        SceneWorld moved = test::worldOf(scene);
+        test::simulate(moved.world, 1.2);
+        const BodyState state = moved.world.state(moved.bodies[1]);
+        QVERIFY(state.velocity.y > 4.0);
+        QVERIFY(glm::length(state.angularVelocity) < 0.01);
+    }
     /// From 4 cm it comes at 0.9 m/s.
     void nothingIsThrownBackBelowOneMetreASecond() {
         const BodyScene scene = ballOver(0.04, 0.8);
