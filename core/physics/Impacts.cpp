@@ -1,12 +1,15 @@
 #include "core/physics/Impacts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rubble {
 namespace {
 
 constexpr float kImpactSpeed = 0.5f;     // m/s: slower, and nothing is hurt
 constexpr float kRoundingSpeed = 0.01f;  // m/s
+// Points at most so much behind the first are of one blow, whatever the length of the step; others come when it was dealt.
+constexpr float kTogether = 0.005f;  // m
 constexpr float kHitSpeed = 1.0f;        // m/s
 
 Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
@@ -43,6 +46,17 @@ int meanPlace(const ContactBlock& block, std::size_t lane, const Counts& counts,
     return count;
 }
 
+/// The least separation of the points that will touch within a step of dt, m; minus infinity where none will.
+float firstSeparation(const ContactBlock& block, std::size_t lane, float dt, float late) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    float first = kInfinity;
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        const float speed = -block.points[i].approach[lane], separation = block.points[i].separation[lane];
+        if (speed > kImpactSpeed && separation <= speed * dt + late) first = std::min(first, separation);
+    }
+    return first < kInfinity ? first : -kInfinity;
+}
+
 /// What a body adds to the inverse of the effective mass at a place along a direction.
 float mobility(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f normal) {
     const Vec3f turning = cross(arm, normal);
@@ -56,9 +70,9 @@ std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
     // Gravity speeds bodies up within the step, and rounding must not let a hit pass between two steps.
     const float late = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        const float first = firstSeparation(block, lane, step.dt, late);
         const auto approaches = [&](const PointRows& point) {
-            return -point.approach[lane] > kImpactSpeed &&
-                   point.separation[lane] <= -point.approach[lane] * step.dt + late;
+            return -point.approach[lane] > kImpactSpeed && point.separation[lane] <= first + kTogether;
         };
         Vec3f place(0.0f);
         if (meanPlace(block, lane, approaches, place) == 0) return;
