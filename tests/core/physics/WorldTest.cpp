@@ -202,7 +202,8 @@ private slots:
         SceneWorld moved = test::worldOf(scene);
         test::simulate(moved.world, 4.0);
         QVERIFY(std::abs(moved.world.state(moved.bodies[2]).pose.position.x - 2.0) < 1e-4);
-        QVERIFY(std::abs(moved.world.state(moved.bodies[1]).pose.position.x - 2.0) < 0.02);
+        // It slips until friction has given it the speed: v^2 / (2 g friction) = 21 mm.
+        QVERIFY(std::abs(moved.world.state(moved.bodies[1]).pose.position.x - 1.979) < 0.005);
         QVERIFY(std::abs(heightOf(moved, 1) - 1.5) < 0.01);
     }
     void aKinematicBodyPushes() {
