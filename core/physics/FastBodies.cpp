@@ -9,7 +9,9 @@ namespace rubble {
 namespace {
 
 constexpr float kFarShare = 0.5f;  // of a body's breadth: what moves less cannot get to another's far side
-constexpr float kKept = 0.99f;     // of the way to the surface
+// Of a body's breadth: how far before the surface its centre stays. On the surface, the way out through the far side would be
+// as short as that back.
+constexpr float kDistanceShare = 0.25f;
 
 /// A point that moves in the world, in the frame of a body at the begin of the step and at its end.
 struct RelativeWay {
@@ -36,8 +38,10 @@ void holdBack(WorldState& state, std::uint32_t body) {
         const RelativeWay way = wayPast(state, body, other);
         const HullEntry entry = entryOf(state.bodies[other].shape->hulls[proxy.hull], way.from, way.way);
         if (entry.fraction > 1.0f) return;
+        const float distance = kDistanceShare * state.bodies[body].shape->breadth;
+        const float fraction = std::max(0.0f, entry.fraction + distance / dot(entry.normal, way.way));
         // Where it entered, as that place has moved by the end of the step.
-        const Vec3f kept = endTurn(state, other) * (way.from + way.way * (kKept * entry.fraction));
+        const Vec3f kept = endTurn(state, other) * (way.from + way.way * fraction);
         state.motions[body].moved =
             state.places[other].centre - state.places[body].centre + state.motions[other].moved + kept;
     });
