@@ -3,7 +3,8 @@
 namespace rubble {
 namespace {
 
-constexpr float kSpinnerAngle = 0.02f;  // rad a step
+constexpr float kSpinnerAngle = 0.02f;   // rad a step
+constexpr float kFlyingAngle = 0.0002f;  // the same where nothing is near that would stop what a slow turn gains
 constexpr int kMidpointRounds = 6;      // each gains as many digits as the angle of a sub-step is small
 
 /// q turned on by half * 2 of spin w, to first order, then made a unit again.
@@ -28,8 +29,8 @@ Vec3f angularMomentum(const WorldState& state, std::uint32_t number) {
 }
 
 bool isSpinner(const WorldState& state, std::uint32_t body, float dt) {
-    return state.bodies[body].isDynamic() &&
-           lengthSquared(state.motions[body].spin) * dt * dt > kSpinnerAngle * kSpinnerAngle;
+    const float least = state.bodies[body].firstContact == kNone ? kFlyingAngle : kSpinnerAngle;
+    return state.bodies[body].isDynamic() && lengthSquared(state.motions[body].spin) * dt * dt > least * least;
 }
 
 Quatf turnedBySpin(const WorldState& state, std::uint32_t number, float h) {

@@ -6,7 +6,7 @@ namespace rubble {
 
 /// The angular momentum of a body about its centre, in world axes: what it kept, and what changes of its spin added since.
 Vec3f angularMomentum(const WorldState& state, std::uint32_t body);
-/// True for a body that turns so fast that its inertia changes much within a step of dt seconds.
+/// True for a body that turns so fast that its inertia changes much within a step of dt seconds, or that flies and turns at all.
 bool isSpinner(const WorldState& state, std::uint32_t body, float dt);
 /// Turns such a body on by h seconds: angular momentum is kept exactly, and energy does not drift, as the step is the same
 /// backwards.
