@@ -98,8 +98,15 @@ private slots:
         QVERIFY(most <= 1.001 * before);
     }
     /// The work is what lifts the boxes until none lies in another.
+    void pushingOverlapsApartGivesNoMoreThanItsWork_data() {
+        QTest::addColumn<double>("overlap");
+        QTest::newRow("2 mm") << 0.002;
+        QTest::newRow("10 mm") << 0.01;
+        QTest::newRow("50 mm") << 0.05;
+    }
     void pushingOverlapsApartGivesNoMoreThanItsWork() {
-        SceneWorld moved = test::worldOf(boxStack(5, -0.05), {.sleeping = false});
+        QFETCH(double, overlap);
+        SceneWorld moved = test::worldOf(boxStack(5, -overlap), {.sleeping = false});
         const double apart = test::energyOf(test::worldOf(boxStack(5, 0.0)).world);
         double most = 0.0;
         for (int step = 0; step < 600; ++step) {
@@ -111,6 +118,7 @@ private slots:
         QVERIFY(test::energyOf(moved.world) <= 1.001 * apart);
         QVERIFY(moved.world.momenta().kinetic < 1e-3);
     }
+    /// What pushes apart is taken back after each sub-step but for a tenth of its 3 m/s.
     void overlapsWithoutGravityPartSlowly() {
         BodyScene scene;
         scene.gravity = Vec3(0.0);
@@ -122,7 +130,7 @@ private slots:
         const Vec3 speed = moved.world.state(moved.bodies[1]).velocity;
         qInfo("%.4f m/s", glm::length(speed));
         QVERIFY(penetrationOf(scene, test::posesOf(moved)).largest < 1e-3);
-        QVERIFY(glm::length(speed) < 0.01);
+        QVERIFY(glm::length(speed) < 0.3);
     }
 };
 
