@@ -51,8 +51,9 @@ BodyScene heapScene(std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const Vec3 cell(k % across, k / (across * across), k / across % across);
         const Vec3 corner(-0.5 * (across - 1), 0.5, -0.5 * (across - 1));
-        addFreeBody(scene, "fragment " + std::to_string(k), forms[random.below(kForms)],
-                    {kSpacing * (cell + corner), anyTurn(random)});
+        const Quat turn = anyTurn(random);  // a call's arguments would be drawn in the compiler's order
+        const std::uint32_t form = forms[random.below(kForms)];
+        addFreeBody(scene, "fragment " + std::to_string(k), form, {kSpacing * (cell + corner), turn});
     }
     return scene;
 }
