@@ -2,8 +2,8 @@
 
 #include "core/geometry/MassProperties.h"
 
-#include <btBulletDynamicsCommon.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <btBulletDynamicsCommon.h>
 
 #include <cmath>
 
@@ -83,9 +83,8 @@ struct BulletBodies::Data {
         SharedShape& shared = shapes[body.shape];
         btCollisionShape* shape = shared.shape ? shared.shape.get() : shared.hulls.front().get();
         const double mass = body.kind == BodyKind::Dynamic ? body.density * shared.volume : 0.0;
-        btRigidBody::btRigidBodyConstructionInfo how(scalar(mass), nullptr, shape,
-                                                     mass > 0.0 ? shared.inertia * scalar(body.density)
-                                                                : btVector3(0, 0, 0));
+        btRigidBody::btRigidBodyConstructionInfo how(
+            scalar(mass), nullptr, shape, mass > 0.0 ? shared.inertia * scalar(body.density) : btVector3(0, 0, 0));
         how.m_startWorldTransform = placing(body.pose) * shared.principal;
         how.m_friction = scalar(body.friction);
         how.m_restitution = scalar(body.restitution);
@@ -114,8 +113,8 @@ void BulletBodies::step(double dt) { m_data->world.stepSimulation(scalar(dt), 0)
 std::vector<Pose> BulletBodies::poses() const {
     std::vector<Pose> poses;
     for (std::size_t k = 0; k < m_data->bodies.size(); ++k) {
-        const btTransform frame = m_data->bodies[k]->getWorldTransform() *
-                                  m_data->shapes[m_data->shapeOf[k]].principal.inverse();
+        const btTransform frame =
+            m_data->bodies[k]->getWorldTransform() * m_data->shapes[m_data->shapeOf[k]].principal.inverse();
         const btQuaternion q = frame.getRotation();
         poses.push_back({vector(frame.getOrigin()), Quat(q.w(), q.x(), q.y(), q.z())});
     }

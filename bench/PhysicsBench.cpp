@@ -82,9 +82,10 @@ int main(int argc, char** argv) {
     if (names.empty()) {
         names = {"house", "cut-house", "wall", "pyramid", "heap-600", "heap-2000", "heap-3350", "heap-5000"};
     }
-    std::printf("| scene | bodies | points | ours, ms | ours on 2 threads, ms | Bullet, ms | Bullet : ours "
-                "| 1 thread : 2 | our overlap, max / mean, mm | Bullet's |\n"
-                "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    std::printf(
+        "| scene | bodies | points | ours, ms | ours on 2 threads, ms | Bullet, ms | Bullet : ours "
+        "| 1 thread : 2 | our overlap, max / mean, mm | Bullet's |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (const std::string& name : names) {
         const BodyScene scene = test::sceneNamed(name);
         if (scene.bodies.empty()) {

@@ -53,8 +53,8 @@ Result<BodySimulation> simulatedOnTerminal(const BodyScene& scene, const Simulat
                               .world = {.sleeping = !options.isSleepless, .threads = options.threads},
                               .isTraced = !options.trace.empty(),
                               .isTimed = options.isTimed};
-    Result<BodySimulation> result = simulated(
-        scene, plan, {.cancel = context.cancel, .progress = [&](double fraction) { line.show(fraction); }});
+    Result<BodySimulation> result =
+        simulated(scene, plan, {.cancel = context.cancel, .progress = [&](double fraction) { line.show(fraction); }});
     line.clear();
     return result;
 }

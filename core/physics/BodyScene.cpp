@@ -28,7 +28,8 @@ Sentence densityFault(const SceneBody& body) {
     const bool isFree = body.kind == BodyKind::Dynamic;
     const bool isEnough = isFree ? body.density > 0.0 : body.density >= 0.0;
     if (isEnough && body.density <= kDensest) return std::nullopt;
-    return outOfRange("density", body.density, (isFree ? "above 0 and at most " : "from 0 to ") + messageText(kDensest));
+    return outOfRange("density", body.density,
+                      (isFree ? "above 0 and at most " : "from 0 to ") + messageText(kDensest));
 }
 
 /// A vector that is not finite or longer than `most`.
@@ -99,9 +100,7 @@ Sentence nameFault(const std::vector<SceneBody>& bodies) {
     return std::nullopt;
 }
 
-Error about(const SceneBody& body, const Error& error) {
-    return {error.code, ownerText(body) + ": " + error.message};
-}
+Error about(const SceneBody& body, const Error& error) { return {error.code, ownerText(body) + ": " + error.message}; }
 
 Result<BodyId> addTo(World& world, const SceneBody& body, const std::shared_ptr<const Shape>& shape) {
     const bool isFree = body.kind == BodyKind::Dynamic;

@@ -22,8 +22,8 @@ struct SceneBody {
     BodyKind kind = BodyKind::Dynamic;
     double density = 1000.0;  // kg/m^3; may be 0 where nothing moves the body
     double friction = 0.6;
-    double restitution = 0.0;  // in [0, 1]
-    Pose pose;                 // of the shape's frame in the world
+    double restitution = 0.0;             // in [0, 1]
+    Pose pose;                            // of the shape's frame in the world
     Vec3 velocity{0.0, 0.0, 0.0};         // m/s, of the centre of mass
     Vec3 angularVelocity{0.0, 0.0, 0.0};  // rad/s, in world axes
     std::uint32_t shape = 0;              // index in BodyScene::shapes

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMergeDistance = 1e-3;        // m
 constexpr double kMergeShareOfBreadth = 0.02;  // so that small hulls keep their form
-constexpr double kPlanarDistance = 1e-3;        // m: faces that are flat to that are one, as points rounded to 3 digits give
+constexpr double kPlanarDistance = 1e-3;  // m: faces that are flat to that are one, as points rounded to 3 digits give
 constexpr double kPlanarShareOfBreadth = 5e-3;  // for the same reason
 constexpr std::size_t kRowMultiple = 4;
 

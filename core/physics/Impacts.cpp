@@ -10,7 +10,7 @@ constexpr float kImpactSpeed = 0.5f;     // m/s: slower, and nothing is hurt
 constexpr float kRoundingSpeed = 0.01f;  // m/s
 // Points at most so much behind the first are of one blow, whatever the length of the step; others come when it was dealt.
 constexpr float kTogether = 0.005f;  // m
-constexpr float kHitSpeed = 1.0f;        // m/s
+constexpr float kHitSpeed = 1.0f;    // m/s
 
 Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
 

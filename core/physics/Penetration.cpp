@@ -40,8 +40,7 @@ std::vector<HullBox> boxesOf(std::span<const PlacedHulls> bodies) {
             boxes.back().body = body;
         }
     }
-    std::stable_sort(boxes.begin(), boxes.end(),
-                     [](const HullBox& a, const HullBox& b) { return a.low.x < b.low.x; });
+    std::stable_sort(boxes.begin(), boxes.end(), [](const HullBox& a, const HullBox& b) { return a.low.x < b.low.x; });
     return boxes;
 }
 
@@ -61,9 +60,8 @@ std::vector<PairDepth> hullDepths(std::span<const PlacedHulls> bodies) {
     std::vector<PairDepth> depths;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
-            const auto& [a, b] = std::minmax(boxes[i], boxes[k], [](const HullBox& left, const HullBox& right) {
-                return left.body < right.body;
-            });
+            const auto& [a, b] = std::minmax(
+                boxes[i], boxes[k], [](const HullBox& left, const HullBox& right) { return left.body < right.body; });
             if (a.body == b.body || !overlapInYz(a, b) || (!bodies[a.body].isFree && !bodies[b.body].isFree)) continue;
             const double depth = hullOverlap(bodies[a.body].hulls[a.hull], bodies[a.body].pose,
                                              bodies[b.body].hulls[b.hull], bodies[b.body].pose)

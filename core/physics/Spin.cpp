@@ -5,7 +5,7 @@ namespace {
 
 constexpr float kSpinnerAngle = 0.02f;   // rad a step
 constexpr float kFlyingAngle = 0.0002f;  // the same where nothing is near that would stop what a slow turn gains
-constexpr int kMidpointRounds = 6;      // each gains as many digits as the angle of a sub-step is small
+constexpr int kMidpointRounds = 6;       // each gains as many digits as the angle of a sub-step is small
 
 /// q turned on by half * 2 of spin w, to first order, then made a unit again.
 Quatf turnedOn(const Quatf& q, Vec3f w, float half) {

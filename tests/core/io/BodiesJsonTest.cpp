@@ -10,10 +10,10 @@ constexpr const char* kCorners = "[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]";
 
 /// A body with a tetrahedron, and more members.
 std::string bodyJson(const std::string& name, const std::string& members = {}) {
-    return R"({"name":")" + name + R"(","hulls":[)" + kCorners + "]" + (members.empty() ? "" : "," + members) + "}";
+    return "{\"name\":\"" + name + "\",\"hulls\":[" + kCorners + "]" + (members.empty() ? "" : "," + members) + "}";
 }
 
-std::string sceneJson(const std::string& bodies) { return R"({"bodies":[)" + bodies + "]}"; }
+std::string sceneJson(const std::string& bodies) { return "{\"bodies\":[" + bodies + "]}"; }
 
 std::string faultOf(const std::string& json) {
     const Result<BodyScene> scene = readBodyScene(json);
@@ -72,13 +72,13 @@ private slots:
     void faultsNameBodyAndPlace() {
         QCOMPARE(bodyFault(R"("density":"heavy")"),
                  std::string("Body \"crate\": bodies[0].density: expected a number, found \"heavy\"."));
-        QCOMPARE(bodyFault(R"("position":[0,1])"),
-                 std::string("Body \"crate\": bodies[0].position: expected an array of 3 numbers, found an array of 2."));
+        QCOMPARE(
+            bodyFault(R"("position":[0,1])"),
+            std::string("Body \"crate\": bodies[0].position: expected an array of 3 numbers, found an array of 2."));
         QCOMPARE(bodyFault(R"("kind":"solid")"),
                  std::string("Body \"crate\": bodies[0].kind: expected \"static\", \"kinematic\" or \"dynamic\", found "
                              "\"solid\"."));
-        QCOMPARE(bodyFault(R"("mass":3)"),
-                 std::string("Body \"crate\": bodies[0]: unknown key \"mass\"."));
+        QCOMPARE(bodyFault(R"("mass":3)"), std::string("Body \"crate\": bodies[0]: unknown key \"mass\"."));
         QCOMPARE(faultOf(sceneJson(R"({"name":"crate"})")),
                  std::string("Body \"crate\": bodies[0]: the key \"hulls\" is missing."));
         QCOMPARE(faultOf(sceneJson("7")), std::string("bodies[0]: expected an object, found 7."));
@@ -91,7 +91,7 @@ private slots:
                  std::string("Body \"crate\": bodies[0].position[1]: expected a number, found \"NaN\"."));
         QCOMPARE(bodyFault(R"("density":-Infinity)"),
                  std::string("Body \"crate\": bodies[0].density: expected a number, found \"-Infinity\"."));
-        const std::string named = R"({"name":"NaN \" NaN","hulls":[[[0,0,0],[NaN,0,0],[0,1,0],[0,0,1]]]})";
+        const std::string named = "{\"name\":\"NaN \\\" NaN\",\"hulls\":[[[0,0,0],[NaN,0,0],[0,1,0],[0,0,1]]]}";
         QCOMPARE(faultOf(sceneJson(named)),
                  std::string("Body \"NaN \" NaN\": bodies[0].hulls[0][1][0]: expected a number, found \"NaN\"."));
     }
@@ -100,8 +100,7 @@ private slots:
             return faultOf(sceneJson(R"({"name":"crate","hulls":)" + value + "}"));
         };
         QCOMPARE(hulls("[]"), std::string("Body \"crate\": it has no hulls."));
-        QCOMPARE(hulls("[[]]"),
-                 std::string("Body \"crate\": hull 0: A hull needs at least four points; there are 0."));
+        QCOMPARE(hulls("[[]]"), std::string("Body \"crate\": hull 0: A hull needs at least four points; there are 0."));
         const std::string flat = "[[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]]";
         QCOMPARE(hulls(flat),
                  std::string("Body \"crate\": hull 0: The 4 points lie in one plane, so they have no hull."));

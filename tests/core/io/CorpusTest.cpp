@@ -13,11 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 using Reader = test::Sentence (*)(std::string_view);
 
-const std::vector<std::pair<const char*, Reader>> kReaders{
-    {"FractureJson", test::fractureFault},
-    {"Project", test::projectFault},
-    {"Pack", test::packFault},
-    {"BodiesJson", test::bodiesFault}};
+const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test::fractureFault},
+                                                           {"Project", test::projectFault},
+                                                           {"Pack", test::packFault},
+                                                           {"BodiesJson", test::bodiesFault}};
 
 std::vector<fs::path> inputsOf(const char* target) {
     std::vector<fs::path> paths;

@@ -75,9 +75,7 @@ private slots:
     void theSameSceneComesEveryTime() { QCOMPARE(test::heapScene(600), test::heapScene(600)); }
 
     void wrongNumbersAreRefusedByName() {
-        const auto body = [](auto set) {
-            return faultAfter([&](BodyScene& scene) { set(scene.bodies[0]); });
-        };
+        const auto body = [](auto set) { return faultAfter([&](BodyScene& scene) { set(scene.bodies[0]); }); };
         QCOMPARE(body([](SceneBody& b) { b.density = -5.0; }),
                  std::string("Body \"crate\": the density is -5, but it must be above 0 and at most 1000000."));
         QCOMPARE(body([](SceneBody& b) { b.density = 0.0; }),
@@ -92,9 +90,9 @@ private slots:
                  std::string("Body \"crate\": the position is (0, nan, 0), but its length must be at most 100000."));
         QCOMPARE(body([](SceneBody& b) { b.velocity.x = kInfinity; }),
                  std::string("Body \"crate\": the velocity is (inf, 0, 0), but its length must be at most 10000."));
-        QCOMPARE(
-            body([](SceneBody& b) { b.angularVelocity.z = 2e4; }),
-            std::string("Body \"crate\": the angular velocity is (0, 0, 20000), but its length must be at most 10000."));
+        QCOMPARE(body([](SceneBody& b) { b.angularVelocity.z = 2e4; }),
+                 std::string(
+                     "Body \"crate\": the angular velocity is (0, 0, 20000), but its length must be at most 10000."));
     }
     void orientationsHaveALengthOfOne() {
         const auto orientation = [](Quat value) {
@@ -123,7 +121,8 @@ private slots:
         QCOMPARE(shape({insideOut(box)}), std::string("Body \"crate\": hull 0: Face 0 looks inward or is not convex: "
                                                       "vertex 4 is in front of it."));
         QVERIFY(shape({flattened(box)}).starts_with("Body \"crate\": hull 0: Face "));
-        QVERIFY(shape({test::boxOf({1.0, 1.0, 1e6})}).starts_with("Body \"crate\": hull 0: the place of a corner is ("));
+        QVERIFY(
+            shape({test::boxOf({1.0, 1.0, 1e6})}).starts_with("Body \"crate\": hull 0: the place of a corner is ("));
         QCOMPARE(faultAfter([](BodyScene& scene) { scene.bodies[0].shape = 1; }),
                  std::string("Body \"crate\": there is no shape 1."));
     }

@@ -13,8 +13,7 @@ BodyScene flyingPlank(Vec3 velocity, Vec3 angularVelocity) {
     BodyScene scene;
     scene.gravity = Vec3(0.0);
     const std::uint32_t plank = test::addShape(scene, {test::boxOf({2.0, 0.2, 0.05})});
-    scene.bodies.push_back(
-        {.name = "plank", .velocity = velocity, .angularVelocity = angularVelocity, .shape = plank});
+    scene.bodies.push_back({.name = "plank", .velocity = velocity, .angularVelocity = angularVelocity, .shape = plank});
     return scene;
 }
 

@@ -47,8 +47,8 @@ private slots:
     void everyPlaneKeepsAllCornersBehindIt() {
         Random random(6);
         for (int turn = 0; turn < 200; ++turn) {
-            const Polytope merged = withMergedFaces(
-                *convexHull(roundedPoints(gridPoints(), test::anyTurn(random), 2)), 2e-3);
+            const Polytope merged =
+                withMergedFaces(*convexHull(roundedPoints(gridPoints(), test::anyTurn(random), 2)), 2e-3);
             QCOMPARE(merged.vertices.size() + merged.faces.size(), merged.edges.size() + 2);
             for (const Plane& plane : merged.planes) {
                 for (const Vec3& vertex : merged.vertices)
@@ -60,7 +60,8 @@ private slots:
         Random random(7);
         for (const int digits : {2, 3, 4, 6, 9, 12, 15}) {
             for (int turn = 0; turn < 50; ++turn) {
-                const auto fault = verifyPolytope(*convexHull(roundedPoints(gridPoints(), test::anyTurn(random), digits)));
+                const auto fault =
+                    verifyPolytope(*convexHull(roundedPoints(gridPoints(), test::anyTurn(random), digits)));
                 QVERIFY2(!fault, fault ? fault->c_str() : "");
             }
         }

@@ -19,12 +19,12 @@ BodyScene shotAtPane(Random& random, BodyKind kind) {
     const Vec3 aim{random.between(-0.4, 0.4), random.between(-0.4, 0.4), 0.0};
     const Vec3 way = glm::normalize(Vec3{random.between(-1.0, 1.0), random.between(-1.0, 1.0), -1.0});
     const Vec3 spin{random.between(-20.0, 20.0), random.between(-20.0, 20.0), random.between(-20.0, 20.0)};
-    scene.bodies.push_back({.name = "box",
-                            .pose = {.position = aim - way * random.between(0.2, 4.0),
-                                     .orientation = test::anyTurn(random)},
-                            .velocity = 200.0 * way,
-                            .angularVelocity = spin,
-                            .shape = box});
+    scene.bodies.push_back(
+        {.name = "box",
+         .pose = {.position = aim - way * random.between(0.2, 4.0), .orientation = test::anyTurn(random)},
+         .velocity = 200.0 * way,
+         .angularVelocity = spin,
+         .shape = box});
     return scene;
 }
 

@@ -85,12 +85,14 @@ private slots:
         const double touch = scene.bodies[1].pose.position.y - 4.0;
         const double rise = heightAfterBounce(scene, touch) / 4.0;
         qInfo("%.3f", rise);
-        QVERIFY(std::abs(rise - restitution * restitution) < 0.02);  // a hull touches by a face or corner off its middle
+        QVERIFY(std::abs(rise - restitution * restitution) <
+                0.02);  // a hull touches by a face or corner off its middle
     }
     void aBoxThatLandsFlatDoesNotSpin() {
         BodyScene scene;
         test::addGround(scene, 20.0);
-        test::addFreeBody(scene, "box", test::addShape(scene, {test::boxOf({1.0, 1.0, 1.0})}), {.position = {0.0, 4.5, 0.0}});
+        test::addFreeBody(scene, "box", test::addShape(scene, {test::boxOf({1.0, 1.0, 1.0})}),
+                          {.position = {0.0, 4.5, 0.0}});
         scene.bodies[1].restitution = 0.8;
         SceneWorld moved = test::worldOf(scene);
         test::simulate(moved.world, 1.2);

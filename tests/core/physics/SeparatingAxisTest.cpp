@@ -16,8 +16,18 @@ struct Pair {
     Pose pose;  // of the second in the first's frame
 };
 
+/// A solid whose hull keeps all its faces and corners.
+Polytope randomExactSolid(Random& random) {
+    while (true) {
+        Polytope solid = randomSolid(random);
+        const Hull hull = hullOf(solid);
+        if (hull.planes.size() == solid.faces.size() && hull.cornerCount == static_cast<int>(solid.vertices.size()))
+            return solid;
+    }
+}
+
 Pair randomPair(Random& random, double farthest) {
-    Pair pair{randomSolid(random), randomSolid(random), {}};
+    Pair pair{randomExactSolid(random), randomExactSolid(random), {}};
     pair.pose.position = randomIn(random, farthest);
     pair.pose.orientation = randomTurn(random);
     return pair;

@@ -23,7 +23,9 @@ BodyScene boxesAt(std::initializer_list<Vec3> places) {
 
 std::shared_ptr<const Shape> unitBox() { return *makeShape(std::vector<Polytope>{test::boxOf({1.0, 1.0, 1.0})}); }
 
-double heightOf(const SceneWorld& moved, std::size_t body) { return moved.world.state(moved.bodies[body]).pose.position.y; }
+double heightOf(const SceneWorld& moved, std::size_t body) {
+    return moved.world.state(moved.bodies[body]).pose.position.y;
+}
 
 /// All that a step tells, as text.
 std::string toldBy(const StepEvents& events) {
@@ -107,7 +109,8 @@ private slots:
         QCOMPARE(began[0].second, moved.bodies[1]);
         QCOMPARE(hits.size(), std::size_t{1});
         QVERIFY(std::abs(hits[0].approachSpeed - 3.13) < 0.2);
-        QVERIFY(std::abs(hits[0].impulse - 1000.0 * hits[0].approachSpeed) < 400.0);  // gravity's push over the step too
+        QVERIFY(std::abs(hits[0].impulse - 1000.0 * hits[0].approachSpeed) <
+                400.0);  // gravity's push over the step too
         QVERIFY(hits[0].normal.y > 0.999);
         moved.world.removeBody(moved.bodies[1]);
         QCOMPARE(moved.world.events().ended.size(), std::size_t{1});

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::uint32_t kForms = 64;
 constexpr std::uint32_t kLayers = 8;
-constexpr double kSpacing = 0.6;      // m: a fragment's diagonal is 0.58
-constexpr double kAcross = 0.3;       // m
-constexpr double kDepth = 0.5;        // m
-constexpr double kWallHeight = 6.0;   // m
+constexpr double kSpacing = 0.6;        // m: a fragment's diagonal is 0.58
+constexpr double kAcross = 0.3;         // m
+constexpr double kDepth = 0.5;          // m
+constexpr double kWallHeight = 6.0;     // m
 constexpr double kWallThickness = 1.0;  // m
 constexpr std::uint64_t kSeed = 20;
 
