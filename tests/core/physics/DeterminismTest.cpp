@@ -25,9 +25,10 @@ private slots:
     void hashesAreAsEver_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("expected");
-        // Any change of the solver may change them; another compiler or machine must not.
+        // Any change of the solver, or for the cut house of the fracture, may change them; another compiler or machine must
+        // not.
         QTest::newRow("cut house") << "cut-house"
-                                   << "ce328c16a28c2a05843d13335934222b";
+                                   << "3679d2b52a2fd168af3f73ea9ab57394";
         QTest::newRow("heap") << "heap-200"
                               << "0970edd4515195e3f8441e4e2b548978";
         QTest::newRow("house") << "house"
