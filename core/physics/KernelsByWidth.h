@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-// Each is compiled for machines that have these lanes.
+/// The passes by one lane, four and eight, each compiled for machines that have these lanes: to be called on such only.
+/// kernelsOf() chooses.
 const SolverKernels& scalarKernels();
 const SolverKernels& fourLaneKernels();
 const SolverKernels& eightLaneKernels();

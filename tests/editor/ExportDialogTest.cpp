@@ -3,13 +3,13 @@
 #include "core/asset/StarterProject.h"
 #include "core/geometry/OutlineShapes.h"
 #include "editor/commands/ProjectEdits.h"
+#include "tests/support/TestSettings.h"
 
 #include <QCheckBox>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -31,9 +31,7 @@ class ExportDialogTest : public QObject {
 private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder->path());
-        QCoreApplication::setOrganizationName("RubbleTest");
+        test::keepSettingsIn(m_folder->path());
         m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
         QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
         addPrism("gable");

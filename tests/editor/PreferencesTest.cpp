@@ -1,5 +1,6 @@
 #include "editor/Preferences.h"
 #include "editor/RecentFiles.h"
+#include "tests/support/TestSettings.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -14,9 +15,7 @@ class PreferencesTest : public QObject {
 private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder->path());
-        QCoreApplication::setOrganizationName("RubbleTest");
+        test::keepSettingsIn(m_folder->path());
     }
 
     void whatIsWrittenIsRead() {

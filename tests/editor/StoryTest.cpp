@@ -7,6 +7,7 @@
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/panels/Section.h"
 #include "editor/panels/SliderField.h"
+#include "tests/support/TestSettings.h"
 #include "viewport/ViewportWidget.h"
 
 #include <QApplication>
@@ -14,7 +15,6 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
 #include <QSlider>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -72,9 +72,7 @@ class StoryTest : public QObject {
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
-        QApplication::setOrganizationName("RubbleTest");
+        test::keepSettingsIn(m_folder.path());
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         QApplication::setQuitOnLastWindowClosed(false);  // one is closed and another opened
         m_program = std::make_unique<Program>();

@@ -10,7 +10,7 @@
 namespace rubble::test {
 
 /// A box about the origin.
-inline Polytope box(Vec3 sides) {
+inline Polytope boxOf(Vec3 sides) {
     const Vec3 half = 0.5 * sides;
     return extruded(std::vector<Vec2>{{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}},
                     -half.z, half.z);

@@ -50,7 +50,7 @@ class SeparatingAxisTest : public QObject {
     Q_OBJECT
 private slots:
     void aBoxOnABoxTouchesAtItsFace() {
-        const Pair pair{box({1, 1, 1}), box({1, 1, 1}), {{0.2, 0.99, 0.1}, {1, 0, 0, 0}}};
+        const Pair pair{boxOf({1, 1, 1}), boxOf({1, 1, 1}), {{0.2, 0.99, 0.1}, {1, 0, 0, 0}}};
         const SeparatingAxis axis = axisOf(pair);
         QVERIFY(axis.kind == AxisKind::FirstFace);
         QCOMPARE(axis.separation, -0.01f);
@@ -59,7 +59,7 @@ private slots:
     void crossedEdgesTouchAlongTheirCrossProduct() {
         // Both cubes stand on an edge, along x and along y: half a diagonal each.
         const Pair pair{
-            box({1, 1, 1}), box({1, 1, 1}), {{0, 0, 1.4}, glm::angleAxis(3.141592653589793 / 4, Vec3(0, 1, 0))}};
+            boxOf({1, 1, 1}), boxOf({1, 1, 1}), {{0, 0, 1.4}, glm::angleAxis(3.141592653589793 / 4, Vec3(0, 1, 0))}};
         Pair turned = pair;
         turned.first = *convexHull(std::vector<Vec3>{{-0.5, 0, 0.70710678},
                                                      {0.5, 0, 0.70710678},

@@ -3,6 +3,7 @@
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
 #include "core/physics/BodyScene.h"
+#include "tests/support/Hulls.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,13 +11,6 @@
 #include <utility>
 
 namespace rubble::test {
-
-/// A box about the origin.
-inline Polytope boxOf(Vec3 sides) {
-    const Vec3 half = 0.5 * sides;
-    return extruded(std::vector<Vec2>{{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}},
-                    -half.z, half.z);
-}
 
 /// Adds a shape and gives its index.
 inline std::uint32_t addShape(BodyScene& scene, std::vector<Polytope> hulls) {
