@@ -63,14 +63,13 @@ CellCutter::CellCutter(const Delaunay& delaunay, const std::vector<std::uint32_t
       m_trace(trace),
       m_numbers(numbers),
       m_points(points) {
-    m_spokes.reserve(kUsual);
     m_marks.reserve(kUsual);
 }
 
 void CellCutter::cut(std::uint32_t site, CellPieces& pieces) {
     pieces.clear();
     collect(site);
-    sortMarks(site);
+    if (!areInOrder()) sortMarks(site);
     const auto endPiece = [&] {
         pieces.ringEnds.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
         pieces.pieceEnds.push_back(static_cast<std::uint32_t>(pieces.ringEnds.size()));
@@ -87,7 +86,7 @@ void CellCutter::cut(std::uint32_t site, CellPieces& pieces) {
         const auto outer = std::find_if(m_closed.begin(), m_closed.end(),
                                         [&](std::uint32_t passage) { return m_trace.passages[passage].ring == 0; });
         if (outer == m_closed.end()) {
-            appendWholeCell(pieces);
+            appendArc(m_outgoing[site], m_outgoing[site], pieces);
         } else {
             appendPassage(m_trace.passages[*outer], pieces);
             m_closed.erase(outer);
@@ -98,15 +97,8 @@ void CellCutter::cut(std::uint32_t site, CellPieces& pieces) {
 }
 
 void CellCutter::collect(std::uint32_t site) {
-    m_spokes.clear();
     m_marks.clear();
     m_closed.clear();
-    const std::uint32_t first = m_outgoing[site];
-    std::uint32_t spoke = first;
-    do {
-        m_spokes.push_back(spoke);
-        spoke = nextAround(m_delaunay, spoke);
-    } while (spoke != first);
     for (std::uint32_t p = m_trace.firstPassage[site]; p != kNone; p = m_trace.passages[p].nextInCell) {
         const OutlinePassage& passage = m_trace.passages[p];
         if (passage.leave == kNone) {
@@ -114,21 +106,34 @@ void CellCutter::collect(std::uint32_t site) {
             continue;
         }
         const std::uint32_t entry = m_delaunay.twin(m_trace.crossings[passage.enter].halfEdge);
-        m_marks.push_back({spokeOf(entry), passage.enter, p, true, false});
-        m_marks.push_back({spokeOf(m_trace.crossings[passage.leave].halfEdge), passage.leave, p, false, false});
+        m_marks.push_back({entry, kNone, passage.enter, p, true, false});
+        m_marks.push_back({m_trace.crossings[passage.leave].halfEdge, kNone, passage.leave, p, false, false});
     }
     std::sort(m_closed.begin(), m_closed.end());
 }
 
-std::uint32_t CellCutter::spokeOf(std::uint32_t halfEdge) const {
-    return static_cast<std::uint32_t>(std::find(m_spokes.begin(), m_spokes.end(), halfEdge) - m_spokes.begin());
+/// Two marks on two edges follow each other around the cell whichever stands first. Most cells have no others.
+bool CellCutter::areInOrder() const {
+    return m_marks.empty() || (m_marks.size() == 2 && m_marks[0].halfEdge != m_marks[1].halfEdge);
+}
+
+void CellCutter::placeMarks(std::uint32_t site) {
+    std::uint32_t place = 0, spoke = m_outgoing[site];
+    do {
+        for (Mark& mark : m_marks) {
+            if (mark.halfEdge == spoke) mark.place = place;
+        }
+        ++place;
+        spoke = nextAround(m_delaunay, spoke);
+    } while (spoke != m_outgoing[site]);
 }
 
 void CellCutter::sortMarks(std::uint32_t site) {
+    placeMarks(site);
     std::sort(m_marks.begin(), m_marks.end(), [&](const Mark& a, const Mark& b) {
-        if (a.spoke != b.spoke) return a.spoke < b.spoke;
+        if (a.place != b.place) return a.place < b.place;
         if (a.crossing == b.crossing) return false;
-        return m_diagram.crossesBefore(site, targetOf(m_delaunay, m_spokes[a.spoke]),
+        return m_diagram.crossesBefore(site, targetOf(m_delaunay, a.halfEdge),
                                        m_trace.lineOf(m_trace.crossings[a.crossing]),
                                        m_trace.lineOf(m_trace.crossings[b.crossing]));
     });
@@ -145,7 +150,7 @@ void CellCutter::followFrom(std::size_t mark, CellPieces& pieces) {
         const std::size_t next = mark + 1 < m_marks.size() ? mark + 1 : 0;
         const Mark& entry = m_marks[next];
         RUBBLE_ASSERT(entry.isEntry);
-        appendBoundary(exit, entry, next < mark, pieces);
+        appendBoundary(exit, entry, pieces);
         appendPassage(m_trace.passages[entry.passage], pieces);
         for (mark = 0; m_marks[mark].isEntry || m_marks[mark].passage != entry.passage;) ++mark;
     } while (mark != first);
@@ -162,22 +167,21 @@ void CellCutter::appendPassage(const OutlinePassage& passage, CellPieces& pieces
 }
 
 /// The cell's own boundary from where the outline leaves to where it enters again.
-void CellCutter::appendBoundary(const Mark& exit, const Mark& entry, bool goesRound, CellPieces& pieces) const {
-    std::uint32_t spoke = exit.spoke;
-    pieces.corners.push_back({m_numbers.crossings + exit.crossing, targetOf(m_delaunay, m_spokes[spoke])});
-    while (spoke != entry.spoke || goesRound) {
-        const std::uint32_t corner = Delaunay::triangleOf(m_spokes[spoke]);
-        spoke = spoke + 1 < m_spokes.size() ? spoke + 1 : 0;
-        pieces.corners.push_back({corner, targetOf(m_delaunay, m_spokes[spoke])});
-        if (spoke == 0) goesRound = false;
-    }
+void CellCutter::appendBoundary(const Mark& exit, const Mark& entry, CellPieces& pieces) const {
+    pieces.corners.push_back({m_numbers.crossings + exit.crossing, targetOf(m_delaunay, exit.halfEdge)});
+    // Marks are sorted, so that an entry which stands before the exit on the same edge is reached all the way round.
+    const bool isOnOneEdge = exit.halfEdge == entry.halfEdge && &exit < &entry;
+    if (!isOnOneEdge) appendArc(exit.halfEdge, entry.halfEdge, pieces);
 }
 
-void CellCutter::appendWholeCell(CellPieces& pieces) const {
-    for (std::size_t i = 0; i < m_spokes.size(); ++i) {
-        const std::uint32_t next = m_spokes[i + 1 < m_spokes.size() ? i + 1 : 0];
-        pieces.corners.push_back({Delaunay::triangleOf(m_spokes[i]), targetOf(m_delaunay, next)});
-    }
+/// The cell's corners from one of its edges to another, named by half-edges from its site; all of them where both are one.
+void CellCutter::appendArc(std::uint32_t from, std::uint32_t to, CellPieces& pieces) const {
+    std::uint32_t spoke = from;
+    do {
+        const std::uint32_t corner = Delaunay::triangleOf(spoke);
+        spoke = nextAround(m_delaunay, spoke);
+        pieces.corners.push_back({corner, targetOf(m_delaunay, spoke)});
+    } while (spoke != to);
 }
 
 /// Gives every ring that lies inside the cell, a hole, to the piece around it.

@@ -36,7 +36,8 @@ public:
 private:
     /// A place on the cell's boundary where the outline crosses it.
     struct Mark {
-        std::uint32_t spoke;  // place of the Voronoi edge counter-clockwise around the cell
+        std::uint32_t halfEdge;  // from the site, through the Voronoi edge that is crossed
+        std::uint32_t place;     // of that edge counter-clockwise around the cell
         std::uint32_t crossing;
         std::uint32_t passage;  // which leaves here, or enters here
         bool isEntry;
@@ -44,12 +45,13 @@ private:
     };
 
     void collect(std::uint32_t site);
-    std::uint32_t spokeOf(std::uint32_t halfEdge) const;
+    bool areInOrder() const;
+    void placeMarks(std::uint32_t site);
     void sortMarks(std::uint32_t site);
     void followFrom(std::size_t mark, CellPieces& pieces);
     void appendPassage(const OutlinePassage& passage, CellPieces& pieces) const;
-    void appendBoundary(const Mark& exit, const Mark& entry, bool goesRound, CellPieces& pieces) const;
-    void appendWholeCell(CellPieces& pieces) const;
+    void appendBoundary(const Mark& exit, const Mark& entry, CellPieces& pieces) const;
+    void appendArc(std::uint32_t from, std::uint32_t to, CellPieces& pieces) const;
     void addHoles(CellPieces& pieces) const;
 
     const Delaunay& m_delaunay;
@@ -59,7 +61,6 @@ private:
     PointNumbers m_numbers;
     std::span<const Vec2> m_points;
 
-    std::vector<std::uint32_t> m_spokes;  // half-edges around the site
     std::vector<Mark> m_marks;            // counter-clockwise
     std::vector<std::uint32_t> m_closed;  // passages that are whole rings
 };
