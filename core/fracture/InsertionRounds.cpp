@@ -15,7 +15,7 @@ constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::uint32_t kSitesInRange = 16384;  // at least: so many that few are near the border
 constexpr std::uint32_t kLeastInRange = 256;    // sites that are there before a round has ranges
 constexpr std::uint32_t kMostRanges = 16;
-constexpr std::uint32_t kStep = 8;           // times as many sites are there after a round as before
+constexpr std::uint32_t kStep = 8;           // times as many sites are there after a round as before; a power of two
 constexpr std::uint32_t kLeastInRound = 12;  // in the first one, where there is more than one
 constexpr std::uint32_t kFirstTriangles = 4;
 
@@ -76,7 +76,7 @@ private:
         const std::size_t first = (range.begin + stride - 1) / stride * stride;
         work.sites.reserve(range.size() / stride + 1);
         for (std::size_t site = first; site < range.end; site += stride) {
-            if (done == 0 || site % done != 0) work.sites.push_back(static_cast<std::uint32_t>(site));
+            if (done == 0 || (site & (done - 1)) != 0) work.sites.push_back(static_cast<std::uint32_t>(site));
         }
         const std::uint32_t begin = 2 * m_inserted - 2;
         m_inserted += static_cast<std::uint32_t>(work.sites.size());
