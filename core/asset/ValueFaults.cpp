@@ -1,10 +1,11 @@
+#include "core/asset/PlayFaults.h"
 #include "core/asset/ProjectFaults.h"
+#include "core/asset/Quantities.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 namespace rubble {
 namespace {
@@ -13,50 +14,6 @@ using Sentence = std::optional<std::string>;
 
 /// A quaternion is a turn where its length is one up to the rounding of its text in a file.
 constexpr double kUnitLengthTolerance = 1e-9;
-
-enum class Range { Finite, AboveZero, ZeroOrAbove, ZeroToOne };
-
-struct Quantity {
-    const char* name;
-    double value;
-    Range range;
-};
-
-bool isInRange(const Quantity& quantity) {
-    if (!std::isfinite(quantity.value)) return false;
-    switch (quantity.range) {
-        case Range::Finite: return true;
-        case Range::AboveZero: return quantity.value > 0.0;
-        case Range::ZeroOrAbove: return quantity.value >= 0.0;
-        case Range::ZeroToOne: return quantity.value >= 0.0 && quantity.value <= 1.0;
-    }
-    return false;
-}
-
-const char* textOf(Range range) {
-    switch (range) {
-        case Range::Finite: return "finite";
-        case Range::AboveZero: return "finite and above zero";
-        case Range::ZeroOrAbove: return "finite and not below zero";
-        case Range::ZeroToOne: return "from 0 to 1";
-    }
-    return "";
-}
-
-Sentence quantityFault(const std::string& owner, std::initializer_list<Quantity> quantities) {
-    for (const Quantity& quantity : quantities) {
-        if (isInRange(quantity)) continue;
-        return owner + ": the " + quantity.name + " is " + messageText(quantity.value) + ", but it must be " +
-               textOf(quantity.range) + ".";
-    }
-    return std::nullopt;
-}
-
-Sentence vectorFault(const std::string& owner, const char* name, const Vec3& value) {
-    if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z)) return std::nullopt;
-    return owner + ": the " + name + " is (" + messageText(value.x) + ", " + messageText(value.y) + ", " +
-           messageText(value.z) + "), but it must be finite.";
-}
 
 Sentence colourFault(const std::string& owner, const Colour& colour) {
     return quantityFault(owner, {{"colour's red", colour.red, Range::ZeroToOne},
@@ -134,43 +91,6 @@ Sentence faultOf(const Instance& instance) {
         return owner + ": the orientation has the length " + messageText(length) + ", but it must be 1.";
     }
     return quantityFault(owner, {{"threshold", instance.threshold.value_or(1.0), Range::AboveZero}});
-}
-
-Sentence actionFault(const std::string& owner, const Throw& thrown) {
-    if (Sentence fault = vectorFault(owner, "start", thrown.from)) return fault;
-    if (Sentence fault = vectorFault(owner, "aim", thrown.to)) return fault;
-    if (thrown.from == thrown.to) return owner + ": it starts where it aims, so that it has no direction.";
-    return quantityFault(owner, {{"size in x", thrown.size.x, Range::AboveZero},
-                                 {"size in y", thrown.size.y, Range::AboveZero},
-                                 {"size in z", thrown.size.z, Range::AboveZero},
-                                 {"mass", thrown.mass, Range::AboveZero},
-                                 {"speed", thrown.speed, Range::ZeroOrAbove}});
-}
-
-Sentence actionFault(const std::string& owner, const Hammer& hammer) {
-    if (Sentence fault = vectorFault(owner, "place", hammer.at)) return fault;
-    return vectorFault(owner, "impulse", hammer.impulse);
-}
-
-Sentence actionFault(const std::string& owner, const Explosion& explosion) {
-    if (Sentence fault = vectorFault(owner, "place", explosion.at)) return fault;
-    return quantityFault(
-        owner, {{"impulse", explosion.impulse, Range::ZeroOrAbove}, {"radius", explosion.radius, Range::AboveZero}});
-}
-
-Sentence faultOf(const Shot& shot) {
-    const std::string owner = ownerText("Shot", shot.id, shot.name);
-    if (Sentence fault = quantityFault(owner, {{"time", shot.time, Range::ZeroOrAbove}})) return fault;
-    return std::visit([&](const auto& action) { return actionFault(owner, action); }, shot.action);
-}
-
-Sentence faultOf(const PlayTest& test) {
-    const std::string owner = ownerText("Play-test", test.id, test.name);
-    if (Sentence fault = quantityFault(owner, {{"duration", test.duration, Range::AboveZero}})) return fault;
-    for (const Expectation& expectation : test.expectations) {
-        if (Sentence fault = quantityFault(owner, {{"expected value", expectation.value, Range::Finite}})) return fault;
-    }
-    return std::nullopt;
 }
 
 template <class Element>
