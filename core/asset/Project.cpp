@@ -21,7 +21,8 @@ bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::share
 bool Asset::operator==(const Asset& other) const {
     return id == other.id && name == other.name && material == other.material && prism == other.prism &&
            pattern == other.pattern && levels == other.levels && threshold == other.threshold &&
-           insideUvScale == other.insideUvScale && isSameSurface(surface, other.surface);
+           insideUvScale == other.insideUvScale && cutAtImpact == other.cutAtImpact && intents == other.intents &&
+           isSameSurface(surface, other.surface);
 }
 
 const Material* findMaterial(const Project& project, Id id) { return findById(project.materials, id); }

@@ -44,6 +44,35 @@ struct Level {
     bool operator==(const Level&) const = default;
 };
 
+/// Being cut anew where it is hit when it breaks, instead of into the pieces of its pattern (thesis 3.3).
+struct CutAtImpact {
+    static constexpr std::uint32_t kFewestPieces = 2;
+    static constexpr std::uint32_t kMostPieces = 1000;  // it is cut within a step
+    std::uint32_t pieces = 30;                          // from kFewestPieces to kMostPieces
+    double reach = 0.3;  // m, > 0: seeds grow denser towards the point of impact; half of them lie within it
+    bool operator==(const CutAtImpact&) const = default;
+};
+
+enum class IntentOutcome { Survives, Breaks };
+
+/// Falling from a height onto level ground, as the asset stands.
+struct DropIntent {
+    double height = 1.0;  // m, > 0
+    bool operator==(const DropIntent&) const = default;
+};
+/// Being hit in the middle of its front by a body, head on.
+struct HitIntent {
+    double mass = 5.0;    // kg, > 0
+    double speed = 10.0;  // m/s, > 0
+    bool operator==(const HitIntent&) const = default;
+};
+/// What an artist wants an asset to take, or not to take: the threshold is derived from such sentences.
+struct Intent {
+    IntentOutcome outcome = IntentOutcome::Survives;
+    std::variant<DropIntent, HitIntent> event;
+    bool operator==(const Intent&) const = default;
+};
+
 /// A solid with its recipe for breaking.
 struct Asset {
     Id id = 0;
@@ -54,6 +83,8 @@ struct Asset {
     std::vector<Level> levels;               // below the first: levels[0] breaks the pattern's fragments
     double threshold = 100.0;                // N·s, > 0; an impact at or above it breaks the whole
     double insideUvScale = 1.0;              // UV units a metre on the inside faces
+    std::optional<CutAtImpact> cutAtImpact;  // none: it breaks into the pieces of its pattern
+    std::vector<Intent> intents;             // in the order they were written
     std::shared_ptr<const Surface> surface;  // of the mesh it was imported from; null where there was none
     bool operator==(const Asset& other) const;
 };
@@ -85,6 +116,14 @@ struct Damage {
     bool isThesis = false;            // the preset: one threshold for all, momentum, 100 kg a piece, no payment
     double thesisThreshold = 1000.0;  // N·s
     bool operator==(const Damage&) const = default;
+};
+
+/// When pieces that lie about are taken away.
+struct Debris {
+    std::optional<double> lifetime;           // s, > 0: from birth until a piece has faded; none: for ever
+    double fade = 1.0;                        // s, >= 0: the end of its life, in which it fades away
+    std::optional<std::uint32_t> mostPieces;  // >= 1: beyond it pieces go: asleep first, then the smallest, the oldest
+    bool operator==(const Debris&) const = default;
 };
 
 enum class ProjectileKind { Box, Ball, Plank, Asset };
@@ -157,6 +196,7 @@ struct Project {
     Ground ground;
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
     Damage damage;
+    Debris debris;
     std::vector<Shot> shots;
     std::vector<PlayTest> playTests;
     bool operator==(const Project&) const = default;

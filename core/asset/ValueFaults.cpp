@@ -80,7 +80,7 @@ Sentence faultOf(const Asset& asset) {
         }
         if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
     }
-    return std::nullopt;
+    return playFault(asset);
 }
 
 Sentence faultOf(const Instance& instance) {
@@ -118,6 +118,7 @@ std::optional<std::string> valueFault(const Project& project) {
     if (Sentence fault = firstFault(project.assets)) return fault;
     if (Sentence fault = firstFault(project.instances)) return fault;
     if (Sentence fault = worldFault(project)) return fault;
+    if (Sentence fault = faultOf(project.debris)) return fault;
     if (Sentence fault = firstFault(project.shots)) return fault;
     return firstFault(project.playTests);
 }

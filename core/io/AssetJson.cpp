@@ -1,5 +1,6 @@
 #include "core/io/AssetJson.h"
 
+#include "core/io/IntentJson.h"
 #include "core/io/PatternJson.h"
 
 namespace rubble {
@@ -109,6 +110,18 @@ std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
                                              .triangles = value["triangles"].listOf(readTriangle)});
 }
 
+Asset readWhatVersion1Knew(const JsonValue& value) {
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .material = value["material"].index(),
+            .prism = readPrism(value["prism"]),
+            .pattern = readPattern(value["pattern"]),
+            .levels = value["levels"].listOf(readLevel),
+            .threshold = value["threshold"].number(),
+            .insideUvScale = value["insideUvScale"].number(),
+            .surface = readSurface(value["surface"])};
+}
+
 }  // namespace
 
 void writeMaterial(JsonLayout& json, const Material& material) {
@@ -144,6 +157,8 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
     writePrism(json, asset.prism);
     writePattern(json, asset.pattern);
     json.list("levels", asset.levels, writeLevel);
+    writeCutAtImpact(json, asset.cutAtImpact);
+    json.list("intents", asset.intents, writeIntent);
     if (asset.surface) {
         writeSurface(json, *asset.surface);
     } else {
@@ -152,18 +167,19 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
     json.close();
 }
 
-Asset readAsset(const JsonValue& value) {
+Asset readAssetVersion1(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
-    return {.id = value["id"].index(),
-            .name = value["name"].text(),
-            .material = value["material"].index(),
-            .prism = readPrism(value["prism"]),
-            .pattern = readPattern(value["pattern"]),
-            .levels = value["levels"].listOf(readLevel),
-            .threshold = value["threshold"].number(),
-            .insideUvScale = value["insideUvScale"].number(),
-            .surface = readSurface(value["surface"])};
+    return readWhatVersion1Knew(value);
+}
+
+Asset readAsset(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels",
+                         "cutAtImpact", "intents", "surface"});
+    Asset asset = readWhatVersion1Knew(value);
+    asset.cutAtImpact = value["cutAtImpact"].orNone(readCutAtImpact);
+    asset.intents = value["intents"].listOf(readIntent);
+    return asset;
 }
 
 }  // namespace rubble

@@ -13,5 +13,7 @@ void writeAsset(JsonLayout& json, const Asset& asset);
 /// Read what was written by these. Types only: verifyProject() looks at the values.
 Material readMaterial(const JsonValue& value);
 Asset readAsset(const JsonValue& value);
+/// The same of a project of version 1, which knew neither cuts at impact nor intents.
+Asset readAssetVersion1(const JsonValue& value);
 
 }  // namespace rubble

@@ -73,6 +73,12 @@ void JsonLayout::wholeNumber(std::string_view key, std::uint64_t value) {
     m_text += std::to_string(value);
 }
 
+void JsonLayout::number(std::string_view key, std::optional<double> value) { value ? number(key, *value) : null(key); }
+
+void JsonLayout::wholeNumber(std::string_view key, std::optional<std::uint32_t> value) {
+    value ? wholeNumber(key, std::uint64_t{*value}) : null(key);
+}
+
 void JsonLayout::text(std::string_view key, std::string_view value) {
     place(key);
     appendJsonText(m_text, value);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ public:
     void number(std::string_view key, double value);
     void wholeNumber(std::string_view key, std::uint64_t value);
     void text(std::string_view key, std::string_view value);
+    /// A number, or null where there is none.
+    void number(std::string_view key, std::optional<double> value);
+    void wholeNumber(std::string_view key, std::optional<std::uint32_t> value);
     /// An array of numbers on one line.
     void numbers(std::string_view key, std::initializer_list<double> values);
     void numbers(std::string_view key, std::span<const double> values);

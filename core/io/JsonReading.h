@@ -120,6 +120,9 @@ public:
     /// The elements of an array, each as `read` gives it.
     template <class Read>
     auto listOf(Read read) const;
+    /// What `read` gives of it, or none for null.
+    template <class Read>
+    auto orNone(Read read) const;
     /// An array of two numbers; of such arrays.
     Vec2 point() const;
     std::vector<Vec2> points() const;
@@ -170,6 +173,12 @@ private:
     std::uint32_t m_end;
     std::uint32_t m_count;
 };
+
+template <class Read>
+auto JsonValue::orNone(Read read) const {
+    using Value = decltype(std::invoke(read, *this));
+    return isNull() ? std::nullopt : std::optional<Value>(std::invoke(read, *this));
+}
 
 template <class Read>
 auto JsonValue::listOf(Read read) const {

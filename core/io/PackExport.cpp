@@ -99,11 +99,13 @@ AssetExport exported(const Project& project, const Asset& asset, const std::file
 }  // namespace
 
 ContentHash packSource(const Project& project, const Asset& asset, const MeshOptions& options) {
-    // A project of nothing but this asset tells all of it.
+    // A project of nothing but this asset tells all of it; play beyond the threshold is not in packs.
     Project alone;
     alone.nextId = std::numeric_limits<Id>::max();
     alone.materials = {*findMaterial(project, asset.material)};
     alone.assets = {asset};
+    alone.assets[0].cutAtImpact.reset();
+    alone.assets[0].intents.clear();
     Hasher hasher;
     hasher.add(kMeshVersion);
     hasher.add(std::uint64_t{kPackVersion});

@@ -13,12 +13,11 @@ namespace {
 
 constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
-Project readVersion1(const JsonValue& root) {
-    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
-                        "damage", "shots", "playTests"});
+/// What a project held from the first version on, with its assets as a version has them.
+Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&)) {
     return {.nextId = root["nextId"].index(),
             .materials = root["materials"].listOf(readMaterial),
-            .assets = root["assets"].listOf(readAsset),
+            .assets = root["assets"].listOf(readAssetOfVersion),
             .instances = root["instances"].listOf(readInstance),
             .ground = readGround(root["ground"]),
             .gravity = readVector(root["gravity"]),
@@ -27,9 +26,24 @@ Project readVersion1(const JsonValue& root) {
             .playTests = root["playTests"].listOf(readPlayTest)};
 }
 
+Project readVersion1(const JsonValue& root) {
+    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
+                        "damage", "shots", "playTests"});
+    return readCommon(root, readAssetVersion1);
+}
+
+/// Knows debris, cuts at impact and intents.
+Project readVersion2(const JsonValue& root) {
+    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
+                        "damage", "debris", "shots", "playTests"});
+    Project project = readCommon(root, readAsset);
+    project.debris = readDebris(root["debris"]);
+    return project;
+}
+
 /// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
 /// in what their files did not know.
-constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1};
+constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1, &readVersion2};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
     const Result<std::uint32_t> version = versionOf(document, kFormat);
@@ -57,6 +71,7 @@ std::string projectText(const Project& project) {
     writeGround(json, project.ground);
     writeVector(json, "gravity", project.gravity);
     writeDamage(json, project.damage);
+    writeDebris(json, project.debris);
     json.list("shots", project.shots, writeShot);
     json.list("playTests", project.playTests, writePlayTest);
     json.close();

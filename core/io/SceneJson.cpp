@@ -8,6 +8,9 @@ namespace {
 // In the order of their enumerators.
 constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
 
+double readNumber(const JsonValue& value) { return value.number(); }
+std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
+
 }  // namespace
 
 void writeVector(JsonLayout& json, std::string_view key, Vec3 vector) {
@@ -27,11 +30,7 @@ void writeInstance(JsonLayout& json, const Instance& instance) {
     json.wholeNumber("asset", instance.asset);
     writeVector(json, "position", instance.pose.position);
     json.numbers("orientation", {turn.w, turn.x, turn.y, turn.z});
-    if (instance.threshold) {
-        json.number("threshold", *instance.threshold);
-    } else {
-        json.null("threshold");
-    }
+    json.number("threshold", instance.threshold);
     json.boolean("fixed", instance.isFixed);
     json.close();
 }
@@ -39,13 +38,12 @@ void writeInstance(JsonLayout& json, const Instance& instance) {
 Instance readInstance(const JsonValue& value) {
     value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
     const auto [w, x, y, z] = value["orientation"].numbers<4>();
-    Instance instance{.id = value["id"].index(),
-                      .name = value["name"].text(),
-                      .asset = value["asset"].index(),
-                      .pose = {readVector(value["position"]), Quat{w, x, y, z}},
-                      .isFixed = value["fixed"].boolean()};
-    if (!value["threshold"].isNull()) instance.threshold = value["threshold"].number();
-    return instance;
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .asset = value["asset"].index(),
+            .pose = {readVector(value["position"]), Quat{w, x, y, z}},
+            .threshold = value["threshold"].orNone(readNumber),
+            .isFixed = value["fixed"].boolean()};
 }
 
 void writeGround(JsonLayout& json, const Ground& ground) {
@@ -78,6 +76,21 @@ Damage readDamage(const JsonValue& value) {
     return {.rule = static_cast<DamageRule>(value["rule"].oneOf(kRules)),
             .isThesis = value["thesis"].boolean(),
             .thesisThreshold = value["thesisThreshold"].number()};
+}
+
+void writeDebris(JsonLayout& json, const Debris& debris) {
+    json.openObject("debris");
+    json.number("lifetime", debris.lifetime);
+    json.number("fade", debris.fade);
+    json.wholeNumber("mostPieces", debris.mostPieces);
+    json.close();
+}
+
+Debris readDebris(const JsonValue& value) {
+    value.requireObject({"lifetime", "fade", "mostPieces"});
+    return {.lifetime = value["lifetime"].orNone(readNumber),
+            .fade = value["fade"].number(),
+            .mostPieces = value["mostPieces"].orNone(readIndex)};
 }
 
 }  // namespace rubble

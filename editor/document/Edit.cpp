@@ -59,6 +59,7 @@ Change exchange(Project& project, SceneSettings& scene) {
     std::swap(project.ground, scene.ground);
     std::swap(project.gravity, scene.gravity);
     std::swap(project.damage, scene.damage);
+    std::swap(project.debris, scene.debris);
     return {Part::Scene, 0, ChangeKind::Altered};
 }
 
@@ -124,6 +125,8 @@ bool isNoChange(const Project& project, const Edit& edit) {
            });
 }
 
-SceneSettings sceneSettings(const Project& project) { return {project.ground, project.gravity, project.damage}; }
+SceneSettings sceneSettings(const Project& project) {
+    return {project.ground, project.gravity, project.damage, project.debris};
+}
 
 }  // namespace rubble

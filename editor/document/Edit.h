@@ -15,6 +15,7 @@ struct SceneSettings {
     Ground ground;
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
     Damage damage;
+    Debris debris;
     bool operator==(const SceneSettings&) const = default;
 };
 

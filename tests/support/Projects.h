@@ -42,6 +42,9 @@ inline Project fullProject() {
     wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}}, .minimumVolume = 1e-3}, {}};
     wall.threshold = 55.5;
     wall.insideUvScale = 2.0;
+    wall.cutAtImpact = {.pieces = 17, .reach = 0.45};
+    wall.intents = {{.outcome = IntentOutcome::Breaks, .event = HitIntent{.mass = 2.5, .speed = 1.0 / 3.0}},
+                    {.outcome = IntentOutcome::Survives, .event = DropIntent{.height = 1.75}}};
     SurfaceTriangle triangle;
     triangle.corners = {Vec3{0.0, 0.0, 0.125}, Vec3{1.0, 0.0, 0.125}, Vec3{0.0, 1.0, 0.125}};
     triangle.uvs = {Vec2{0.0, 1.0}, Vec2{1.0, 0.1}, Vec2{-0.5, 0.0}};
@@ -62,6 +65,7 @@ inline Project fullProject() {
     project.ground = {.isOn = false, .height = -0.5, .friction = 0.7, .restitution = 0.2};
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
+    project.debris = {.lifetime = 12.5, .fade = 0.75, .mostPieces = 300};
     project.shots = {
         {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
         {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},

@@ -218,6 +218,8 @@ private slots:
         row("material", [](Asset& a) { a.material = 2; });
         row("threshold", [](Asset& a) { a.threshold = 7.0; });
         row("scale", [](Asset& a) { a.insideUvScale = 2.0; });
+        row("cut at impact", [](Asset& a) { a.cutAtImpact.emplace(); });
+        row("intents", [](Asset& a) { a.intents.resize(1); });
         row("surface", [](Asset& a) { a.surface = std::make_shared<Surface>(); });
         row("a layer that is off", [](Asset& a) { a.pattern.layers.push_back({.id = 9, .isOn = false}); });
         row("where a deleted seed was moved to", [](Asset& a) {

@@ -62,6 +62,8 @@ private slots:
         QVERIFY(differs([](Asset& changed) { changed.levels.resize(1); }));
         QVERIFY(differs([](Asset& changed) { changed.threshold = 1.0; }));
         QVERIFY(differs([](Asset& changed) { changed.insideUvScale = 2.0; }));
+        QVERIFY(differs([](Asset& changed) { changed.cutAtImpact.emplace(); }));
+        QVERIFY(differs([](Asset& changed) { changed.intents.resize(1); }));
     }
 };
 

@@ -49,6 +49,15 @@ private slots:
         QVERIFY2(!fault, fault.value_or("").c_str());
     }
 
+    void theEndsOfRangesAreTaken() {
+        Project project = smallProject();
+        project.debris = {.lifetime = 1e-9, .fade = 0.0, .mostPieces = 1};
+        for (const std::uint32_t pieces : {2u, 1000u}) {
+            project.assets[0].cutAtImpact = {.pieces = pieces, .reach = 1e-9};
+            QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+        }
+    }
+
     void faultsOfIdsAndNamesAreNamed_data() {
         QTest::addColumn<Change>("change");
         row("Asset 0 \"wall\" has the id 0, which names nothing.", [](Project& p) { p.assets[0].id = 0; });
@@ -112,6 +121,19 @@ private slots:
             surface->back.material = 1;
             p.assets[0].surface = surface;
         });
+        row("Asset 2 \"wall\": where it is hit it is cut into 1 pieces, but there must be 2 to 1000.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1}; });
+        row("Asset 2 \"wall\": where it is hit it is cut into 1001 pieces, but there must be 2 to 1000.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1001}; });
+        row("Asset 2 \"wall\": the reach of the cut where it is hit is 0, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.reach = 0.0}; });
+        row("Asset 2 \"wall\": intent 1: the height is -1, but it must be finite and above zero.", [](Project& p) {
+            p.assets[0].intents = {{}, {.event = DropIntent{-1.0}}};
+        });
+        row("Asset 2 \"wall\": intent 0: the mass is 0, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].intents = {{.event = HitIntent{.mass = 0.0}}}; });
+        row("Asset 2 \"wall\": intent 0: the speed is nan, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].intents = {{.event = HitIntent{.speed = kNan}}}; });
         row("Instance 5 \"left\": the position is (nan, 0, 0), but it must be finite.",
             [](Project& p) { p.instances[0].pose.position.x = kNan; });
         row("Instance 5 \"left\": the orientation has the length 2, but it must be 1.", [](Project& p) {
@@ -124,6 +146,12 @@ private slots:
         row("The project: the gravity is (0, nan, 0), but it must be finite.", [](Project& p) { p.gravity.y = kNan; });
         row("The project: the thesis threshold is 0, but it must be finite and above zero.",
             [](Project& p) { p.damage.thesisThreshold = 0.0; });
+        row("The debris: the lifetime is 0, but it must be finite and above zero.",
+            [](Project& p) { p.debris.lifetime = 0.0; });
+        row("The debris: the fade is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.debris.fade = -1.0; });
+        row("The debris: the most pieces are 0, but they must be at least 1.",
+            [](Project& p) { p.debris.mostPieces = 0; });
         row("Shot 7 \"box\": the time is -1, but it must be finite and not below zero.",
             [](Project& p) { p.shots[0].time = -1.0; });
         row("Shot 7 \"box\": the size in y is 0, but it must be finite and above zero.", [](Project& p) {

@@ -121,6 +121,9 @@ private slots:
         QVERIFY(differs([](Project& p, Asset&) { p.materials[0].inside.red = 0.1; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.nextId = 2000; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));
+        QVERIFY(!differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
+        QVERIFY(!differs([](Project&, Asset& a) { a.intents.resize(1); }));
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
               MeshOptions{.place = PartPlace::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {

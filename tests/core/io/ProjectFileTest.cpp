@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEmptyProject = R"({
   "format": "rubble-project",
-  "version": 1,
+  "version": 2,
   "nextId": 2,
   "materials": [
     {
@@ -43,6 +43,11 @@ constexpr const char* kEmptyProject = R"({
     "thesis": false,
     "thesisThreshold": 1000
   },
+  "debris": {
+    "lifetime": null,
+    "fade": 1,
+    "mostPieces": null
+  },
   "shots": [],
   "playTests": []
 }
@@ -55,9 +60,15 @@ std::string faultOf(std::string_view json) {
 
 nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject())); }
 
+/// Everything there was in version 1.
+nlohmann::json version1Json() {
+    return nlohmann::json::parse(*readFile(RUBBLE_SOURCE_DIR "/tests/corpus/Project/version-1.rubble"));
+}
+
 /// Where a value of another type is as good: in the places that are there or not.
 bool fits(const std::string& place, const nlohmann::json& value) {
-    if (place.ends_with("].surface")) return value.is_null();
+    if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
+    if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
     const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
     return isOwnThreshold && (value.is_null() || value.is_number());
 }
@@ -107,8 +118,8 @@ private slots:
         };
         row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
         row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
-        row("The project is of version 2, but this program knows none above 1; open it with a newer one.", "/version",
-            "2");
+        row("The project is of version 3, but this program knows none above 2; open it with a newer one.", "/version",
+            "3");
         row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
         row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
         row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
@@ -122,6 +133,18 @@ private slots:
         row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
             "[[0, 1], [1, 0]]");
         row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
+        row("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact", "{\"pieces\": 5}");
+        row("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
+            "/assets/0/cutAtImpact/pieces", "2.5");
+        row("assets[0].intents[0]: unknown key \"mass\".", "/assets/0/intents/0/kind", "\"drop\"");
+        row("assets[0].intents[1]: the key \"mass\" is missing.", "/assets/0/intents/1",
+            "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
+        row("assets[0].intents[0].kind: expected \"drop\" or \"hit\", found \"push\".", "/assets/0/intents/0/kind",
+            "\"push\"");
+        row("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
+            "/assets/0/intents/1/outcome", "\"falls\"");
+        row("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.", "/debris/mostPieces", "-1");
+        row("The debris: the fade is -1, but it must be finite and not below zero.", "/debris/fade", "-1");
         row("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule", "\"thesis\"");
         row("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
         row("Instance 21 \"right\" names asset 8, which is not there.", "/instances/1/asset", "8");
@@ -134,9 +157,40 @@ private slots:
     }
     void newerVersionsAreToldApart() {
         nlohmann::json json = fullJson();
-        json["version"] = 2;
+        json["version"] = kProjectVersion + 1;
         json["a key of tomorrow"] = 1;  // what else it holds is not looked at
         QCOMPARE(readProjectText(json.dump()).error().code, ErrorCode::Unsupported);
+    }
+    void version1IsReadWithWhatChangesNothing() {
+        const Result<Project> project = readProjectText(version1Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        QVERIFY(project->debris == Debris{});
+        for (const Asset& asset : project->assets) QVERIFY(!asset.cutAtImpact && asset.intents.empty());
+    }
+    void version1IsSavedAsVersion2ValueForValue() {
+        nlohmann::json expected = version1Json();
+        expected["version"] = 2;
+        expected["debris"] = {{"lifetime", nullptr}, {"fade", 1}, {"mostPieces", nullptr}};
+        for (nlohmann::json& asset : expected["assets"]) {
+            asset["cutAtImpact"] = nullptr;
+            asset["intents"] = nlohmann::json::array();
+        }
+        QVERIFY(writeFileAtomically(inFolder("old.rubble"), version1Json().dump()));
+        const Result<Project> project = loadProject(inFolder("old.rubble"));
+        QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
+        QVERIFY(nlohmann::json::parse(*readFile(inFolder("old.rubble"))) == expected);
+        QVERIFY(*loadProject(inFolder("old.rubble")) == *project);
+    }
+    void versionsTakeTheirOwnKeysOnly() {
+        nlohmann::json json = version1Json();
+        json["debris"] = fullJson()["debris"];
+        QCOMPARE(faultOf(json.dump()), std::string("The document: unknown key \"debris\"."));
+        json = version1Json();
+        json["assets"][0]["intents"] = nlohmann::json::array();
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"intents\"."));
+        json = version1Json();
+        json["version"] = 2;
+        QCOMPARE(faultOf(json.dump()), std::string("The document: the key \"debris\" is missing."));
     }
     void truncatedTextIsRefusedAnywhere() {
         const std::string text = projectText(fullProject());

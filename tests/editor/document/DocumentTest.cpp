@@ -65,6 +65,19 @@ private slots:
         QCOMPARE(document.undoStack().count(), 0);
         QVERIFY(!document.isModified());
     }
+    void everySettingOfTheSceneIsSetAndUndone() {
+        Document document(starterProject());
+        const Project before = document.project();
+        Project after = before;
+        after.ground.height = 0.5;
+        after.gravity.y = -3.7;
+        after.damage.rule = DamageRule::Momentum;
+        after.debris.lifetime = 8.0;
+        document.push({.text = "Set scene", .swaps = {sceneSettings(after)}});
+        QVERIFY(document.project() == after);
+        document.undoStack().undo();
+        QVERIFY(document.project() == before);
+    }
     void itIsModifiedUntilItIsSavedOrUndone() {
         Document document(starterProject());
         QSignalSpy spy(&document, &Document::modifiedChanged);
