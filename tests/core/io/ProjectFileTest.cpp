@@ -88,6 +88,16 @@ private slots:
         project.materials = {{.id = 1, .name = "brick"}};
         QCOMPARE(projectText(project), std::string(kEmptyProject));
     }
+    void cutsAndIntentsStandOnALineEach() {
+        const char* const lines = R"(
+      "cutAtImpact": {"pieces": 17, "reach": 0.45},
+      "intents": [
+        {"outcome": "breaks", "kind": "hit", "mass": 2.5, "speed": 0.3333333333333333},
+        {"outcome": "survives", "kind": "drop", "height": 1.75}
+      ],
+)";
+        QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
+    }
     void everythingComesBackBitForBit() {
         const std::string text = projectText(fullProject());
         const Result<Project> read = readProjectText(text);
