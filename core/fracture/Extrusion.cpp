@@ -37,12 +37,12 @@ void moveToCentre(Vec2 centre, Polygon& outline) {
 /// Makes fragments from pieces, of which some may have been found too thin to become one.
 class Extrusion {
 public:
-    Extrusion(const Prism& prism, Partition&& partition)
-        : m_records(partition.pieceCount()), m_isThin(partition.pieceCount(), 0) {
+    Extrusion(const Prism& prism, Partition&& partition) : m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
         m_all.tolerance = {kThinnest * widthOf(prism.outline), kFlat * diameter};
         m_all.leastEdge = kLeastSharedEdge * diameter;
+        m_all.records.resize(m_isThin.size());
         m_all.partition = std::move(partition);
     }
 
@@ -57,10 +57,7 @@ public:
                 if (!makeBlock(block * kBlock)) isAnyThin = true;
             });
             if (task.isCancelled()) return false;
-            if (!isAnyThin) {
-                putInOrder(task.threads);
-                return true;
-            }
+            if (!isAnyThin) return true;
             giveAwayThinPieces();
         }
     }
@@ -69,9 +66,9 @@ public:
         m_all.reports = std::move(m_all.partition.reports);
         for (const ThinPieceGift& gift : m_all.gifts) m_all.reports.push_back(thinPieceReport(m_all.partition, gift));
         for (std::uint32_t fragment = 0; fragment < m_all.count() && !m_all.gifts.empty(); ++fragment) {
-            const FragmentRecord& record = m_all.records[fragment];
-            if (!record.hasGifts) continue;
-            m_all.giftedMasses.push_back({fragment, massWithGifts(record.piece)});
+            const std::uint32_t piece = m_all.pieceOfFragment[fragment];
+            if (!m_all.records[piece].hasGifts) continue;
+            m_all.giftedMasses.push_back({fragment, massWithGifts(piece)});
             m_all.giftedMasses.back().mass.centre = Vec3{0.0, 0.0, 0.0};
         }
         return std::move(m_all);
@@ -82,11 +79,14 @@ private:
     void numberFragments() {
         const Partition& partition = m_all.partition;
         m_all.fragmentOfPiece.assign(m_isThin.size(), kNone);
+        m_all.pieceOfFragment.resize(m_isThin.size());
         std::uint32_t count = 0;
         const auto number = [&](std::uint32_t first) {
             for (std::uint32_t piece = first;
                  piece < m_isThin.size() && partition.seedOfPiece[piece] == partition.seedOfPiece[first]; ++piece) {
-                if (!m_isThin[piece]) m_all.fragmentOfPiece[piece] = count++;
+                if (m_isThin[piece]) continue;
+                m_all.fragmentOfPiece[piece] = count;
+                m_all.pieceOfFragment[count++] = piece;
             }
         };
         for (const std::uint32_t first : partition.pieceOfSeed) {
@@ -96,7 +96,7 @@ private:
         for (const ThinPieceGift& gift : m_all.gifts) {
             if (gift.receiver != kNone) m_all.fragmentOfPiece[gift.thin] = m_all.fragmentOfPiece[gift.receiver];
         }
-        m_all.records.resize(count);
+        m_all.pieceOfFragment.resize(count);
     }
 
     /// Makes the fragments of a block of pieces, as they stand in memory. False where one was found to be thin.
@@ -105,22 +105,10 @@ private:
         bool isAnyThin = false;
         Polygon outline;
         for (auto piece = static_cast<std::uint32_t>(begin); piece < end; ++piece) {
-            if (m_isThin[piece] || make(piece, outline, m_records[piece])) continue;
+            if (m_isThin[piece] || make(piece, outline)) continue;
             m_isThin[piece] = isAnyThin = true;
         }
         return !isAnyThin;
-    }
-
-    /// Records are made in the order of pieces, so that no two threads write to one place of the cache in turn.
-    void putInOrder(int threads) {
-        RawVector<std::uint32_t> pieces(m_all.count());
-        for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
-            if (!m_isThin[piece]) pieces[m_all.fragmentOfPiece[piece]] = piece;
-        }
-        forEachIndex((pieces.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-            const std::size_t end = std::min(pieces.size(), (block + 1) * kBlock);
-            for (std::size_t k = block * kBlock; k < end; ++k) m_all.records[k] = m_records[pieces[k]];
-        });
     }
 
     void giveAwayThinPieces() {
@@ -133,17 +121,17 @@ private:
     }
 
     /// False where the piece is too thin. `outline` is room to work in.
-    bool make(std::uint32_t piece, Polygon& outline, FragmentRecord& record) const {
+    bool make(std::uint32_t piece, Polygon& outline) {
         takeOutline(m_all.partition, piece, outline);
-        record.piece = piece;
+        PieceRecord& record = m_all.records[piece];
         record.moments = momentsOf(outline);
-        double around = perimeter(outline.outer);
-        for (const Ring& hole : outline.holes) around += perimeter(hole);
-        if (!(widthOf(record.moments.area, around) > m_all.tolerance.thinnest)) return false;
+        if (!isWider(outline, record.moments.area, m_all.tolerance.thinnest)) return false;
         const auto isGift = [&](const ThinPieceGift& gift) { return gift.receiver == piece; };
         record.hasGifts = std::ranges::any_of(m_all.gifts, isGift);
         if (record.hasGifts) record.moments.centre = Vec2{massWithGifts(piece).centre};
         moveToCentre(record.moments.centre, outline);
+        record.isConvex = outline.holes.empty() && turnsLeft(outline.outer);
+        if (record.isConvex) return true;
         const std::optional<IndexLoops> parts = hullParts(outline, m_all.tolerance);
         record.isConvex = parts && parts->empty();
         return parts.has_value();
@@ -160,8 +148,7 @@ private:
     }
 
     Fragments m_all;
-    RawVector<FragmentRecord> m_records;  // of each piece
-    std::vector<std::uint8_t> m_isThin;   // of each piece; not bits, as threads write to neighbours
+    std::vector<std::uint8_t> m_isThin;  // of each piece; not bits, as threads write to neighbours
 };
 
 }  // namespace

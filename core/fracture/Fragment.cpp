@@ -37,51 +37,47 @@ void addHull(std::span<const Vec2> ring, double depth, std::vector<Polytope>& hu
 
 }  // namespace
 
-std::uint32_t Fragment::seed() const { return m_all->partition.seedOfPiece[m_all->records[m_index].piece]; }
+std::uint32_t Fragment::piece() const { return m_all->pieceOfFragment[m_index]; }
+
+const PieceRecord& Fragment::record() const { return m_all->records[piece()]; }
+
+std::uint32_t Fragment::seed() const { return m_all->partition.seedOfPiece[piece()]; }
 
 std::uint32_t Fragment::pieceOfSeed() const {
     const std::uint32_t of = seed();
-    return of == kNone ? 0 : m_all->records[m_index].piece - m_all->partition.pieceOfSeed[of];
+    return of == kNone ? 0 : piece() - m_all->partition.pieceOfSeed[of];
 }
 
 std::uint32_t Fragment::piecesOfSeed() const {
     const RawVector<std::uint32_t>& seedOfPiece = m_all->partition.seedOfPiece;
-    std::size_t end = m_all->records[m_index].piece;
+    std::size_t end = piece();
     while (end < seedOfPiece.size() && seedOfPiece[end] == seed()) ++end;
-    return static_cast<std::uint32_t>(end) - m_all->records[m_index].piece + pieceOfSeed();
+    return static_cast<std::uint32_t>(end) - piece() + pieceOfSeed();
 }
 
 double Fragment::depth() const { return m_all->depth; }
 
-Vec3 Fragment::offset() const {
-    return Vec3{m_all->partition.origin + m_all->records[m_index].moments.centre, 0.0} + m_all->origin;
-}
+Vec3 Fragment::offset() const { return Vec3{m_all->partition.origin + record().moments.centre, 0.0} + m_all->origin; }
 
-double Fragment::volume() const {
-    const FragmentRecord& record = m_all->records[m_index];
-    return record.hasGifts ? mass().volume : record.moments.area * m_all->depth;
-}
+double Fragment::volume() const { return record().hasGifts ? mass().volume : record().moments.area * m_all->depth; }
 
 MassProperties Fragment::mass() const {
-    const FragmentRecord& record = m_all->records[m_index];
-    if (record.hasGifts) return std::ranges::lower_bound(m_all->giftedMasses, m_index, {}, &GiftedMass::fragment)->mass;
-    MassProperties mass = massOfPrism(record.moments, m_all->depth);
+    if (record().hasGifts)
+        return std::ranges::lower_bound(m_all->giftedMasses, m_index, {}, &GiftedMass::fragment)->mass;
+    MassProperties mass = massOfPrism(record().moments, m_all->depth);
     mass.centre = Vec3{0.0, 0.0, 0.0};
     return mass;
 }
 
-bool Fragment::isConvex() const { return m_all->records[m_index].isConvex; }
+bool Fragment::isConvex() const { return record().isConvex; }
 
-Polygon Fragment::outline() const {
-    const FragmentRecord& record = m_all->records[m_index];
-    return pieceOutline(m_all->partition, record.piece, record.moments.centre);
-}
+Polygon Fragment::outline() const { return pieceOutline(m_all->partition, piece(), record().moments.centre); }
 
 std::vector<std::uint32_t> Fragment::across() const {
     std::vector<std::uint32_t> fragments;
-    forEachEdge(
-        m_all->partition, m_all->records[m_index].piece,
-        [&](std::uint32_t, std::uint32_t, std::uint32_t piece) { fragments.push_back(fragmentOf(*m_all, piece)); });
+    forEachEdge(m_all->partition, piece(), [&](std::uint32_t, std::uint32_t, std::uint32_t piece) {
+        fragments.push_back(fragmentOf(*m_all, piece));
+    });
     return fragments;
 }
 
@@ -95,7 +91,7 @@ std::vector<Bond> Fragment::bonds() const {
             bonds.push_back({behind, glm::distance(partition.points[from], partition.points[to])});
         });
     };
-    addEdges(m_all->records[m_index].piece);
+    addEdges(piece());
     for (const ThinPieceGift& gift : m_all->gifts) {
         if (fragmentOf(*m_all, gift.receiver) == m_index) addEdges(gift.thin);
     }

@@ -22,6 +22,7 @@ struct Bond {
 };
 
 struct Fragments;
+struct PieceRecord;
 
 /// One solid piece of a prism. Its own frame has the prism's axes and its centre of mass as origin.
 ///
@@ -48,14 +49,16 @@ public:
     std::vector<Polytope> hulls() const;
 
 private:
+    std::uint32_t piece() const;
+    const PieceRecord& record() const;
+
     const Fragments* m_all;
     std::uint32_t m_index;
 };
 
-/// What is kept of a fragment beside its piece.
-struct FragmentRecord {
+/// What is kept of a fragment's piece beside its corners.
+struct PieceRecord {
     AreaMoments moments;  // of the exact piece, in the partition's coordinates; `centre` of all that it weighs
-    std::uint32_t piece = 0;
     bool isConvex = true;
     bool hasGifts = false;  // it took the mass of thin pieces
 };
@@ -74,13 +77,14 @@ struct Fragments {
     double leastEdge = 0.0;      // m: pieces that share less are not bonded
     Vec3 origin{0.0, 0.0, 0.0};  // of the prism's frame in that of `Fragment::offset()`, m
 
-    RawVector<FragmentRecord> records;         // by seed, then piece
+    RawVector<PieceRecord> records;            // of each piece; of thin ones without meaning
+    RawVector<std::uint32_t> pieceOfFragment;  // by seed, then piece
     RawVector<std::uint32_t> fragmentOfPiece;  // where a piece is too thin, the receiver's; kNone: none took it
     std::vector<ThinPieceGift> gifts;          // one a thin piece, by seed, then piece
     std::vector<GiftedMass> giftedMasses;      // ascending fragment
     std::vector<Report> reports;               // the partition's, then ThinPiece
 
-    std::uint32_t count() const { return static_cast<std::uint32_t>(records.size()); }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(pieceOfFragment.size()); }
     Fragment operator[](std::uint32_t index) const { return {*this, index}; }
 };
 

@@ -2,7 +2,6 @@
 
 #include "core/fracture/ThinPieces.h"
 #include "core/geometry/NumberedCorners.h"
-#include "core/geometry/Predicates.h"
 
 #include <glm/geometric.hpp>
 
@@ -16,20 +15,11 @@ bool isFlat(Vec2 before, Vec2 corner, Vec2 after, double flat) {
     return std::abs(cross(chord, corner - before)) <= flat * glm::length(chord);
 }
 
-/// True where a corner turns left so clearly that rounding cannot have made it so.
-bool turnsLeft(Vec2 before, Vec2 corner, Vec2 after) {
-    const Vec2 in = corner - before, out = after - corner;
-    const double left = in.x * out.y, right = in.y * out.x;
-    return left - right > kOrientBound * (std::abs(left) + std::abs(right));
-}
-
 bool isNearlyConvex(const Ring& ring, double flat) {
     Vec2 before = ring[ring.size() - 2];
     Vec2 corner = ring[ring.size() - 1];
     for (const Vec2 after : ring) {
-        if (!turnsLeft(before, corner, after) && orient2d(before, corner, after) < 0 &&
-            !isFlat(before, corner, after, flat))
-            return false;
+        if (orient2d(before, corner, after) < 0 && !isFlat(before, corner, after, flat)) return false;
         before = corner;
         corner = after;
     }
@@ -39,7 +29,8 @@ bool isNearlyConvex(const Ring& ring, double flat) {
 }  // namespace
 
 std::optional<IndexLoops> hullParts(const Polygon& piece, const HullTolerance& tolerance) {
-    if (piece.holes.empty() && isNearlyConvex(piece.outer, tolerance.flat)) return IndexLoops{};
+    if (piece.holes.empty() && (turnsLeft(piece.outer) || isNearlyConvex(piece.outer, tolerance.flat)))
+        return IndexLoops{};
     Result<IndexLoops> parts = convexParts(piece);
     if (!parts) return std::nullopt;
     const std::vector<Vec2> corners = numberedCorners(piece).points;

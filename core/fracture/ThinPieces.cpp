@@ -25,13 +25,7 @@ std::string cellOf(const Partition& partition, std::uint32_t piece) {
 
 }  // namespace
 
-double widthOf(double area, double perimeter) { return 2.0 * area / perimeter; }
-
-double widthOf(const Polygon& polygon) {
-    double around = perimeter(polygon.outer);
-    for (const Ring& hole : polygon.holes) around += perimeter(hole);
-    return widthOf(area(polygon), around);
-}
+double widthOf(const Polygon& polygon) { return widthOf(area(polygon), perimeter(polygon)); }
 
 std::vector<ThinPieceGift> thinPieceGifts(const Partition& partition, std::span<const std::uint32_t> thin) {
     std::vector<std::uint32_t> owners(partition.pieceCount());

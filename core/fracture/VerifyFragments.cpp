@@ -17,12 +17,6 @@ std::string text(std::uint64_t number) { return std::to_string(number); }
 
 bool isFinite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
-double perimeterOf(const Polygon& polygon) {
-    double sum = perimeter(polygon.outer);
-    for (const Ring& hole : polygon.holes) sum += perimeter(hole);
-    return sum;
-}
-
 /// Calls visit(from, to) for every edge, in the order of `across`.
 template <class Visit>
 void forEachEdge(const Polygon& outline, Visit visit) {
@@ -41,7 +35,7 @@ Fault tableFault(const Fragments& all, const Prism& prism) {
         if (fragment != kNone && fragment >= all.count()) return "A piece names a fragment that is not there.";
     }
     for (std::uint32_t i = 0; i < all.count(); ++i) {
-        const std::uint32_t piece = all.records[i].piece;
+        const std::uint32_t piece = all.pieceOfFragment[i];
         if (piece >= all.partition.pieceCount() || all.fragmentOfPiece[piece] != i) {
             return "Fragment " + text(i) + " does not have a piece to itself.";
         }
@@ -55,7 +49,7 @@ Fault massFault(const Fragments& all, std::uint32_t index, double slack) {
     if (!(fragment.volume() > 0.0) || !std::isfinite(fragment.volume())) return "has no volume.";
     if (!isFinite(fragment.offset())) return "has an offset that is not finite.";
     const Vec2 centre = centroid(fragment.outline());
-    if (!all.records[index].hasGifts && !(glm::length(centre) <= slack)) {
+    if (!all.records[all.pieceOfFragment[index]].hasGifts && !(glm::length(centre) <= slack)) {
         return "does not have its centre of mass as origin.";
     }
     return std::nullopt;
@@ -164,7 +158,7 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
         const auto named = [&](const Fault& fault) { return "Fragment " + text(i) + " " + *fault; };
         const Fragment fragment = fragments[i];
         const Polygon outline = fragment.outline();
-        const double hullSlack = kRelative * diameter * perimeterOf(outline) * prism.depth;
+        const double hullSlack = kRelative * diameter * perimeter(outline) * prism.depth;
         const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
         if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
         if (const Fault fault = hullFault(fragment, outline, hullSlack)) return named(fault);

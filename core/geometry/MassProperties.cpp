@@ -7,72 +7,6 @@ namespace rubble {
 
 namespace {
 
-/// Integrals over an area: of 1 and of (x, y).
-struct FirstIntegrals {
-    double area = 0.0;
-    Vec2 first{0.0, 0.0};
-
-    /// Adds those over the triangle (0, a, b), negative where it runs clockwise.
-    void addTriangle(Vec2 a, Vec2 b) {
-        const double doubleArea = cross(a, b);
-        area += doubleArea / 2.0;
-        first += doubleArea / 6.0 * (a + b);
-    }
-    void addScaled(const FirstIntegrals& part, double factor) {
-        area += factor * part.area;
-        first += factor * part.first;
-    }
-};
-
-/// Integrals over an area: of 1 and of (x², xy, y²).
-struct SecondIntegrals {
-    double area = 0.0;
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-
-    void addTriangle(Vec2 a, Vec2 b) {
-        const double doubleArea = cross(a, b);
-        const Vec2 sum = a + b;
-        area += doubleArea / 2.0;
-        xx += doubleArea / 24.0 * (a.x * a.x + b.x * b.x + sum.x * sum.x);
-        xy += doubleArea / 24.0 * (a.x * a.y + b.x * b.y + sum.x * sum.y);
-        yy += doubleArea / 24.0 * (a.y * a.y + b.y * b.y + sum.y * sum.y);
-    }
-    void addScaled(const SecondIntegrals& part, double factor) {
-        area += factor * part.area;
-        xx += factor * part.xx;
-        xy += factor * part.xy;
-        yy += factor * part.yy;
-    }
-};
-
-/// Integrals over the triangles between `origin` and the ring's edges, in coordinates relative to it.
-template <class Integrals>
-Integrals integralsOver(std::span<const Vec2> ring, Vec2 origin) {
-    Integrals integrals;
-    if (ring.empty()) return integrals;
-    Vec2 a = ring.back() - origin;
-    for (const Vec2 corner : ring) {
-        const Vec2 b = corner - origin;
-        integrals.addTriangle(a, b);
-        a = b;
-    }
-    return integrals;
-}
-
-/// The outer ring's integrals less the holes', whatever way the rings run.
-template <class Integrals>
-Integrals integralsOver(const Polygon& polygon, Vec2 origin) {
-    Integrals sum = integralsOver<Integrals>(std::span(polygon.outer), origin);
-    if (sum.area < 0.0) sum.addScaled(Integrals(sum), -2.0);
-    for (const Ring& hole : polygon.holes) {
-        const auto integrals = integralsOver<Integrals>(std::span(hole), origin);
-        sum.addScaled(integrals, integrals.area < 0.0 ? 1.0 : -1.0);
-    }
-    return sum;
-}
-
 /// Integrals of the products of two coordinates to the inertia tensor.
 Mat3 inertiaFrom(double xx, double yy, double zz, double xy, double xz, double yz) {
     return Mat3{{yy + zz, -xy, -xz}, {-xy, xx + zz, -yz}, {-xz, -yz, xx + yy}};
@@ -91,30 +25,7 @@ void forEachTriangle(const Polytope& polytope, Vec3 origin, Visit visit) {
 
 double sixVolumes(Vec3 a, Vec3 b, Vec3 c) { return glm::dot(a, glm::cross(b, c)); }
 
-template <class Point>
-Point meanOf(std::span<const Point> points) {
-    Point sum{0.0};
-    for (const Point& point : points) sum += (point - points[0]) / static_cast<double>(points.size());
-    return points[0] + sum;
-}
-
 }  // namespace
-
-AreaMoments momentsOf(const Polygon& outline) {
-    AreaMoments moments;
-    if (outline.outer.empty()) return moments;
-    const Vec2 origin = outline.outer[0];
-    const auto about = integralsOver<FirstIntegrals>(outline, origin);
-    moments.area = about.area;
-    const bool isFlat = !(about.area > 0.0);
-    moments.centre = isFlat ? meanOf(std::span<const Vec2>(outline.outer)) : origin + about.first / about.area;
-    // A second pass about the centre: the first one's integrals would cancel where the origin lies far from it.
-    const auto central = integralsOver<SecondIntegrals>(outline, moments.centre);
-    moments.xx = central.xx;
-    moments.xy = central.xy;
-    moments.yy = central.yy;
-    return moments;
-}
 
 MassProperties massOfPrism(const AreaMoments& moments, double depth) {
     MassProperties mass;

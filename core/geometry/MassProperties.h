@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/AreaMoments.h"
 #include "core/geometry/Polytope.h"
 
 #include <span>
@@ -13,20 +14,7 @@ struct MassProperties {
     Mat3 inertia{0.0};           // m^5, about the centre, in the body's axes
 };
 
-/// How a flat area is spread out.
-struct AreaMoments {
-    double area = 0.0;      // m^2
-    Vec2 centre{0.0, 0.0};  // m
-    double xx = 0.0;        // m^4: integrals of x^2, xy and y^2 about the centre
-    double xy = 0.0;
-    double yy = 0.0;
-};
-
-/// Exact (up to rounding) for a polygon with holes.
-/// Source: Green's theorem on the outline; Mirtich 1996.
-AreaMoments momentsOf(const Polygon& outline);
-
-/// The mass of such an area extruded to z in [-depth/2, depth/2].
+/// The mass of an area extruded to z in [-depth/2, depth/2].
 MassProperties massOfPrism(const AreaMoments& moments, double depth);
 MassProperties massOfPrism(const Polygon& outline, double depth);
 

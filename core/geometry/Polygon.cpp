@@ -110,6 +110,12 @@ double perimeter(std::span<const Vec2> ring) {
     return sum;
 }
 
+double perimeter(const Polygon& polygon) {
+    double sum = perimeter(polygon.outer);
+    for (const Ring& hole : polygon.holes) sum += perimeter(hole);
+    return sum;
+}
+
 Box2 boundsOf(std::span<const Vec2> points) {
     Box2 box;
     for (const Vec2 point : points) box.include(point);

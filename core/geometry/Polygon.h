@@ -37,6 +37,7 @@ double area(const Polygon& polygon);
 /// The centre of area; the mean of the corners where the area is zero.
 Vec2 centroid(const Polygon& polygon);
 double perimeter(std::span<const Vec2> ring);
+double perimeter(const Polygon& polygon);  // with its holes'
 Box2 boundsOf(std::span<const Vec2> points);
 
 /// The same polygon with the outer ring counter-clockwise and the holes clockwise; first corners stay first.

@@ -258,12 +258,14 @@ private slots:
             b.breakings[3].parent = 9;
             b.breakings[3].first = 10;
         });
-        row("Asset \"box\": Fragment 1 does not have its centre of mass as origin.",
-            [](Bake& b) { b.breakings[0].fragments.records[1].moments.centre.x += 0.5; });
+        row("Asset \"box\": Fragment 1 does not have its centre of mass as origin.", [](Bake& b) {
+            Fragments& fragments = b.breakings[0].fragments;
+            fragments.records[fragments.pieceOfFragment[1]].moments.centre.x += 0.5;
+        });
         row("Asset \"box\": Fragment 3/5.7 is not the 3/5.1 it should be.",
             [](Bake& b) { b.breakings[0].seeds.ids[1].index = 7; });
         row("Asset \"box\": fragment 3/5.1: There are 3 fragments, but 4 when it is broken again.",
-            [](Bake& b) { b.breakings[2].fragments.records.pop_back(); });
+            [](Bake& b) { b.breakings[2].fragments.pieceOfFragment.pop_back(); });
         row("Asset \"box\": fragment 3/5.1: The fragments are not where it is.",
             [](Bake& b) { b.breakings[2].fragments.origin.x += 0.1; });
     }
