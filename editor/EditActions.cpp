@@ -30,7 +30,7 @@ Selection::Seeds withNeighbours(Workspace& workspace) {
     const Selection::Seeds before = chosen;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         if (!before.contains(ids[partition.seedOfPiece[piece]])) continue;
-        for (const Contact& contact : contactsOf(partition, piece, 0.0)) {
+        for (const PieceContact& contact : contactsOf(partition, piece, 0.0)) {
             chosen.insert(ids[partition.seedOfPiece[contact.piece]]);
         }
     }

@@ -44,7 +44,7 @@ private:
     /// Writes the cell's ring and takes it back where it lies outside. It lies where a neighbour of the same kind does, and
     /// else where its site does.
     void addUnvisitedCell(std::uint32_t site) {
-        std::vector<PieceCorner>& corners = m_stretch.pieces.corners;
+        std::vector<CellCorner>& corners = m_stretch.pieces.corners;
         const std::size_t begin = corners.size();
         const std::uint32_t first = m_sources.outgoing[site];
         std::uint32_t spoke = first, place = kUnknown;
@@ -93,7 +93,7 @@ private:
 
     /// Joins what lies in the tip of a sharp corner to it: of each corner on an edge of the outline, itself and those
     /// beside it, in the tips at the edge's ends.
-    void noteTips(std::span<const PieceCorner> ring) {
+    void noteTips(std::span<const CellCorner> ring) {
         const PointNumbers& numbers = m_sources.numbers;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const std::uint32_t point = ring[i].point;

@@ -33,14 +33,14 @@ bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from
     return isFound;
 }
 
-std::vector<Contact> contactsOf(const Partition& partition, std::uint32_t piece, double least) {
+std::vector<PieceContact> contactsOf(const Partition& partition, std::uint32_t piece, double least) {
     std::map<std::uint32_t, double> lengths;
     forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t across) {
         if (across == kNone) return;
         const Vec2 edge = partition.points[to] - partition.points[from];
         lengths[across] += std::sqrt(edge.x * edge.x + edge.y * edge.y);
     });
-    std::vector<Contact> contacts;
+    std::vector<PieceContact> contacts;
     for (const auto& [neighbour, length] : lengths) {
         if (length >= least) contacts.push_back({neighbour, length});
     }

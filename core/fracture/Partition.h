@@ -59,11 +59,11 @@ double pieceArea(const Partition& partition, std::uint32_t piece);
 bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to);
 
 /// A pair of touching pieces.
-struct Contact {
+struct PieceContact {
     std::uint32_t piece = 0;
     double length = 0.0;  // m of shared edges
 };
 /// Whom a piece touches and along how much: ascending piece order, shorter lengths than `least` left out.
-std::vector<Contact> contactsOf(const Partition& partition, std::uint32_t piece, double least);
+std::vector<PieceContact> contactsOf(const Partition& partition, std::uint32_t piece, double least);
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Index.h"
 #include "core/geometry/Vec.h"
 
 #include <cstdint>
@@ -20,8 +21,6 @@ enum class ReportCode {
 
 /// The code's name as it stands in JSON and in messages: "DuplicateSeed".
 const char* nameOf(ReportCode code);
-
-inline constexpr std::uint32_t kNone = 0xffffffffu;  // no seed, no piece, no neighbour
 
 /// One such notice. Indices are those of the input.
 struct Report {

@@ -11,7 +11,7 @@ namespace {
 std::uint32_t ownerAcross(const Partition& partition, std::uint32_t piece, const std::vector<std::uint32_t>& owners) {
     std::uint32_t owner = kNone;
     double longest = 0.0;
-    for (const Contact& contact : contactsOf(partition, piece, 0.0)) {
+    for (const PieceContact& contact : contactsOf(partition, piece, 0.0)) {
         if (owners[contact.piece] == kNone || contact.length <= longest) continue;
         owner = owners[contact.piece];
         longest = contact.length;

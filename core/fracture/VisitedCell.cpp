@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::size_t kUsual = 16;  // more than most cells have of anything
 
-std::span<const PieceCorner> ringOf(const CellPieces& pieces, std::size_t ring) {
+std::span<const CellCorner> ringOf(const CellPieces& pieces, std::size_t ring) {
     const std::size_t begin = ring == 0 ? 0 : pieces.ringEnds[ring - 1];
     return std::span(pieces.corners).subspan(begin, pieces.ringEnds[ring] - begin);
 }
 
-Ring pointsOf(std::span<const PieceCorner> corners, std::span<const Vec2> points) {
+Ring pointsOf(std::span<const CellCorner> corners, std::span<const Vec2> points) {
     Ring ring;
     ring.reserve(corners.size());
-    for (const PieceCorner& corner : corners) ring.push_back(points[corner.point]);
+    for (const CellCorner& corner : corners) ring.push_back(points[corner.point]);
     return ring;
 }
 
@@ -39,7 +39,7 @@ void sortPieces(CellPieces& pieces, std::span<const Vec2> points) {
                      [](const Entry& a, const Entry& b) { return isSmaller(a.smallest, b.smallest); });
     CellPieces sorted;
     for (const Entry& entry : entries) {
-        const std::span<const PieceCorner> ring = ringOf(pieces, entry.ring);
+        const std::span<const CellCorner> ring = ringOf(pieces, entry.ring);
         sorted.corners.insert(sorted.corners.end(), ring.begin(), ring.end());
         sorted.ringEnds.push_back(static_cast<std::uint32_t>(sorted.corners.size()));
         sorted.pieceEnds.push_back(static_cast<std::uint32_t>(sorted.ringEnds.size()));
@@ -200,7 +200,7 @@ void CellCutter::addHoles(CellPieces& pieces) const {
     }
     CellPieces whole;
     for (std::size_t piece = 0; piece < count; ++piece) {
-        const std::span<const PieceCorner> outer = ringOf(pieces, piece);
+        const std::span<const CellCorner> outer = ringOf(pieces, piece);
         whole.corners.insert(whole.corners.end(), outer.begin(), outer.end());
         whole.ringEnds.push_back(static_cast<std::uint32_t>(whole.corners.size()));
         for (const std::uint32_t hole : holesOf[piece]) {

@@ -10,14 +10,14 @@
 namespace rubble {
 
 /// A corner of a piece while a partition is being put together.
-struct PieceCorner {
+struct CellCorner {
     std::uint32_t point;
     std::uint32_t across;  // site behind the edge that starts here; kNone: the outline
 };
 
 /// The pieces of one cell that the outline enters: per piece its rings, the outer one first.
 struct CellPieces {
-    std::vector<PieceCorner> corners;
+    std::vector<CellCorner> corners;
     std::vector<std::uint32_t> ringEnds;   // in corners
     std::vector<std::uint32_t> pieceEnds;  // in ringEnds
     void clear();

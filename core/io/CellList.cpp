@@ -23,7 +23,7 @@ std::vector<std::uint32_t> neighboursOf(const Partition& partition, std::uint32_
                                         double least) {
     std::map<std::uint32_t, double> shared;  // m of common edges by seed
     for (std::uint32_t piece = first; piece < end; ++piece) {
-        for (const Contact& contact : contactsOf(partition, piece, 0.0)) {
+        for (const PieceContact& contact : contactsOf(partition, piece, 0.0)) {
             shared[partition.seedOfPiece[contact.piece]] += contact.length;
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Index.h"
 #include "core/physics/BodyRows.h"
 #include "core/physics/BoxTree.h"
 #include "core/physics/ContactColours.h"
@@ -14,7 +15,6 @@
 
 namespace rubble {
 
-inline constexpr std::uint32_t kNone = ~0u;
 inline constexpr float kNeverLooked = -1e30f;  // OpenContact::lookAt of a new one
 
 /// What a body is, beside its rows; number 0 is the nobody in empty lanes.

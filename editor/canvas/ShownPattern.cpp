@@ -155,7 +155,7 @@ double ShownPattern::aspect(std::uint32_t piece) const { return aspectOf(pieceOu
 std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
     const double least = kLeastSharedEdge * boundsOf(m_baked->asset->prism.outline.outer).diagonal();
     std::vector<std::uint32_t> neighbours;
-    for (const Contact& contact : contactsOf(partition(), piece, least)) neighbours.push_back(contact.piece);
+    for (const PieceContact& contact : contactsOf(partition(), piece, least)) neighbours.push_back(contact.piece);
     return neighbours;
 }
 

@@ -69,14 +69,14 @@ void AssetPage::buildAsset(Section& section) {
     m_form.bind(m_material, tr("Set material"), &Asset::material);
     auto* threshold = section.addRow(
         tr("Threshold"),
-        new SliderField(NumberRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
         tr("The impulse of a blow at which it breaks"));
     threshold->setFormat({tr("N·s"), 0});
     m_form.bind(threshold, tr("Set threshold"), &Asset::threshold);
     auto* scale = section.addRow(tr("Inside UVs"), new NumberField,
                                  tr("How often a texture repeats in a metre of the faces where it broke"));
     scale->setFormat({tr("per m"), 0});
-    scale->setRange(NumberRange::aboveZero());
+    scale->setRange(FieldRange::aboveZero());
     m_form.bind(scale, tr("Set inside UV scale"), &Asset::insideUvScale);
 }
 
@@ -90,7 +90,7 @@ void AssetPage::buildShape(Section& section) {
                             tr("How thick the prism is, along z")};
     for (int axis = 0; axis < 3; ++axis) {
         auto* field = section.addRow(names[axis], new NumberField, hints[axis]);
-        field->setRange(NumberRange::aboveZero());
+        field->setRange(FieldRange::aboveZero());
         m_form.bind(
             field, tr("Resize"), [axis](const Asset& asset) { return sizeOf(asset)[axis]; },
             [axis](Asset& asset, double entered) {

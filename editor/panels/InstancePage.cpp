@@ -104,7 +104,7 @@ void InstancePage::buildStrength(Section& section) {
         });
     m_threshold = section.addRow(
         tr("Threshold"),
-        new SliderField(NumberRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
         tr("The impulse of a blow at which it breaks"));
     m_threshold->setFormat({tr("N·s"), 0});
     m_form.bind(

@@ -77,17 +77,17 @@ LayerPage::LayerPage(Document& document, QWidget* parent)
 void LayerPage::buildScatters() {
     m_count = m_rows->addRow(
         tr("Count"),
-        new SliderField(NumberRange::whole(0.0, kMostSeeds), 1.0, kMostUsualSeeds, SliderScale::Logarithmic),
+        new SliderField(FieldRange::whole(0.0, kMostSeeds), 1.0, kMostUsualSeeds, SliderScale::Logarithmic),
         tr("How many seeds are thrown; more leave the earlier ones where they are"));
     m_form.bind(m_count, tr("Set count"), reading(&UniformScatter::count), writing(&UniformScatter::count));
     m_distance = m_rows->addRow(
         tr("Distance"),
-        new SliderField(NumberRange::aboveZero(), kLeastUsualDistance, kMostUsualDistance, SliderScale::Logarithmic),
+        new SliderField(FieldRange::aboveZero(), kLeastUsualDistance, kMostUsualDistance, SliderScale::Logarithmic),
         tr("No two seeds are nearer to each other than this"));
     m_form.bind(m_distance, tr("Set distance"), reading(&BlueNoise::minimumDistance),
                 writing(&BlueNoise::minimumDistance));
     m_most = m_rows->addRow(tr("At most"), new NumberField, tr("How many seeds; 0: as many as find room"));
-    m_most->setRange(NumberRange::whole(0.0, kMostSeeds));
+    m_most->setRange(FieldRange::whole(0.0, kMostSeeds));
     m_form.bind(m_most, tr("Set count"), reading(&BlueNoise::count), writing(&BlueNoise::count));
     m_domain =
         m_rows->addRow(tr("Where"), new QComboBox, tr("Inside the outline, or in its bounding box as the thesis does"));
@@ -95,7 +95,7 @@ void LayerPage::buildScatters() {
     m_domain->addItem(tr("Bounding box"), static_cast<Id>(ScatterDomain::BoundingBox));
     m_form.bind(m_domain, tr("Set domain"), domainOf, setDomain);
     m_rounds =
-        m_rows->addRow(tr("Rounds"), new SliderField(NumberRange::whole(0.0, kMostRounds), 0.0, kMostUsualRounds),
+        m_rows->addRow(tr("Rounds"), new SliderField(FieldRange::whole(0.0, kMostRounds), 0.0, kMostUsualRounds),
                        tr("How often the seeds above move to the middle of their cells: more make cells even"));
     m_form.bind(m_rounds, tr("Set rounds"), reading(&LloydRelaxation::rounds), writing(&LloydRelaxation::rounds));
     m_randomSeed = m_rows->addRow(tr("Random seed"), new RandomSeedField,

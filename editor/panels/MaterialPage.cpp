@@ -48,15 +48,15 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
         [](Material& material, const QString& entered) { material.name = entered.trimmed().toStdString(); });
 
     auto* density = section->addRow(
-        tr("Density"), new SliderField(NumberRange::aboveZero(), kLeastDensity, kMostDensity, SliderScale::Logarithmic),
+        tr("Density"), new SliderField(FieldRange::aboveZero(), kLeastDensity, kMostDensity, SliderScale::Logarithmic),
         tr("Mass by volume; it makes fragments light or heavy"));
     density->setFormat({tr("kg/m³"), 0});
     m_form.bind(density, tr("Set density"), &Material::density);
     auto* friction =
-        section->addRow(tr("Friction"), new SliderField(NumberRange{.min = 0.0, .step = 0.05}, 0.0, kMostUsualFriction),
+        section->addRow(tr("Friction"), new SliderField(FieldRange{.min = 0.0, .step = 0.05}, 0.0, kMostUsualFriction),
                         tr("Coulomb's coefficient: 0 is ice without friction, 0.6 stone on stone"));
     m_form.bind(friction, tr("Set friction"), &Material::friction);
-    auto* restitution = section->addRow(tr("Restitution"), new SliderField(NumberRange::zeroToOne(), 0.0, 1.0),
+    auto* restitution = section->addRow(tr("Restitution"), new SliderField(FieldRange::zeroToOne(), 0.0, 1.0),
                                         tr("How much bodies bounce: 0 not at all, 1 as high as they fell from"));
     m_form.bind(restitution, tr("Set restitution"), &Material::restitution);
     auto* outside = section->addRow(tr("Outside"), new ColourButton, tr("Colour of the surface of the whole"));

@@ -25,7 +25,7 @@ double adaptiveStep(double value, bool isTowardsZero) {
     return QString("1e%1").arg(static_cast<int>(std::floor(std::log10(size))) - 1).toDouble();
 }
 
-double stepOf(const NumberRange& range, double value, int direction) {
+double stepOf(const FieldRange& range, double value, int direction) {
     if (range.step > 0.0) return range.step;
     const double step = value == 0.0 ? range.stepAtZero : adaptiveStep(value, (value > 0.0) == (direction < 0));
     return range.isWhole ? std::max(step, 1.0) : step;
@@ -33,7 +33,7 @@ double stepOf(const NumberRange& range, double value, int direction) {
 
 }  // namespace
 
-bool NumberRange::contains(double value) const {
+bool FieldRange::contains(double value) const {
     return value >= min && value <= max && !(isMinOut && value == min) && !(isWhole && value != std::floor(value));
 }
 
@@ -69,7 +69,7 @@ void NumberField::setFormat(const NumberFormat& format) {
     showValue();
 }
 
-void NumberField::setRange(const NumberRange& range) { m_range = range; }
+void NumberField::setRange(const FieldRange& range) { m_range = range; }
 
 void NumberField::setHint(const QString& hint) {
     m_hint = hint;

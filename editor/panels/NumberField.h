@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// What may be typed into a field.
-struct NumberRange {
+struct FieldRange {
     double min = -std::numeric_limits<double>::max();
     double max = std::numeric_limits<double>::max();
     bool isMinOut = false;    // min itself is not allowed: "above 0"
@@ -19,10 +19,10 @@ struct NumberRange {
     double stepAtZero = 0.1;  // the smallest step there
     bool contains(double value) const;
 
-    static NumberRange aboveZero() { return {.min = 0.0, .isMinOut = true}; }
-    static NumberRange zeroOrAbove() { return {.min = 0.0}; }
-    static NumberRange zeroToOne() { return {.min = 0.0, .max = 1.0, .step = 0.05}; }
-    static NumberRange whole(double min, double max) {
+    static FieldRange aboveZero() { return {.min = 0.0, .isMinOut = true}; }
+    static FieldRange zeroOrAbove() { return {.min = 0.0}; }
+    static FieldRange zeroToOne() { return {.min = 0.0, .max = 1.0, .step = 0.05}; }
+    static FieldRange whole(double min, double max) {
         return {.min = min, .max = max, .isWhole = true, .stepAtZero = 1.0};
     }
 };
@@ -56,8 +56,8 @@ public:
     void setMixed();
     bool isMixed() const { return m_isMixed; }
     void setFormat(const NumberFormat& format);
-    void setRange(const NumberRange& range);
-    const NumberRange& range() const { return m_range; }
+    void setRange(const FieldRange& range);
+    const FieldRange& range() const { return m_range; }
     /// What the field tells when pointed at; all digits are added where not all are shown.
     void setHint(const QString& hint);
 
@@ -91,7 +91,7 @@ private:
     double m_value = 0.0;
     bool m_isMixed = false;
     NumberFormat m_format;
-    NumberRange m_range;
+    FieldRange m_range;
     QString m_hint;
     StepRun m_run;
 };

@@ -36,7 +36,7 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
     m_view->setDragDropMode(QAbstractItemView::InternalMove);
     m_view->setDefaultDropAction(Qt::MoveAction);
     m_ofLevel->addRow(tr("From volume"), m_minimumVolume, tr("Fragments smaller than this are not broken again"));
-    m_minimumVolume->setRange(NumberRange::zeroOrAbove());
+    m_minimumVolume->setRange(FieldRange::zeroOrAbove());
     m_form.bind(
         m_minimumVolume, tr("Set minimum volume"),
         [this](const Asset& asset) { return asset.levels[m_place.level - 1].minimumVolume; },

@@ -47,12 +47,12 @@ void ScenePage::buildGround(Section& section) {
         m_height, tr("Move ground"), [](const SceneSettings& scene) { return scene.ground.height; },
         [](SceneSettings& scene, double entered) { scene.ground.height = entered; });
     auto* friction =
-        section.addRow(tr("Friction"), new SliderField(NumberRange{.min = 0.0, .step = 0.05}, 0.0, kMostUsualFriction),
+        section.addRow(tr("Friction"), new SliderField(FieldRange{.min = 0.0, .step = 0.05}, 0.0, kMostUsualFriction),
                        tr("Coulomb's coefficient of the ground"));
     m_form.bind(
         friction, tr("Set friction"), [](const SceneSettings& scene) { return scene.ground.friction; },
         [](SceneSettings& scene, double entered) { scene.ground.friction = entered; });
-    auto* restitution = section.addRow(tr("Restitution"), new SliderField(NumberRange::zeroToOne(), 0.0, 1.0),
+    auto* restitution = section.addRow(tr("Restitution"), new SliderField(FieldRange::zeroToOne(), 0.0, 1.0),
                                        tr("How much bodies bounce off the ground"));
     m_form.bind(
         restitution, tr("Set restitution"), [](const SceneSettings& scene) { return scene.ground.restitution; },
@@ -88,7 +88,7 @@ void ScenePage::buildDamage(Section& section) {
         [](SceneSettings& scene, bool entered) { scene.damage.isThesis = entered; });
     auto* threshold = section.addRow(
         tr("Threshold"),
-        new SliderField(NumberRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
         tr("What every body withstands, as in the thesis"));
     threshold->setFormat({tr("N·s"), 0});
     m_form.bind(

@@ -28,7 +28,7 @@ protected:
 
 }  // namespace
 
-SliderField::SliderField(const NumberRange& range, double from, double to, SliderScale scale, QWidget* parent)
+SliderField::SliderField(const FieldRange& range, double from, double to, SliderScale scale, QWidget* parent)
     : QWidget(parent),
       m_slider(new QuietSlider(Qt::Horizontal, this)),
       m_field(new NumberField(this)),

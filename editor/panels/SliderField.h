@@ -15,7 +15,7 @@ class SliderField : public QWidget {
     Q_OBJECT
 public:
     /// `from` and `to` are the slider's ends; above zero for a logarithmic scale.
-    SliderField(const NumberRange& range, double from, double to, SliderScale scale = SliderScale::Linear,
+    SliderField(const FieldRange& range, double from, double to, SliderScale scale = SliderScale::Linear,
                 QWidget* parent = nullptr);
 
     NumberField& field() { return *m_field; }

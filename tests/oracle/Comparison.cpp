@@ -53,7 +53,7 @@ std::vector<FoundCell> foundCells(const Partition& partition, std::size_t seeds)
         ++cell.pieces;
         cell.centroid = (cell.area * cell.centroid + pieceArea * centroid(outline)) / (cell.area + pieceArea);
         cell.area += pieceArea;
-        for (const Contact& contact : contactsOf(partition, piece, 0.0))
+        for (const PieceContact& contact : contactsOf(partition, piece, 0.0))
             cell.shared[partition.seedOfPiece[contact.piece]] += contact.length;
     }
     return cells;

@@ -10,7 +10,7 @@
 namespace rubble {
 namespace {
 
-static_assert(sizeof(BodyMotion) == 48 && sizeof(BodyLook) == 16, "texels of buffer textures");
+static_assert(sizeof(DrawnPose) == 48 && sizeof(BodyLook) == 16, "texels of buffer textures");
 
 template <class T>
 GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {

@@ -14,7 +14,7 @@ bool isMarked(const std::vector<PickId>& sorted, const PickId& body) {
            (has(body.instance, body.fragment) || has(0, body.fragment) || has(body.instance, kNone) || has(0, kNone));
 }
 
-void include(Box3& bounds, const Box3& box, const BodyMotion& motion, const RenderScene& scene) {
+void include(Box3& bounds, const Box3& box, const DrawnPose& motion, const RenderScene& scene) {
     const Quat orientation(
         glm::quat(motion.orientation.w, motion.orientation.x, motion.orientation.y, motion.orientation.z));
     const Vec3 position = scene.origin + Vec3(motion.position) + scene.exploded * Vec3(motion.apart);

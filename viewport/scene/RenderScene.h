@@ -22,7 +22,7 @@ struct PickId {
 };
 
 /// Where a body stands and where it is moved to in an exploded view.
-struct BodyMotion {
+struct DrawnPose {
     glm::vec4 position{0.0f};                       // m, relative to RenderScene::origin
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
     glm::vec4 apart{0.0f};                          // m at an exploded factor of 1
@@ -51,10 +51,10 @@ struct SceneBatch {
 struct RenderScene {
     Vec3 origin{0.0, 0.0, 0.0};  // m, in the world: motions are relative to it, which keeps their digits
     std::vector<SceneBatch> batches;
-    std::vector<BodyMotion> motions;  // this and the following: one a body
+    std::vector<DrawnPose> motions;  // this and the following: one a body
     std::vector<BodyLook> looks;
     std::vector<PickId> picks;
-    double exploded = 0.0;  // factor of BodyMotion::apart
+    double exploded = 0.0;  // factor of DrawnPose::apart
     bool hasGround = true;
     double groundHeight = 0.0;  // m
 };

@@ -21,7 +21,7 @@ bool isModelOf(const AssetModel& model, const Asset& asset, const std::shared_pt
            model.asset.insideUvScale == asset.insideUvScale && (model.hulls || !options.hasHulls);
 }
 
-BodyMotion motionOf(const Pose& pose, Vec3 offset, Vec3 origin) {
+DrawnPose motionOf(const Pose& pose, Vec3 offset, Vec3 origin) {
     const Vec3 position = pose.position + pose.orientation * offset - origin;
     const glm::quat orientation(pose.orientation);
     return {glm::vec4(glm::vec3(position), 0.0f), {orientation.x, orientation.y, orientation.z, orientation.w}};
@@ -117,7 +117,7 @@ private:
         Vec3 middle = bounds.centre();
         if (m_scene.hasGround) middle.y = std::min(m_scene.groundHeight, bounds.min.y);
         const glm::vec3 fromMiddle(middle - m_scene.origin);
-        for (BodyMotion& motion : m_scene.motions) {
+        for (DrawnPose& motion : m_scene.motions) {
             motion.apart = glm::vec4(glm::vec3(motion.position) - fromMiddle, 0.0f);
         }
     }

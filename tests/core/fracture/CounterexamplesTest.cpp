@@ -15,7 +15,7 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const Partition& partition,
     std::vector<std::vector<std::uint32_t>> neighbours(partition.pieceOfSeed.size());
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         std::vector<std::uint32_t>& list = neighbours[partition.seedOfPiece[piece]];
-        for (const Contact& contact : contactsOf(partition, piece, least)) {
+        for (const PieceContact& contact : contactsOf(partition, piece, least)) {
             list.push_back(partition.seedOfPiece[contact.piece]);
         }
         std::ranges::sort(list);

@@ -72,7 +72,7 @@ private slots:
         const QStringList fills = captured(drawn({many}), kCellFill);
         QCOMPARE(fills.size(), 300);
         for (std::uint32_t piece = 0; piece < 300; ++piece) {
-            for (const Contact& contact : contactsOf(many.partition, piece, 0.0)) {
+            for (const PieceContact& contact : contactsOf(many.partition, piece, 0.0)) {
                 QVERIFY(fills[static_cast<int>(piece)] != fills[static_cast<int>(contact.piece)]);
             }
         }

@@ -135,7 +135,7 @@ private slots:
     void badInputIsRefusedWithASentence() {
         Window window;
         window.field.setValue(2.0);
-        window.field.setRange(NumberRange::aboveZero());
+        window.field.setRange(FieldRange::aboveZero());
         for (const char* text : {"abc", "0", "-1", "1e999"}) window.type(text);
         QCOMPARE(window.edits.count(), 0);
         QCOMPARE(window.refusals.count(), 4);
@@ -144,7 +144,7 @@ private slots:
         window.other.setFocus();
         QCOMPARE(window.field.value(), 2.0);
         QCOMPARE(window.line().text(), "2");
-        window.field.setRange(NumberRange::whole(1, 10));
+        window.field.setRange(FieldRange::whole(1, 10));
         window.type("2.5");
         QCOMPARE(window.refusals.last()[0], "It must be a whole number from 1 to 10.");
     }
@@ -176,7 +176,7 @@ private slots:
     }
     void stepsStayInRange() {
         Window window;
-        window.field.setRange(NumberRange::whole(1, 3));
+        window.field.setRange(FieldRange::whole(1, 3));
         window.field.setValue(2.0);
         window.field.setFocus();
         for (int k = 0; k < 3; ++k) QTest::keyClick(&window.field, Qt::Key_Up);
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(!window.field.isMixed());
     }
     void aDragOfASliderIsOneStroke() {
-        SliderField slider(NumberRange::zeroOrAbove(), 0.0, 10.0);
+        SliderField slider(FieldRange::zeroOrAbove(), 0.0, 10.0);
         slider.resize(400, 30);
         slider.show();
         slider.setValue(0.0);
@@ -222,7 +222,7 @@ private slots:
         QCOMPARE(slider.field().value(), slider.value());
     }
     void aSliderThatIsShownAnotherNumberIsLetGo() {
-        SliderField slider(NumberRange::zeroOrAbove(), 0.0, 10.0);
+        SliderField slider(FieldRange::zeroOrAbove(), 0.0, 10.0);
         slider.resize(400, 30);
         slider.show();
         const int middle = slider.slider().height() / 2;
@@ -238,7 +238,7 @@ private slots:
         QCOMPARE(slider.slider().value(), 0);
     }
     void aSliderNeverAltersWhatItShows() {
-        SliderField slider(NumberRange::aboveZero(), 0.01, 100.0, SliderScale::Logarithmic);
+        SliderField slider(FieldRange::aboveZero(), 0.01, 100.0, SliderScale::Logarithmic);
         QSignalSpy edits(&slider, &SliderField::edited);
         for (const double value : {1.0 / 3.0, 12345.678, 1e-9}) {
             slider.setValue(value);
