@@ -42,15 +42,6 @@ std::uint32_t newBody(WorldState& state) {
     return number;
 }
 
-void giveMass(Body& body, BodyMotion& motion, const BodyDefinition& definition) {
-    if (definition.kind != BodyKind::Dynamic) return;
-    const MassProperties& mass = definition.shape->mass;
-    body.mass = static_cast<float>(mass.volume * definition.density);
-    body.inertia = toFloat(mass.inertia, definition.density);
-    body.inverseInertia = toFloat(glm::inverse(mass.inertia), 1.0 / definition.density);
-    motion.inverseMass = 1.0f / body.mass;
-}
-
 }  // namespace
 
 std::optional<std::string> faultOf(const BodyDefinition& definition) {
@@ -80,14 +71,12 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
     const std::uint32_t number = newBody(state);
     Body& body = state.bodies[number];
     body = {.shape = definition.shape, .generation = body.generation + 1, .kind = definition.kind};
-    body.friction = static_cast<float>(definition.friction);
-    body.restitution = static_cast<float>(definition.restitution);
     body.tag = definition.tag;
     BodyMotion& motion = state.motions[number] = {};
     state.places[number] = {};
     state.ahead[number] = 0.0f;
     state.places[number].reach = definition.shape->reach;
-    giveMass(body, motion, definition);
+    giveMaterial(state, number, definition.material());
     if (definition.kind != BodyKind::Static) {
         motion.velocity = toFloat(definition.velocity);
         motion.spin = toFloat(definition.angularVelocity);
@@ -98,6 +87,20 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
     addProxies(state, number);
     wakeBody(state, number);
     return number;
+}
+
+void giveMaterial(WorldState& state, std::uint32_t number, const BodyMaterial& material) {
+    Body& body = state.bodies[number];
+    body.friction = static_cast<float>(material.friction);
+    body.restitution = static_cast<float>(material.restitution);
+    if (!body.isDynamic()) return;
+    const MassProperties& mass = body.shape->mass;
+    body.mass = static_cast<float>(mass.volume * material.density);
+    body.inertia = toFloat(mass.inertia, material.density);
+    body.inverseInertia = toFloat(glm::inverse(mass.inertia), 1.0 / material.density);
+    body.momentum = body.spinThen = Vec3f(0.0f);  // it is its inertia times its spin again
+    state.motions[number].inverseMass = 1.0f / body.mass;
+    state.places[number].inverseInertia = rotated(body.inverseInertia, state.places[number].turn.matrix());
 }
 
 void removeBody(WorldState& state, std::uint32_t number) {

@@ -8,6 +8,8 @@ namespace rubble {
 std::optional<std::string> faultOf(const BodyDefinition& definition);
 /// Makes a body of a definition without fault.
 std::uint32_t addBody(WorldState& state, const BodyDefinition& definition);
+/// Makes a body of something else: mass and inertia if it is dynamic, friction and restitution.
+void giveMaterial(WorldState& state, std::uint32_t body, const BodyMaterial& material);
 /// Takes a body out; what touched it wakes.
 void removeBody(WorldState& state, std::uint32_t body);
 /// Puts the shape's frame elsewhere.

@@ -23,6 +23,13 @@ enum class BodyKind : std::uint8_t {
     Dynamic,    // moved by forces and contacts
 };
 
+/// What a body is made of.
+struct BodyMaterial {
+    double density = 1000.0;  // kg/m^3
+    double friction = 0.6;
+    double restitution = 0.0;  // in [0, 1]
+};
+
 /// How a body is made.
 struct BodyDefinition {
     std::shared_ptr<const Shape> shape;
@@ -36,6 +43,8 @@ struct BodyDefinition {
     double linearDamping = 0.0;   // 1/s
     double angularDamping = 0.0;  // 1/s
     std::uint64_t tag = 0;        // the caller's own, handed back in events
+
+    BodyMaterial material() const { return {density, friction, restitution}; }
 };
 
 /// How a body is and moves.

@@ -1,6 +1,7 @@
 #include "core/physics/Impacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rubble {
@@ -63,6 +64,11 @@ float mobility(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f nor
     return state.motions[body].inverseMass + dot(turning, state.places[body].inverseInertia * turning);
 }
 
+/// How fast gravity alone speeds a body up.
+Vec3f fallOf(const WorldState& state, std::uint32_t body, Vec3f gravity) {
+    return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
+}
+
 }  // namespace
 
 std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
@@ -87,7 +93,12 @@ std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
         impact.second = state.idOf(b);
         impact.point = toDouble(state.places[a].centre + place);
         impact.normal = toDouble(normal);
-        impact.approachSpeed = -dot(speed, normal);
+        // They meet a little later, and gravity works on them until then: what a drop does must not depend on where in the
+        // step it ends.
+        const float approach = -dot(speed, normal);
+        const float gain = -dot(fallOf(state, b, step.gravity) - fallOf(state, a, step.gravity), normal);
+        const float squared = approach * approach + 2.0f * gain * std::max(first, 0.0f);
+        impact.approachSpeed = std::sqrt(std::max(squared, 0.0f));
         impact.effectiveMass = 1.0f / mobilities;
         impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
         impacts.push_back(impact);

@@ -15,6 +15,19 @@ bool isPositive(const MassProperties& mass) {
            glm::determinant(mass.inertia) > 0.0;
 }
 
+double surfaceOf(const Polytope& polytope) {
+    double surface = 0.0;
+    for (const std::vector<std::uint32_t>& face : polytope.faces) {
+        Vec3 twice(0.0);
+        for (std::size_t k = 2; k < face.size(); ++k) {
+            const Vec3& corner = polytope.vertices[face[0]];
+            twice += glm::cross(polytope.vertices[face[k - 1]] - corner, polytope.vertices[face[k]] - corner);
+        }
+        surface += glm::length(twice) / 2.0;
+    }
+    return surface;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytopes) {
@@ -34,6 +47,7 @@ Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytop
     for (const Polytope& polytope : polytopes) {
         Result<Hull> hull = makeHull(polytope, mass.centre);
         if (!hull) return hull.error();
+        shape->surface += surfaceOf(polytope);
         shape->reach = std::max(shape->reach, hull->reach);
         shape->breadth = std::min(shape->breadth, hull->breadth);
         shape->hulls.push_back(std::move(*hull));

@@ -12,7 +12,7 @@ struct Impact {
     BodyId second;
     Vec3 point;                  // the centroid of the manifold's approaching points
     Vec3 normal;                 // from first to second, length 1
-    double approachSpeed = 0.0;  // m/s along the normal there
+    double approachSpeed = 0.0;  // m/s along the normal there, when they meet
     double effectiveMass = 0.0;  // kg: of both bodies there, rotation included
     double restitution = 0.0;    // of the pair
     /// N s: what stops the approach and throws it back.

@@ -114,6 +114,11 @@ double World::mass(BodyId body) const {
     return m_state->bodies[body.index].mass;
 }
 
+double World::restitution(BodyId body) const {
+    RUBBLE_ASSERT(contains(body));
+    return m_state->bodies[body.index].restitution;
+}
+
 void World::collide(double dt) {
     Workshop& shop = *m_workshop;
     Stopwatch watch;

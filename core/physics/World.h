@@ -28,6 +28,13 @@ struct RayHit {
     double fraction = 0.0;
 };
 
+/// An impulse on a body.
+struct BlastPush {
+    BodyId body;
+    Vec3 point;    // of the world
+    Vec3 impulse;  // N s
+};
+
 struct Snapshot;
 struct WorldState;
 
@@ -58,17 +65,21 @@ public:
     const Shape& shape(BodyId body) const;
     std::uint64_t tag(BodyId body) const;
     double mass(BodyId body) const;  // kg; 0 where static or kinematic
+    double restitution(BodyId body) const;
 
     void setGravity(Vec3 gravity);
-    void setFriction(BodyId body, double friction);
+    /// Makes a body of something else, at once; its velocities stay.
+    void setMaterial(BodyId body, const BodyMaterial& material);
     void setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity);
     /// Puts a body elsewhere, at once.
     void setPose(BodyId body, const Pose& pose);
     void wake(BodyId body);
     /// An impulse in N s at a point of the world; wakes the body.
     void applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
-    /// Pushes every body away from a point: a blast of `impulse` N s/m^2 at 1 m on the area that a body turns to it, falling with
-    /// the square of the distance, none beyond `radius`.
+    /// What a blast does to every body within `radius`, those that never move, too: it pushes it away from a point by `impulse`
+    /// N s/m^2 at 1 m on the area that the body turns to it, falling with the square of the distance.
+    std::vector<BlastPush> blast(Vec3 point, double radius, double impulse) const;
+    /// Gives dynamic bodies these pushes.
     void explode(Vec3 point, double radius, double impulse);
     /// Draws a point of a body to a place as a critically damped spring of at most `force` N does, until let go.
     void grab(BodyId body, Vec3 point, double force);

@@ -11,7 +11,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kNearest = 0.1;  // m: a blast is no stronger nearer than that
 
 void push(WorldState& state, std::uint32_t body, Vec3f impulse, Vec3f arm) {
@@ -20,10 +19,10 @@ void push(WorldState& state, std::uint32_t body, Vec3f impulse, Vec3f arm) {
     motion.spin += state.places[body].inverseInertia * cross(arm, impulse);
 }
 
-/// The mean area that a body turns to one side, m^2: a quarter of its surface, taken as a ball's of its volume.
-double facingArea(const Shape& shape) {
-    const double radius = std::cbrt(3.0 * shape.mass.volume / (4.0 * kPi));
-    return kPi * radius * radius;
+/// Forgets a body's contacts: the next collide() finds them as if it were new.
+void meetAgain(WorldState& state, std::uint32_t body) {
+    visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t) { removeContact(state, contact); });
+    state.rebox.push_back(body);
 }
 
 }  // namespace
@@ -33,10 +32,12 @@ void World::setGravity(Vec3 gravity) {
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
 }
 
-void World::setFriction(BodyId body, double friction) {
-    RUBBLE_ASSERT(contains(body) && friction >= 0.0);
-    m_state->bodies[body.index].friction = static_cast<float>(friction);
+void World::setMaterial(BodyId body, const BodyMaterial& material) {
+    RUBBLE_ASSERT(contains(body) && material.density > 0.0 && material.friction >= 0.0);
     wake(body);
+    wakeNeighbours(*m_state, body.index);
+    giveMaterial(*m_state, body.index, material);
+    meetAgain(*m_state, body.index);
 }
 
 void World::setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity) {
@@ -53,9 +54,7 @@ void World::setPose(BodyId body, const Pose& pose) {
     wake(body);
     wakeNeighbours(*m_state, body.index);
     placeBody(*m_state, body.index, pose);
-    visitContacts(*m_state, body.index,
-                  [&](std::uint32_t contact, std::uint32_t) { removeContact(*m_state, contact); });
-    m_state->rebox.push_back(body.index);
+    meetAgain(*m_state, body.index);
 }
 
 void World::wake(BodyId body) {
@@ -69,15 +68,24 @@ void World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
     push(*m_state, body.index, toFloat(impulse), toFloat(point) - m_state->places[body.index].centre);
 }
 
-void World::explode(Vec3 point, double radius, double impulse) {
+std::vector<BlastPush> World::blast(Vec3 point, double radius, double impulse) const {
+    std::vector<BlastPush> pushes;
     for (BodyId body : bodies()) {
-        if (kind(body) != BodyKind::Dynamic) continue;
-        const Vec3 way = toDouble(m_state->places[body.index].centre) - point;
+        const Vec3 centre = toDouble(m_state->places[body.index].centre);
+        const Vec3 way = centre - point;
         const double distance = std::sqrt(glm::dot(way, way));
         if (distance > radius || distance == 0.0) continue;
         const double nearest = std::max(distance, kNearest);
-        const Vec3 pushed = way * (impulse * facingArea(shape(body)) / (nearest * nearest * distance));
-        applyImpulse(body, pushed, toDouble(m_state->places[body.index].centre));
+        // A convex body turns a quarter of its surface to one side, in the mean over all sides (Cauchy).
+        const double facingArea = shape(body).surface / 4.0;
+        pushes.push_back({body, centre, way * (impulse * facingArea / (nearest * nearest * distance))});
+    }
+    return pushes;
+}
+
+void World::explode(Vec3 point, double radius, double impulse) {
+    for (const BlastPush& push : blast(point, radius, impulse)) {
+        if (kind(push.body) == BodyKind::Dynamic) applyImpulse(push.body, push.impulse, push.point);
     }
 }
 
