@@ -3,7 +3,6 @@
 #include "app/cli/PictureWords.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
-#include "core/base/Parallel.h"
 #include "core/io/ProjectFile.h"
 #include "viewport/render/Picture.h"
 #include "viewport/scene/SceneBuilder.h"
@@ -62,21 +61,6 @@ Result<Id> assetToDraw(const Project& project, const RenderOptions& options) {
     return Id{0};
 }
 
-Result<AssetBakes> bakesOf(const Project& project, Id only, const TaskContext& task) {
-    const std::vector<Asset>& assets = project.assets;
-    std::vector<Result<Bake>> results(assets.size(), Result<Bake>(TaskContext::cancelled()));
-    forEachIndex(assets.size(), task.threads, [&](std::size_t index) {
-        if (only == 0 || assets[index].id == only) results[index] = bake(assets[index], {.cancel = task.cancel});
-    });
-    AssetBakes bakes;
-    for (std::size_t k = 0; k < assets.size(); ++k) {
-        if (only != 0 && assets[k].id != only) continue;
-        if (!results[k]) return results[k].error();
-        bakes[assets[k].id] = std::make_shared<const Bake>(std::move(*results[k]));
-    }
-    return bakes;
-}
-
 PictureView pictureView(const RenderScene& scene, const RenderOptions& options) {
     PictureView view{.camera = *cameraOf(options.view), .size = *pictureSizeOf(options.size)};
     view.settings.theme = options.theme == "dark" ? Theme::Dark : Theme::Light;
@@ -91,7 +75,8 @@ Status render(const RenderOptions& options, const CliContext& context) {
     const Result<Id> asset = assetToDraw(*project, options);
     if (!asset) return asset.error();
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
-    const Result<AssetBakes> bakes = options.isWhole ? AssetBakes() : bakesOf(*project, *asset, task);
+    const std::vector<Id> only = *asset == 0 ? std::vector<Id>() : std::vector<Id>{*asset};
+    const Result<AssetBakes> bakes = options.isWhole ? AssetBakes() : bakesOf(*project, only, task);
     if (!bakes) return bakes.error();
     const auto scene = std::make_shared<const RenderScene>(sceneOf(*project, *bakes, sceneOptions(options, *asset)));
 

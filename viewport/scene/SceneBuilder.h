@@ -1,17 +1,13 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/AssetBakes.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <vector>
 
 namespace rubble {
-
-/// The bakes to show, by asset. An asset without one is shown whole.
-using AssetBakes = std::map<Id, std::shared_ptr<const Bake>>;
 
 enum class SceneColouring { Material, Piece, Volume };
 
@@ -33,7 +29,7 @@ struct AssetModel;
 /// not be made or uploaded again.
 class SceneBuilder {
 public:
-    /// The project's instances, or one asset. Instances of assets that are not there, and assets whose prism cannot be
+    /// The project's instances, or one asset; an asset without a bake is shown whole. Instances of assets that are not there, and assets whose prism cannot be
     /// fractured, are left out. An asset by itself stands on the ground. Bodies: instance by instance, in the project's
     /// order within each asset; pieces in the bake's order. Linear in bodies, and in the corners of new bakes.
     RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options);
