@@ -6,6 +6,10 @@
 namespace rubble {
 namespace {
 
+// Of a face that meets flat, edges meet something at the same time, up to rounding; but what touches is the face. Edges must be
+// later by so much of a way.
+constexpr float kEdgesBehind = 5e-4f;  // m
+
 struct Interval {
     float low = 0.0f;
     float high = 0.0f;
@@ -51,11 +55,13 @@ private:
     bool narrowOneSide(const SeparatingAxis& axis, float gap, float whole, float speed) {
         if (speed >= 0.0f || gap > -speed) return false;
         const float begin = gap / -speed;
-        if (begin > m_begin || m_axis.kind == AxisKind::None) {
-            m_begin = begin;
+        const float behind = axis.kind == AxisKind::Edges ? kEdgesBehind / -speed : 0.0f;
+        if (begin > m_axisBegin + behind || m_axis.kind == AxisKind::None) {
+            m_axisBegin = begin;
             m_axis = axis;
             m_axis.separation = 0.0f;
         }
+        m_begin = std::max(m_begin, begin);
         m_end = std::min(m_end, whole / -speed);
         return m_begin <= m_end;
     }
@@ -69,7 +75,8 @@ private:
     const Hull& m_second;
     const RelativePlace& m_place;
     const Vec3f m_way;
-    SeparatingAxis m_axis;
+    SeparatingAxis m_axis;  // along which they meet last
+    float m_axisBegin = 0.0f;
     float m_begin = 0.0f;
     float m_end = 1.0f;
 };

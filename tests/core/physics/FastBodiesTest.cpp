@@ -130,6 +130,36 @@ private slots:
             QVERIFY(std::abs(impulse - finest) <= 0.05 * finest);
         }
     }
+    void aFlatHitAcrossAJointTouchesBothFaces() {
+        // Faces meet flat, and so do edges with edges at the same time, up to rounding: the faces are what touches.
+        BodyScene scene;
+        scene.gravity = Vec3(0.0);
+        const std::uint32_t block = test::addShape(scene, {test::boxOf({1.0, 1.0, 0.5})});
+        const std::uint32_t box = test::addShape(scene, {test::boxOf(Vec3(0.5))});
+        test::addFreeBody(scene, "lower", block, {.position = {0.0, 1.5, 2.75}});
+        test::addFreeBody(scene, "upper", block, {.position = {0.0, 2.5, 2.75}});
+        test::addFreeBody(scene, "box", box, {});
+        Random random(7);
+        for (int round = 0; round < 300; ++round) {
+            scene.bodies[2].pose.position = {random.between(-0.3, 0.3), random.between(1.9, 2.1),
+                                             random.between(3.3, 3.5)};
+            scene.bodies[2].velocity = {0.0, random.between(-3.0, 3.0), -20.0};
+            for (SceneBody& body : scene.bodies) {
+                const auto turn = [&] { return random.between(-1e-4, 1e-4); };
+                body.pose.orientation = glm::normalize(Quat{1.0, turn(), turn(), turn()});
+            }
+            SceneWorld moved = test::worldOf(scene);
+            moved.world.collide(test::kStep);
+            const std::vector<Impact> impacts = moved.world.impacts();
+            if (impacts.empty()) continue;
+            QCOMPARE(impacts.size(), 2u);
+            const Vec3 at = scene.bodies[2].pose.position;
+            const double gap = at.z - 0.25 - 3.0, height = at.y + gap / 20.0 * scene.bodies[2].velocity.y;
+            const auto isAt = [](double y, double low, double high) { return std::abs(y - (low + high) / 2.0) < 0.01; };
+            QVERIFY2(isAt(impacts[0].point.y, height - 0.25, 2.0), QByteArray::number(round));
+            QVERIFY2(isAt(impacts[1].point.y, 2.0, height + 0.25), QByteArray::number(round));
+        }
+    }
     void aFlatHitIsMassTimesSpeed() {
         const Impact impact = firstImpact(boxAndWall({.position = {-3.0, 0.0, 0.0}}, {12.0, 0.0, 0.0}), test::kStep);
         QVERIFY(std::abs(impact.approachSpeed - 12.0) < 1e-4);
