@@ -1,20 +1,12 @@
 #include "app/cli/ChosenAssets.h"
 
+#include "app/cli/CommonOptions.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 
 namespace rubble {
-namespace {
-
-std::string namesOf(const Project& project) {
-    std::string names;
-    for (const Asset& asset : project.assets) names += (names.empty() ? "\"" : ", \"") + asset.name + '"';
-    return names.empty() ? "it has none" : "it has " + names;
-}
-
-}  // namespace
-
 void addAssetOption(CLI::App& command, std::vector<std::string>& names) {
     command.add_option("--asset", names, "Only this asset; may be given several times")
         ->expected(1)
@@ -25,7 +17,8 @@ void addAssetOption(CLI::App& command, std::vector<std::string>& names) {
 Result<std::vector<Id>> chosenAssets(const Project& project, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (findAsset(project, name) != nullptr) continue;
-        return Error{ErrorCode::NotFound, "The project has no asset \"" + name + "\"; " + namesOf(project) + "."};
+        return Error{ErrorCode::NotFound,
+                     "The project has no asset \"" + name + "\"; " + quotedNamesOf(project.assets) + "."};
     }
     std::vector<Id> chosen;
     for (const Asset& asset : project.assets) {

@@ -23,4 +23,12 @@ void addThreadsOption(CLI::App& command, int& threads);
 /// `words` as "a, b, c".
 std::string joinedText(const std::vector<std::string>& words);
 
+/// What elements are called, for a sentence: `it has "a", "b"`, or `it has none`.
+template <class Element>
+std::string quotedNamesOf(const std::vector<Element>& elements) {
+    std::string names;
+    for (const Element& element : elements) names += (names.empty() ? "\"" : ", \"") + element.name + '"';
+    return names.empty() ? "it has none" : "it has " + names;
+}
+
 }  // namespace rubble

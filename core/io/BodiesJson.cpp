@@ -121,7 +121,7 @@ Result<BodyScene> readScene(JsonDocument& document) {
     const JsonValue root = document.root();
     if (root.isObject() && root["format"].isPresent()) {
         return Error{ErrorCode::Unsupported,
-                     "The document is a project; this version simulates plain bodies only, no projects yet."};
+                     "The document is a project, or another file with a format, not plain bodies."};
     }
     root.requireObject({"bodies"}, {"gravity"});
     if (document.fault()) return *document.fault();

@@ -1,5 +1,6 @@
 #include "core/io/ShotJson.h"
 
+#include "core/asset/PlayFaults.h"
 #include "core/io/SceneJson.h"
 
 #include <array>
@@ -125,6 +126,17 @@ PlayTest readPlayTest(const JsonValue& value) {
             .shots = value["shots"].listOf([](const JsonValue& shot) { return shot.index(); }),
             .duration = value["duration"].number(),
             .expectations = value["expectations"].listOf(readExpectation)};
+}
+
+Result<std::vector<Shot>> readShotList(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    std::vector<Shot> shots = document->root().listOf(readShot);
+    if (document->fault()) return *document->fault();
+    for (const Shot& shot : shots) {
+        if (const std::optional<std::string> fault = faultOf(shot)) return Error{ErrorCode::BadInput, *fault};
+    }
+    return shots;
 }
 
 }  // namespace rubble

@@ -14,4 +14,9 @@ void writePlayTest(JsonLayout& json, const PlayTest& test);
 Shot readShot(const JsonValue& value);
 PlayTest readPlayTest(const JsonValue& value);
 
+/// Reads a list of shots as a project has them.
+///
+/// Errors: BadInput where the text is not such JSON, naming the place, or where a shot has numbers of no use.
+Result<std::vector<Shot>> readShotList(std::string_view json);
+
 }  // namespace rubble

@@ -24,6 +24,7 @@ void writeBreak(JsonLayout& json, const SimulatedBreak& broken) {
     json.number("threshold", broken.threshold);
     writeVector(json, "point", broken.point);
     json.wholeNumber("fragments", broken.fragments);
+    if (broken.swapMilliseconds) json.number("swapMilliseconds", *broken.swapMilliseconds);
     json.close();
 }
 

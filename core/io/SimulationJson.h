@@ -25,6 +25,7 @@ struct SimulatedBreak {
     double threshold = 0.0;  // N s
     Vec3 point{0.0, 0.0, 0.0};
     std::uint32_t fragments = 0;
+    std::optional<double> swapMilliseconds;  // where it was measured
 };
 
 /// Means over the last steps.
@@ -59,7 +60,8 @@ struct SimulationOutcome {
 ///      "breaks":[{"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n},...],
 ///      "largestPenetration":d,"hash":"...","stepMilliseconds":{"median":t,"p99":t,"max":t}}
 ///
-/// `swaps` is the number of breaks; `stepMilliseconds` is there only where it was measured.
+/// `swaps` is the number of breaks; `stepMilliseconds`, and of a break `swapMilliseconds`, are there only where they were
+/// measured.
 std::string simulationJson(const SimulationOutcome& outcome);
 
 }  // namespace rubble

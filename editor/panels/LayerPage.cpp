@@ -94,9 +94,8 @@ void LayerPage::buildScatters() {
     m_domain->addItem(tr("Outline"), static_cast<Id>(ScatterDomain::Outline));
     m_domain->addItem(tr("Bounding box"), static_cast<Id>(ScatterDomain::BoundingBox));
     m_form.bind(m_domain, tr("Set domain"), domainOf, setDomain);
-    m_rounds =
-        m_rows->addRow(tr("Rounds"), new SliderField(FieldRange::whole(0.0, kMostRounds), 0.0, kMostUsualRounds),
-                       tr("How often the seeds above move to the middle of their cells: more make cells even"));
+    m_rounds = m_rows->addRow(tr("Rounds"), new SliderField(FieldRange::whole(0.0, kMostRounds), 0.0, kMostUsualRounds),
+                              tr("How often the seeds above move to the middle of their cells: more make cells even"));
     m_form.bind(m_rounds, tr("Set rounds"), reading(&LloydRelaxation::rounds), writing(&LloydRelaxation::rounds));
     m_randomSeed = m_rows->addRow(tr("Random seed"), new RandomSeedField,
                                   tr("The same number scatters the same seeds, always and everywhere"));

@@ -92,6 +92,22 @@ inline std::vector<LayerParameters> evenSeeds(std::uint32_t count) {
     return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 3}};
 }
 
+/// One that breaks a few blocks, one that brings the roof down, one that only rattles.
+inline void addShots(Project& project) {
+    constexpr double kTime = 0.5;  // s: until then the house is seen to stand
+    addShot(project, "box at the door", kTime,
+            Throw{.size = Vec3(0.6), .mass = 200.0, .from = {3.5, 2.4, 9.0}, .to = {1.0, 1.6, 3.0}, .speed = 22.0});
+    addShot(project, "block under the roof", kTime,
+            Throw{.size = Vec3(0.9), .mass = 500.0, .from = {-8.0, 2.5, 0.5}, .to = {-2.5, 2.2, 0.5}, .speed = 25.0});
+    addShot(project, "ball at the gable", kTime,
+            Throw{.kind = ProjectileKind::Ball,
+                  .size = Vec3(0.4),
+                  .mass = 40.0,
+                  .from = {-1.0, 5.4, 9.0},
+                  .to = {-0.6, 4.5, 3.0},
+                  .speed = 14.0});
+}
+
 /// projects/house.rubble
 inline Project house() {
     Project project;
@@ -122,6 +138,7 @@ inline Project house() {
     addInstance(project, gable, "front gable", {.position = {0.0, kWallHeight, front}});
     addInstance(project, gable, "back gable", {.position = {0.0, kWallHeight, -front}});
     addRoof(project, roof);
+    addShots(project);
     project.ground.friction = 0.8;
     return project;
 }

@@ -37,4 +37,9 @@ inline void addInstance(Project& project, Id asset, const std::string& name, con
     project.instances.push_back({.id = project.nextId++, .name = name, .asset = asset, .pose = pose});
 }
 
+inline Id addShot(Project& project, const std::string& name, double time, const ShotAction& action) {
+    project.shots.push_back({.id = project.nextId++, .name = name, .time = time, .action = action});
+    return project.shots.back().id;
+}
+
 }  // namespace rubble::test

@@ -1,0 +1,74 @@
+#include "app/cli/ProjectSimulation.h"
+
+#include "core/physics/Penetration.h"
+
+#include <chrono>
+
+namespace rubble {
+namespace {
+
+SimulatedBreak told(const PlayBreak& broken, const Session& session, bool isTimed) {
+    SimulatedBreak one{broken.step,  session.nameOf(broken.body), broken.impact, broken.threshold, broken.point,
+                       broken.pieces};
+    if (isTimed) one.swapMilliseconds = broken.milliseconds;
+    return one;
+}
+
+void tellBodies(const Session& session, SimulationOutcome& outcome) {
+    std::vector<std::vector<Polytope>> hulls;
+    std::vector<PlacedHulls> placed;
+    for (const PlayBody& body : session.bodies()) {
+        const BodyState state = session.world().state(body.body);
+        hulls.push_back(hullsOf(body));
+        placed.push_back({.pose = state.pose, .isFree = session.world().kind(body.body) == BodyKind::Dynamic});
+        if (body.role != PlayRole::Ground) outcome.bodies.push_back({session.nameOf(body), state.pose, state.asleep});
+    }
+    for (std::size_t k = 0; k < placed.size(); ++k) placed[k].hulls = hulls[k];
+    outcome.largestPenetration = penetrationOf(placed).largest;
+}
+
+Result<Session> startedWith(std::shared_ptr<const PlayScene> scene, const PlayPlan& plan) {
+    const SimulationPlan& simulation = plan.simulation;
+    Result<Session> session = Session::start(std::move(scene), {.dt = simulation.stepLength,
+                                                                .sleeping = simulation.world.sleeping,
+                                                                .hasDestruction = plan.hasDestruction,
+                                                                .threads = simulation.world.threads,
+                                                                .lanes = simulation.world.lanes});
+    if (!session) return session.error();
+    for (const Shot& shot : plan.shots) {
+        if (const Status added = session->add(shot); !added) return added.error();
+    }
+    return session;
+}
+
+}  // namespace
+
+Result<SimulationRun> played(std::shared_ptr<const PlayScene> scene, const PlayPlan& plan, const TaskContext& task,
+                             std::vector<std::string>& notices) {
+    notices = scene->notices;
+    Result<Session> session = startedWith(std::move(scene), plan);
+    if (!session) return session.error();
+    StepRecord record(plan.simulation);
+    SimulationRun run;
+    for (int step = 1; step <= plan.simulation.steps; ++step) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        const auto start = std::chrono::steady_clock::now();
+        session->step();
+        const auto end = std::chrono::steady_clock::now();
+        record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count());
+        for (const PlayBreak& broken : session->events().breaks) {
+            run.outcome.breaks.push_back(told(broken, *session, plan.simulation.isTimed));
+        }
+        for (const std::string& notice : session->events().notices) notices.push_back(notice);
+        task.report(static_cast<double>(step) / plan.simulation.steps);
+    }
+    run.outcome.steps = static_cast<std::uint64_t>(plan.simulation.steps);
+    tellBodies(*session, run.outcome);
+    run.outcome.counts = record.means();
+    run.outcome.hash = session->hash();
+    run.outcome.stepMilliseconds = record.milliseconds();
+    run.trace = std::move(record).takenTrace();
+    return run;
+}
+
+}  // namespace rubble

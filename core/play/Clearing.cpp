@@ -1,0 +1,55 @@
+#include "core/play/SessionState.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+constexpr double kFarAway = 2000.0;  // m: beyond it a body is out of the world
+
+bool isLost(const SessionParts& parts, const PlayBody& body) {
+    if (body.role == PlayRole::Ground) return false;
+    const Vec3 place = parts.world.state(body.body).centre;
+    return !(place.y > parts.state.lowest && glm::dot(place, place) < kFarAway * kFarAway);  // true for nan, too
+}
+
+/// The debris beyond the most that may lie about: asleep first, then the smallest, then the oldest.
+void addBeyondMost(const SessionParts& parts, std::uint32_t most, std::vector<std::uint32_t>& gone) {
+    std::vector<std::tuple<bool, double, std::uint32_t>> debris;  // awake, volume, number
+    for (const PlayBody& body : parts.state.bodies) {
+        if (!body.isDebris() || std::ranges::find(gone, body.number) != gone.end()) continue;
+        debris.emplace_back(!parts.world.state(body.body).asleep, parts.world.shape(body.body).mass.volume,
+                            body.number);
+    }
+    if (debris.size() <= most) return;
+    const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - most);
+    std::ranges::nth_element(debris, end);
+    for (auto one = debris.begin(); one != end; ++one) gone.push_back(std::get<2>(*one));
+}
+
+}  // namespace
+
+double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt) {
+    if (!debris.lifetime || !body.isDebris()) return 0.0;
+    const double age = static_cast<double>(step - body.born) * dt, left = *debris.lifetime - age;
+    if (left >= debris.fade) return 0.0;
+    return left <= 0.0 ? 1.0 : 1.0 - left / debris.fade;
+}
+
+void clearAway(const SessionParts& parts) {
+    const Debris& debris = parts.scene.project.debris;
+    std::vector<std::uint32_t> gone;
+    for (const PlayBody& body : parts.state.bodies) {
+        const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
+        if (isFaded || isLost(parts, body)) gone.push_back(body.number);
+    }
+    if (debris.mostPieces) addBeyondMost(parts, *debris.mostPieces, gone);
+    std::ranges::sort(gone);
+    for (const std::uint32_t number : gone) {
+        parts.state.events.removed.push_back(*findBody(parts.state, number));
+        removeBody(parts, number);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#include "core/play/PlayScene.h"
+
+#include "core/asset/ProjectFaults.h"
+
+namespace rubble {
+namespace {
+
+Error missing(const std::string& owner, Id asset) {
+    return {ErrorCode::BadInput, owner + " is of asset " + std::to_string(asset) + ", which is not broken yet."};
+}
+
+/// That every asset which has a part in the scene is there.
+Status allAreThere(const PlayScene& scene) {
+    for (const Instance& instance : scene.project.instances) {
+        if (!scene.assets.contains(instance.asset)) {
+            return missing(ownerText("Instance", instance.id, instance.name), instance.asset);
+        }
+    }
+    for (const Shot& shot : scene.project.shots) {
+        const Throw* thrown = std::get_if<Throw>(&shot.action);
+        if (thrown != nullptr && thrown->kind == ProjectileKind::Asset && !scene.assets.contains(thrown->asset)) {
+            return missing(ownerText("Shot", shot.id, shot.name), thrown->asset);
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
+                                                   const TaskContext& task) {
+    if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
+    auto scene = std::make_shared<PlayScene>();
+    scene->project = project;
+    for (const Asset& asset : project.assets) {
+        const auto baked = bakes.find(asset.id);
+        if (baked == bakes.end()) continue;
+        Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
+        if (!ready) return ready.error();
+        for (const std::string& notice : (*ready)->notices) {
+            scene->notices.push_back(ownerText("Asset", asset.id, asset.name) + ": " + notice);
+        }
+        scene->assets[asset.id] = std::move(*ready);
+    }
+    if (const Status there = allAreThere(*scene); !there) return there.error();
+    return std::shared_ptr<const PlayScene>(std::move(scene));
+}
+
+Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const TaskContext& task) {
+    if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
+    const Result<AssetBakes> bakes = bakesOf(project, {}, task);
+    if (!bakes) return bakes.error();
+    return playScene(project, *bakes, task);
+}
+
+}  // namespace rubble
