@@ -1,5 +1,6 @@
 #include "core/base/Parallel.h"
 #include "core/fracture/Fragment.h"
+#include "core/fracture/LeftTurns.h"
 #include "core/fracture/VoronoiPartition.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,9 @@
 #include "core/fracture/PieceParts.h"
 
+#include "core/fracture/LeftTurns.h"
 #include "core/fracture/ThinPieces.h"
 #include "core/geometry/NumberedCorners.h"
+#include "core/geometry/Predicates.h"
 
 #include <glm/geometric.hpp>
 

@@ -10,11 +10,7 @@ using namespace rubble;
 
 namespace {
 
-AssetBakes bakesOf(const Project& project) {
-    AssetBakes bakes;
-    for (const Asset& asset : project.assets) bakes[asset.id] = std::make_shared<const Bake>(bake(asset).value());
-    return bakes;
-}
+AssetBakes allBakes(const Project& project) { return bakesOf(project).value(); }
 
 /// The starter's wall twice: as it stands, and two metres to the right, turned about y by a quarter.
 Project twoWalls() {
@@ -37,7 +33,7 @@ class SceneBuilderTest : public QObject {
 private slots:
     void everyInstanceSharesOneGeometry() {
         const Project project = twoWalls();
-        const RenderScene scene = sceneOf(project, bakesOf(project));
+        const RenderScene scene = sceneOf(project, allBakes(project));
         QCOMPARE(scene.batches.size(), std::size_t{1});
         QCOMPARE(scene.batches[0].firstBodies, (std::vector<std::uint32_t>{0, 20}));
         QCOMPARE(scene.batches[0].geometry->pieceCount(), 20u);
@@ -46,7 +42,7 @@ private slots:
     }
     void instancesStandByTheirPoses() {
         const Project project = twoWalls();
-        const Box3 bounds = boundsOf(sceneOf(project, bakesOf(project)));
+        const Box3 bounds = boundsOf(sceneOf(project, allBakes(project)));
         const Vec3 first = project.instances[0].pose.position;
         QVERIFY(isNear(bounds.min, first - Vec3(0.5, 0.5, 0.5)));
         QVERIFY(isNear(bounds.max, first + Vec3(2.25, 0.5, 0.5)));
@@ -54,7 +50,7 @@ private slots:
     void farFromZeroNothingIsRounded() {
         Project project = starterProject();
         project.instances[0].pose.position = {1e7, 2e7, -1e7};
-        const RenderScene scene = sceneOf(project, bakesOf(project));
+        const RenderScene scene = sceneOf(project, allBakes(project));
         QVERIFY(isNear(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}));
     }
     void withoutABakeAnAssetIsWhole() {
@@ -72,8 +68,8 @@ private slots:
     }
     void explodedTwicePiecesStandTwiceAsFarFromTheMiddle() {
         const Project project = starterProject();
-        const RenderScene together = sceneOf(project, bakesOf(project));
-        const RenderScene apart = sceneOf(project, bakesOf(project), {.exploded = 1.0});
+        const RenderScene together = sceneOf(project, allBakes(project));
+        const RenderScene apart = sceneOf(project, allBakes(project), {.exploded = 1.0});
         QVERIFY(together.batches[0].firstBodies == apart.batches[0].firstBodies);
         const Vec3 foot = boundsOf(together).centre() - Vec3(0.0, 0.5, 0.0);
         for (std::size_t k = 0; k < apart.motions.size(); ++k) {
@@ -84,7 +80,7 @@ private slots:
     }
     void colouringByVolumeRunsFromTheSmallestToTheLargest() {
         const Project project = starterProject();
-        const AssetBakes bakes = bakesOf(project);
+        const AssetBakes bakes = allBakes(project);
         std::vector<double> volumes;
         for (std::uint32_t k = 0; k < 20; ++k) volumes.push_back(bakes.begin()->second->fragment(k).solid.volume());
         const auto [least, most] = std::ranges::minmax_element(volumes);
@@ -94,16 +90,16 @@ private slots:
     }
     void aColourOfAPieceStaysWhenOthersCome() {
         Project project = starterProject();
-        const RenderScene few = sceneOf(project, bakesOf(project), {.colouring = SceneColouring::Piece});
+        const RenderScene few = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
         std::get<UniformScatter>(project.assets[0].pattern.layers[0].parameters).count = 30;
-        const RenderScene more = sceneOf(project, bakesOf(project), {.colouring = SceneColouring::Piece});
+        const RenderScene more = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
         QCOMPARE(few.looks[7].outside, more.looks[7].outside);
         QVERIFY(few.looks[7].outside != few.looks[8].outside);
         QVERIFY(few.looks[7].outside != few.looks[7].inside);
     }
     void marksStandForOneOrForMany() {
         const Project project = twoWalls();
-        RenderScene scene = sceneOf(project, bakesOf(project));
+        RenderScene scene = sceneOf(project, allBakes(project));
         const Id asset = project.assets[0].id, second = project.instances[1].id;
         setMarks(scene,
                  {.hidden = {{asset, 0, 3}}, .selected = {{asset, second, kNone}}, .hovered = {{asset, second, 4}}});
@@ -117,21 +113,21 @@ private slots:
     }
     void whatDidNotChangeIsShared() {
         const Project project = starterProject();
-        AssetBakes bakes = bakesOf(project);
+        AssetBakes bakes = allBakes(project);
         SceneBuilder builder;
         const RenderScene first = builder.sceneOf(project, bakes, {});
         const RenderScene apart = builder.sceneOf(project, bakes, {.exploded = 1.0});
         QVERIFY(first.batches[0].geometry == apart.batches[0].geometry);
         Project other = project;
         other.assets[0].pattern.layers[0].randomSeed += 1;
-        const RenderScene changed = builder.sceneOf(other, bakesOf(other), {});
+        const RenderScene changed = builder.sceneOf(other, allBakes(other), {});
         QVERIFY(changed.batches[0].geometry != first.batches[0].geometry);
     }
     void levelsAreShownDownToTheOneAskedFor() {
         Project project = starterProject();
         project.assets[0].levels = {
             {.pattern = {{{.id = project.nextId++, .parameters = UniformScatter{.count = 3}}}}}};
-        const AssetBakes bakes = bakesOf(project);
+        const AssetBakes bakes = allBakes(project);
         QCOMPARE(sceneOf(project, bakes, {.level = 0}).motions.size(), std::size_t{20});
         std::size_t leaves = 0;
         for (std::uint32_t k = 0; k < bakes.begin()->second->fragmentCount(); ++k) {
@@ -142,9 +138,9 @@ private slots:
     }
     void hullsComeWithTheSamePieces() {
         const Project project = starterProject();
-        const RenderScene scene = sceneOf(project, bakesOf(project), {.hasHulls = true});
+        const RenderScene scene = sceneOf(project, allBakes(project), {.hasHulls = true});
         QCOMPARE(scene.batches[0].hulls->pieceCount(), scene.batches[0].geometry->pieceCount());
-        QVERIFY(!sceneOf(project, bakesOf(project)).batches[0].hulls);
+        QVERIFY(!sceneOf(project, allBakes(project)).batches[0].hulls);
     }
 };
 
