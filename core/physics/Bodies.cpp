@@ -92,7 +92,9 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
 void giveMaterial(WorldState& state, std::uint32_t number, const BodyMaterial& material) {
     Body& body = state.bodies[number];
     body.friction = static_cast<float>(material.friction);
+    if (body.restitution > 0.0f) --state.bouncyBodies;
     body.restitution = static_cast<float>(material.restitution);
+    if (body.restitution > 0.0f) ++state.bouncyBodies;
     if (!body.isDynamic()) return;
     const MassProperties& mass = body.shape->mass;
     body.mass = static_cast<float>(mass.volume * material.density);
@@ -112,6 +114,7 @@ void removeBody(WorldState& state, std::uint32_t number) {
         state.awake.erase(std::lower_bound(state.awake.begin(), state.awake.end(), number));
     }
     if (state.grabbed.index == number) state.grabbed = {};
+    if (state.bodies[number].restitution > 0.0f) --state.bouncyBodies;
     state.bodies[number] = {.generation = state.bodies[number].generation};
     state.motions[number] = {};
     state.places[number] = {};

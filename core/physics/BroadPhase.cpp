@@ -44,7 +44,20 @@ void markMoved(PairScratch& scratch, std::uint32_t body) {
     scratch.moved.push_back(body);
 }
 
-void widenBoxes(WorldState& state, PairScratch& scratch, float dt, bool all) {
+/// Foresees how far awake bodies can move, and lists those that may leave their boxes.
+void listLeaving(WorldState& state, WorkerTeam& team, const Regions& regions, PairScratch& scratch, float dt) {
+    scratch.leaving.resize(regions.count());
+    regions.forEach(team, [&](std::size_t region) {
+        std::vector<std::uint32_t>& leaving = scratch.leaving[region];
+        leaving.clear();
+        for (std::uint32_t body : regions.bodies(region)) {
+            state.ahead[body] = state.places[body].travel + foreseenWay(state, body, dt);
+            if (state.ahead[body] > state.bodies[body].boxedUntil) leaving.push_back(body);
+        }
+    });
+}
+
+void widenBoxes(WorldState& state, WorkerTeam& team, const Regions& regions, PairScratch& scratch, float dt, bool all) {
     scratch.moved.clear();
     scratch.isMoved.assign(state.bodies.size(), 0);
     for (std::uint32_t body : state.rebox) {
@@ -55,9 +68,9 @@ void widenBoxes(WorldState& state, PairScratch& scratch, float dt, bool all) {
     }
     state.rebox.clear();
     if (!all) return;
-    for (std::uint32_t body : state.awake) {
-        state.ahead[body] = state.places[body].travel + foreseenWay(state, body, dt);
-        if (state.ahead[body] <= state.bodies[body].boxedUntil || scratch.isMoved[body] != 0) continue;
+    listLeaving(state, team, regions, scratch, dt);
+    for (std::uint32_t body : mergedAscending(scratch.leaving)) {
+        if (scratch.isMoved[body] != 0) continue;
         rebox(state, body, dt);
         markMoved(scratch, body);
     }
@@ -140,12 +153,12 @@ void removeProxies(WorldState& state, std::uint32_t body) {
     state.bodies[body].firstProxy = kNone;
 }
 
-void findPairs(WorldState& state, WorkerTeam& team, PairScratch& scratch, float dt, bool all) {
-    widenBoxes(state, scratch, dt, all);
+void findPairs(WorldState& state, WorkerTeam& team, const Regions& regions, PairScratch& scratch, float dt, bool all) {
+    widenBoxes(state, team, regions, scratch, dt, all);
     if (scratch.moved.empty()) return;
     state.tree.tidy();
     removeParted(state, scratch);
-    const std::size_t chunks = team.chunksOf(scratch.moved.size(), kLeastBodies);
+    const std::size_t chunks = regions.count() == 1 ? 1 : team.chunksOf(scratch.moved.size(), kLeastBodies);
     scratch.found.resize(std::max(chunks, scratch.found.size()));
     for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
     team.share(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "core/physics/WorkerTeam.h"
-#include "core/physics/WorldState.h"
+#include "core/physics/Regions.h"
 
 namespace rubble {
 
 /// Memory that the search for pairs uses again from step to step.
 struct PairScratch {
-    std::vector<std::uint32_t> moved;               // bodies with new fat boxes
-    std::vector<char> isMoved;                      // by body
-    std::vector<std::vector<std::uint32_t>> found;  // by chunk: proxies, two a pair
-    std::vector<std::uint32_t> gone;                // contacts
+    std::vector<std::uint32_t> moved;                 // bodies with new fat boxes
+    std::vector<char> isMoved;                        // by body
+    std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
+    std::vector<std::vector<std::uint32_t>> found;    // by chunk: proxies, two a pair
+    std::vector<std::uint32_t> gone;                  // contacts
 };
 
 /// Where the box of a proxy's hull is now, without any margin.
@@ -23,6 +23,6 @@ void removeProxies(WorldState& state, std::uint32_t body);
 /// Foresees how far bodies can move in dt seconds, widens the boxes of those that may leave theirs, makes contacts for boxes that
 /// came to overlap, and removes those of boxes that no longer do. `all` looks at every awake body, else at those that were put in
 /// or moved by hand.
-void findPairs(WorldState& state, WorkerTeam& team, PairScratch& scratch, float dt, bool all);
+void findPairs(WorldState& state, WorkerTeam& team, const Regions& regions, PairScratch& scratch, float dt, bool all);
 
 }  // namespace rubble

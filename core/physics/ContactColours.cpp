@@ -2,9 +2,7 @@
 
 #include "core/base/Assert.h"
 
-#include <algorithm>
 #include <bit>
-#include <numeric>
 
 namespace rubble {
 namespace {
@@ -27,30 +25,18 @@ std::uint64_t bitOf(std::uint32_t list) {
 
 }  // namespace
 
-void ContactColours::sortList(List& list) {
-    const auto bodyOf = [&](std::uint32_t i) {
-        const ContactBlock& block = list.blocks[i / kBlockLanes];
-        return std::min(block.first[i % kBlockLanes], block.second[i % kBlockLanes]);
+void ContactColours::exchangeLanes(ContactSlot a, ContactSlot b) {
+    const auto exchange = [&](auto& first, auto& second) {
+        const auto stored = storedLane(first, laneOf(a));
+        putLane(first, laneOf(a), storedLane(second, laneOf(b)));
+        putLane(second, laneOf(b), stored);
     };
-    std::vector<std::uint32_t> order(list.count);
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return bodyOf(a) < bodyOf(b); });
-    List sorted{std::vector<ContactBlock>(list.blocks.size()), std::vector<ReferenceBlock>(list.references.size()),
-                list.count};
-    for (std::uint32_t to = 0; to < list.count; ++to) {
-        const std::uint32_t from = order[to];
-        const int lane = static_cast<int>(from % kBlockLanes), newLane = static_cast<int>(to % kBlockLanes);
-        putLane(sorted.blocks[to / kBlockLanes], newLane, storedLane(list.blocks[from / kBlockLanes], lane));
-        putLane(sorted.references[to / kBlockLanes], newLane, storedLane(list.references[from / kBlockLanes], lane));
-    }
-    list.blocks.swap(sorted.blocks);
-    list.references.swap(sorted.references);
+    exchange(block(a), block(b));
+    exchange(reference(a), reference(b));
 }
 
 ContactSlot ContactColours::addLane(std::uint32_t number) {
     List& list = m_lists[number];
-    ++m_changes;
     const ContactSlot slot{number, list.count++};
     if (blockOf(slot) == list.blocks.size()) {
         list.blocks.push_back({});
@@ -61,14 +47,13 @@ ContactSlot ContactColours::addLane(std::uint32_t number) {
 
 std::uint32_t ContactColours::removeLane(ContactSlot slot) {
     List& list = m_lists[slot.list];
-    ++m_changes;
     const ContactSlot last{slot.list, --list.count};
     const int lane = laneOf(slot), lastLane = laneOf(last);
     std::uint32_t moved = ContactSlot::kNone;
     if (last.index != slot.index) {
         putLane(block(slot), lane, storedLane(block(last), lastLane));
         putLane(reference(slot), lane, storedLane(reference(last), lastLane));
-        moved = block(slot).contact[static_cast<std::size_t>(lane)];
+        moved = contactAt(slot);
     }
     putLane(block(last), lastLane, {});
     putLane(reference(last), lastLane, {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Assert.h"
 #include "core/physics/ContactBlock.h"
 
 #include <cstdint>
@@ -27,7 +28,9 @@ public:
     static constexpr std::uint32_t kColours = 64;        // one bit each in a body's set
     static constexpr std::uint32_t kLists = 2 * kColours + 1;
     static constexpr std::uint32_t kOneByOne = kLists - 1;  // the list of those without colour
-    static constexpr std::uint32_t kFewPoints = 2;          // of a contact in a colour's first list, at most
+    static constexpr std::size_t kMostCells = 256;
+    using CellEnds = std::array<std::uint32_t, kMostCells>;
+    static constexpr std::uint32_t kFewPoints = 2;  // of a contact in a colour's first list, at most
 
     struct List {
         std::vector<ContactBlock> blocks;
@@ -51,21 +54,35 @@ public:
     /// kNone.
     std::uint32_t moveToOtherList(ContactSlot& slot);
 
-    /// Sorts the contacts of each list by their bodies, so that neighbours in memory are neighbours in space and threads that share a
-    /// list work on bodies of their own, and calls moved(contact, slot) for each. Nothing else depends on the order.
-    template <class Moved>
-    void sortByBodies(const Moved& moved) {
-        for (std::uint32_t list = 0; list < kOneByOne; ++list) {
-            sortList(m_lists[list]);
-            for (std::uint32_t i = 0; i < m_lists[list].count; ++i) {
-                const ContactSlot slot{list, i};
-                moved(block(slot).contact[static_cast<std::size_t>(laneOf(slot))], slot);
+    /// Brings the contacts of a list into order of cellOf(first body, second body), a number below `cells`, by as few exchanges
+    /// as that takes, and calls moved(contact, slot) for each that moved. Nothing else depends on the order; lists may be brought
+    /// into order side by side.
+    template <class CellOf, class Moved>
+    CellEnds order(std::uint32_t list, std::size_t cells, const CellOf& cellOf, const Moved& moved) {
+        const auto cellAt = [&](std::uint32_t index) -> std::size_t {
+            const ContactBlock& home = block({list, index});
+            const auto lane = static_cast<std::size_t>(index % kBlockLanes);
+            return cellOf(home.first[lane], home.second[lane]);
+        };
+        RUBBLE_ASSERT(cells <= kMostCells);
+        std::array<std::uint32_t, kMostCells + 1> next{};
+        CellEnds end{};
+        for (std::uint32_t index = 0; index < m_lists[list].count; ++index) ++next[cellAt(index) + 1];
+        for (std::size_t cell = 0; cell < cells; ++cell) end[cell] = next[cell + 1] += next[cell];
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            for (; next[cell] < end[cell]; ++next[cell]) {
+                const ContactSlot slot{list, next[cell]};
+                for (std::size_t other = cellAt(slot.index); other != cell; other = cellAt(slot.index)) {
+                    const ContactSlot place{list, next[other]++};
+                    if (cellAt(place.index) == other) continue;
+                    exchangeLanes(slot, place);
+                    moved(contactAt(slot), slot);
+                    moved(contactAt(place), place);
+                }
             }
         }
-        m_changes = 0;
+        return end;
     }
-    /// Contacts that came, went or moved since they were sorted.
-    std::size_t changes() const { return m_changes; }
 
     ContactBlock& block(ContactSlot slot) { return m_lists[slot.list].blocks[blockOf(slot)]; }
     const ContactBlock& block(ContactSlot slot) const { return m_lists[slot.list].blocks[blockOf(slot)]; }
@@ -85,13 +102,15 @@ private:
     static std::size_t blockOf(ContactSlot slot) {
         return slot.list == kOneByOne ? slot.index : slot.index / kBlockLanes;
     }
-    static void sortList(List& list);
+    std::uint32_t contactAt(ContactSlot slot) const {
+        return block(slot).contact[static_cast<std::size_t>(laneOf(slot))];
+    }
+    void exchangeLanes(ContactSlot a, ContactSlot b);
     ContactSlot addLane(std::uint32_t list);
     std::uint32_t removeLane(ContactSlot slot);
 
     std::vector<List> m_lists = std::vector<List>(kLists);
     std::vector<std::uint64_t> m_coloursOfBody;  // of dynamic bodies
-    std::size_t m_changes = 0;
 };
 
 }  // namespace rubble

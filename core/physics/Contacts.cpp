@@ -151,9 +151,4 @@ void bringBackContact(WorldState& state, std::uint32_t contact) {
     state.freeStored.push_back(std::exchange(record.stored, kNone));
 }
 
-void sortLanes(WorldState& state) {
-    if (4 * state.colours.changes() < state.colours.contactCount()) return;
-    state.colours.sortByBodies([&](std::uint32_t contact, ContactSlot slot) { state.contacts[contact].slot = slot; });
-}
-
 }  // namespace rubble

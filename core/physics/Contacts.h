@@ -24,9 +24,6 @@ void unlistOpen(WorldState& state, std::uint32_t contact);
 void storeContact(WorldState& state, std::uint32_t contact);
 void bringBackContact(WorldState& state, std::uint32_t contact);
 
-/// Sorts the lanes of contacts by bodies where many have changed. Results do not depend on it.
-void sortLanes(WorldState& state);
-
 /// Calls visit(contact, other body) for each contact of a body. The contact may be removed meanwhile.
 template <class Visit>
 void visitContacts(const WorldState& state, std::uint32_t body, const Visit& visit) {

@@ -49,12 +49,20 @@ void holdBack(WorldState& state, std::uint32_t body) {
 
 }  // namespace
 
-void holdBackFastBodies(WorldState& state) {
-    for (std::uint32_t number : state.awake) {
-        const Body& body = state.bodies[number];
-        const float far = kFarShare * body.shape->breadth;
-        if (body.isDynamic() && lengthSquared(state.motions[number].moved) > far * far) holdBack(state, number);
-    }
+void holdBackFastBodies(WorldState& state, WorkerTeam& team, const Regions& regions,
+                        std::vector<std::vector<std::uint32_t>>& byRegion) {
+    byRegion.resize(regions.count());
+    regions.forEach(team, [&](std::size_t region) {
+        byRegion[region].clear();
+        for (std::uint32_t number : regions.bodies(region)) {
+            const Body& body = state.bodies[number];
+            const float far = kFarShare * body.shape->breadth;
+            const bool isFast = lengthSquared(state.motions[number].moved) > far * far;
+            if (isFast && body.isDynamic()) byRegion[region].push_back(number);
+        }
+    });
+    std::vector<std::uint32_t>& fast = mergedAscending(byRegion);
+    for (std::uint32_t body : fast) holdBack(state, body);
 }
 
 }  // namespace rubble

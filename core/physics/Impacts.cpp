@@ -1,13 +1,16 @@
 #include "core/physics/Impacts.h"
 
+#include "core/physics/ImpactSpeeds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 
 namespace rubble {
 namespace {
 
-constexpr float kImpactSpeed = 0.5f;     // m/s: slower, and nothing is hurt
 constexpr float kRoundingSpeed = 0.01f;  // m/s
 // Points at most so much behind the first are of one blow, whatever the length of the step; others come when it was dealt.
 constexpr float kTogether = 0.005f;  // m
@@ -15,22 +18,34 @@ constexpr float kHitSpeed = 1.0f;    // m/s
 
 Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
 
+/// Of a region.
 template <class Visit>
-void visitContacts(const WorldState& state, const Visit& visit) {
-    for (const ContactColours::List& list : state.colours.lists()) {
-        for (const ContactBlock& block : list.blocks) {
-            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-                if (block.pointCount[lane] > 0) visit(block, lane);
+void visitContacts(const WorldState& state, const Regions& regions, std::size_t region, const Visit& visit) {
+    const std::span<const ContactColours::List> lists = state.colours.lists();
+    for (std::size_t list = 0; list < lists.size(); ++list) {
+        const std::span blocks = regions.part(list, std::span(lists[list].blocks), region);
+        regions.inTheirOrder(blocks.size(), region, [&](IndexRange range) {
+            for (const ContactBlock& block : blocks.subspan(range.begin, range.size())) {
+                for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                    if (block.pointCount[lane] > 0) visit(block, lane);
+                }
             }
-        }
+        });
     }
 }
 
+template <class Visit>
+void visitContacts(const WorldState& state, const Visit& visit) {
+    visitContacts(state, Regions(), 0, visit);
+}
+
+/// Two bodies of several hulls may touch at several places: those are in order, too, wherever the contacts are kept.
 template <class Event>
 void sortByBodies(std::vector<Event>& events) {
-    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-        return a.first != b.first ? a.first < b.first : a.second < b.second;
-    });
+    const auto key = [](const Event& event) {
+        return std::tuple(event.first, event.second, event.point.x, event.point.y, event.point.z);
+    };
+    std::stable_sort(events.begin(), events.end(), [&](const Event& a, const Event& b) { return key(a) < key(b); });
 }
 
 /// The mean place of the points that `counts` accepts, from the first body's centre, or nothing where there is none.
@@ -69,10 +84,52 @@ Vec3f fallOf(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
 }
 
+std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block, std::size_t lane) {
+    const auto isHit = [&](const PointRows& point) {
+        return point.approach[lane] < -kHitSpeed && point.stepImpulse[lane] > 0.0f;
+    };
+    Vec3f place(0.0f);
+    if (meanPlace(block, lane, isHit, place) == 0) return std::nullopt;
+    HitEvent hit{state.idOf(block.first[lane]),
+                 state.idOf(block.second[lane]),
+                 toDouble(state.places[block.first[lane]].centre + place),
+                 toDouble(at(block.normal, lane)),
+                 0.0,
+                 0.0};
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        hit.approachSpeed = std::max(hit.approachSpeed, -static_cast<double>(block.points[i].approach[lane]));
+        hit.impulse += block.points[i].stepImpulse[lane];
+    }
+    return hit;
+}
+
+/// An impact, and how far its bodies are apart there.
+struct ComingImpact : Impact {
+    float separation = 0.0f;  // m
+};
+
+/// Of bodies that meet at several hulls, leaves what is of the first blow.
+void dropLaterBlows(std::vector<ComingImpact>& impacts) {
+    const auto isSamePair = [](const ComingImpact& a, const ComingImpact& b) {
+        return a.first == b.first && a.second == b.second;
+    };
+    auto kept = impacts.begin();
+    for (auto begin = impacts.begin(); begin != impacts.end();) {
+        const auto end =
+            std::find_if_not(begin, impacts.end(), [&](const auto& one) { return isSamePair(*begin, one); });
+        const auto first =
+            std::min_element(begin, end, [](const auto& a, const auto& b) { return a.separation < b.separation; });
+        const float last = first->separation + kTogether;
+        kept = std::copy_if(begin, end, kept, [&](const auto& one) { return one.separation <= last; });
+        begin = end;
+    }
+    impacts.erase(kept, impacts.end());
+}
+
 }  // namespace
 
 std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
-    std::vector<Impact> impacts;
+    std::vector<ComingImpact> impacts;
     // Gravity speeds bodies up within the step, and rounding must not let a hit pass between two steps.
     const float late = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
@@ -88,7 +145,8 @@ std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
                             state.motions[a].velocity - cross(state.motions[a].spin, place);
         const float mobilities = mobility(state, a, place, normal) + mobility(state, b, otherPlace, normal);
         if (mobilities <= 0.0f) return;
-        Impact impact;
+        ComingImpact impact;
+        impact.separation = first;
         impact.first = state.idOf(a);
         impact.second = state.idOf(b);
         impact.point = toDouble(state.places[a].centre + place);
@@ -104,28 +162,20 @@ std::vector<Impact> impactsOf(const WorldState& state, const SolverStep& step) {
         impacts.push_back(impact);
     });
     sortByBodies(impacts);
-    return impacts;
+    dropLaterBlows(impacts);
+    return {impacts.begin(), impacts.end()};
 }
 
-void listHits(const WorldState& state, std::vector<HitEvent>& hits) {
-    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
-        const auto isHit = [&](const PointRows& point) {
-            return point.approach[lane] < -kHitSpeed && point.stepImpulse[lane] > 0.0f;
-        };
-        Vec3f place(0.0f);
-        if (meanPlace(block, lane, isHit, place) == 0) return;
-        HitEvent hit{state.idOf(block.first[lane]),
-                     state.idOf(block.second[lane]),
-                     toDouble(state.places[block.first[lane]].centre + place),
-                     toDouble(at(block.normal, lane)),
-                     0.0,
-                     0.0};
-        for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
-            hit.approachSpeed = std::max(hit.approachSpeed, -static_cast<double>(block.points[i].approach[lane]));
-            hit.impulse += block.points[i].stepImpulse[lane];
-        }
-        hits.push_back(hit);
+void listHits(const WorldState& state, WorkerTeam& team, const Regions& regions,
+              std::vector<std::vector<HitEvent>>& byRegion, std::vector<HitEvent>& hits) {
+    byRegion.resize(regions.count());
+    regions.forEach(team, [&](std::size_t region) {
+        byRegion[region].clear();
+        visitContacts(state, regions, region, [&](const ContactBlock& block, std::size_t lane) {
+            if (const std::optional<HitEvent> hit = hitOf(state, block, lane)) byRegion[region].push_back(*hit);
+        });
     });
+    for (const std::vector<HitEvent>& some : byRegion) hits.insert(hits.end(), some.begin(), some.end());
     sortByBodies(hits);
 }
 

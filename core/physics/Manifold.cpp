@@ -13,11 +13,12 @@ constexpr int kMostClipped = 2 * kMostHullCorners;
 constexpr std::uint32_t kCutByEdge = 1u << 31;
 constexpr std::uint32_t kOnSecondsFace = 1u << 30;
 
+/// Without values of its own: hundreds of them lie on the stack for a few that are used.
 struct Clipped {
     Vec3f place;
-    float height = 0.0f;          // over the reference face
-    std::uint16_t edgeAfter = 0;  // which edge leaves it: of the clipped face, or of the face it is clipped to
-    std::uint32_t feature = 0;
+    float height;             // over the reference face
+    std::uint16_t edgeAfter;  // which edge leaves it: of the clipped face, or of the face it is clipped to
+    std::uint32_t feature;
 };
 
 /// A face of one hull in the other's frame.

@@ -16,8 +16,6 @@ constexpr float kMostSlack = 0.02f;  // m
 constexpr float kGapShare = 0.75f;
 /// Bodies that pass this share of the thinner one's breadth in a step are swept.
 constexpr float kSweptShare = 0.5f;
-constexpr std::size_t kLeastLooks = 8;
-constexpr std::size_t kLeastBlocks = 32;
 constexpr std::size_t kLeastOpen = 1024;
 
 const Hull& hullOf(const WorldState& state, std::uint32_t proxy) {
@@ -135,51 +133,61 @@ void noteGap(WorldState& state, std::uint32_t number, const Look& look) {
     contact.axis = look.axis;
 }
 
-void markStale(const WorldState& state, WorkerTeam& team, LookScratch& scratch, const SolverKernels& kernels,
-               const SolverStep& step) {
-    std::size_t count = 0;
-    for (const ContactColours::List& list : state.colours.lists()) count += list.blocks.size();
-    scratch.staleLanes.resize(count);
-    team.share(count, team.chunksOf(count, kLeastBlocks), [&](IndexRange range, std::size_t) {
-        std::size_t first = 0;  // block of this colour
-        for (const ContactColours::List& list : state.colours.lists()) {
-            const std::size_t end = first + list.blocks.size();
-            for (std::size_t i = std::max(first, range.begin); i < std::min(end, range.end); ++i) {
-                scratch.staleLanes[i] = static_cast<unsigned char>(
-                    kernels.staleLanes(list.blocks[i - first], list.references[i - first], step));
-            }
-            first = end;
+void lookAndKeep(WorldState& state, std::uint32_t number, std::vector<Looked>& looks, float dt) {
+    const Contact& contact = state.contacts[number];
+    looks.push_back({number, lookAt(state, contact, dt)});
+    if (contact.slot.isSet() && looks.back().look.manifold.count > 0) keepManifold(state, number, looks.back().look);
+}
+
+/// Manifolds that are out of date, each made anew by whoever has its block.
+void lookAtStale(WorldState& state, WorkerTeam& team, const Regions& regions, LookScratch& scratch,
+                 const SolverKernels& kernels, const SolverStep& step) {
+    scratch.stale.resize(regions.count());
+    regions.forEach(team, [&](std::size_t region) {
+        scratch.stale[region].clear();
+        for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
+            const ContactColours::List& list = state.colours.lists()[number];
+            const std::span blocks = regions.part(number, std::span(list.blocks), region);
+            const std::span references = regions.part(number, std::span(list.references), region);
+            regions.inTheirOrder(blocks.size(), region, [&](IndexRange range) {
+                for (std::size_t i = range.begin; i < range.end; ++i) {
+                    const unsigned stale = kernels.staleLanes(blocks[i], references[i], step);
+                    for (std::size_t lane = 0; stale >> lane != 0; ++lane) {
+                        if ((stale >> lane & 1u) == 0) continue;
+                        lookAndKeep(state, blocks[i].contact[lane], scratch.stale[region], step.dt);
+                    }
+                }
+            });
         }
     });
 }
 
-void listStale(const WorldState& state, LookScratch& scratch) {
-    std::size_t number = 0;
-    for (const ContactColours::List& list : state.colours.lists()) {
-        for (const ContactBlock& block : list.blocks) {
-            const unsigned stale = scratch.staleLanes[number++];
-            for (std::size_t lane = 0; stale >> lane != 0; ++lane) {
-                if ((stale >> lane & 1u) != 0) scratch.contacts.push_back(block.contact[lane]);
-            }
-        }
-    }
-}
-
-void listOpenThatMayTouch(const WorldState& state, WorkerTeam& team, LookScratch& scratch, bool newOnly) {
-    const std::size_t chunks = team.chunksOf(state.open.size(), kLeastOpen);
-    scratch.open.resize(std::max(chunks, scratch.open.size()));
-    for (std::vector<std::uint32_t>& open : scratch.open) open.clear();
+/// Contacts without manifold that may touch now.
+void lookAtOpen(WorldState& state, WorkerTeam& team, const Regions& regions, LookScratch& scratch, float dt,
+                bool newOnly) {
+    const std::size_t chunks = regions.count() == 1 ? 1 : team.chunksOf(state.open.size(), kLeastOpen);
+    scratch.open.resize(chunks);
     team.share(state.open.size(), chunks, [&](IndexRange range, std::size_t chunk) {
-        std::vector<std::uint32_t>& open = scratch.open[chunk];
+        scratch.open[chunk].clear();
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const OpenContact& contact = state.open[i];
             const float ahead = state.ahead[contact.bodies[0]] + state.ahead[contact.bodies[1]];
-            if (newOnly ? contact.lookAt == kNeverLooked : ahead >= contact.lookAt) open.push_back(contact.contact);
+            const bool mayTouch = newOnly ? contact.lookAt == kNeverLooked : ahead >= contact.lookAt;
+            if (mayTouch) lookAndKeep(state, contact.contact, scratch.open[chunk], dt);
         }
     });
-    for (const std::vector<std::uint32_t>& open : scratch.open) {
-        scratch.contacts.insert(scratch.contacts.end(), open.begin(), open.end());
+}
+
+/// All that were looked at, in order of their numbers: in which lanes contacts are must not decide who gets which colour.
+void sortLooks(LookScratch& scratch) {
+    scratch.all.clear();
+    for (const auto* some : {&scratch.stale, &scratch.open}) {
+        for (const std::vector<Looked>& looks : *some) {
+            for (const Looked& looked : looks) scratch.all.push_back(&looked);
+        }
     }
+    std::sort(scratch.all.begin(), scratch.all.end(),
+              [](const Looked* a, const Looked* b) { return a->contact < b->contact; });
 }
 
 }  // namespace
@@ -204,42 +212,27 @@ Look lookAt(const WorldState& state, const Contact& contact, float dt) {
     return look;
 }
 
-int findManifolds(WorldState& state, WorkerTeam& team, LookScratch& scratch, const SolverKernels& kernels,
-                  const SolverStep& step, bool newOnly) {
-    scratch.contacts.clear();
-    if (!newOnly) {
-        markStale(state, team, scratch, kernels, step);
-        listStale(state, scratch);
-    }
-    listOpenThatMayTouch(state, team, scratch, newOnly);
-    // In which lanes contacts are must not decide who gets which colour.
-    std::sort(scratch.contacts.begin(), scratch.contacts.end());
-    scratch.looks.resize(scratch.contacts.size());
-    const std::size_t chunks = team.chunksOf(scratch.contacts.size(), kLeastLooks);
-    team.share(scratch.contacts.size(), chunks, [&](IndexRange range, std::size_t) {
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            const std::uint32_t number = scratch.contacts[i];
-            scratch.looks[i] = lookAt(state, state.contacts[number], step.dt);
-            if (state.contacts[number].slot.isSet() && scratch.looks[i].manifold.count > 0) {
-                keepManifold(state, number, scratch.looks[i]);
-            }
-        }
-    });
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        const std::uint32_t number = scratch.contacts[i];
-        const bool touches = scratch.looks[i].manifold.count > 0, touched = state.contacts[number].slot.isSet();
-        const auto points = static_cast<std::uint32_t>(scratch.looks[i].manifold.count);
+int findManifolds(WorldState& state, WorkerTeam& team, const Regions& regions, LookScratch& scratch,
+                  const SolverKernels& kernels, const SolverStep& step, bool newOnly) {
+    for (std::vector<Looked>& looks : scratch.stale) looks.clear();
+    if (!newOnly) lookAtStale(state, team, regions, scratch, kernels, step);
+    lookAtOpen(state, team, regions, scratch, step.dt, newOnly);
+    sortLooks(scratch);
+    for (const auto* looked : scratch.all) {
+        const auto& [number, look] = *looked;
+        const bool touches = look.manifold.count > 0, touched = state.contacts[number].slot.isSet();
+        const auto points = static_cast<std::uint32_t>(look.manifold.count);
         if (touches && touched) {
             moveLane(state, number, points);
         } else if (touches) {
             beginTouching(state, number, points);
-            keepManifold(state, number, scratch.looks[i]);
+            keepManifold(state, number, look);
         } else if (!touches) {
             if (touched) endTouching(state, number);
-            noteGap(state, number, scratch.looks[i]);
+            noteGap(state, number, look);
         }
     }
-    return static_cast<int>(scratch.contacts.size());
+    return static_cast<int>(scratch.all.size());
 }
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/physics/Manifold.h"
+#include "core/physics/Regions.h"
 #include "core/physics/SolverKernels.h"
-#include "core/physics/WorkerTeam.h"
 #include "core/physics/WorldState.h"
 
 namespace rubble {
@@ -18,17 +18,21 @@ struct Look {
 /// Looks at two hulls as they are, or, where one moves far against its size, as they will be when they meet in the coming dt seconds.
 Look lookAt(const WorldState& state, const Contact& contact, float dt);
 
+struct Looked {
+    std::uint32_t contact;
+    Look look;
+};
+
 /// Memory that is used again from step to step.
 struct LookScratch {
-    std::vector<unsigned char> staleLanes;         // a bit a lane, by block in order of the colours
-    std::vector<std::vector<std::uint32_t>> open;  // by chunk: contacts without manifold that may touch now
-    std::vector<std::uint32_t> contacts;           // to look at
-    std::vector<Look> looks;
+    std::vector<std::vector<Looked>> stale;  // by region
+    std::vector<std::vector<Looked>> open;   // by chunk
+    std::vector<const Looked*> all;          // ascending
 };
 
 /// Makes every manifold anew that is out of date, finds those of pairs that came near, and drops those of pairs that parted.
 /// `newOnly` looks at contacts that were never looked at. Gives how many were looked at.
-int findManifolds(WorldState& state, WorkerTeam& team, LookScratch& scratch, const SolverKernels& kernels,
-                  const SolverStep& step, bool newOnly);
+int findManifolds(WorldState& state, WorkerTeam& team, const Regions& regions, LookScratch& scratch,
+                  const SolverKernels& kernels, const SolverStep& step, bool newOnly);
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/physics/LaneMath.h"
 
+#include <algorithm>
 #include <array>
 
 namespace rubble {
@@ -12,6 +13,7 @@ using Four = Floats<kLanes>;
 using FourVec3 = WideVec3<kLanes>;
 
 constexpr float kPreference = 0.0005f;       // m: how much better an edge, or the second hull's face, must be
+constexpr float kTouching = 1e-4f;           // m: what counts as lying in a plane, or over a face
 constexpr float kParallelSquared = 2.5e-5f;  // of the sine between edges that count as parallel, 0.005
 
 FourVec3 splat(Vec3f v) { return {all<kLanes>(v.x), all<kLanes>(v.y), all<kLanes>(v.z)}; }
@@ -51,6 +53,35 @@ BestFace bestFace(const Hull& owner, const Hull& other, const RelativePlace& oth
         if (separation > best.separation) best = {face, separation};
     }
     return best;
+}
+
+/// Whether a point over a face lies over the face itself and not beside it, by less than `tolerance`.
+bool isOver(const Hull& owner, int face, Vec3f point, float tolerance) {
+    const Vec3f normal = owner.planes[face].normal;
+    const std::span<const std::uint16_t> loop = owner.face(face);
+    Vec3f from = owner.corner(loop[loop.size() - 1]);
+    for (const std::uint16_t corner : loop) {
+        const Vec3f to = owner.corner(corner), side = to - from, outwards = cross(side, normal);
+        const float beside = dot(outwards, point - from);
+        if (beside > 0.0f && beside * beside > tolerance * tolerance * lengthSquared(side)) return false;
+        from = to;
+    }
+    return true;
+}
+
+/// No axis separates the hulls by more than this: how far a corner is from a face that it lies over; a large number where none
+/// of the corners nearest to it does.
+float distanceOver(const Hull& owner, const BestFace& best, const Hull& other, const RelativePlace& otherInOwner) {
+    const HullPlane& plane = owner.planes[best.face];
+    const Vec3f down = otherInOwner.turn.transposedTimes(plane.normal);
+    const float offset = dot(plane.normal, otherInOwner.offset) - plane.offset;
+    for (int i = 0; i < other.cornerCount; ++i) {
+        const float height = dot(down, other.corner(i)) + offset;
+        if (height > best.separation + kTouching) continue;
+        const Vec3f point = otherInOwner.turn * other.corner(i) + otherInOwner.offset;
+        if (isOver(owner, best.face, point, kTouching)) return std::max(height, 0.0f) + kTouching;
+    }
+    return 1e30f;
 }
 
 struct BestEdges {
@@ -145,8 +176,12 @@ SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const Relat
     const bool isSecond = ofSecond.separation > ofFirst.separation + kPreference;
     const SeparatingAxis face = isSecond ? secondFaceAxis(second, place, ofSecond) : firstFaceAxis(first, ofFirst);
     if (face.separation > margin) return face;
+    // What lies on a face needs no look at its edges: they cannot be farther apart.
+    const float enough = face.separation + kPreference;
+    if (distanceOver(first, ofFirst, second, place) <= enough) return face;
+    if (distanceOver(second, ofSecond, first, firstInSecond) <= enough) return face;
     const BestEdges edges = bestEdges(first, second, place, margin);
-    if (edges.first < 0 || edges.separation <= face.separation + kPreference) return face;
+    if (edges.first < 0 || edges.separation <= enough) return face;
     return {AxisKind::Edges, static_cast<std::uint16_t>(edges.first), static_cast<std::uint16_t>(edges.second),
             edges.separation, edges.normal};
 }

@@ -75,16 +75,6 @@ Unions islands(const WorldState& state) {
 
 bool isNoted(const Body& body) { return body.restTime >= kRestTime; }
 
-void noteRest(WorldState& state, float dt) {
-    for (std::uint32_t number : state.awake) {
-        Body& body = state.bodies[number];
-        const BodyMotion& motion = state.motions[number];
-        const float turning = length(motion.spin) * state.places[number].reach;
-        const bool rests = body.isDynamic() && length(motion.velocity) < kRestSpeed && turning < kRestSpeed;
-        body.restTime = rests ? body.restTime + dt : 0.0f;
-    }
-}
-
 std::uint32_t newSleepers(WorldState& state) {
     if (state.freeSleepers.empty()) {
         state.sleepers.emplace_back();
@@ -135,8 +125,15 @@ void wakeNeighbours(WorldState& state, std::uint32_t body) {
     });
 }
 
-int sleepWhereAtRest(WorldState& state, float dt) {
-    noteRest(state, dt);
+void noteRest(WorldState& state, std::uint32_t number, float dt) {
+    Body& body = state.bodies[number];
+    const BodyMotion& motion = state.motions[number];
+    const float turning = length(motion.spin) * state.places[number].reach;
+    const bool rests = body.isDynamic() && length(motion.velocity) < kRestSpeed && turning < kRestSpeed;
+    body.restTime = rests ? body.restTime + dt : 0.0f;
+}
+
+int sleepWhereAtRest(WorldState& state) {
     const auto rests = [&](std::uint32_t body) { return isNoted(state.bodies[body]); };
     if (!state.sleeping || std::none_of(state.awake.begin(), state.awake.end(), rests)) return 0;
     Unions unions = islands(state);

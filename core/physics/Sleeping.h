@@ -8,9 +8,10 @@ namespace rubble {
 void wakeBody(WorldState& state, std::uint32_t body);
 /// Wakes what touches a body that sleeps or cannot sleep.
 void wakeNeighbours(WorldState& state, std::uint32_t body);
-/// Notes who rested in a step of dt seconds, and puts to sleep the islands, bodies joined by contacts, all of whose bodies have
-/// hardly moved for half a second. Gives the number of islands looked at.
+/// Notes whether an awake body rested in a step of dt seconds.
+void noteRest(WorldState& state, std::uint32_t body, float dt);
+/// Puts to sleep the islands, bodies joined by contacts, all of whose bodies have hardly moved for half a second. Gives the number of islands looked at.
 /// Source: Catto 2024, "Simulation Islands"; Tarjan 1975 (union-find).
-int sleepWhereAtRest(WorldState& state, float dt);
+int sleepWhereAtRest(WorldState& state);
 
 }  // namespace rubble

@@ -1,5 +1,7 @@
 #include "core/physics/Solver.h"
 
+#include "core/physics/ImpactSpeeds.h"
+#include "core/physics/Sleeping.h"
 #include "core/physics/Spin.h"
 
 #include <algorithm>
@@ -14,10 +16,7 @@ constexpr float kLongestSubStep = 1.0f / 240.0f + 1e-6f;  // s
 // the most that is stable.
 constexpr float kContactHertz = 50.0f;
 constexpr float kDampingRatio = 2.0f;
-constexpr float kPushOutSpeed = 3.0f;      // m/s
-constexpr float kRestitutionSpeed = 1.0f;  // m/s
-constexpr std::size_t kLeastBlocks = 8;    // of a chunk: a microsecond's work
-constexpr std::size_t kLeastBodies = 128;
+constexpr float kPushOutSpeed = 3.0f;  // m/s
 
 /// Source: Catto 2011, "Soft constraints", by the spring's frequency and damping ratio.
 Softness softness(float hertz, float dampingRatio, float h) {
@@ -53,44 +52,104 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     motion.spin += place.inverseInertia * (turning * impulse);
 }
 
-/// The passes of a step, over all contacts or bodies. The blocks of a list, and awake bodies, are shared between the workers.
-class Passes {
-public:
-    Passes(WorldState& state, WorkerTeam& team, const SolverStep& step) : m_state(state), m_team(team), m_step(step) {}
+/// Takes the body's place over from its motion.
+void finishBody(WorldState& state, std::uint32_t number) {
+    Body& body = state.bodies[number];
+    BodyPlace& place = state.places[number];
+    BodyMotion& motion = state.motions[number];
+    place.travel += length(motion.moved) + 2.0f * length(motion.turned.vector()) * place.reach;
+    // Summed up with what rounding left out, so that free flight keeps to its line for minutes.
+    const Vec3f moved = motion.moved + body.centreRest, centre = place.centre + moved;
+    body.centreRest = moved - (centre - place.centre);
+    place.centre = centre;
+    takeTurn(state, number);
+    motion.moved = Vec3f(0.0f);
+    motion.turned = {};
+}
 
-    /// One colour after another.
-    void overContacts(Pass pass) const {
-        const std::span<ContactColours::List> lists = m_state.colours.lists();
-        for (std::size_t i = 0; i < lists.size(); ++i) {
-            const std::span<ContactBlock> blocks = lists[i].blocks;
-            if (blocks.empty()) continue;
-            const std::size_t chunks =
-                i == ContactColours::kOneByOne ? 1 : m_team.chunksOf(blocks.size(), kLeastBlocks);
-            m_team.share(blocks.size(), chunks, [&](IndexRange range, std::size_t) {
-                pass(blocks.subspan(range.begin, range.size()), m_step);
-            });
-        }
+/// Goes through stages, each worker in its regions.
+class Stages {
+public:
+    Stages(WorldState& state, WorkerTeam& team, const Regions& regions, const SolverKernels& kernels,
+           const SolverStep& step, SolveScratch& scratch)
+        : m_state(state), m_team(team), m_regions(regions), m_kernels(kernels), m_step(step), m_scratch(scratch) {
+        m_scratch.spinners.resize(m_regions.count());
+        m_scratch.others.resize(m_regions.count());
+        m_regions.forEach(team, [&](std::size_t region) { listSpinners(region); });
+        planSubStep();
+        m_scratch.restitution.clear();
+        if (m_state.bouncyBodies > 0) planColours(m_scratch.restitution, kernels.restitute);
     }
-    void overBodies(void (*pass)(std::span<const std::uint32_t>, const SolverStep&),
-                    std::span<const std::uint32_t> bodies) const {
-        m_team.share(bodies.size(), m_team.chunksOf(bodies.size(), kLeastBodies),
-                     [&](IndexRange range, std::size_t) { pass(bodies.subspan(range.begin, range.size()), m_step); });
-    }
-    void turnSpinners(std::span<const std::uint32_t> spinners) const {
-        const std::size_t chunks = m_team.chunksOf(spinners.size(), kLeastBodies);
-        m_team.share(spinners.size(), chunks, [&](IndexRange range, std::size_t) {
-            for (std::size_t i = range.begin; i < range.end; ++i) {
-                BodyMotion& motion = m_state.motions[spinners[i]];
-                motion.turned = turnedBySpin(m_state, spinners[i], m_step.subStep);
-                motion.moved += motion.velocity * m_step.subStep;
-            }
-        });
+
+    void run(const std::vector<SolveStage>& stages) const {
+        m_team.shareStages(stages.size(), m_regions.count(),
+                           [&](std::size_t stage, std::size_t region) { work(stages[stage], region); });
     }
 
 private:
+    void listSpinners(std::size_t region) const {
+        m_scratch.spinners[region].clear();
+        m_scratch.others[region].clear();
+        for (std::uint32_t body : m_regions.bodies(region)) {
+            (isSpinner(m_state, body, m_step.dt) ? m_scratch.spinners : m_scratch.others)[region].push_back(body);
+        }
+    }
+    void planSubStep() {
+        std::vector<SolveStage>& stages = m_scratch.subStep;
+        stages.clear();
+        stages.push_back({.over = SolveStage::Over::Velocities});
+        if (m_state.grabbed.index != 0) stages.push_back({.over = SolveStage::Over::Grabbed});
+        planColours(stages, m_kernels.warmStart);
+        planColours(stages, m_kernels.solve);
+        stages.push_back({.over = SolveStage::Over::Positions});
+        planColours(stages, m_kernels.relax);
+    }
+    /// One colour after another, in both of its lists at once.
+    void planColours(std::vector<SolveStage>& stages, Pass pass) const {
+        const std::span<const ContactColours::List> lists = m_state.colours.lists();
+        for (std::uint32_t list = 0; list < ContactColours::kLists; list += 2) {
+            const bool hasMany = lists[list].count > 0, hasNext = list + 1 < lists.size() && lists[list + 1].count > 0;
+            if (hasMany || hasNext) stages.push_back({.pass = pass, .list = list});
+        }
+    }
+
+    void work(const SolveStage& stage, std::size_t region) const {
+        switch (stage.over) {
+            case SolveStage::Over::Contacts: return passContacts(stage, region);
+            case SolveStage::Over::Velocities: return m_kernels.integrateVelocities(m_regions.bodies(region), m_step);
+            case SolveStage::Over::Positions: return moveBodies(region);
+            case SolveStage::Over::Grabbed:
+                if (region == 0) pullGrabbed(m_state, m_step);
+        }
+    }
+    void passContacts(const SolveStage& stage, std::size_t region) const {
+        const std::span<ContactColours::List> lists = m_state.colours.lists();
+        if (stage.list == ContactColours::kOneByOne) {
+            if (region == 0) stage.pass(lists[stage.list].blocks, m_step);
+            return;
+        }
+        for (std::uint32_t list : {stage.list, stage.list + 1}) {
+            const std::span blocks = m_regions.part(list, std::span(lists[list].blocks), region);
+            m_regions.inTheirOrder(blocks.size(), region, [&](IndexRange range) {
+                stage.pass(blocks.subspan(range.begin, range.size()), m_step);
+            });
+        }
+    }
+    void moveBodies(std::size_t region) const {
+        m_kernels.integratePositions(m_scratch.others[region], m_step);
+        for (std::uint32_t spinner : m_scratch.spinners[region]) {
+            BodyMotion& motion = m_state.motions[spinner];
+            motion.turned = turnedBySpin(m_state, spinner, m_step.subStep);
+            motion.moved += motion.velocity * m_step.subStep;
+        }
+    }
+
     WorldState& m_state;
     WorkerTeam& m_team;
+    const Regions& m_regions;
+    const SolverKernels& m_kernels;
     const SolverStep& m_step;
+    SolveScratch& m_scratch;
 };
 
 }  // namespace
@@ -109,53 +168,33 @@ SolverStep solverStep(WorldState& state, float dt) {
             kRestitutionSpeed};
 }
 
-void prepareContacts(WorldState& state, WorkerTeam& team, const SolverKernels& kernels, const SolverStep& step) {
-    for (ContactColours::List& list : state.colours.lists()) {
-        const std::size_t count = list.blocks.size();
-        if (count == 0) continue;
-        team.share(count, team.chunksOf(count, kLeastBlocks), [&](IndexRange range, std::size_t) {
-            kernels.prepare(std::span(list.blocks).subspan(range.begin, range.size()),
-                            std::span<const ReferenceBlock>(list.references).subspan(range.begin, range.size()), step);
-        });
-    }
+void prepareContacts(WorldState& state, WorkerTeam& team, const Regions& regions, const SolverKernels& kernels,
+                     const SolverStep& step) {
+    regions.forEach(team, [&](std::size_t region) {
+        for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
+            ContactColours::List& list = state.colours.lists()[number];
+            const std::span blocks = regions.part(number, std::span(list.blocks), region);
+            const std::span references = regions.part(number, std::span<const ReferenceBlock>(list.references), region);
+            regions.inTheirOrder(blocks.size(), region, [&](IndexRange range) {
+                kernels.prepare(blocks.subspan(range.begin, range.size()),
+                                references.subspan(range.begin, range.size()), step);
+            });
+        }
+    });
 }
 
-void solveSubSteps(WorldState& state, WorkerTeam& team, SolveScratch& scratch, const SolverKernels& kernels,
-                   const SolverStep& step) {
-    scratch.spinners.clear();
-    scratch.others.clear();
-    for (std::uint32_t body : state.awake) {
-        (isSpinner(state, body, step.dt) ? scratch.spinners : scratch.others).push_back(body);
-    }
-    const Passes passes(state, team, step);
-    for (int i = subStepsOf(step.dt); i > 0; --i) {
-        passes.overBodies(kernels.integrateVelocities, state.awake);
-        if (state.grabbed.index != 0) pullGrabbed(state, step);
-        passes.overContacts(kernels.warmStart);
-        passes.overContacts(kernels.solve);
-        passes.overBodies(kernels.integratePositions, scratch.others);
-        passes.turnSpinners(scratch.spinners);
-        passes.overContacts(kernels.relax);
-    }
-    passes.overContacts(kernels.restitute);
+void solveSubSteps(WorldState& state, WorkerTeam& team, const Regions& regions, SolveScratch& scratch,
+                   const SolverKernels& kernels, const SolverStep& step) {
+    const Stages stages(state, team, regions, kernels, step, scratch);
+    for (int i = subStepsOf(step.dt); i > 0; --i) stages.run(scratch.subStep);
+    stages.run(scratch.restitution);
 }
 
-void finishBodies(WorldState& state, WorkerTeam& team) {
-    const std::size_t chunks = team.chunksOf(state.awake.size(), kLeastBodies);
-    team.share(state.awake.size(), chunks, [&](IndexRange range, std::size_t) {
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            const std::uint32_t number = state.awake[i];
-            Body& body = state.bodies[number];
-            BodyPlace& place = state.places[number];
-            BodyMotion& motion = state.motions[number];
-            place.travel += length(motion.moved) + 2.0f * length(motion.turned.vector()) * place.reach;
-            // Summed up with what rounding left out, so that free flight keeps to its line for minutes.
-            const Vec3f moved = motion.moved + body.centreRest, centre = place.centre + moved;
-            body.centreRest = moved - (centre - place.centre);
-            place.centre = centre;
-            takeTurn(state, number);
-            motion.moved = Vec3f(0.0f);
-            motion.turned = {};
+void finishBodies(WorldState& state, WorkerTeam& team, const Regions& regions, float dt) {
+    regions.forEach(team, [&](std::size_t region) {
+        for (std::uint32_t number : regions.bodies(region)) {
+            finishBody(state, number);
+            noteRest(state, number, dt);
         }
     });
 }

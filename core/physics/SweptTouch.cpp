@@ -40,8 +40,10 @@ public:
         b = {b.low + offset, b.high + offset};
         if (b.low > a.high) return narrowOneSide(axis, b.low - a.high, b.high - a.low, speed);
         if (a.low > b.high) {
+            // Behind a face there is another face or corner: the axis tells when, but not what touches.
             SeparatingAxis other = axis;
             other.normal = axis.normal * -1.0f;
+            if (axis.kind != AxisKind::Edges) other.kind = AxisKind::None;
             return narrowOneSide(other, a.low - b.high, a.high - b.low, -speed);
         }
         return narrowEnd(b.high - a.low, a.high - b.low, speed);
@@ -56,7 +58,8 @@ private:
         if (speed >= 0.0f || gap > -speed) return false;
         const float begin = gap / -speed;
         const float behind = axis.kind == AxisKind::Edges ? kEdgesBehind / -speed : 0.0f;
-        if (begin > m_axisBegin + behind || m_axis.kind == AxisKind::None) {
+        const bool isLater = begin > m_axisBegin + behind || m_axis.kind == AxisKind::None;
+        if (isLater && axis.kind != AxisKind::None) {
             m_axisBegin = begin;
             m_axis = axis;
             m_axis.separation = 0.0f;

@@ -7,6 +7,8 @@
 #include "core/physics/FastBodies.h"
 #include "core/physics/Impacts.h"
 #include "core/physics/NarrowPhase.h"
+#include "core/physics/Regions.h"
+#include "core/physics/SharingTrial.h"
 #include "core/physics/Sleeping.h"
 #include "core/physics/Solver.h"
 #include "core/physics/WorldState.h"
@@ -38,14 +40,27 @@ bool isAlive(const WorldState& state, std::uint32_t body) { return state.bodies[
 struct World::Workshop {
     explicit Workshop(const WorldSettings& settings) : team(settings.threads), kernels(kernelsOf(settings.lanes)) {}
 
+    bool isWorthATrial(const WorldState& state) const {
+        // Below, two threads are never quicker than one: a step has two hundred stages, and each waits for the slowest.
+        constexpr std::size_t kLeastContacts = 1000;
+        return team.size() > 1 && state.colours.contactCount() >= kLeastContacts;
+    }
+    int workersOf(const WorldState& state) const {
+        return isWorthATrial(state) && sharing.isShared() ? team.size() : 1;
+    }
+
     WorkerTeam team;
     const SolverKernels& kernels;
+    SharingTrial sharing;
+    int workers = 1;  // of the step that was collided
     PairScratch pairs;
     LookScratch looks;
     SolveScratch solve;
+    std::vector<std::vector<HitEvent>> hits;             // by region
+    std::vector<std::vector<std::uint32_t>> fastBodies;  // by region
     StepCounts counts;
     StepTimes times;
-    int stepsSinceSort = 0;
+    Regions regions;
     float dt = 0.0f;          // s, of the step that was collided
     bool isCollided = false;  // and not solved yet
 };
@@ -130,18 +145,14 @@ void World::collide(double dt) {
         shop.counts.separatingAxisTests = 0;
     }
     const bool newOnly = shop.isCollided;
+    if (!newOnly) shop.workers = shop.workersOf(*m_state);
     shop.dt = static_cast<float>(dt);
     shop.isCollided = true;
-    findPairs(*m_state, shop.team, shop.pairs, shop.dt, !newOnly);
+    shop.regions.shareOut(*m_state, shop.workers);
+    findPairs(*m_state, shop.team, shop.regions, shop.pairs, shop.dt, !newOnly);
     shop.times.pairs += watch.lap();
-    shop.counts.separatingAxisTests +=
-        findManifolds(*m_state, shop.team, shop.looks, shop.kernels, solverStep(*m_state, shop.dt), newOnly);
-    // Several threads need their contacts apart from each other's, when there are many; not every time that they change.
-    constexpr int kStepsASort = 16;
-    if (shop.team.size() > 1 && ++shop.stepsSinceSort >= kStepsASort) {
-        shop.stepsSinceSort = 0;
-        sortLanes(*m_state);
-    }
+    shop.counts.separatingAxisTests += findManifolds(*m_state, shop.team, shop.regions, shop.looks, shop.kernels,
+                                                     solverStep(*m_state, shop.dt), newOnly);
     shop.times.collide += watch.lap();
 }
 
@@ -158,7 +169,7 @@ void World::expectContact(BodyId first, BodyId second) {
 std::vector<Impact> World::impacts() {
     RUBBLE_ASSERT(m_workshop->isCollided);
     const SolverStep step = solverStep(*m_state, m_workshop->dt);
-    prepareContacts(*m_state, m_workshop->team, m_workshop->kernels, step);
+    prepareContacts(*m_state, m_workshop->team, m_workshop->regions, m_workshop->kernels, step);
     return impactsOf(*m_state, step);
 }
 
@@ -168,16 +179,19 @@ void World::solve(double dt) {
     shop.isCollided = false;
     const SolverStep step = solverStep(*m_state, shop.dt);
     Stopwatch watch;
-    prepareContacts(*m_state, shop.team, shop.kernels, step);
+    shop.regions.shareOut(*m_state, shop.workers);
+    shop.regions.orderContacts(*m_state, shop.team);
+    prepareContacts(*m_state, shop.team, shop.regions, shop.kernels, step);
     shop.times.prepare = watch.lap();
-    solveSubSteps(*m_state, shop.team, shop.solve, shop.kernels, step);
+    solveSubSteps(*m_state, shop.team, shop.regions, shop.solve, shop.kernels, step);
     shop.times.solve = watch.lap();
-    listHits(*m_state, m_state->events.hits);
-    holdBackFastBodies(*m_state);
-    finishBodies(*m_state, shop.team);
+    listHits(*m_state, shop.team, shop.regions, shop.hits, m_state->events.hits);
+    holdBackFastBodies(*m_state, shop.team, shop.regions, shop.fastBodies);
+    finishBodies(*m_state, shop.team, shop.regions, shop.dt);
     shop.counts.awake = static_cast<int>(m_state->awake.size());
-    shop.counts.islands = sleepWhereAtRest(*m_state, shop.dt);
+    shop.counts.islands = sleepWhereAtRest(*m_state);
     shop.times.finish = watch.lap();
+    if (shop.isWorthATrial(*m_state)) shop.sharing.note(shop.times.total());
 }
 
 void World::step(double dt) {

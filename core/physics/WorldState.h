@@ -90,6 +90,7 @@ struct WorldState {
     std::vector<BodyMotion> motions = std::vector<BodyMotion>(1);
     std::vector<BodyPlace> places = std::vector<BodyPlace>(1);
     std::vector<float> ahead = std::vector<float>(1);  // m: what BodyPlace::travel can be when the coming step ends
+    std::size_t bouncyBodies = 0;                      // of restitution
     std::vector<std::uint32_t> freeBodies;
     std::vector<std::uint32_t> awake;  // dynamic and kinematic, ascending
 

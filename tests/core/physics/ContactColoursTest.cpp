@@ -68,6 +68,30 @@ private slots:
             QVERIFY(isSound(colours, kept, kFixed));
         }
     }
+    void contactsAreBroughtIntoOrderOfCells() {
+        constexpr std::uint32_t kBodies = 400, kCells = 5;
+        Random random(12);
+        ContactColours colours;
+        colours.resizeBodies(2 * kBodies + 1);
+        std::vector<Kept> kept;
+        for (std::uint32_t contact = 0; contact < 900; ++contact) {
+            const auto first = 1 + static_cast<std::uint32_t>(random.below(kBodies));
+            const auto second = kBodies + 1 + static_cast<std::uint32_t>(random.below(kBodies));
+            kept.push_back({contact, first, second, colours.add(contact, first, true, second, true, 1 + contact % 4)});
+        }
+        const auto cellOf = [](std::uint32_t first, std::uint32_t) -> std::size_t { return first % kCells; };
+        for (std::uint32_t list = 0; list < ContactColours::kOneByOne; ++list) {
+            const ContactColours::CellEnds ends = colours.order(
+                list, kCells, cellOf, [&](std::uint32_t contact, ContactSlot slot) { kept[contact].slot = slot; });
+            for (const Kept& one : kept) {
+                if (one.slot.list != list) continue;
+                const std::size_t cell = cellOf(one.first, one.second);
+                QVERIFY(one.slot.index < ends[cell]);
+                QVERIFY(cell == 0 || one.slot.index >= ends[cell - 1]);
+            }
+        }
+        QVERIFY(isSound(colours, kept, 0));
+    }
     void contactsAgainstFixedBodiesAreSolvedLast() {
         ContactColours colours;
         colours.resizeBodies(4);

@@ -160,6 +160,39 @@ private slots:
             QVERIFY2(isAt(impacts[1].point.y, 2.0, height + 0.25), QByteArray::number(round));
         }
     }
+    /// Not with that of its back: a plate that moves farther in a step than it is thick.
+    void aPlateMeetsAWallWithItsFace() {
+        for (const double side : {-1.0, 1.0}) {
+            BodyScene scene;
+            scene.gravity = Vec3(0.0);
+            const double far = 2.0 * side;
+            test::addFixedBox(scene, "wall", {std::min(0.0, far), -9.0, -9.0}, {std::max(0.0, far), 9.0, 9.0});
+            const std::uint32_t plate = test::addShape(scene, {test::boxOf({0.05, 0.5, 0.5})});
+            scene.bodies.push_back({.name = "plate",
+                                    .pose = {.position = {-side, 0.0, 0.0}},
+                                    .velocity = {12.0 * side, 0.0, 0.0},
+                                    .shape = plate});
+            const Impact impact = firstImpact(scene, test::kStep);
+            QVERIFY2(std::abs(impact.point.x) < 12.0 * test::kStep, QByteArray::number(impact.point.x));
+        }
+    }
+    /// Its other foot is 3 cm behind: it meets what the first blow has left of the speed.
+    void ofTwoFeetTheFirstStrikes() {
+        for (const double dt : {1.0 / 60.0, 1.0 / 240.0}) {
+            BodyScene scene = boxAndWall({.position = {-1.0, 0.0, 0.0}}, {12.0, 0.0, 0.0});
+            const Polytope foot = test::boxOf({0.2, 0.2, 0.2});
+            scene.shapes[1] = {translated(foot, {0.0, -0.4, 0.0}), translated(foot, {-0.03, 0.4, 0.0})};
+            SceneWorld moved = test::worldOf(scene);
+            std::vector<Impact> impacts;
+            while (impacts.empty() && moved.world.state(moved.bodies[1]).centre.x < 0.0) {
+                moved.world.collide(dt);
+                impacts = moved.world.impacts();
+                moved.world.solve(dt);
+            }
+            QCOMPARE(impacts.size(), 1u);
+            QVERIFY(impacts[0].point.y < -0.3 && impacts[0].point.y > -0.5);
+        }
+    }
     void aFlatHitIsMassTimesSpeed() {
         const Impact impact = firstImpact(boxAndWall({.position = {-3.0, 0.0, 0.0}}, {12.0, 0.0, 0.0}), test::kStep);
         QVERIFY(std::abs(impact.approachSpeed - 12.0) < 1e-4);
