@@ -3,6 +3,7 @@
 #include <xxhash.h>
 
 #include <bit>
+#include <charconv>
 
 namespace rubble {
 
@@ -24,6 +25,16 @@ std::string ContentHash::hex() const {
         text[31 - i] = kDigits[(low >> (4 * i)) & 15];
     }
     return text;
+}
+
+std::optional<ContentHash> contentHashOf(std::string_view hex) {
+    ContentHash hash;
+    const auto read = [&](std::size_t from, std::uint64_t& half) {
+        const char* end = hex.data() + from + 16;
+        return std::from_chars(hex.data() + from, end, half, 16).ptr == end;
+    };
+    if (hex.size() != 32 || !read(0, hash.high) || !read(16, hash.low)) return std::nullopt;
+    return hash;
 }
 
 Hasher::Hasher() : m_state(std::make_unique<State>()) {}

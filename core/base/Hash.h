@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ struct ContentHash {
     /// Thirty-two lower-case hexadecimal digits.
     std::string hex() const;
 };
+
+/// The hash that ContentHash::hex() wrote, or nothing where the text is none.
+std::optional<ContentHash> contentHashOf(std::string_view hex);
 
 /// Hashes bytes as they come. Numbers are hashed by their bits, little-endian.
 /// Source: XXH3, 128 bits (libxxhash).

@@ -49,11 +49,15 @@ CutAtImpact readCutAtImpact(const JsonValue& value) {
     return {.pieces = value["pieces"].index(), .reach = value["reach"].number()};
 }
 
-void writeIntent(JsonLayout& json, const Intent& intent) {
-    json.openObject({}, JsonLines::One);
+void writeIntentMembers(JsonLayout& json, const Intent& intent) {
     json.text("outcome", kOutcomes[static_cast<std::size_t>(intent.outcome)]);
     json.text("kind", kEvents[intent.event.index()]);
     std::visit([&](const auto& event) { writeEvent(json, event); }, intent.event);
+}
+
+void writeIntent(JsonLayout& json, const Intent& intent) {
+    json.openObject({}, JsonLines::One);
+    writeIntentMembers(json, intent);
     json.close();
 }
 

@@ -10,6 +10,8 @@ namespace rubble {
 /// an element of an array, on one line.
 void writeCutAtImpact(JsonLayout& json, const std::optional<CutAtImpact>& cut);
 void writeIntent(JsonLayout& json, const Intent& intent);
+/// What stands in it, for an object that has more to say.
+void writeIntentMembers(JsonLayout& json, const Intent& intent);
 
 /// Read what was written by these. Types only: verifyProject() looks at the values.
 CutAtImpact readCutAtImpact(const JsonValue& value);

@@ -87,6 +87,18 @@ Expectation readExpectation(const JsonValue& value) {
 
 }  // namespace
 
+void writeShotAction(JsonLayout& json, const std::string& name, const ShotAction& action) {
+    json.text("name", name);
+    json.text("kind", kActions[action.index()]);
+    json.openObject("action");
+    std::visit([&](const auto& one) { writeAction(json, one); }, action);
+    json.close();
+}
+
+std::pair<std::string, ShotAction> readShotAction(const JsonValue& value) {
+    return {value["name"].text(), readAction(value["kind"].oneOf(kActions), value["action"])};
+}
+
 void writeShot(JsonLayout& json, const Shot& shot) {
     json.openObject();
     json.wholeNumber("id", shot.id);

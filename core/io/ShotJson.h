@@ -10,6 +10,10 @@ namespace rubble {
 void writeShot(JsonLayout& json, const Shot& shot);
 void writePlayTest(JsonLayout& json, const PlayTest& test);
 
+/// Writes what a shot does as the members `name`, `kind` and `action` of an object; reads these of an object.
+void writeShotAction(JsonLayout& json, const std::string& name, const ShotAction& action);
+std::pair<std::string, ShotAction> readShotAction(const JsonValue& value);
+
 /// Read what was written by these. Types only: verifyProject() looks at the values.
 Shot readShot(const JsonValue& value);
 PlayTest readPlayTest(const JsonValue& value);

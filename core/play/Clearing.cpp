@@ -32,9 +32,10 @@ void addBeyondMost(const SessionParts& parts, std::uint32_t most, std::vector<st
 
 double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt) {
     if (!debris.lifetime || !body.isDebris()) return 0.0;
-    const double age = static_cast<double>(step - body.born) * dt, left = *debris.lifetime - age;
-    if (left >= debris.fade) return 0.0;
-    return left <= 0.0 ? 1.0 : 1.0 - left / debris.fade;
+    const double left = *debris.lifetime - static_cast<double>(step - body.born) * dt;
+    const double fade = std::min(debris.fade, *debris.lifetime);
+    if (left >= fade) return 0.0;
+    return left <= 0.0 ? 1.0 : 1.0 - left / fade;
 }
 
 void clearAway(const SessionParts& parts) {
@@ -48,8 +49,9 @@ void clearAway(const SessionParts& parts) {
     std::ranges::sort(gone);
     for (const std::uint32_t number : gone) {
         parts.state.events.removed.push_back(*findBody(parts.state, number));
-        removeBody(parts, number);
+        takeOut(parts, number);
     }
+    if (!gone.empty()) forgetTakenOut(parts.state);
 }
 
 }  // namespace rubble

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// What is thrown, where and how fast it starts: its centre of mass at the shot's start, its z axis back along the flight and its
+/// What a shot without faults throws, where and how fast it starts: its centre of mass at the shot's start, its z axis back along the flight and its
 /// x axis level. A shape of its own, or for ProjectileKind::Asset the whole of `asset`, whose material then says its density;
 /// else its mass is the shot's.
 ///

@@ -21,8 +21,8 @@ WorldSettings worldSettings(const PlayScene& scene, const SessionSettings& setti
 }  // namespace
 
 std::uint64_t stepOf(double time, double dt) {
-    constexpr double kRounding = 1e-6;  // of a step: 0.1 s are six steps of 1/60 s, however they are written
-    return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time / dt - kRounding)));
+    constexpr double kSlack = 1e-6;  // of a step: 0.1 s are six steps of 1/60 s, however they are written
+    return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time / dt - kSlack)));
 }
 
 Session::Session(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings)
@@ -85,6 +85,7 @@ void Session::step() {
 
 std::uint64_t Session::stepsDone() const { return m_state->step; }
 double Session::stepLength() const { return m_settings.dt; }
+bool Session::isSleeping() const { return m_settings.sleeping; }
 const PlayScene& Session::scene() const { return *m_scene; }
 const World& Session::world() const { return m_world; }
 const std::vector<PlayBody>& Session::bodies() const { return m_state->bodies; }

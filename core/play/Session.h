@@ -25,6 +25,7 @@ struct PlayImpact {
 
 /// What happened in the last step, in a fixed order.
 struct PlayEvents {
+    std::vector<TimedInput> inputs;  // that were followed before it
     std::vector<PlayBreak> breaks;
     std::vector<PlayImpact> impacts;   // on bodies that can break, by body
     std::vector<PlayBody> born;        // pieces and missiles
@@ -61,6 +62,7 @@ public:
 
     std::uint64_t stepsDone() const;
     double stepLength() const;
+    bool isSleeping() const;  // whether bodies at rest are left out
     const PlayScene& scene() const;
     const World& world() const;
     /// All that are there, by number: ground (0, if there is one), instances in the project's order, then as they were born.

@@ -99,11 +99,15 @@ Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definiti
     return state.bodies.back().number;
 }
 
-void removeBody(const SessionParts& parts, std::uint32_t number) {
-    const auto found = std::ranges::lower_bound(parts.state.bodies, number, {}, &PlayBody::number);
-    RUBBLE_ASSERT(found != parts.state.bodies.end() && found->number == number);
-    parts.world.removeBody(found->body);
-    parts.state.bodies.erase(found);
+void takeOut(const SessionParts& parts, std::uint32_t number) {
+    PlayBody* body = findBody(parts.state, number);
+    RUBBLE_ASSERT(body != nullptr);
+    parts.world.removeBody(body->body);
+    body->body = {};
+}
+
+void forgetTakenOut(SessionState& state) {
+    std::erase_if(state.bodies, [](const PlayBody& body) { return body.body.index == 0; });
 }
 
 Status placeScene(const SessionParts& parts) {

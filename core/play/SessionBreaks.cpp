@@ -75,7 +75,7 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
     const PlayBody whole = told.body;
     const std::shared_ptr<const PlayAsset> asset = assetToSwap(parts, broken);
     const PlayBreaking& breaking = *asset->breakingOf(whole.fragment);
-    removeBody(parts, whole.number);
+    takeOut(parts, whole.number);
     told.firstPiece = parts.state.nextNumber;
     told.pieces = breaking.count;
     for (std::uint32_t k = 0; k < breaking.count; ++k) {
@@ -86,9 +86,8 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
         RUBBLE_ASSERT(added.hasValue());
         parts.state.events.born.push_back(parts.state.bodies.back());
     }
-    const auto bodyOf = [&](std::uint32_t fragment) {
-        return findBody(parts.state, told.firstPiece + fragment - breaking.first)->body;
-    };
+    const PlayBody* pieces = &parts.state.bodies[parts.state.bodies.size() - breaking.count];
+    const auto bodyOf = [&](std::uint32_t fragment) { return pieces[fragment - breaking.first].body; };
     for (const auto& [first, second] : breaking.neighbours) parts.world.expectContact(bodyOf(first), bodyOf(second));
     told.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     parts.state.events.breaks.push_back(told);
@@ -111,6 +110,7 @@ PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
 void carryOut(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     if (!parts.scene.project.damage.isThesis) payForBreaks(parts.world, breaks);
     for (PendingBreak& broken : breaks) swap(parts, broken);
+    forgetTakenOut(parts.state);
 }
 
 bool breakWhatIsHit(const SessionParts& parts) {

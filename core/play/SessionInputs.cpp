@@ -217,6 +217,7 @@ void followInputs(const SessionParts& parts) {
     pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(due));
     for (const TimedInput& timed : inputs) {
         std::visit([&](const auto& input) { follow(parts, input); }, timed.input);
+        parts.state.events.inputs.push_back(timed);
     }
 }
 

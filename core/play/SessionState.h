@@ -45,8 +45,9 @@ PlayBody* findBody(SessionState& state, std::uint32_t number);
 ///
 /// Errors: those of World::addBody().
 Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body);
-/// Takes a body out of the world and of the list.
-void removeBody(const SessionParts& parts, std::uint32_t number);
+/// Takes a body out of the world. It stays in the list, of no world id, until forgetTakenOut() takes all such out at once.
+void takeOut(const SessionParts& parts, std::uint32_t number);
+void forgetTakenOut(SessionState& state);
 
 /// Ground and instances.
 Status placeScene(const SessionParts& parts);

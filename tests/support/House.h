@@ -92,20 +92,57 @@ inline std::vector<LayerParameters> evenSeeds(std::uint32_t count) {
     return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 3}};
 }
 
-/// One that breaks a few blocks, one that brings the roof down, one that only rattles.
+/// What walls, gables and roof are to take, and what not.
+inline void addIntents(Project& project) {
+    const auto survives = [](const HitIntent& hit) { return Intent{IntentOutcome::Survives, hit}; };
+    const Intent breaksWhenDropped{IntentOutcome::Breaks, DropIntent{.height = 0.5}};
+    const std::array<HitIntent, 3> survived{{{.mass = 40.0, .speed = 14.0},  // the ball at the gable
+                                             {.mass = 40.0, .speed = 14.0},
+                                             {.mass = 100.0, .speed = 15.0}}};  // what else may fall on a roof
+    for (std::size_t k = 0; k < survived.size(); ++k) {
+        project.assets[k].intents = {survives(survived[k]), breaksWhenDropped};
+    }
+}
+
+/// One that breaks a few blocks, one that brings the roof down, one that only rattles; and what is expected of each.
 inline void addShots(Project& project) {
     constexpr double kTime = 0.5;  // s: until then the house is seen to stand
-    addShot(project, "box at the door", kTime,
-            Throw{.size = Vec3(0.6), .mass = 200.0, .from = {3.5, 2.4, 9.0}, .to = {1.0, 1.6, 3.0}, .speed = 22.0});
-    addShot(project, "block under the roof", kTime,
-            Throw{.size = Vec3(0.9), .mass = 500.0, .from = {-8.0, 2.5, 0.5}, .to = {-2.5, 2.2, 0.5}, .speed = 25.0});
-    addShot(project, "ball at the gable", kTime,
-            Throw{.kind = ProjectileKind::Ball,
-                  .size = Vec3(0.4),
-                  .mass = 40.0,
-                  .from = {-1.0, 5.4, 9.0},
-                  .to = {-0.6, 4.5, 3.0},
-                  .speed = 14.0});
+    const Id box =
+        addShot(project, "box at the door", kTime,
+                Throw{.size = Vec3(0.6), .mass = 200.0, .from = {3.5, 2.4, 9.0}, .to = {1.0, 1.6, 3.0}, .speed = 22.0});
+    const Id block = addShot(
+        project, "block under the roof", kTime,
+        Throw{.size = Vec3(1.4), .mass = 1500.0, .from = {-8.0, 2.2, 0.5}, .to = {-2.5, 1.9, 0.5}, .speed = 35.0});
+    const Id ball = addShot(project, "ball at the gable", kTime,
+                            Throw{.kind = ProjectileKind::Ball,
+                                  .size = Vec3(0.4),
+                                  .mass = 40.0,
+                                  .from = {-1.0, 5.4, 9.0},
+                                  .to = {-0.6, 4.5, 3.0},
+                                  .speed = 14.0});
+    const auto idOf = [&](const std::string& name) {
+        for (const Instance& instance : project.instances) {
+            if (instance.name == name) return instance.id;
+        }
+        return Id{0};
+    };
+    using enum ExpectationKind;
+    addPlayTest(project, {.name = "the house stands", .duration = 10.0, .expectations = {{StandsUntouched, 0, 10.0}}});
+    addPlayTest(project, {.name = "a box breaks the wall beside the door",
+                          .shots = {box},
+                          .duration = 5.0,
+                          .expectations = {{BreaksIntoAtLeast, idOf("front 4.1"), 4.0},
+                                           {Breaks, idOf("front 4.2"), 0.0},
+                                           {DoesNotBreak, idOf("front gable"), 0.0},
+                                           {NothingFaster, 0, 0.5}}});
+    addPlayTest(project, {.name = "a block brings the roof down",
+                          .shots = {block},
+                          .duration = 8.0,
+                          .expectations = {{Breaks, idOf("roof front right"), 0.0}, {NothingAbove, idOf("roof front left"), 4.5}}});
+    addPlayTest(project, {.name = "a ball only rattles",
+                          .shots = {ball},
+                          .duration = 5.0,
+                          .expectations = {{DoesNotBreak, 0, 0.0}, {StandsUntouched, idOf("roof back left"), 5.0}}});
 }
 
 /// projects/house.rubble
@@ -133,6 +170,7 @@ inline Project house() {
     const Id roof =
         addAsset(project, {.name = "roof", .material = tiles, .prism = roofPrism, .threshold = 2000.0}, evenSeeds(9));
 
+    addIntents(project);
     addWalls(project, wall);
     const double front = kHalfLength - kWallThickness / 2.0;
     addInstance(project, gable, "front gable", {.position = {0.0, kWallHeight, front}});

@@ -42,4 +42,9 @@ inline Id addShot(Project& project, const std::string& name, double time, const 
     return project.shots.back().id;
 }
 
+inline void addPlayTest(Project& project, PlayTest test) {
+    test.id = project.nextId++;
+    project.playTests.push_back(std::move(test));
+}
+
 }  // namespace rubble::test

@@ -113,7 +113,7 @@ private slots:
     void aProjectIsRefusedInASentence() {
         const std::string project = R"({"format":"rubble-project","version":1})";
         QCOMPARE(faultOf(project),
-                 std::string("The document is a project; this version simulates plain bodies only, no projects yet."));
+                 std::string("The document is a project, or another file with a format, not plain bodies."));
         QCOMPARE(codeOf(project), ErrorCode::Unsupported);
     }
 };

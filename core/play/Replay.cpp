@@ -1,0 +1,151 @@
+#include "core/play/Replay.h"
+
+#include "core/base/Assert.h"
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kMostKept = 64;  // snapshots; beyond it every second is let go
+
+std::uint32_t checkOf(const BodyState& state) {
+    const Vec3 &place = state.pose.position, &speed = state.velocity, &spin = state.angularVelocity;
+    const Quat& turn = state.pose.orientation;
+    const std::array<double, 13> numbers{place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z,
+                                         speed.x, speed.y, speed.z, spin.x, spin.y, spin.z};
+    return static_cast<std::uint32_t>(contentHash({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}).low);
+}
+
+ReplayStep stepOf(const Session& session) {
+    ReplayStep step{.hash = session.hash().low};
+    for (const PlayBody& body : session.bodies()) {
+        if (session.world().kind(body.body) == BodyKind::Static) continue;
+        const BodyState state = session.world().state(body.body);
+        if (!state.asleep) step.moved.push_back({body.number, checkOf(state)});
+    }
+    return step;
+}
+
+/// The number of the first body by which two steps differ.
+std::optional<std::uint32_t> firstDifference(const ReplayStep& a, const ReplayStep& b) {
+    for (std::size_t k = 0; k < std::min(a.moved.size(), b.moved.size()); ++k) {
+        if (a.moved[k] != b.moved[k]) return std::min(a.moved[k].body, b.moved[k].body);
+    }
+    if (a.moved.size() == b.moved.size()) return std::nullopt;
+    return (a.moved.size() > b.moved.size() ? a.moved[b.moved.size()] : b.moved[a.moved.size()]).body;
+}
+
+/// How far the body that is farthest from where it was recorded is from there, of those that are there both times, m.
+double farthestOff(const ReplayKeyframe& frame, const Session& session) {
+    double farthest = 0.0;
+    for (const ReplayBody& recorded : frame.bodies) {
+        const PlayBody* body = session.body(recorded.number);
+        if (body == nullptr) continue;
+        const Vec3 way = session.world().state(body->body).pose.position - recorded.pose.position;
+        farthest = std::max(farthest, std::sqrt(glm::dot(way, way)));
+    }
+    return farthest;
+}
+
+}  // namespace
+
+ReplayRecorder::ReplayRecorder(const Session& session, std::string program, ContentHash project) {
+    RUBBLE_ASSERT(session.stepsDone() == 0);
+    m_replay.program = std::move(program);
+    m_replay.project = project;
+    m_replay.dt = session.stepLength();
+    m_replay.sleeping = session.isSleeping();
+    m_replay.hasDestruction = session.hasDestruction();
+}
+
+void ReplayRecorder::add(const Session& session) {
+    const PlayEvents& events = session.events();
+    m_replay.inputs.insert(m_replay.inputs.end(), events.inputs.begin(), events.inputs.end());
+    m_replay.steps.push_back(stepOf(session));
+    if (session.stepsDone() % kKeyframeSteps != 0) return;
+    ReplayKeyframe frame{.step = session.stepsDone()};
+    for (const PlayBody& body : session.bodies()) {
+        frame.bodies.push_back({body.number, session.world().state(body.body).pose});
+    }
+    m_replay.keyframes.push_back(std::move(frame));
+}
+
+std::string Divergence::sentence() const {
+    std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : '"' + body + '"') +
+                       " went another way than it was recorded";
+    if (distance) {
+        text += "; at step " + std::to_string(distance->step) + ", what is farthest off is " +
+                messageText(distance->metres) + " m from where it was";
+    }
+    return text + '.';
+}
+
+Result<ReplayPlayer> ReplayPlayer::start(std::shared_ptr<const PlayScene> scene, Replay replay,
+                                         const SessionSettings& settings) {
+    SessionSettings same = settings;
+    same.dt = replay.dt;
+    same.sleeping = replay.sleeping;
+    same.hasDestruction = replay.hasDestruction;
+    Result<Session> session = Session::start(std::move(scene), same);
+    if (!session) return session.error();
+    ReplayPlayer player(std::move(replay), std::move(*session));
+    player.keepSnapshot();
+    return player;
+}
+
+Status ReplayPlayer::seek(std::uint64_t step, const TaskContext& task) {
+    const std::uint64_t aim = std::min<std::uint64_t>(step, m_replay.steps.size());
+    if (aim < m_session.stepsDone()) {
+        const auto after = std::ranges::upper_bound(m_kept, aim, {}, &Kept::step);
+        m_session.restore(*std::prev(after)->snapshot);
+    }
+    while (m_session.stepsDone() < aim) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        const std::uint64_t done = m_session.stepsDone();
+        const auto due = std::ranges::equal_range(m_replay.inputs, done, {}, &TimedInput::step);
+        for (const TimedInput& input : due) {
+            if (const Status added = m_session.add(input); !added) return added.error();
+        }
+        m_session.step();
+        compare();
+        keepSnapshot();
+    }
+    return success();
+}
+
+void ReplayPlayer::keepSnapshot() {
+    const std::uint64_t step = m_session.stepsDone();
+    if (step % m_keepEvery != 0 || (!m_kept.empty() && m_kept.back().step >= step)) return;
+    if (m_kept.size() == kMostKept) {
+        m_keepEvery *= 2;
+        std::erase_if(m_kept, [&](const Kept& kept) { return kept.step % m_keepEvery != 0; });
+        if (step % m_keepEvery != 0) return;
+    }
+    m_kept.push_back({step, m_session.snapshot()});
+}
+
+void ReplayPlayer::compare() {
+    const std::uint64_t step = m_session.stepsDone();
+    if (m_divergence) {
+        const auto frame = std::ranges::find(m_replay.keyframes, step, &ReplayKeyframe::step);
+        if (!m_divergence->distance && step >= m_divergence->step && frame != m_replay.keyframes.end()) {
+            m_divergence->distance = {step, farthestOff(*frame, m_session)};
+        }
+        return;
+    }
+    const ReplayStep& recorded = m_replay.steps[step - 1];
+    const ReplayStep now = stepOf(m_session);
+    if (now == recorded) return;
+    m_divergence = Divergence{.step = step};
+    if (const std::optional<std::uint32_t> number = firstDifference(recorded, now)) {
+        const PlayBody* body = m_session.body(*number);
+        m_divergence->body = body != nullptr ? m_session.nameOf(*body) : "body " + std::to_string(*number);
+    }
+    compare();
+}
+
+}  // namespace rubble

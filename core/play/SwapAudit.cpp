@@ -1,0 +1,208 @@
+#include "core/play/SwapAudit.h"
+
+#include "core/asset/Breaking.h"
+#include "core/base/Assert.h"
+#include "core/base/MessageText.h"
+#include "core/physics/Penetration.h"
+#include "core/play/Session.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr int kSettling = 60;  // steps, in which what lies comes to rest before it is swapped
+const Quat kFlat{0.5 * std::sqrt(2.0), -0.5 * std::sqrt(2.0), 0.0, 0.0};  // z up
+
+double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
+
+/// A project of one instance of an asset that nothing acts on.
+Project alone(const Project& project, Id asset) {
+    Project scene;
+    scene.nextId = project.nextId + 1;
+    scene.materials = project.materials;
+    scene.assets = {*findAsset(project, asset)};
+    scene.instances = {{.id = project.nextId, .name = "audited", .asset = asset}};
+    scene.gravity = Vec3(0.0);
+    scene.ground.isOn = false;
+    return scene;
+}
+
+Result<Session> started(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
+    auto scene = std::make_shared<PlayScene>();
+    scene->project = project;
+    scene->assets[asset->bake->asset] = asset;
+    return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false});
+}
+
+/// Breaks all that can break; false where nothing can.
+bool breakAll(Session& session) {
+    bool isAny = false;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.breaking() == nullptr) continue;
+        const Status added = session.add(BreakInput{body.number});
+        RUBBLE_ASSERT(added.hasValue());
+        isAny = true;
+    }
+    return isAny;
+}
+
+void step(Session& session, int steps) {
+    for (int k = 0; k < steps; ++k) session.step();
+}
+
+std::string idOf(const PlayBody& body) { return body.asset->bake->fragmentId(body.fragment); }
+
+/// How fast a body's fastest corner can be.
+double speedOf(const Session& session, const PlayBody& body) {
+    const BodyState state = session.world().state(body.body);
+    return lengthOf(state.velocity) + lengthOf(state.angularVelocity) * session.world().shape(body.body).reach;
+}
+
+void noteFastest(const Session& session, PieceSpeed& fastest) {
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role != PlayRole::Piece) continue;
+        const double speed = speedOf(session, body);
+        if (fastest.piece.empty() || speed > fastest.speed) fastest = {idOf(body), speed};
+    }
+}
+
+double exactOverlap(const Session& session) {
+    std::vector<std::vector<Polytope>> hulls;
+    std::vector<PlacedHulls> placed;
+    for (const PlayBody& body : session.bodies()) {
+        hulls.push_back(hullsOf(body));
+        placed.push_back({.pose = session.world().state(body.body).pose});
+    }
+    for (std::size_t k = 0; k < placed.size(); ++k) placed[k].hulls = hulls[k];
+    return penetrationOf(placed).largest;
+}
+
+double massOf(const Session& session) {
+    double mass = 0.0;
+    for (const PlayBody& body : session.bodies()) mass += session.world().mass(body.body);
+    return mass;
+}
+
+/// At rest, without any force, level by level.
+void measureResting(Session session, SwapAudit& audit) {
+    for (int level = 0; breakAll(session); ++level) {
+        session.step();
+        if (level == 0) {
+            const StepCounts counts = session.world().counts();
+            audit.contacts = counts.contacts;
+            audit.contactPoints = counts.contactPoints;
+            audit.deepestOverlap = exactOverlap(session);
+        }
+        audit.pieces += static_cast<std::uint32_t>(session.events().born.size());
+        step(session, kAuditSteps - 1);
+        noteFastest(session, audit.resting);
+        audit.restingEnergy = std::max(audit.restingEnergy, session.world().momenta().kinetic);
+    }
+}
+
+/// Flat on the ground, where it has come to rest.
+void measureLying(Session session, SwapAudit& audit) {
+    step(session, kSettling);
+    breakAll(session);
+    step(session, kAuditSteps);
+    noteFastest(session, audit.lying);
+}
+
+/// A blow beside the middle of its front, which makes it fly and turn about all axes.
+Hammer blowAt(const PlayAsset& asset, double mass) {
+    const Shape& shape = *asset.whole.shape;
+    const Hull& hull = shape.hulls[0];
+    const Vec3f front(0.0f, 0.0f, 1.0f);
+    const auto face = hull.face(hull.facing(front));
+    Vec3 middle(0.0);
+    for (const std::uint16_t corner : face) middle += toDouble(hull.corner(corner)) / static_cast<double>(face.size());
+    const Vec3 beside = middle + 0.7 * (toDouble(hull.corner(face[0])) - middle);
+    return {.at = beside + shape.mass.centre, .impulse = mass * Vec3(0.5, 0.3, -1.0)};
+}
+
+/// What to do about a piece that is pushed.
+std::string adviceOn(const SwapAudit& audit, const std::string& piece) {
+    const auto names = [&](const std::string& notice) { return notice.starts_with("Piece " + piece + ":"); };
+    if (std::ranges::any_of(audit.notices, names)) {
+        return " It collides as a simpler solid than it is: move its seed away from its neighbours', or delete it.";
+    }
+    if (!audit.notices.empty()) {
+        return " Pieces beside it may push it that collide as simpler solids than they are: move their seeds away from "
+               "their neighbours', or delete them.";
+    }
+    return " Move its seed away from its neighbours', or delete it.";
+}
+
+void judgeSpeed(SwapAudit& audit, const std::string& when, const PieceSpeed& fastest, double limit) {
+    if (fastest.speed <= limit) return;
+    audit.faults.push_back("Piece " + fastest.piece + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " +
+                           std::to_string(kAuditSteps) + " steps after the swap" + when + "; at most " +
+                           messageText(1e3 * limit) + " mm/s is clean." + adviceOn(audit, fastest.piece));
+}
+
+void judgeShare(SwapAudit& audit, const std::string& what, double share, double limit) {
+    if (share <= limit) return;
+    audit.faults.push_back("In flight the swap " + what + " by " + roundedText(share, 3) + " of it; at most " +
+                           messageText(limit) + " is clean.");
+}
+
+void judge(SwapAudit& audit) {
+    if (audit.deepestOverlap > kCleanOverlap) {
+        audit.faults.push_back("Two pieces overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) +
+                               " mm when they are swapped in.");
+    }
+    judgeSpeed(audit, " without any force", audit.resting, kCleanSpeed);
+    judgeSpeed(audit, " as it lies flat on the ground", audit.lying, kCleanLyingSpeed);
+    judgeShare(audit, "changes the mass", audit.massDrift, kCleanDrift);
+    judgeShare(audit, "changes the momentum", audit.momentumDrift, kCleanDrift);
+    judgeShare(audit, "changes the angular momentum", audit.angularDrift, kCleanDrift);
+    judgeShare(audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
+}
+
+double driftOf(Vec3 now, Vec3 before, double scale) { return lengthOf(now - before) / scale; }
+
+/// In flight: what the step of the swap keeps.
+void measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
+    const double mass = massOf(session);
+    const Status added = session.add(ShotInput{"blow", blowAt(asset, mass)});
+    RUBBLE_ASSERT(added.hasValue());
+    step(session, 2);
+    const Momenta before = session.world().momenta();
+    breakAll(session);
+    session.step();
+    const Momenta after = session.world().momenta();
+    audit.massDrift = std::abs(massOf(session) - mass) / mass;
+    audit.momentumDrift = driftOf(after.linear, before.linear, lengthOf(before.linear));
+    audit.angularDrift = driftOf(after.angular, before.angular, lengthOf(before.angular));
+    audit.energyGain = (after.kinetic - before.kinetic) / before.kinetic;
+}
+
+}  // namespace
+
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
+    const Asset& authored = *findAsset(project, asset->bake->asset);
+    if (asset->breakingOf(kNone) == nullptr) {
+        return ofAsset(authored, {ErrorCode::NotFound, "It breaks into no pieces, so there is no swap to audit."});
+    }
+    Project scene = alone(project, authored.id);
+    Result<Session> floating = started(scene, asset);
+    if (!floating) return ofAsset(authored, floating.error());
+    const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
+    SwapAudit audit{.notices = asset->notices};
+    Result<Session> moving = started(scene, asset);
+    if (!moving) return ofAsset(authored, moving.error());
+    measureMoving(std::move(*moving), *asset, audit);
+    measureResting(std::move(*floating), audit);
+    scene.gravity = {0.0, -9.81, 0.0};
+    scene.ground.isOn = true;
+    scene.instances[0].pose = {{0.0, authored.prism.depth / 2.0, 0.0}, kFlat};
+    Result<Session> lying = started(scene, asset);
+    if (!lying) return ofAsset(authored, lying.error());
+    measureLying(std::move(*lying), audit);
+    judge(audit);
+    return audit;
+}
+
+}  // namespace rubble

@@ -1,0 +1,83 @@
+#include "tests/support/Sessions.h"
+
+using namespace rubble;
+
+namespace {
+
+/// A block that breaks into ten when it is told to, over a ground.
+Session brokenBlock(const Debris& debris, double height = 0.5) {
+    Project project = test::floatingBlock(10);
+    project.instances[0].pose.position.y = height;
+    project.gravity = {0.0, -9.81, 0.0};
+    project.debris = debris;
+    Session session = test::sessionOf(project);
+    test::give(session, BreakInput{session.bodies()[1].number});
+    session.step();
+    return session;
+}
+
+}  // namespace
+
+class ClearingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void debrisStaysForEverUnlessToldOtherwise() {
+        Session session = brokenBlock({});
+        for (int step = 0; step < 600; ++step) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+    }
+    void debrisFadesAndGoes() {
+        Session session = brokenBlock({.lifetime = 1.0, .fade = 0.5});
+        const auto fade = [&] { return session.fadeOf(session.bodies().back()); };
+        while (session.stepsDone() < 30) session.step();
+        QCOMPARE(fade(), 0.0);
+        while (session.stepsDone() < 45) session.step();
+        QVERIFY(std::abs(fade() - 0.5) < 1e-9);
+        while (session.stepsDone() < 59) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+        QCOMPARE(session.events().removed.size(), 10u);
+    }
+    void aFadeLongerThanLifeBeginsWithIt() {
+        Session session = brokenBlock({.lifetime = 1.0, .fade = 9.0});
+        const double fade = session.fadeOf(session.bodies().back());
+        QVERIFY2(fade < 0.05, QByteArray::number(fade));
+    }
+    void theSmallestGoFirstWhenThereAreTooMany() {
+        Session session = brokenBlock({.mostPieces = 4});
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 4u);
+        double largestGone = 0.0, smallestLeft = 1e9;
+        for (const PlayBody& body : session.events().removed) {
+            largestGone = std::max(largestGone, body.asset->piece(body.fragment).shape->mass.volume);
+        }
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role != PlayRole::Piece) continue;
+            smallestLeft = std::min(smallestLeft, session.world().shape(body.body).mass.volume);
+        }
+        QVERIFY(largestGone <= smallestLeft);
+    }
+    void whatSleepsGoesBeforeWhatMoves() {
+        Session session = brokenBlock({.mostPieces = 10});
+        while (session.stepsDone() < 300) session.step();  // all asleep
+        test::give(session, ShotInput{"pebble", Throw{.size = Vec3(0.02),
+                                                      .mass = 0.01,
+                                                      .from = {0.0, 40.0, 0.0},
+                                                      .to = {9.0, 41.0, 0.0},
+                                                      .speed = 5.0}});
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 9u);
+        QCOMPARE(test::countOf(session, PlayRole::Missile), 1u);  // smaller than all, but awake
+    }
+    void whatFallsOutOfTheWorldGoes() {
+        Project project = test::floatingBlock();
+        project.gravity = {0.0, -9.81, 0.0};
+        project.ground.isOn = false;
+        Session session = test::sessionOf(project);
+        for (int step = 0; step < 600; ++step) session.step();
+        QVERIFY(session.bodies().empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(ClearingTest)
+#include "ClearingTest.moc"

@@ -1,0 +1,112 @@
+#include "core/play/SwapAudit.h"
+
+#include "tests/support/House.h"
+#include "tests/support/Pane.h"
+#include "tests/support/RandomAssets.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/WallWithOpenings.h"
+
+using namespace rubble;
+
+namespace {
+
+std::vector<SwapAudit> auditsOf(const Project& project) {
+    std::vector<SwapAudit> audits;
+    const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
+    for (const auto& [id, asset] : scene->assets) {
+        Result<SwapAudit> audit = swapAudit(project, asset);
+        if (!audit) qFatal("%s", audit.error().message.c_str());
+        audits.push_back(std::move(*audit));
+    }
+    return audits;
+}
+
+void tell(const SwapAudit& audit) {
+    qInfo(
+        "%u pieces, %d contacts, overlap %.2g mm; resting %.3g mm/s (%s), %.2g J; lying %.3g mm/s (%s); drift %.1e "
+        "%.1e "
+        "%.1e, energy %.1e",
+        audit.pieces, audit.contacts, 1e3 * audit.deepestOverlap, 1e3 * audit.resting.speed,
+        audit.resting.piece.c_str(), audit.restingEnergy, 1e3 * audit.lying.speed, audit.lying.piece.c_str(),
+        audit.massDrift, audit.momentumDrift, audit.angularDrift, audit.energyGain);
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + '\n';
+    return text;
+}
+
+}  // namespace
+
+class SwapAuditTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theDemosSwapCleanly_data() {
+        QTest::addColumn<Project>("project");
+        QTest::newRow("house") << test::house();
+        QTest::newRow("pane") << test::pane();
+        QTest::newRow("wall with openings") << test::wallWithOpenings();
+    }
+    void theDemosSwapCleanly() {
+        QFETCH(Project, project);
+        for (const SwapAudit& audit : auditsOf(project)) {
+            tell(audit);
+            QVERIFY2(audit.isClean(), joined(audit.faults).c_str());
+        }
+    }
+    void allPatternsSwapCleanly() {
+        constexpr std::uint64_t kSeed = 5;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        for (int round = 0; round < 18; ++round) {
+            Project project = test::randomAsset(random, round);
+            project.assets[0].pattern =
+                test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(40))}});
+            const SwapAudit audit = auditsOf(project)[0];
+            tell(audit);
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+        }
+    }
+    void countsWhatTouches() {
+        Project project = test::floatingBlock();
+        project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.3, 0.0}}, {1, {0.3, 0.0}}}}});
+        const SwapAudit audit = auditsOf(project)[0];
+        QCOMPARE(audit.pieces, 2u);
+        QCOMPARE(audit.contacts, 1);
+        QCOMPARE(audit.contactPoints, 4);
+    }
+    void levelsAreBrokenToo() {
+        Project project = test::floatingBlock(3);
+        project.assets[0].levels = {{test::patternOf(project, {UniformScatter{.count = 4}}), 0.0}};
+        const SwapAudit audit = auditsOf(project)[0];
+        QVERIFY(audit.pieces > 3 + 3 * 2);
+    }
+    /// A piece that collides as the whole does, and weighs as much.
+    void whatIsNotCleanIsToldWithWhatToChange() {
+        const Project project = test::floatingBlock(6);
+        PlayAsset spoilt = *test::playSceneOf(project)->assets.begin()->second;
+        spoilt.pieces[0].shape = spoilt.whole.shape;
+        spoilt.notices = {"Piece 2/3.0: It collides as a block."};
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(spoilt)));
+        QVERIFY(audit.hasValue() && !audit->isClean());
+        const std::string faults = joined(audit->faults);
+        QVERIFY2(faults.find(" mm/s 30 steps after the swap without any force; at most 1 mm/s is clean.") !=
+                     std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("solids than they are: move their seeds") != std::string::npos ||
+                     faults.find("It collides as a simpler solid than it is: move its seed") != std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the mass by ") != std::string::npos, faults.c_str());
+    }
+    void whatHasNoPiecesIsRefused() {
+        const Project project = test::floatingBlock(1);
+        const Result<SwapAudit> audit = swapAudit(project, test::playSceneOf(project)->assets.begin()->second);
+        QVERIFY(!audit && audit.error().code == ErrorCode::NotFound);
+        QCOMPARE(audit.error().message,
+                 std::string("Asset \"block\": It breaks into no pieces, so there is no swap to audit."));
+    }
+};
+
+QTEST_GUILESS_MAIN(SwapAuditTest)
+#include "SwapAuditTest.moc"
