@@ -1,8 +1,27 @@
 #include "viewport/render/Image.h"
 
+#include "core/base/Assert.h"
+
 #include <png.h>
 
 namespace rubble {
+
+Image besideEachOther(const Image& left, const Image& right, int gap) {
+    RUBBLE_ASSERT(left.height == right.height);
+    Image both{left.width + gap + right.width, left.height, {}};
+    both.pixels.reserve(3 * static_cast<std::size_t>(both.width) * static_cast<std::size_t>(both.height));
+    const auto addRow = [&](const Image& image, int row) {
+        const std::ptrdiff_t bytes = 3 * static_cast<std::ptrdiff_t>(image.width);
+        const auto first = image.pixels.begin() + row * bytes;
+        both.pixels.insert(both.pixels.end(), first, first + bytes);
+    };
+    for (int row = 0; row < both.height; ++row) {
+        addRow(left, row);
+        both.pixels.insert(both.pixels.end(), 3 * static_cast<std::size_t>(gap), 255);
+        addRow(right, row);
+    }
+    return both;
+}
 
 Result<std::string> pngOf(const Image& image) {
     png_image png{};

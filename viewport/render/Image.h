@@ -15,6 +15,9 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
+/// Two pictures of one height, with so many white pixels between them.
+Image besideEachOther(const Image& left, const Image& right, int gap);
+
 /// The picture as a PNG file's bytes.
 ///
 /// Errors: Limit where there is no memory for it.

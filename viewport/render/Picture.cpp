@@ -1,7 +1,6 @@
 #include "viewport/render/Picture.h"
 
 #include "viewport/render/RenderTarget.h"
-#include "viewport/render/SurfacelessContext.h"
 
 #include <epoxy/gl.h>
 
@@ -26,29 +25,43 @@ Image imageOf(const RenderTarget& target, PictureSize size) {
 
 }  // namespace
 
-Result<Image> pictureOf(std::shared_ptr<const RenderScene> scene, const PictureView& view, int samples,
-                        const TaskContext& task) {
+PictureMaker::PictureMaker(std::unique_ptr<SurfacelessContext> context, std::unique_ptr<Renderer> renderer)
+    : m_context(std::move(context)), m_renderer(std::move(renderer)) {}
+
+Result<PictureMaker> PictureMaker::made() {
+    auto context = SurfacelessContext::made();
+    if (!context) return context.error();
+    auto renderer = Renderer::made();
+    if (!renderer) return renderer.error();
+    return PictureMaker(std::move(*context), std::move(*renderer));
+}
+
+Result<Image> PictureMaker::pictureOf(std::shared_ptr<const RenderScene> scene, const PictureView& view, int samples,
+                                      const TaskContext& task) {
     const auto [least, most] = std::minmax(view.size.width, view.size.height);
     if (least < 1 || most > kLargestPicture) {
         return Error{ErrorCode::BadInput, "A picture of " + std::to_string(view.size.width) + " x " +
                                               std::to_string(view.size.height) + " pixels: its sides can be 1 to " +
                                               std::to_string(kLargestPicture) + "."};
     }
-    const auto context = SurfacelessContext::made();
-    if (!context) return context.error();
-    const auto renderer = Renderer::made();
-    if (!renderer) return renderer.error();
-    (*renderer)->setScene(std::move(scene));
+    m_renderer->setScene(std::move(scene));
     const RenderTarget target(view.size, PixelFormat::Colour, 1);
-    if (samples == 0) (*renderer)->draw(view, target.framebuffer());
+    if (samples == 0) m_renderer->draw(view, target.framebuffer());
     for (int index = 0; index < samples; ++index) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        (*renderer)->addSample(view, index);
+        m_renderer->addSample(view, index);
         glFinish();  // so that progress is true and cancelling quick
         task.report(static_cast<double>(index + 1) / samples);
     }
-    if (samples > 0) (*renderer)->showMean(view, target.framebuffer());
+    if (samples > 0) m_renderer->showMean(view, target.framebuffer());
     return imageOf(target, view.size);
+}
+
+Result<Image> pictureOf(std::shared_ptr<const RenderScene> scene, const PictureView& view, int samples,
+                        const TaskContext& task) {
+    Result<PictureMaker> maker = PictureMaker::made();
+    if (!maker) return maker.error();
+    return maker->pictureOf(std::move(scene), view, samples, task);
 }
 
 }  // namespace rubble

@@ -25,4 +25,8 @@ struct AssetModel {
 /// cannot be fractured.
 AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options);
 
+/// The model of all that an asset can become when it is played: piece 0 is the whole, in the prism's frame, piece k + 1 the
+/// fragment k of its bake, of any level.
+AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options);
+
 }  // namespace rubble

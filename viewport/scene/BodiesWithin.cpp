@@ -21,7 +21,8 @@ bool isWithin(Vec2 pixel, const Box2& box) {
 /// The middle of a body's box, relative to the scene's origin.
 Vec3 middleOf(const DrawnPose& motion, const Box3& box, double exploded) {
     const Quat turn(glm::quat(motion.orientation.w, motion.orientation.x, motion.orientation.y, motion.orientation.z));
-    return Vec3(motion.position) + exploded * Vec3(motion.apart) + turn * box.centre();
+    return Vec3(motion.position) + exploded * Vec3(motion.apart) +
+           (1.0 - static_cast<double>(motion.position.w)) * (turn * box.centre());
 }
 
 }  // namespace

@@ -21,9 +21,7 @@ constexpr double kHeadLength = 0.07, kHeadWidth = 0.05;
 constexpr int kArrowSides = 16;
 
 void addBody(RenderScene& scene, const Pose& pose, const BodyLook& look) {
-    const Vec3 position = pose.position - scene.origin;
-    const glm::quat turn(pose.orientation);
-    scene.motions.push_back({glm::vec4(glm::vec3(position), 0.0f), {turn.x, turn.y, turn.z, turn.w}, glm::vec4(0.0f)});
+    scene.motions.push_back(drawnPose(pose, scene.origin));
     scene.looks.push_back(look);
     scene.picks.emplace_back();
 }

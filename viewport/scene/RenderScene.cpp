@@ -18,10 +18,17 @@ void include(Box3& bounds, const Box3& box, const DrawnPose& motion, const Rende
     const Quat orientation(
         glm::quat(motion.orientation.w, motion.orientation.x, motion.orientation.y, motion.orientation.z));
     const Vec3 position = scene.origin + Vec3(motion.position) + scene.exploded * Vec3(motion.apart);
-    for (int corner = 0; corner < 8; ++corner) bounds.include(position + orientation * box.corner(corner));
+    const double scale = 1.0 - static_cast<double>(motion.position.w);
+    for (int corner = 0; corner < 8; ++corner) bounds.include(position + orientation * (scale * box.corner(corner)));
 }
 
 }  // namespace
+
+DrawnPose drawnPose(const Pose& pose, Vec3 origin) {
+    const glm::quat orientation(pose.orientation);
+    return {glm::vec4(glm::vec3(pose.position - origin), 0.0f),
+            {orientation.x, orientation.y, orientation.z, orientation.w}};
+}
 
 void setMarks(RenderScene& scene, const SceneMarks& marks) {
     SceneMarks sorted = marks;

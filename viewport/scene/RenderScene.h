@@ -18,15 +18,20 @@ struct PickId {
     Id asset = 0;
     Id instance = 0;                 // 0: the asset by itself
     std::uint32_t fragment = kNone;  // index in Bake::fragments; kNone: the whole
+    std::uint32_t origin = 0;        // in play: index in Session::origins(); as a mark it says nothing
     auto operator<=>(const PickId&) const = default;
 };
 
 /// Where a body stands and where it is moved to in an exploded view.
 struct DrawnPose {
-    glm::vec4 position{0.0f};                       // m, relative to RenderScene::origin
+    glm::vec4 position{
+        0.0f};  // m, relative to RenderScene::origin; w: how much it has shrunk, 0 as it is, 1 to a point
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
     glm::vec4 apart{0.0f};                          // m at an exploded factor of 1
 };
+
+/// Where a pose is drawn in a scene with that origin.
+DrawnPose drawnPose(const Pose& pose, Vec3 origin);
 
 /// What a body looks like. Colours are sRGB, 0xRRGGBB.
 struct BodyLook {

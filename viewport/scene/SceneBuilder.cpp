@@ -1,7 +1,6 @@
 #include "viewport/scene/SceneBuilder.h"
 
-#include "core/asset/PieceColours.h"
-#include "viewport/scene/AssetModel.h"
+#include "viewport/scene/BodyColours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +18,6 @@ bool isModelOf(const AssetModel& model, const Asset& asset, const std::shared_pt
     return model.asset.id == asset.id && model.level == options.level && isSameBake(model.bake, bake) &&
            (bake || model.asset.prism == asset.prism) && model.asset.surface == asset.surface &&
            model.asset.insideUvScale == asset.insideUvScale && (model.hulls || !options.hasHulls);
-}
-
-DrawnPose motionOf(const Pose& pose, Vec3 offset, Vec3 origin) {
-    const Vec3 position = pose.position + pose.orientation * offset - origin;
-    const glm::quat orientation(pose.orientation);
-    return {glm::vec4(glm::vec3(position), 0.0f), {orientation.x, orientation.y, orientation.z, orientation.w}};
 }
 
 /// Puts a scene together, body by body.
@@ -45,7 +38,7 @@ public:
     }
 
     RenderScene finished() {
-        colour();
+        paintBodies(m_scene, m_models, m_project, m_options.colouring);
         setMarks(m_scene, m_options.marks);
         explode();
         return std::move(m_scene);
@@ -56,54 +49,11 @@ private:
         if (m_scene.motions.empty()) m_scene.origin = pose.position;
         m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.motions.size()));
         for (const ModelPiece& piece : model.pieces) {
-            m_scene.motions.push_back(motionOf(pose, piece.offset, m_scene.origin));
+            const Vec3 position = pose.position + pose.orientation * piece.offset;
+            m_scene.motions.push_back(drawnPose({position, pose.orientation}, m_scene.origin));
             m_scene.looks.emplace_back();
             m_scene.picks.push_back({model.asset.id, instance, piece.fragment});
         }
-    }
-
-    /// Calls `work` with each body, its piece and its model.
-    template <class Work>
-    void forEachBody(Work work) {
-        for (std::size_t k = 0; k < m_models.size(); ++k) {
-            for (const std::uint32_t first : m_scene.batches[k].firstBodies) {
-                for (std::uint32_t piece = 0; piece < m_models[k]->pieces.size(); ++piece) {
-                    work(first + piece, m_models[k]->pieces[piece], *m_models[k]);
-                }
-            }
-        }
-    }
-
-    void colour() {
-        double least = 1e308, most = 0.0;
-        forEachBody([&](std::uint32_t, const ModelPiece& piece, const AssetModel&) {
-            least = std::min(least, piece.volume);
-            most = std::max(most, piece.volume);
-        });
-        forEachBody([&](std::uint32_t body, const ModelPiece& piece, const AssetModel& model) {
-            const double share = most > least ? (piece.volume - least) / (most - least) : 0.5;
-            paint(m_scene.looks[body], piece, share, model);
-        });
-    }
-
-    void paint(BodyLook& look, const ModelPiece& piece, double volumeShare, const AssetModel& model) const {
-        const Material* material = findMaterial(m_project, currentMaterial(model));
-        Colour outside = piece.colour, inside;
-        if (m_options.colouring == SceneColouring::Material && material != nullptr) {
-            outside = material->outside;
-            inside = material->inside;
-        } else {
-            if (m_options.colouring == SceneColouring::Volume) outside = rampColour(volumeShare);
-            inside = insideOf(outside);
-        }
-        look.outside = packed(outside);
-        look.inside = packed(inside);
-    }
-
-    /// A model may be older than its asset's choice of material.
-    Id currentMaterial(const AssetModel& model) const {
-        const Asset* asset = findAsset(m_project, model.asset.id);
-        return asset != nullptr ? asset->material : model.asset.material;
     }
 
     /// Where each body goes when exploded: away from the middle, or from the middle of the ground.

@@ -1,12 +1,13 @@
 #include "core/io/ProjectFile.h"
+#include "tests/support/Pictures.h"
 #include "viewport/render/Picture.h"
-#include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/MomentBuilder.h"
 
 #include <QDir>
-#include <QImage>
 #include <QTest>
 
 using namespace rubble;
+using test::meanDifference;
 
 namespace {
 
@@ -23,20 +24,11 @@ std::shared_ptr<const RenderScene> houseScene(const SceneOptions& options) {
     return std::make_shared<const RenderScene>(sceneOf(house, bakes, options));
 }
 
-QImage pictureBy(const SceneOptions& options, const RenderSettings& settings, int samples) {
-    const auto scene = houseScene(options);
+QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderSettings& settings, int samples) {
     PictureView view{.camera = orbited({}, 0.6, 0.4), .size = kSize, .settings = settings};
     view.camera = framing(view.camera, boundsOf(*scene), kSize);
     const Image image = pictureOf(scene, view, samples).value();
     return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
-}
-
-double meanDifference(const QImage& a, const QImage& b) {
-    double sum = 0.0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int k = 0; k < 3 * a.width(); ++k) sum += std::abs(a.constScanLine(y)[k] - b.constScanLine(y)[k]);
-    }
-    return sum / (3.0 * a.width() * a.height());
 }
 
 }  // namespace
@@ -68,13 +60,21 @@ private slots:
         QFETCH(RenderSettings, settings);
         QFETCH(int, samples);
         const QString path = kPictures + QTest::currentDataTag() + ".png";
-        const QImage seen = pictureBy(options, settings, samples);
+        const QImage seen = shown(houseScene(options), settings, samples);
         if (qEnvironmentVariableIsSet("RUBBLE_UPDATE_PICTURES")) QVERIFY(seen.save(path));
         const QImage expected = QImage(path).convertToFormat(QImage::Format_RGB888);
         QCOMPARE(seen.size(), expected.size());
         const double difference = meanDifference(seen, expected);
         if (difference > kTolerance) seen.save(QString(QTest::currentDataTag()) + "-seen.png");
         QVERIFY2(difference <= kTolerance, qPrintable(QString("differs by %1").arg(difference)));
+    }
+    void aMomentOfPlayLooksAsTheWholesDo() {
+        const Project house = loadProject(RUBBLE_SOURCE_DIR "/projects/house.rubble").value();
+        const auto play = playScene(house).value();
+        const Session session = Session::start(play).value();
+        const QImage moment = shown(MomentBuilder(play).momentOf(session), {.msaa = 4}, 0);
+        const QImage wholes = shown(houseScene({.isWhole = true}), {.msaa = 4}, 0);
+        QVERIFY(meanDifference(moment, wholes) < 0.05);
     }
     void sidesOutOfRangeAreRefused() {
         for (const PictureSize size : {PictureSize{0, 10}, PictureSize{10, 8193}}) {

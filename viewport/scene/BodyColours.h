@@ -1,0 +1,14 @@
+#pragma once
+
+#include "viewport/scene/AssetModel.h"
+
+#include <span>
+
+namespace rubble {
+
+/// Gives every body of a scene its colours: by the material that its asset has in the project, by its piece, or from the
+/// smallest piece of the scene to the largest. What is of no asset keeps its piece's. `models`: one a batch. Linear in bodies.
+void paintBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
+                 SceneColouring colouring);
+
+}  // namespace rubble

@@ -1,0 +1,170 @@
+#include "viewport/scene/MomentBuilder.h"
+
+#include "core/base/Assert.h"
+#include "core/geometry/MassProperties.h"
+#include "viewport/scene/BodyColours.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kKeptMoments = 3;  // one drawn, one about to be, one written
+constexpr Colour kMissileColour{0.30, 0.34, 0.40};
+
+AssetModel missileModel(const Polytope& hull, const SceneOptions& options) {
+    AssetModel model;
+    const auto geometry = std::make_shared<SceneGeometry>();
+    addPiece(*geometry, {&hull, 1});
+    model.geometry = geometry;
+    if (options.hasHulls) model.hulls = geometry;
+    model.pieces = {{.volume = massOf(hull).volume, .colour = kMissileColour}};
+    return model;
+}
+
+/// Where a body is drawn; what has faded by some share is as much smaller.
+DrawnPose poseOf(const BodyState& state, double fade, Vec3 origin) {
+    if (fade <= 0.0) return drawnPose(state.pose, origin);
+    const Vec3 position = glm::mix(state.pose.position, state.centre, fade);
+    DrawnPose pose = drawnPose({position, state.pose.orientation}, origin);
+    pose.position.w = static_cast<float>(fade);
+    return pose;
+}
+
+}  // namespace
+
+struct MomentBuilder::Model {
+    std::shared_ptr<const PlayAsset> asset;
+    std::shared_ptr<const Polytope> hull;  // where there is no asset
+    AssetModel drawn;
+};
+
+MomentBuilder::MomentBuilder(std::shared_ptr<const PlayScene> scene, const SceneOptions& options)
+    : m_scene(std::move(scene)), m_options(options) {
+    for (const auto& [id, asset] : m_scene->assets) modelOf({.asset = asset});
+    m_layout = emptyLayout();
+}
+
+MomentBuilder::~MomentBuilder() = default;
+
+/// With a batch for each of the scene's assets, and nothing in it.
+RenderScene MomentBuilder::emptyLayout() const {
+    const Project& project = m_scene->project;
+    RenderScene layout{.hasGround = project.ground.isOn, .groundHeight = project.ground.height};
+    if (!project.instances.empty()) layout.origin = project.instances.front().pose.position;
+    for (std::size_t k = 0; k < m_scene->assets.size(); ++k) {
+        layout.batches.push_back({m_models[k].drawn.geometry, m_models[k].drawn.hulls, {}});
+    }
+    return layout;
+}
+
+/// The model of what has a place; of hulls that are alike there is one.
+std::size_t MomentBuilder::modelOf(const Place& place) {
+    const auto isIt = [&](const Model& model) {
+        return model.asset == place.asset && (model.asset != nullptr || *model.hull == *place.hull);
+    };
+    const auto known = std::ranges::find_if(m_models, isIt);
+    if (known != m_models.end()) return static_cast<std::size_t>(known - m_models.begin());
+    Model made{place.asset, place.hull, {}};
+    if (place.asset != nullptr) {
+        const std::shared_ptr<const Bake>& bake = place.asset->bake;
+        made.drawn = playModelOf(*findAsset(m_scene->project, bake->asset), bake, m_options);
+    } else {
+        made.drawn = missileModel(*place.hull, m_options);
+    }
+    m_models.push_back(std::move(made));
+    return m_models.size() - 1;
+}
+
+std::uint32_t MomentBuilder::sceneBodyOf(const PlayBody& body) const {
+    if (body.origin >= m_places.size()) return kNone;
+    for (const Place& place : m_places[body.origin]) {
+        const bool isIts = place.asset == body.asset && place.hull == body.hull && place.first != kNone;
+        if (isIts) return body.fragment == kNone ? place.first : place.first + body.fragment + 1;
+    }
+    return kNone;
+}
+
+/// Writes where bodies are; false where one has no place yet.
+bool MomentBuilder::isWritten(const Session& session, RenderScene& moment) const {
+    for (BodyLook& look : moment.looks) look.marks = kHidden;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground) continue;
+        const std::uint32_t place = sceneBodyOf(body);
+        if (place == kNone) return false;
+        moment.motions[place] = poseOf(session.world().state(body.body), session.fadeOf(body), moment.origin);
+        moment.looks[place].marks = 0;
+    }
+    return true;
+}
+
+/// Gives one more model of an origin its place.
+void MomentBuilder::addPlace(const Session& session, std::uint32_t origin, const Place& added) {
+    Places& places = m_places[origin];
+    const auto free = std::ranges::find(places, kNone, &Place::first);
+    RUBBLE_ASSERT(free != places.end());  // a whole is cut at most once
+    *free = added;
+    free->first = static_cast<std::uint32_t>(m_layout.picks.size());
+    const std::size_t model = modelOf(added);
+    const AssetModel& drawn = m_models[model].drawn;
+    if (model == m_layout.batches.size()) m_layout.batches.push_back({drawn.geometry, drawn.hulls, {}});
+    m_layout.batches[model].firstBodies.push_back(free->first);
+    for (const ModelPiece& piece : drawn.pieces) {
+        m_layout.picks.push_back({drawn.asset.id, session.origins()[origin].instance, piece.fragment, origin});
+    }
+}
+
+/// Gives all that is there its place, and all that instances can become. What was thrown or cut and is gone has none.
+void MomentBuilder::layOut(const Session& session) {
+    m_moments.clear();
+    m_models.resize(m_scene->assets.size());
+    m_layout = emptyLayout();
+    m_places.assign(session.origins().size(), {});
+    for (std::uint32_t origin = 0; origin < m_places.size(); ++origin) {
+        const PlayOrigin& told = session.origins()[origin];
+        if (told.instance != 0) addPlace(session, origin, {.asset = m_scene->assets.at(told.asset)});
+    }
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground || sceneBodyOf(body) != kNone) continue;
+        addPlace(session, body.origin, {.asset = body.asset, .hull = body.hull});
+    }
+    paint();
+}
+
+void MomentBuilder::paint() {
+    m_layout.motions.resize(m_layout.picks.size());
+    m_layout.looks.resize(m_layout.picks.size());
+    std::vector<const AssetModel*> models;
+    for (const Model& model : m_models) models.push_back(&model.drawn);
+    paintBodies(m_layout, models, m_scene->project, m_options.colouring);
+}
+
+/// A scene that nobody looks at, like all moments but for what isWritten() writes.
+std::shared_ptr<RenderScene> MomentBuilder::freeMoment() {
+    const auto free = std::ranges::find(m_moments, 1, &std::shared_ptr<RenderScene>::use_count);
+    if (free != m_moments.end()) return *free;
+    if (m_moments.size() == kKeptMoments) m_moments.erase(m_moments.begin());
+    return m_moments.emplace_back(std::make_shared<RenderScene>(m_layout));
+}
+
+std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& session) {
+    RUBBLE_ASSERT(&session.scene() == m_scene.get());
+    std::shared_ptr<RenderScene> moment = freeMoment();
+    if (isWritten(session, *moment)) return moment;
+    moment.reset();
+    layOut(session);
+    moment = freeMoment();
+    const bool isWhole = isWritten(session, *moment);
+    RUBBLE_ASSERT(isWhole);
+    return moment;
+}
+
+const PlayBody* bodyOf(const Session& session, const PickId& pick) {
+    const auto isIt = [&](const PlayBody& body) {
+        return body.role != PlayRole::Ground && body.origin == pick.origin && body.fragment == pick.fragment;
+    };
+    const auto found = std::ranges::find_if(session.bodies(), isIt);
+    return found != session.bodies().end() ? &*found : nullptr;
+}
+
+}  // namespace rubble

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/play/Session.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+/// Makes scenes of a session, moment by moment. All that instances can become lies in every one of them, what is not there
+/// marked as hidden: a break moves marks, and geometry is the same from moment to moment, by pointer. What is thrown, and
+/// assets that were cut where they were hit, come to it when they appear.
+///
+/// Debris shrinks as it fades, about its centre of mass.
+class MomentBuilder {
+public:
+    /// Makes the geometry of all that the scene's assets can become. Of the options, colouring and hulls count.
+    explicit MomentBuilder(std::shared_ptr<const PlayScene> scene, const SceneOptions& options = {});
+    ~MomentBuilder();
+
+    /// The bodies of a session over the scene where they are now; the ground is drawn as any scene's. A few numbers a body, or
+    /// for the first moment with something new in it, a few times as much. A scene that nobody holds any more is used
+    /// again: let go of them in the thread that calls this.
+    std::shared_ptr<const RenderScene> momentOf(const Session& session);
+
+private:
+    /// What can be drawn: all of an asset, or something thrown that is none.
+    struct Model;
+    /// Where the pieces of a model lie in the scene for one origin.
+    struct Place {
+        std::shared_ptr<const PlayAsset> asset;
+        std::shared_ptr<const Polytope> hull;  // where there is no asset
+        std::uint32_t first = kNone;           // body of piece 0 in the scene; kNone: there is no such place
+    };
+    /// Of an origin: as it was placed or thrown, and what it was cut into where it was hit.
+    using Places = std::array<Place, 2>;
+
+    std::shared_ptr<RenderScene> freeMoment();
+    std::uint32_t sceneBodyOf(const PlayBody& body) const;
+    bool isWritten(const Session& session, RenderScene& moment) const;
+    RenderScene emptyLayout() const;
+    void layOut(const Session& session);
+    void addPlace(const Session& session, std::uint32_t origin, const Place& added);
+    std::size_t modelOf(const Place& place);
+    void paint();
+
+    std::shared_ptr<const PlayScene> m_scene;
+    SceneOptions m_options;
+    std::vector<Model> m_models;   // those of the scene's assets first; one a batch
+    std::vector<Places> m_places;  // one an origin
+    RenderScene m_layout;          // what all moments share, with everything hidden
+    std::vector<std::shared_ptr<RenderScene>> m_moments;
+};
+
+/// The body that a click in a moment's scene has hit; null where it is gone. Linear in bodies.
+const PlayBody* bodyOf(const Session& session, const PickId& pick);
+
+}  // namespace rubble
