@@ -2,6 +2,7 @@
 
 #include "app/cli/CommonOptions.h"
 #include "app/cli/Verb.h"
+#include "core/base/Version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -60,13 +61,15 @@ int endedBy(const Status& status, const CliContext& context) {
 int runCli(const std::vector<std::string>& arguments, const CliContext& context) {
     CLI::App program(kDescription, "rubble-cli");
     program.footer(kFooter);
-    program.set_version_flag("--version", "rubble-cli " RUBBLE_VERSION, "Print the version and exit");
+    program.set_version_flag("--version", std::string("rubble-cli ") + programVersion(), "Print the version and exit");
     program.set_help_flag("-h,--help", "Print this help and exit");
     program.require_subcommand(0, 1);  // none is told below, in our words
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    const std::vector<Verb> verbs = {addNew(program),   addImport(program), addFracture(program), addExport(program),
-                                     addCheck(program), addDraw(program),   addRender(program),   addSimulate(program)};
+    const std::vector<Verb> verbs = {addNew(program),      addImport(program), addFracture(program), addExport(program),
+                                     addCheck(program),    addDraw(program),   addRender(program),   addFilm(program),
+                                     addSimulate(program), addReplay(program), addTest(program),     addIntent(program),
+                                     addAudit(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(

@@ -1,5 +1,7 @@
 #include "app/cli/ProjectSimulation.h"
 
+#include "core/base/Version.h"
+#include "core/io/ReplayFile.h"
 #include "core/physics/Penetration.h"
 
 #include <chrono>
@@ -49,6 +51,7 @@ Result<SimulationRun> played(std::shared_ptr<const PlayScene> scene, const PlayP
     Result<Session> session = startedWith(std::move(scene), plan);
     if (!session) return session.error();
     StepRecord record(plan.simulation);
+    ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));
     SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -56,6 +59,7 @@ Result<SimulationRun> played(std::shared_ptr<const PlayScene> scene, const PlayP
         session->step();
         const auto end = std::chrono::steady_clock::now();
         record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count());
+        if (plan.isRecorded) recorder.add(*session);
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(told(broken, *session, plan.simulation.isTimed));
         }
@@ -68,6 +72,7 @@ Result<SimulationRun> played(std::shared_ptr<const PlayScene> scene, const PlayP
     run.outcome.hash = session->hash();
     run.outcome.stepMilliseconds = record.milliseconds();
     run.trace = std::move(record).takenTrace();
+    if (plan.isRecorded) run.replay = recorder.replay();
     return run;
 }
 

@@ -11,6 +11,7 @@ struct PlayPlan {
     SimulationPlan simulation;
     std::vector<Shot> shots;
     bool hasDestruction = true;
+    bool isRecorded = false;  // a replay is kept
 };
 
 /// Plays a project, step by step: bodies are told in the order of instances, then as they were born, without the ground. What

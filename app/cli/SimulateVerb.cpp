@@ -6,6 +6,7 @@
 #include "app/cli/Verb.h"
 #include "core/io/BodiesJson.h"
 #include "core/io/ProjectFile.h"
+#include "core/io/ReplayFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -48,6 +49,7 @@ struct SimulateOptions {
     bool isSleepless = false;
     bool isTimed = false;
     bool isUnbreakable = false;
+    std::string record;
     ShotOptions shots;
 };
 
@@ -72,8 +74,10 @@ Result<SimulationRun> onTerminal(const SimulateOptions& options, const CliContex
 
 Result<SimulationRun> bodiesSimulated(const BodyScene& scene, const SimulateOptions& options,
                                       const CliContext& context) {
-    if (!options.shots.names.empty() || !options.shots.file.empty() || options.isUnbreakable) {
-        return Error{ErrorCode::BadInput, "Plain bodies have no shots, and break by none; give a project."};
+    if (!options.shots.names.empty() || !options.shots.file.empty() || options.isUnbreakable ||
+        !options.record.empty()) {
+        return Error{ErrorCode::BadInput,
+                     "Plain bodies have no shots, never break and are not recorded; give a project."};
     }
     return onTerminal(options, context,
                       [&](const TaskContext& task) { return simulated(scene, planOf(options), task); });
@@ -90,7 +94,8 @@ Result<SimulationRun> projectPlayed(const std::string& text, const SimulateOptio
         Result<std::shared_ptr<const PlayScene>> scene =
             playScene(*project, {.cancel = task.cancel, .threads = task.threads});
         if (!scene) return scene.error();
-        return played(std::move(*scene), {planOf(options), *shots, !options.isUnbreakable}, task, notices);
+        return played(std::move(*scene), {planOf(options), *shots, !options.isUnbreakable, !options.record.empty()},
+                      task, notices);
     });
     for (const std::string& notice : notices) context.err << notice << '\n';
     return run;
@@ -107,6 +112,9 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
     if (!run) return run.error();
     if (!options.trace.empty()) {
         if (const Status written = writeOutput(options.trace, run->trace, context); !written) return written;
+    }
+    if (run->replay) {
+        if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
     }
     return writeOutput("-", simulationJson(run->outcome), context);
 }
@@ -128,6 +136,8 @@ Verb addSimulate(CLI::App& program) {
         ->option_text("S");
     addShotOptions(*command, options->shots);
     command->add_flag("--no-destruction", options->isUnbreakable, "Let nothing break, to compare");
+    command->add_option("--record", options->record, "Write down what rubble-cli replay plays again")
+        ->option_text("FILE");
     addThreadsOption(*command, options->threads);
     command->add_flag("--no-sleep", options->isSleepless, "Keep on moving bodies that have come to rest");
     command->add_option("--trace", options->trace, "Write a row a step: counts and energies in joule")

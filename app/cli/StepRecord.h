@@ -2,6 +2,7 @@
 
 #include "core/io/SimulationJson.h"
 #include "core/physics/World.h"
+#include "core/play/Replay.h"
 
 #include <string>
 
@@ -20,6 +21,7 @@ struct SimulationPlan {
 struct SimulationRun {
     SimulationOutcome outcome;
     std::string trace;  // CSV with a line of titles
+    std::optional<Replay> replay;
 };
 
 /// What a simulation keeps of its steps.

@@ -28,7 +28,12 @@ Verb addExport(CLI::App& program);
 Verb addCheck(CLI::App& program);
 Verb addDraw(CLI::App& program);
 Verb addRender(CLI::App& program);
+Verb addFilm(CLI::App& program);
 Verb addSimulate(CLI::App& program);
+Verb addReplay(CLI::App& program);
+Verb addTest(CLI::App& program);
+Verb addIntent(CLI::App& program);
+Verb addAudit(CLI::App& program);
 
 /// The whole of a file, or of `context.in` where `path` is "-".
 ///

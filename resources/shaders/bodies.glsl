@@ -1,5 +1,5 @@
 // Finds the body of a vertex: where it stands, what it looks like. See RenderScene.
-uniform samplerBuffer motions;  // three texels a body: position, orientation (x, y, z, w), way apart
+uniform samplerBuffer motions;  // three texels a body: position and shrinking, orientation (x, y, z, w), way apart
 uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks
 
 layout(location = 0) in vec3 position;
@@ -27,8 +27,9 @@ vec3 turned(vec4 orientation, vec3 v) {
 vec4 orientationOfBody() { return texelFetch(motions, 3 * bodyIndex() + 1); }
 vec3 pointInScene() {
     int first = 3 * bodyIndex();
-    return texelFetch(motions, first).xyz + edges.z * texelFetch(motions, first + 2).xyz +
-           turned(orientationOfBody(), position);
+    vec4 place = texelFetch(motions, first);
+    return place.xyz + edges.z * texelFetch(motions, first + 2).xyz +
+           turned(orientationOfBody(), (1.0 - place.w) * position);
 }
 // Where nothing is drawn.
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,8 +1,11 @@
+#include "tests/support/Pictures.h"
+
 #include <QFileInfo>
-#include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+using rubble::test::meanDifference;
 
 namespace {
 
@@ -21,6 +24,14 @@ Outcome render(const QTemporaryDir& place, const QStringList& options, const QPr
     return {program.exitCode(), QString::fromUtf8(program.readAllStandardError())};
 }
 
+/// A small picture of the house.
+QImage picture(const QTemporaryDir& place, const QStringList& options) {
+    const Outcome outcome =
+        render(place, QStringList{"--size", "180x120"} + options, QProcessEnvironment::systemEnvironment());
+    if (outcome.exit != 0) qFatal("%s", qPrintable(outcome.err));
+    return QImage(place.filePath("house.png")).convertToFormat(QImage::Format_RGB888);
+}
+
 }  // namespace
 
 /// What no case folder can hold: pictures differ from driver to driver.
@@ -37,6 +48,16 @@ private slots:
         const QImage picture(place.filePath("house.png"));
         QCOMPARE(picture.size(), QSize(200, 120));
         QVERIFY(picture.pixelColor(100, 60).blue() + 30 < picture.pixelColor(100, 60).red());  // yellow masonry
+    }
+    void aShotIsSeenWhereItBreaksTheHouse() {
+        const QTemporaryDir place;
+        const QStringList hit{"--at", "90", "--view", "front", "--shot", "box at the door"};
+        const QImage before = picture(place, hit.mid(0, 4)), after = picture(place, hit);
+        const QImage unbroken = picture(place, hit + QStringList{"--no-destruction"});
+        const QRect besideTheDoor(96, 70, 15, 30), behindIt(115, 75, 9, 20);
+        QVERIFY(meanDifference(before.copy(besideTheDoor), after.copy(besideTheDoor)) > 5.0);
+        QVERIFY(meanDifference(unbroken.copy(besideTheDoor), after.copy(besideTheDoor)) > 5.0);
+        QVERIFY(meanDifference(before.copy(behindIt), after.copy(behindIt)) < 1.0);
     }
     void saysThatThereIsNoOpenGl() {
         const QTemporaryDir place;

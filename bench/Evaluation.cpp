@@ -1,0 +1,123 @@
+// Measures what the thesis measures in its chapter 5, ours beside its method where there are two: CSV files into a folder, for
+// tools/evaluate to draw.
+//
+//   Evaluation FOLDER
+#include "core/base/Percentile.h"
+#include "core/base/Random.h"
+#include "core/fracture/ThesisMethod.h"
+#include "core/fracture/VoronoiPartition.h"
+#include "core/play/Session.h"
+#include "tests/support/House.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRuns = 10;  // as the thesis
+constexpr std::uint32_t kMostSeeds = 100;
+const Ring kSquare = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+
+template <class Work>
+double millisecondsOf(const Work& work) {
+    const auto start = Clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::vector<Vec2> seedsOf(std::uint32_t count, std::uint64_t run) {
+    Random random(mixedWith(count, run));
+    std::vector<Vec2> seeds;
+    for (std::uint32_t k = 0; k < count; ++k) seeds.push_back({random.unit(), random.unit()});
+    return seeds;
+}
+
+/// Figure 3: the mean of ten runs, each on seeds of its own.
+void measureVoronoi(const std::filesystem::path& file) {
+    std::ofstream csv(file);
+    csv << "seeds,ours,thesis\n";
+    for (std::uint32_t count = 1; count <= kMostSeeds; ++count) {
+        double ours = 0.0, thesis = 0.0;
+        for (int run = -1; run < kRuns; ++run) {  // the first warms memory up
+            const std::vector<Vec2> seeds = seedsOf(count, static_cast<std::uint64_t>(run + 1));
+            const double one = millisecondsOf([&] { static_cast<void>(voronoiPartition({kSquare, {}}, seeds)); });
+            const double other = millisecondsOf([&] { static_cast<void>(thesisDiagram(kSquare, seeds)); });
+            if (run >= 0) ours += one / kRuns, thesis += other / kRuns;
+        }
+        csv << count << ',' << ours << ',' << thesis << '\n';
+    }
+}
+
+Session houseOf(std::uint32_t pieces) {
+    Project project = test::house();
+    for (PatternLayer& layer : project.assets[0].pattern.layers) {
+        if (auto* scatter = std::get_if<UniformScatter>(&layer.parameters)) scatter->count = pieces;
+    }
+    return std::move(*Session::start(*playScene(project)));
+}
+
+/// Figure 4: the swap of one wall of the house, and that step as a whole; the median of ten runs.
+void measureSwap(const std::filesystem::path& file) {
+    std::ofstream csv(file);
+    csv << "fragments,swap,step\n";
+    for (std::uint32_t pieces = 10; pieces <= kMostSeeds; pieces += 10) {
+        Session session = houseOf(pieces);
+        for (int k = 0; k < 10; ++k) session.step();
+        const auto standing = session.snapshot();
+        std::vector<double> swaps, steps;
+        for (int run = 0; run < kRuns; ++run) {
+            session.restore(*standing);
+            static_cast<void>(session.add(BreakInput{session.bodies()[1].number}));
+            steps.push_back(millisecondsOf([&] { session.step(); }));
+            swaps.push_back(session.events().breaks[0].milliseconds);
+        }
+        csv << pieces << ',' << percentile(swaps, 0.5) << ',' << percentile(steps, 0.5) << '\n';
+    }
+}
+
+/// Figure 5: walls of the house are thrown on a pile, one after the other, and break there.
+void measureSteps(const std::filesystem::path& file) {
+    constexpr int kBodies = 600, kStepsBetween = 12;
+    Project project = test::house();
+    const Id wall = project.assets[0].id;
+    project.instances.clear();
+    Result<Session> session = Session::start(*playScene(project), {.sleeping = false});
+    std::ofstream csv(file);
+    csv << "bodies,pairs,points,step\n";
+    Random random(1);
+    std::vector<double> times;
+    for (int body = 0; body < kBodies; ++body) {
+        const Vec3 aim{random.between(-2.0, 2.0), 0.0, random.between(-2.0, 2.0)};
+        static_cast<void>(session->add(ShotInput{"wall", Throw{.kind = ProjectileKind::Asset,
+                                                               .asset = wall,
+                                                               .from = aim + Vec3(0.0, 14.0, 0.0),
+                                                               .to = aim,
+                                                               .speed = 10.0}}));
+        for (int k = 0; k < kStepsBetween; ++k) times.push_back(millisecondsOf([&] { session->step(); }));
+        if ((body + 1) % 5 != 0) continue;
+        const StepCounts counts = session->world().counts();
+        csv << counts.bodies << ',' << counts.candidatePairs << ',' << counts.contactPoints << ','
+            << percentile(times, 0.5) << '\n';
+        times.clear();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "Evaluation FOLDER\n");
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    measureVoronoi(folder / "voronoi.csv");
+    measureSwap(folder / "swap.csv");
+    measureSteps(folder / "steps.csv");
+    return 0;
+}

@@ -1,0 +1,98 @@
+#include "tests/support/Pictures.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+using rubble::test::meanDifference;
+
+namespace {
+
+void startFilm(QProcess& program, const QTemporaryDir& place, const QStringList& options) {
+    program.start(RUBBLE_CLI, QStringList{"film", RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("film"),
+                                          "--samples", "0", "--shot", "box at the door"} +
+                                  options);
+}
+
+struct Outcome {
+    int exit = -1;
+    QByteArray out, err;
+};
+
+Outcome film(const QTemporaryDir& place, const QStringList& options) {
+    QProcess program;
+    startFilm(program, place, options);
+    program.waitForFinished(120000);
+    return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
+}
+
+QStringList filesIn(const QTemporaryDir& place) {
+    return QDir(place.filePath("film")).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+}
+
+QImage frame(const QTemporaryDir& place, const QString& name) {
+    return QImage(place.filePath("film/" + name)).convertToFormat(QImage::Format_RGB888);
+}
+
+}  // namespace
+
+class FilmTest : public QObject {
+    Q_OBJECT
+private slots:
+    void writesAPictureEverySoManySteps() {
+        const QTemporaryDir place;
+        const Outcome outcome = film(place, {"--steps", "45", "--every", "20", "--size", "180x120"});
+        QCOMPARE(outcome.err, QByteArray());
+        QCOMPARE(outcome.out, "3 pictures in " + place.filePath("film").toUtf8() + "\n");
+        QCOMPARE(filesIn(place), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
+        for (const QString& name : filesIn(place)) QCOMPARE(frame(place, name).size(), QSize(180, 120));
+        QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0001.png")) < 0.1);  // it stands
+        QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0002.png")) > 0.2);  // the box flies
+    }
+    void comparesWithoutDestructionAndWithIt() {
+        const QTemporaryDir place;
+        const QStringList options{"--steps", "90", "--every", "90", "--size", "180x120", "--view", "front"};
+        QCOMPARE(film(place, options + QStringList{"--compare"}).exit, 0);
+        QCOMPARE(frame(place, "frame-0001.png").size(), QSize(368, 120));
+        const QRect besideTheDoor(96, 70, 15, 30);
+        for (const auto& [name, differs] : {std::pair{"frame-0000.png", false}, std::pair{"frame-0001.png", true}}) {
+            const QImage left = frame(place, name).copy(besideTheDoor);
+            const QImage right = frame(place, name).copy(besideTheDoor.translated(188, 0));
+            QCOMPARE(meanDifference(left, right) > 5.0, differs);
+        }
+        QCOMPARE(frame(place, "frame-0001.png").pixelColor(184, 60), QColor(Qt::white));
+    }
+    void mixesNoFilms() {
+        const QTemporaryDir place;
+        QCOMPARE(film(place, {"--steps", "0", "--size", "18x12"}).exit, 0);
+        const Outcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
+        QCOMPARE(outcome.exit, 1);
+        QCOMPARE(outcome.err, place.filePath("film").toUtf8() +
+                                  " holds a film already: frame-0000.png. Give another folder, or remove its "
+                                  "pictures.\n");
+    }
+    void controlCKeepsWholePicturesOnly() {
+        const QTemporaryDir place;
+        QProcess program;
+        startFilm(program, place, {"--steps", "9999", "--size", "180x120"});
+        QElapsedTimer timer;
+        timer.start();
+        while (filesIn(place).filter(".png").size() < 2 && timer.elapsed() < 60000) QTest::qWait(5);
+        kill(static_cast<pid_t>(program.processId()), SIGINT);
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitCode(), 130);
+        QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));
+        const QStringList files = filesIn(place);
+        QVERIFY(files.size() >= 2 && files.size() < 9999);
+        QCOMPARE(files.filter(QRegularExpression("^frame-[0-9]{4}\\.png$")).size(), files.size());
+        for (const QString& name : files) QCOMPARE(frame(place, name).size(), QSize(180, 120));
+    }
+};
+
+QTEST_GUILESS_MAIN(FilmTest)
+#include "FilmTest.moc"
