@@ -138,7 +138,8 @@ inline void addShots(Project& project) {
     addPlayTest(project, {.name = "a block brings the roof down",
                           .shots = {block},
                           .duration = 8.0,
-                          .expectations = {{Breaks, idOf("roof front right"), 0.0}, {NothingAbove, idOf("roof front left"), 4.5}}});
+                          .expectations = {{Breaks, idOf("roof front right"), 0.0},
+                                           {NothingAbove, idOf("roof front left"), 4.5}}});
     addPlayTest(project, {.name = "a ball only rattles",
                           .shots = {ball},
                           .duration = 5.0,
