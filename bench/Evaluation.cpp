@@ -87,6 +87,7 @@ void measureSteps(const std::filesystem::path& file) {
     Project project = test::house();
     const Id wall = project.assets[0].id;
     project.instances.clear();
+    project.playTests.clear();  // which name them
     Result<Session> session = Session::start(*playScene(project), {.sleeping = false});
     std::ofstream csv(file);
     csv << "bodies,pairs,points,step\n";
