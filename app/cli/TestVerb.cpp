@@ -1,8 +1,14 @@
 #include "app/cli/CommonOptions.h"
+#include "app/cli/PictureOptions.h"
+#include "app/cli/PlayOptions.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
+#include "core/io/AtomicFile.h"
 #include "core/io/JUnitXml.h"
+#include "core/io/MadeFolders.h"
 #include "core/io/ProjectFile.h"
+#include "viewport/render/Picture.h"
+#include "viewport/scene/MomentBuilder.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,12 +26,16 @@ one is not.
 
 Examples:
   rubble-cli test house.rubble
-  rubble-cli test house.rubble --test "stands" --junit report.xml)";
+  rubble-cli test house.rubble --test "the house stands"
+  rubble-cli test house.rubble --junit report.xml --pictures failures)";
+
+constexpr int kSamples = 8;  // of a picture: it shows what went wrong, quickly
 
 struct TestOptions {
     std::string file;
     std::vector<std::string> names;
     std::string junit;
+    std::string pictures;  // the folder for those of failures; empty: none are taken
     int threads = 1;
 };
 
@@ -54,6 +64,29 @@ std::string toldText(const PlayTestOutcome& outcome) {
     return text;
 }
 
+/// Draws the moment at which a test failed, and says where the picture lies.
+Status drawFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTest& test, const PlayTestOutcome& outcome,
+                   const TestOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    Result<Session> session = sessionOf(scene, test, {.threads = options.threads});
+    if (!session) return session.error();
+    MomentBuilder builder(scene);
+    const Box3 framed = withRoomToFall(boundsOf(*builder.momentOf(*session)));
+    if (const Status played = playTo(*session, outcome.failedAt(), context, task); !played) return played;
+    const PictureOptions picture{.samples = kSamples};
+    const Result<Image> image =
+        pictureOf(builder.momentOf(*session), pictureView(picture, framed), picture.samples, task);
+    if (!image) return image.error();
+    const Result<std::string> png = pngOf(*image);
+    if (!png) return png.error();
+    MadeFolders folders;
+    if (const Status made = folders.make(options.pictures); !made) return made;
+    const std::string file =
+        (std::filesystem::path(options.pictures) / ("play-test-" + std::to_string(test.id) + ".png")).string();
+    if (const Status written = writeFileAtomically(file, *png); !written) return written;
+    return writeOutput("-", "        after step " + std::to_string(outcome.failedAt()) + ": " + file + '\n', context);
+}
+
 Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::vector<PlayTest>& tests,
                                             const TestOptions& options, const CliContext& context) {
     const Result<std::shared_ptr<const PlayScene>> scene =
@@ -70,6 +103,10 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
         if (!outcome) return outcome.error();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         if (const Status written = writeOutput("-", toldText(*outcome), context); !written) return written.error();
+        if (!outcome->isPassed() && !options.pictures.empty()) {
+            const Status drawn = drawFailure(*scene, test, *outcome, options, context);
+            if (!drawn) return drawn.error();
+        }
         done.push_back({std::move(*outcome), passed.count()});
     }
     return done;
@@ -105,6 +142,8 @@ Verb addTest(CLI::App& program) {
         ->take_all()
         ->option_text("NAME");
     command->add_option("--junit", options->junit, "Write a report as JUnit XML")->option_text("FILE.xml");
+    command->add_option("--pictures", options->pictures, "Draw the moment of each failure into this folder")
+        ->option_text("FOLDER");
     addThreadsOption(*command, options->threads);
     return {command, [options](const CliContext& context) { return test(*options, context); }};
 }

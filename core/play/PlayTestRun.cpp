@@ -203,14 +203,26 @@ private:
 
 bool PlayTestOutcome::isPassed() const { return std::ranges::all_of(expectations, &ExpectationOutcome::isMet); }
 
-Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
-                                    const SessionSettings& settings, const TaskContext& task) {
+std::uint64_t PlayTestOutcome::failedAt() const {
+    const auto failed = std::ranges::find(expectations, false, &ExpectationOutcome::isMet);
+    return failed == expectations.end() ? 0 : failed->step;
+}
+
+Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                          const SessionSettings& settings) {
     Result<Session> session = Session::start(scene, settings);
     if (!session) return session.error();
     for (const Shot& shot : scene->project.shots) {
         if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
         if (const Status added = session->add(shot); !added) return added.error();
     }
+    return session;
+}
+
+Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                                    const SessionSettings& settings, const TaskContext& task) {
+    Result<Session> session = sessionOf(std::move(scene), test, settings);
+    if (!session) return session.error();
     Watch watch(*session);
     const std::uint64_t steps = std::max<std::uint64_t>(stepOf(test.duration, settings.dt), 1);
     while (session->stepsDone() < steps) {

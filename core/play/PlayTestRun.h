@@ -22,7 +22,15 @@ struct PlayTestOutcome {
     std::vector<ExpectationOutcome> expectations;  // in the test's order
     ContentHash hash;                              // after the last step
     bool isPassed() const;
+    /// The moment to look at: after which step the first expectation failed; 0 where none did.
+    std::uint64_t failedAt() const;
 };
+
+/// A session at its start, with the test's shots waiting.
+///
+/// Errors: those of Session::start() and Session::add().
+Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                          const SessionSettings& settings = {});
 
 /// Plays a test of the scene's project with its shots, and says of each expectation whether it was met.
 ///
@@ -31,7 +39,7 @@ struct PlayTestOutcome {
 /// BreaksIntoAtLeast: the pieces that it is in at the end, those taken away included; of any, the one in the most.
 /// NothingAbove, NothingFaster: at the end, of what is not fixed; with an instance, of it and its pieces.
 ///
-/// Errors: those of Session::start() and Session::add(); Cancelled.
+/// Errors: those of sessionOf(); Cancelled.
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
                                     const SessionSettings& settings = {}, const TaskContext& task = {});
 

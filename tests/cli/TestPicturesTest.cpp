@@ -1,0 +1,83 @@
+#include "tests/support/Pictures.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+using rubble::test::meanDifference;
+
+namespace {
+
+/// The house, of whose tests one expects what the shots do not do.
+void writeHouse(const QString& file, const QByteArray& met, const QByteArray& failing) {
+    QFile house(RUBBLE_SOURCE_DIR "/projects/house.rubble");
+    if (!house.open(QIODevice::ReadOnly)) qFatal("no house");
+    QByteArray text = house.readAll();
+    if (!text.contains(met)) qFatal("the house has no such expectation");
+    text.replace(text.indexOf(met), met.size(), failing);
+    QFile changed(file);
+    if (!changed.open(QIODevice::WriteOnly) || changed.write(text) != text.size()) qFatal("cannot write");
+}
+
+struct Outcome {
+    int exit = -1;
+    QString out, err;
+};
+
+Outcome tested(const QString& project, const QString& pictures) {
+    QProcess program;
+    program.start(RUBBLE_CLI,
+                  {"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
+    program.waitForFinished(120000);
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
+            QString::fromUtf8(program.readAllStandardError())};
+}
+
+}  // namespace
+
+class TestPicturesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void showsTheMomentOfAFailure() {
+        const QTemporaryDir place;
+        const QString pictures = place.filePath("made/failures");
+        writeHouse(place.filePath("house.rubble"), R"({"kind": "breaks", "instance": 21, "value": 0})",
+                   R"({"kind": "doesNotBreak", "instance": 21, "value": 0})");
+        const Outcome outcome = tested(place.filePath("house.rubble"), pictures);
+        QCOMPARE(outcome.err, "1 of 1 play-tests failed.\n");
+        QCOMPARE(outcome.exit, 1);
+        const QRegularExpression told("after step (\\d+): " +
+                                      QRegularExpression::escape(pictures + "/play-test-93.png"));
+        const QRegularExpressionMatch match = told.match(outcome.out);
+        QVERIFY2(match.hasMatch(), qPrintable(outcome.out));
+        QVERIFY(match.captured(1).toInt() > 30);  // the shot is fired after half a second
+        QCOMPARE(QDir(pictures).entryList(QDir::Files | QDir::Hidden), QStringList{"play-test-93.png"});
+        const QImage seen = QImage(pictures + "/play-test-93.png").convertToFormat(QImage::Format_RGB888);
+        QCOMPARE(seen.size(), QSize(1280, 720));
+        QVERIFY(meanDifference(seen, drawnAfter(place, match.captured(1))) < 0.5);
+        const QRect whereTheBoxHits(530, 480, 70, 80);
+        QVERIFY(meanDifference(seen.copy(whereTheBoxHits), drawnAfter(place, "0").copy(whereTheBoxHits)) > 20.0);
+    }
+    void leavesNothingBehindWhereAllIsWell() {
+        const QTemporaryDir place;
+        const Outcome outcome = tested(RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("failures"));
+        QCOMPARE(outcome.exit, 0);
+        QVERIFY(!QDir(place.filePath("failures")).exists());
+    }
+
+private:
+    /// What `render` draws of the same moment.
+    static QImage drawnAfter(const QTemporaryDir& place, const QString& step) {
+        QProcess program;
+        program.start(RUBBLE_CLI, {"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
+                                   "--samples", "8", "--out", place.filePath("moment.png")});
+        program.waitForFinished(120000);
+        return QImage(place.filePath("moment.png")).convertToFormat(QImage::Format_RGB888);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPicturesTest)
+#include "TestPicturesTest.moc"
