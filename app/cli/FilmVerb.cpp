@@ -5,6 +5,7 @@
 #include "app/cli/Verb.h"
 #include "core/io/AtomicFile.h"
 #include "core/io/MadeFolders.h"
+#include "core/io/ProjectFile.h"
 #include "viewport/render/Picture.h"
 #include "viewport/scene/MomentBuilder.h"
 
@@ -126,7 +127,9 @@ Status film(const FilmOptions& options, const CliContext& context) {
                                               std::to_string(kMostFrames) + ". --every takes fewer."};
     }
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
-    const Result<ProjectInPlay> play = projectInPlay(options.file, options.play, context, task);
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<ProjectInPlay> play = projectInPlay(*project, options.play, context, task);
     if (!play) return play.error();
     if (play->scene->project.instances.empty()) {
         return Error{ErrorCode::NotFound, "The project has no instance to film."};

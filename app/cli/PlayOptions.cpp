@@ -1,7 +1,6 @@
 #include "app/cli/PlayOptions.h"
 
 #include "app/cli/CommonOptions.h"
-#include "core/io/ProjectFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,21 +16,21 @@ void addPlayOptions(CLI::App& command, PlayOptions& options) {
     command.add_flag("--no-destruction", options.isUnbreakable, "Let nothing break, to compare");
 }
 
-Result<ProjectInPlay> projectInPlay(const std::string& file, const PlayOptions& options, const CliContext& context,
+Result<ProjectInPlay> projectInPlay(const Project& project, const PlayOptions& options, const CliContext& context,
                                     const TaskContext& task) {
-    const Result<Project> project = loadProject(file);
-    if (!project) return project.error();
-    Result<std::vector<Shot>> shots = chosenShots(*project, options.shots, context);
+    Result<std::vector<Shot>> shots = chosenShots(project, options.shots, context);
     if (!shots) return shots.error();
-    Result<std::shared_ptr<const PlayScene>> scene = playScene(*project, task);
+    Result<std::shared_ptr<const PlayScene>> scene = playScene(project, task);
     if (!scene) return scene.error();
     for (const std::string& notice : (*scene)->notices) context.err << notice << '\n';
     return ProjectInPlay{std::move(*scene), std::move(*shots)};
 }
 
 Result<Session> startedSession(const ProjectInPlay& play, const PlayOptions& options, int threads) {
-    Result<Session> session = Session::start(
-        play.scene, {.dt = options.stepLength, .hasDestruction = !options.isUnbreakable, .threads = threads});
+    Result<Session> session = Session::start(play.scene, {.dt = options.stepLength,
+                                                          .sleeping = !options.isSleepless,
+                                                          .hasDestruction = !options.isUnbreakable,
+                                                          .threads = threads});
     if (!session) return session.error();
     for (const Shot& shot : play.shots) {
         if (const Status added = session->add(shot); !added) return added.error();

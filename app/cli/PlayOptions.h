@@ -6,11 +6,12 @@
 
 namespace rubble {
 
-/// How a project is played to be drawn.
+/// How a project is played, as it is told on the command line.
 struct PlayOptions {
     double stepLength = 1.0 / 60.0;  // s
     ShotOptions shots;
     bool isUnbreakable = false;
+    bool isSleepless = false;  // bodies at rest are moved on; no option of these, but simulate's own
 };
 
 /// A project made ready, with the shots that are fired at it.
@@ -24,10 +25,10 @@ inline constexpr int kMostSteps = 10'000'000;  // beyond this nobody waits for t
 /// Adds --dt, --shot, --shots and --no-destruction.
 void addPlayOptions(CLI::App& command, PlayOptions& options);
 
-/// Loads a project and bakes all of it.
+/// Bakes all of a project. Sentences about it go to `context.err`.
 ///
-/// Errors: those of loadProject(), of chosenShots() and of playScene().
-Result<ProjectInPlay> projectInPlay(const std::string& file, const PlayOptions& options, const CliContext& context,
+/// Errors: those of chosenShots() and of playScene().
+Result<ProjectInPlay> projectInPlay(const Project& project, const PlayOptions& options, const CliContext& context,
                                     const TaskContext& task);
 
 /// A session that has not begun, with all shots waiting.

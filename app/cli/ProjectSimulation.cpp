@@ -29,26 +29,11 @@ void tellBodies(const Session& session, SimulationOutcome& outcome) {
     outcome.largestPenetration = penetrationOf(placed).largest;
 }
 
-Result<Session> startedWith(std::shared_ptr<const PlayScene> scene, const PlayPlan& plan) {
-    const SimulationPlan& simulation = plan.simulation;
-    Result<Session> session = Session::start(std::move(scene), {.dt = simulation.stepLength,
-                                                                .sleeping = simulation.world.sleeping,
-                                                                .hasDestruction = plan.hasDestruction,
-                                                                .threads = simulation.world.threads,
-                                                                .lanes = simulation.world.lanes});
-    if (!session) return session.error();
-    for (const Shot& shot : plan.shots) {
-        if (const Status added = session->add(shot); !added) return added.error();
-    }
-    return session;
-}
-
 }  // namespace
 
-Result<SimulationRun> played(std::shared_ptr<const PlayScene> scene, const PlayPlan& plan, const TaskContext& task,
+Result<SimulationRun> played(const ProjectInPlay& project, const PlayPlan& plan, const TaskContext& task,
                              std::vector<std::string>& notices) {
-    notices = scene->notices;
-    Result<Session> session = startedWith(std::move(scene), plan);
+    Result<Session> session = startedSession(project, plan.play, plan.simulation.world.threads);
     if (!session) return session.error();
     StepRecord record(plan.simulation);
     ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));

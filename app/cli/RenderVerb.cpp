@@ -80,7 +80,9 @@ Result<Subject> piecesOf(const RenderOptions& options, const TaskContext& task) 
 
 /// A moment of play, seen from where the scene was framed before anything moved.
 Result<Subject> momentAt(const RenderOptions& options, const CliContext& context, TaskContext task) {
-    const Result<ProjectInPlay> play = projectInPlay(options.file, options.play, context, task);
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<ProjectInPlay> play = projectInPlay(*project, options.play, context, task);
     if (!play) return play.error();
     if (play->scene->project.instances.empty()) return nothingToDraw();
     Result<Session> session = startedSession(*play, options.play, options.threads);

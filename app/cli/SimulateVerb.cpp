@@ -1,5 +1,4 @@
 #include "app/cli/BodySimulation.h"
-#include "app/cli/ChosenShots.h"
 #include "app/cli/CommonOptions.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/ProjectSimulation.h"
@@ -37,26 +36,20 @@ Examples:
   rubble-cli simulate house.json --steps 600 --trace steps.csv --timings
   rubble-cli simulate house.rubble --steps 600 --shot "box at the door")";
 
-// Beyond this nobody waits for the end.
-constexpr int kMostSteps = 10'000'000;
-
 struct SimulateOptions {
     std::string input = "-";
     std::string trace;
     int steps = 0;
-    double stepLength = 1.0 / 60.0;
     int threads = 1;
-    bool isSleepless = false;
     bool isTimed = false;
-    bool isUnbreakable = false;
     std::string record;
-    ShotOptions shots;
+    PlayOptions play;
 };
 
 SimulationPlan planOf(const SimulateOptions& options) {
     return {.steps = options.steps,
-            .stepLength = options.stepLength,
-            .world = {.sleeping = !options.isSleepless, .threads = options.threads},
+            .stepLength = options.play.stepLength,
+            .world = {.sleeping = !options.play.isSleepless, .threads = options.threads},
             .isTraced = !options.trace.empty(),
             .isTimed = options.isTimed};
 }
@@ -74,8 +67,8 @@ Result<SimulationRun> onTerminal(const SimulateOptions& options, const CliContex
 
 Result<SimulationRun> bodiesSimulated(const BodyScene& scene, const SimulateOptions& options,
                                       const CliContext& context) {
-    if (!options.shots.names.empty() || !options.shots.file.empty() || options.isUnbreakable ||
-        !options.record.empty()) {
+    const ShotOptions& shots = options.play.shots;
+    if (!shots.names.empty() || !shots.file.empty() || options.play.isUnbreakable || !options.record.empty()) {
         return Error{ErrorCode::BadInput,
                      "Plain bodies have no shots, never break and are not recorded; give a project."};
     }
@@ -87,15 +80,12 @@ Result<SimulationRun> projectPlayed(const std::string& text, const SimulateOptio
                                     const CliContext& context) {
     const Result<Project> project = readProjectText(text);
     if (!project) return project.error();
-    const Result<std::vector<Shot>> shots = chosenShots(*project, options.shots, context);
-    if (!shots) return shots.error();
     std::vector<std::string> notices;
     Result<SimulationRun> run = onTerminal(options, context, [&](const TaskContext& task) -> Result<SimulationRun> {
-        Result<std::shared_ptr<const PlayScene>> scene =
-            playScene(*project, {.cancel = task.cancel, .threads = task.threads});
-        if (!scene) return scene.error();
-        return played(std::move(*scene), {planOf(options), *shots, !options.isUnbreakable, !options.record.empty()},
-                      task, notices);
+        const Result<ProjectInPlay> play =
+            projectInPlay(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
+        if (!play) return play.error();
+        return played(*play, {planOf(options), options.play, !options.record.empty()}, task, notices);
     });
     for (const std::string& notice : notices) context.err << notice << '\n';
     return run;
@@ -131,15 +121,11 @@ Verb addSimulate(CLI::App& program) {
         ->required()
         ->check(numberBetween(1, kMostSteps))
         ->option_text("N");
-    command->add_option("--dt", options->stepLength, "The length of a step in seconds: 1/60 if not given")
-        ->check(numberBetween(kShortestStep, kLongestStep))
-        ->option_text("S");
-    addShotOptions(*command, options->shots);
-    command->add_flag("--no-destruction", options->isUnbreakable, "Let nothing break, to compare");
+    addPlayOptions(*command, options->play);
     command->add_option("--record", options->record, "Write down what rubble-cli replay plays again")
         ->option_text("FILE");
     addThreadsOption(*command, options->threads);
-    command->add_flag("--no-sleep", options->isSleepless, "Keep on moving bodies that have come to rest");
+    command->add_flag("--no-sleep", options->play.isSleepless, "Keep on moving bodies that have come to rest");
     command->add_option("--trace", options->trace, "Write a row a step: counts and energies in joule")
         ->option_text("FILE.csv");
     command->add_flag("--timings", options->isTimed, "Tell how long steps took, and in the trace each stage of them");

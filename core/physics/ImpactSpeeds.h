@@ -2,7 +2,9 @@
 
 namespace rubble {
 
-inline constexpr float kImpactSpeed = 0.5f;       // m/s of approach: slower, and nothing is hurt
-inline constexpr float kRestitutionSpeed = 1.0f;  // m/s of approach: slower, and nothing is thrown back
+/// m/s of approach: what meets slower is no impact, and hurts nothing.
+inline constexpr float kImpactSpeed = 0.5f;
+/// m/s of approach: what meets slower is not thrown back, whatever its restitution.
+inline constexpr float kRestitutionSpeed = 1.0f;
 
 }  // namespace rubble
