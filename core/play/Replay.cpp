@@ -10,8 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMostKept = 64;  // snapshots; beyond it every second is let go
-
 std::uint32_t checkOf(const BodyState& state) {
     const Vec3 &place = state.pose.position, &speed = state.velocity, &spin = state.angularVelocity;
     const Quat& turn = state.pose.orientation;
@@ -92,58 +90,30 @@ Result<ReplayPlayer> ReplayPlayer::start(std::shared_ptr<const PlayScene> scene,
     same.hasDestruction = replay.hasDestruction;
     Result<Session> session = Session::start(std::move(scene), same);
     if (!session) return session.error();
-    ReplayPlayer player(std::move(replay), std::move(*session));
-    player.keepSnapshot();
-    return player;
+    Timeline timeline(std::move(*session), replay.inputs, replay.steps.size());
+    return ReplayPlayer(std::move(replay), std::move(timeline));
 }
 
 Status ReplayPlayer::seek(std::uint64_t step, const TaskContext& task) {
-    const std::uint64_t aim = std::min<std::uint64_t>(step, m_replay.steps.size());
-    if (aim < m_session.stepsDone()) {
-        const auto after = std::ranges::upper_bound(m_kept, aim, {}, &Kept::step);
-        m_session.restore(*std::prev(after)->snapshot);
-    }
-    while (m_session.stepsDone() < aim) {
-        if (task.isCancelled()) return TaskContext::cancelled();
-        const std::uint64_t done = m_session.stepsDone();
-        const auto due = std::ranges::equal_range(m_replay.inputs, done, {}, &TimedInput::step);
-        for (const TimedInput& input : due) {
-            if (const Status added = m_session.add(input); !added) return added.error();
-        }
-        m_session.step();
-        compare();
-        keepSnapshot();
-    }
-    return success();
-}
-
-void ReplayPlayer::keepSnapshot() {
-    const std::uint64_t step = m_session.stepsDone();
-    if (step % m_keepEvery != 0 || (!m_kept.empty() && m_kept.back().step >= step)) return;
-    if (m_kept.size() == kMostKept) {
-        m_keepEvery *= 2;
-        std::erase_if(m_kept, [&](const Kept& kept) { return kept.step % m_keepEvery != 0; });
-        if (step % m_keepEvery != 0) return;
-    }
-    m_kept.push_back({step, m_session.snapshot()});
+    return m_timeline.seek(step, task, [this] { compare(); });
 }
 
 void ReplayPlayer::compare() {
-    const std::uint64_t step = m_session.stepsDone();
+    const std::uint64_t step = session().stepsDone();
     if (m_divergence) {
         const auto frame = std::ranges::find(m_replay.keyframes, step, &ReplayKeyframe::step);
         if (!m_divergence->distance && step >= m_divergence->step && frame != m_replay.keyframes.end()) {
-            m_divergence->distance = {step, farthestOff(*frame, m_session)};
+            m_divergence->distance = {step, farthestOff(*frame, session())};
         }
         return;
     }
     const ReplayStep& recorded = m_replay.steps[step - 1];
-    const ReplayStep now = stepOf(m_session);
+    const ReplayStep now = stepOf(session());
     if (now == recorded) return;
     m_divergence = Divergence{.step = step};
     if (const std::optional<std::uint32_t> number = firstDifference(recorded, now)) {
-        const PlayBody* body = m_session.body(*number);
-        m_divergence->body = body != nullptr ? m_session.nameOf(*body) : "body " + std::to_string(*number);
+        const PlayBody* body = session().body(*number);
+        m_divergence->body = body != nullptr ? session().nameOf(*body) : "body " + std::to_string(*number);
     }
     compare();
 }

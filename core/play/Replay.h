@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/Session.h"
+#include "core/play/Timeline.h"
 
 #include <optional>
 #include <string>
@@ -77,8 +77,7 @@ struct Divergence {
     std::string sentence() const;
 };
 
-/// Plays a replay again, forwards and backwards: to go back it starts from the nearest of the snapshots that it keeps on its
-/// way and plays on from there.
+/// Plays a replay again, forwards and backwards, and compares.
 class ReplayPlayer {
 public:
     /// Errors: those of Session::start() and Session::add(). `settings` say threads and lanes; the rest is the replay's.
@@ -86,28 +85,20 @@ public:
                                       const SessionSettings& settings = {});
 
     const Replay& replay() const { return m_replay; }
-    const Session& session() const { return m_session; }
+    const Session& session() const { return m_timeline.session(); }
     /// Goes to the moment after so many steps, at most those of the replay.
     ///
-    /// Errors: Cancelled.
+    /// Errors: those of Timeline::seek().
     Status seek(std::uint64_t step, const TaskContext& task = {});
     /// The first of all steps played so far that came out differently.
     const std::optional<Divergence>& divergence() const { return m_divergence; }
 
 private:
-    struct Kept {
-        std::uint64_t step = 0;
-        std::shared_ptr<const SessionSnapshot> snapshot;
-    };
-
-    ReplayPlayer(Replay replay, Session session) : m_replay(std::move(replay)), m_session(std::move(session)) {}
-    void keepSnapshot();
+    ReplayPlayer(Replay replay, Timeline timeline) : m_replay(std::move(replay)), m_timeline(std::move(timeline)) {}
     void compare();
 
     Replay m_replay;
-    Session m_session;
-    std::vector<Kept> m_kept;  // ascending step
-    std::uint64_t m_keepEvery = kKeyframeSteps;
+    Timeline m_timeline;
     std::optional<Divergence> m_divergence;
 };
 
