@@ -67,6 +67,7 @@ public:
     double mass(BodyId body) const;  // kg; 0 where static or kinematic
     double restitution(BodyId body) const;
 
+    Vec3 gravity() const;  // m/s^2
     void setGravity(Vec3 gravity);
     /// Makes a body of something else, at once; its velocities stay.
     void setMaterial(BodyId body, const BodyMaterial& material);

@@ -27,6 +27,8 @@ void meetAgain(WorldState& state, std::uint32_t body) {
 
 }  // namespace
 
+Vec3 World::gravity() const { return toDouble(m_state->gravity); }
+
 void World::setGravity(Vec3 gravity) {
     m_state->gravity = toFloat(gravity);
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
