@@ -4,6 +4,35 @@
 #include <cmath>
 
 namespace rubble {
+namespace {
+
+constexpr double kFarthestAim = 1000.0;  // m: what a ray meets beyond it is not aimed at
+constexpr double kNothingMet = 30.0;     // m: where a throw goes that is aimed at nothing
+
+}  // namespace
+
+std::optional<RayHit> metBy(const World& world, const Ray& ray) {
+    return world.castRay(ray.from, ray.at(kFarthestAim));
+}
+
+Throw thrownAlong(const Session& session, Throw thrown, const Ray& ray) {
+    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    thrown.from = ray.from;
+    return aimedAt(thrown, hit ? hit->point : ray.at(kNothingMet), session.world().gravity());
+}
+
+std::optional<Hammer> blowAlong(const Session& session, double impulse, const Ray& ray) {
+    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    if (!hit) return std::nullopt;
+    return Hammer{hit->point, impulse * ray.direction};
+}
+
+std::optional<Explosion> blastAlong(const Session& session, Explosion explosion, const Ray& ray) {
+    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    if (!hit) return std::nullopt;
+    explosion.at = hit->point;
+    return explosion;
+}
 
 /// Source: t^2 of the arcs through d at speed v solves g^2/4 t^4 - (d.g + v^2) t^2 + d^2 = 0; the smaller root in the form that
 /// does not cancel, which holds without gravity, too.

@@ -5,7 +5,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMostKept = 48;   // snapshots
+constexpr std::size_t kMostKept = 48;    // snapshots
 constexpr std::size_t kRecentKept = 12;  // of them: the last, which are never thinned out
 
 }  // namespace

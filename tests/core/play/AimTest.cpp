@@ -62,6 +62,20 @@ private slots:
         QVERIFY(!flightOf(session, past, 0.5).hit);
         QCOMPARE(flightOf(session, past, 0.5).points.size(), 31u);
     }
+    void aRayAimsAtWhatItMeets() {
+        const Session session = test::sessionOf(test::floatingBlock());
+        const Ray ray{{0.1, 5.1, 4.0}, {0.0, 0.0, -1.0}}, past{{5.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
+        const Throw thrown = thrownAlong(session, {.speed = 3.0}, ray);
+        QCOMPARE(thrown.from, ray.from);
+        QVERIFY(std::abs(thrown.to.z - 0.25) < 1e-5);
+        QCOMPARE(thrownAlong(session, {.speed = 3.0}, past).to, past.at(30.0));
+        const std::optional<Hammer> blow = blowAlong(session, 7.0, ray);
+        QVERIFY(blow && std::abs(blow->at.z - 0.25) < 1e-5);
+        QCOMPARE(blow->impulse, Vec3(0.0, 0.0, -7.0));
+        const std::optional<Explosion> blast = blastAlong(session, {.impulse = 5.0, .radius = 3.0}, ray);
+        QVERIFY(blast && blast->at == blow->at && blast->radius == 3.0);
+        QVERIFY(!blowAlong(session, 7.0, past) && !blastAlong(session, {}, past));
+    }
     void theFlightIsWhatIsFlown() {
         Project project = test::floatingBlock();
         project.gravity = kGravity;

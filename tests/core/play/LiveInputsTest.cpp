@@ -1,0 +1,86 @@
+#include "core/play/LiveInputs.h"
+
+#include "tests/support/Sessions.h"
+
+using namespace rubble;
+
+namespace {
+
+/// What takes a block to a state in which something is changed.
+template <class Change>
+std::optional<std::vector<PlayInput>> after(const Change& change) {
+    const Project played = test::floatingBlock();
+    Project now = played;
+    change(now);
+    return liveInputs(played, now);
+}
+
+using Inputs = std::vector<PlayInput>;
+
+}  // namespace
+
+class LiveInputsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void numbersChangeWhileItGoesOn() {
+        const Project block = test::floatingBlock();
+        const Id asset = block.assets[0].id, instance = block.instances[0].id;
+        QCOMPARE(after([](Project& now) { now.assets[0].threshold = 7.0; }),
+                 (Inputs{ThresholdInput{.asset = asset, .threshold = 7.0}}));
+        QCOMPARE(after([](Project& now) { now.instances[0].threshold = 8.0; }),
+                 (Inputs{ThresholdInput{.instance = instance, .threshold = 8.0}}));
+        QCOMPARE(after([](Project& now) { now.gravity = Vec3(1.0, 2.0, 3.0); }),
+                 (Inputs{GravityInput{Vec3(1.0, 2.0, 3.0)}}));
+        Material heavy = block.materials[0];
+        heavy.density = 5000.0;
+        QCOMPARE(after([&](Project& now) { now.materials[0] = heavy; }), (Inputs{MaterialInput{heavy}}));
+    }
+    void severalAtOnce() {
+        const auto inputs = after([](Project& now) {
+            now.assets[0].threshold = 7.0;
+            now.materials[0].friction = 0.1;
+            now.materials[0].restitution = 0.5;
+        });
+        QVERIFY(inputs && inputs->size() == 2);
+    }
+    void whatSaysNothingChangesNothing() {
+        QCOMPARE(after([](Project&) {}), Inputs{});
+        QCOMPARE(after([](Project& now) {
+                     now.materials[0].name = now.assets[0].name = now.instances[0].name = "another";
+                     now.assets[0].intents.push_back({});
+                     now.shots.push_back({.id = now.nextId++, .name = "shot"});
+                 }),
+                 Inputs{});
+    }
+    void theRestBeginsAnew() {
+        QVERIFY(!after([](Project& now) { now.assets[0].prism.depth = 0.4; }));
+        QVERIFY(!after([](Project& now) { now.assets[0].pattern.layers.clear(); }));
+        QVERIFY(!after([](Project& now) { now.instances[0].pose.position.x = 1.0; }));
+        QVERIFY(!after([](Project& now) { now.instances.clear(); }));
+        QVERIFY(!after([](Project& now) { now.instances[0].isFixed = true; }));
+        QVERIFY(!after([](Project& now) { now.materials[0].outside.red = 0.1; }));
+        QVERIFY(!after([](Project& now) { now.ground.height = -1.0; }));
+        QVERIFY(!after([](Project& now) { now.damage.isThesis = true; }));
+        QVERIFY(!after([](Project& now) { now.debris.lifetime = 3.0; }));
+    }
+    void anInstanceGivingUpItsThresholdBeginsAnew() {
+        Project played = test::floatingBlock();
+        Project now = played;
+        played.instances[0].threshold = 50.0;
+        QVERIFY(!liveInputs(played, now));
+    }
+    void playsAsIfItHadBeenSoFromTheStart() {
+        Project now = test::floatingBlock();
+        now.assets[0].threshold = 1e6;
+        Session live = test::sessionOf(test::floatingBlock()), anew = test::sessionOf(now);
+        const auto inputs = liveInputs(test::floatingBlock(), now);
+        for (const PlayInput& input : *inputs) test::give(live, input);
+        for (Session* session : {&live, &anew}) test::give(*session, ShotInput{"throw", test::throwAtBlock(3.0, 60.0)});
+        QCOMPARE(test::breaksWithin(live, 30).size(), 0u);
+        QCOMPARE(test::breaksWithin(anew, 30).size(), 0u);
+        QCOMPARE(live.hash(), anew.hash());
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveInputsTest)
+#include "LiveInputsTest.moc"
