@@ -1,0 +1,224 @@
+#include "editor/play/PlayController.h"
+
+#include "core/play/LiveInputs.h"
+
+#include <QThread>
+
+#include <algorithm>
+#include <future>
+
+namespace rubble {
+
+PlayController::PlayController(const Document& document, const Bakes& bakes, PlayThread::Clock clock, QObject* parent)
+    : QObject(parent), m_document(document), m_bakes(bakes), m_thread(clock) {
+    connect(&document, &Document::changed, this, &PlayController::follow);
+    connect(&bakes, &Bakes::changed, this, &PlayController::tryToStart);
+    connect(&m_thread, &PlayThread::hasNews, this, &PlayController::takeNews);
+    connect(&m_thread, &PlayThread::failed, this, &PlayController::finish);
+}
+
+void PlayController::setState(PlayState state) {
+    if (m_state == state) return;
+    m_state = state;
+    m_thread.setPlaying(state == PlayState::Playing);
+    emit stateChanged();
+}
+
+void PlayController::play() {
+    if (m_state == PlayState::Stopped) {
+        m_isGoingOn = true;
+        return prepare({});
+    }
+    m_isGoingOn = true;
+    if (m_state == PlayState::Paused) setState(PlayState::Playing);
+}
+
+void PlayController::pause() {
+    m_isGoingOn = false;
+    if (m_state == PlayState::Playing) setState(PlayState::Paused);
+}
+
+void PlayController::stop() {
+    m_thread.stop();
+    m_isWaitingForBakes = false;
+    m_scene.reset();
+    m_frame.reset();
+    m_breaks.clear();
+    m_costs.clear();
+    m_lastShot.reset();
+    setState(PlayState::Stopped);
+    emit breaksChanged();
+}
+
+void PlayController::finish(const QString& sentence) {
+    stop();
+    emit said(sentence);
+}
+
+void PlayController::reset() {
+    if (isOn()) prepare({});
+}
+
+void PlayController::replay(PlayScript script) {
+    m_isGoingOn = true;
+    prepare(std::move(script));
+}
+
+void PlayController::stepOnce() {
+    if (!isOn()) return;
+    pause();
+    m_thread.post([](PlayEngine& engine) { engine.step(); });
+}
+
+void PlayController::seek(std::uint64_t step) {
+    if (!isOn()) return;
+    pause();
+    m_thread.seek(step);
+}
+
+void PlayController::setTimeScale(double scale) {
+    if (m_timeScale == scale) return;
+    m_timeScale = scale;
+    m_thread.setTimeScale(scale);
+    emit rulesChanged();
+}
+
+void PlayController::setDestruction(bool isOn) {
+    if (m_hasDestruction == isOn) return;
+    m_hasDestruction = isOn;
+    m_thread.post([isOn](PlayEngine& engine) { engine.add(DestructionInput{isOn}); });
+    emit rulesChanged();
+}
+
+void PlayController::setTools(const PlayTools& tools) {
+    if (m_tools == tools) return;
+    m_tools = tools;
+    emit toolsChanged();
+}
+
+namespace {
+
+Throw charged(Throw thrown, double charge) {
+    thrown.speed *= charge;
+    return thrown;
+}
+
+}  // namespace
+
+void PlayController::aim(const std::optional<Ray>& ray, double charge) {
+    std::optional<Throw> thrown;
+    if (ray) thrown = charged(m_tools.thrown, charge);
+    m_thread.post([thrown, ray](PlayEngine& engine) { engine.aim(thrown, ray.value_or(Ray{})); });
+}
+
+void PlayController::throwAlong(const Ray& ray, double charge) {
+    m_thread.post(
+        [thrown = charged(m_tools.thrown, charge), ray](PlayEngine& engine) { engine.throwAlong(thrown, ray); });
+}
+
+void PlayController::strikeAlong(const Ray& ray) {
+    m_thread.post([blow = m_tools.blow, ray](PlayEngine& engine) { engine.strikeAlong(blow, ray); });
+}
+
+void PlayController::blastAlong(const Ray& ray) {
+    m_thread.post([blast = m_tools.blast, ray](PlayEngine& engine) { engine.blastAlong(blast, ray); });
+}
+
+void PlayController::grabAlong(const Ray& ray) {
+    m_thread.post([grip = m_tools.grip, ray](PlayEngine& engine) { engine.grabAlong(grip, ray); });
+}
+
+void PlayController::dragAlong(const Ray& ray) {
+    m_thread.post([ray](PlayEngine& engine) { engine.dragAlong(ray); });
+}
+
+void PlayController::letGo() {
+    m_thread.post([](PlayEngine& engine) { engine.letGo(); });
+}
+
+void PlayController::fire(const Shot& shot) {
+    m_thread.post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
+}
+
+PlayScript PlayController::script() {
+    if (!m_scene) return {};
+    std::promise<PlayScript> told;
+    m_thread.post([&told](PlayEngine& engine) {
+        told.set_value({engine.timeline().inputs(), engine.timeline().length(), {}});
+    });
+    return told.get_future().get();
+}
+
+void PlayController::prepare(PlayScript script) {
+    m_script = std::move(script);
+    setState(PlayState::Preparing);
+    m_isWaitingForBakes = true;
+    tryToStart();
+}
+
+bool PlayController::areBakesCurrent() const {
+    return std::ranges::all_of(m_document.project().assets, [this](const Asset& asset) {
+        const std::shared_ptr<const BakedAsset> baked = m_bakes.find(asset.id);
+        return baked && *baked->asset == asset;
+    });
+}
+
+/// Begins as soon as all assets are baked as they are now.
+void PlayController::tryToStart() {
+    if (!m_isWaitingForBakes || !areBakesCurrent()) return;
+    m_isWaitingForBakes = false;
+    m_played = m_begunWith = m_document.project();
+    AssetBakes bakes;
+    for (const auto& [asset, baked] : m_bakes.all()) {
+        if (baked->bake) bakes.emplace(asset, baked->bake);
+    }
+    const SessionSettings settings{.hasDestruction = m_hasDestruction, .threads = QThread::idealThreadCount()};
+    m_thread.start([project = m_played, bakes = std::move(bakes), settings, script = std::exchange(m_script, {})](
+                       const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
+        const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
+        if (!scene) return scene.error();
+        return PlayEngine::started(*scene, settings, script);
+    });
+}
+
+void PlayController::follow() {
+    if (!isOn()) return;
+    if (m_isWaitingForBakes) return tryToStart();
+    const std::optional<std::vector<PlayInput>> inputs = liveInputs(m_played, m_document.project());
+    if (!inputs) return prepare({});
+    m_played = m_document.project();
+    for (const PlayInput& input : *inputs) m_thread.post([input](PlayEngine& engine) { engine.add(input); });
+}
+
+double PlayController::share() const {
+    if (!m_frame || m_frame->shownFor <= 0.0) return 1.0;
+    return std::clamp((m_thread.now() - m_frame->shownFrom) / m_frame->shownFor, 0.0, 1.0);
+}
+
+void PlayController::takeNews() {
+    PlayNews news = m_thread.takeNews();
+    if (!isOn() || !news.frame) return;
+    if (m_state == PlayState::Preparing && !m_isWaitingForBakes) {
+        m_scene = news.frame->played;
+        m_breaks.clear();
+        m_costs.clear();
+        m_lastShot.reset();
+        emit breaksChanged();
+        setState(m_isGoingOn ? PlayState::Playing : PlayState::Paused);
+    }
+    const bool areBreaksOther = !news.breaks.empty() || news.forgetBeyond;
+    if (news.forgetBeyond) {
+        std::erase_if(m_breaks, [&](const ToldBreak& one) { return one.step > *news.forgetBeyond; });
+        std::erase_if(m_costs, [&](const StepCost& one) { return one.step > *news.forgetBeyond; });
+    }
+    m_breaks.insert(m_breaks.end(), news.breaks.begin(), news.breaks.end());
+    m_costs.insert(m_costs.end(), news.costs.begin(), news.costs.end());
+    if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
+    if (news.shot) m_lastShot = news.shot;
+    m_frame = std::move(news.frame);
+    for (const std::string& notice : news.notices) emit said(QString::fromStdString(notice));
+    if (areBreaksOther) emit breaksChanged();
+    emit framed();
+}
+
+}  // namespace rubble
