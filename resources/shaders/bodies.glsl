@@ -1,5 +1,6 @@
 // Finds the body of a vertex: where it stands, what it looks like. See RenderScene.
 uniform samplerBuffer motions;  // three texels a body: position and shrinking, orientation (x, y, z, w), way apart
+uniform samplerBuffer earlier;  // the same, a step before; read only where edges.w < 1
 uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks
 
 layout(location = 0) in vec3 position;
@@ -24,12 +25,23 @@ uvec4 lookOfBody() {
 vec3 turned(vec4 orientation, vec3 v) {
     return v + 2.0 * cross(orientation.xyz, cross(orientation.xyz, v) + orientation.w * v);
 }
-vec4 orientationOfBody() { return texelFetch(motions, 3 * bodyIndex() + 1); }
-vec3 pointInScene() {
+struct BodyPose {
+    vec4 place;  // w: how much it has shrunk
+    vec4 orientation;
+};
+// Between the poses a step before and now; turned the shorter way.
+BodyPose poseOfBody() {
     int first = 3 * bodyIndex();
-    vec4 place = texelFetch(motions, first);
-    return place.xyz + edges.z * texelFetch(motions, first + 2).xyz +
-           turned(orientationOfBody(), (1.0 - place.w) * position);
+    BodyPose now = BodyPose(texelFetch(motions, first), texelFetch(motions, first + 1));
+    if (edges.w >= 1.0) return now;
+    vec4 turn = texelFetch(earlier, first + 1);
+    if (dot(turn, now.orientation) < 0.0) turn = -turn;
+    return BodyPose(mix(texelFetch(earlier, first), now.place, edges.w),
+                    normalize(mix(turn, now.orientation, edges.w)));
+}
+vec3 pointInScene(BodyPose pose) {
+    return pose.place.xyz + edges.z * texelFetch(motions, 3 * bodyIndex() + 2).xyz +
+           turned(pose.orientation, (1.0 - pose.place.w) * position);
 }
 // Where nothing is drawn.
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);

@@ -17,7 +17,7 @@ layout(std140) uniform Frame {
     vec4 shaded;         // least and greatest x and z of the ground that shadows reach
     vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows
     vec4 accent;         // sRGB, of what is selected
-    vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor
+    vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor; w: share of the way from earlier poses to those now
     vec4 picture;        // width and height, pixels; w: pixels of the display a point
     uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };

@@ -3,5 +3,5 @@ flat out uint body;
 void main() {
     bool isHidden = (lookOfBody().z & kHidden) != 0u;
     body = uint(bodyIndex()) + 1u;
-    gl_Position = isHidden ? kNowhere : clipFromScene * vec4(pointInScene(), 1.0);
+    gl_Position = isHidden ? kNowhere : clipFromScene * vec4(pointInScene(poseOfBody()), 1.0);
 }

@@ -8,8 +8,9 @@ vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255
 
 void main() {
     uvec4 look = lookOfBody();
-    scenePoint = pointInScene();
-    sceneNormal = turned(orientationOfBody(), normal);
+    BodyPose pose = poseOfBody();
+    scenePoint = pointInScene(pose);
+    sceneNormal = turned(pose.orientation, normal);
     placeAcross = across;
     colour = unpackedColour(side == 0u ? look.x : look.y);
     marks = look.z;

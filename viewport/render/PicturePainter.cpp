@@ -52,13 +52,14 @@ void PicturePainter::drawShadows(const PictureView& view, const std::optional<Li
     light = Light::Plain;
     if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || bounds.isEmpty()) return;
     light = lightSample ? Light::Sampled : Light::Shadowed;
-    if (!lightSample && areShadowsOfScene) return;
-    setFrame(frame);  // for its exploded factor
+    const double moment = scene.scene()->earlier.empty() ? 1.0 : view.moment;
+    if (!lightSample && shadowsMoment == moment) return;
+    setFrame(frame);  // for its exploded factor and its moment
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), bounds);
     if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, bounds);
-    areShadowsOfScene = !lightSample;
+    shadowsMoment = lightSample ? std::nullopt : std::optional(moment);
 }
 
 const ShaderProgram& PicturePainter::lit(const LitPrograms& ways) const {

@@ -46,7 +46,7 @@ struct PicturePainter {
     bool hasSelected = false;
     ShadowMap keyShadow{kShadowWidth};
     ShadowMap skyShadow{kSkyShadowWidth};
-    bool areShadowsOfScene = false;  // those of `scene`, by the middle of the lights
+    std::optional<double> shadowsMoment;  // of `scene`, that keyShadow is of, by the middle of the lights
     Light light = Light::Plain;
     FrameBlock frame{};
     GlBuffer frameBuffer = GlBuffer::made();

@@ -26,6 +26,7 @@ struct Renderer::State : PicturePainter {
     RenderTarget picture, sample, sum, bodies;
     int samplesTaken = 0;                // in `sum`
     std::optional<Camera> bodiesCamera;  // that `bodies` was drawn by
+    double bodiesMoment = 1.0;           // and at
     PixelBox bodiesPart;                 // where it was
 };
 
@@ -49,7 +50,7 @@ void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
     m_state->hasSelected =
         std::ranges::any_of(scene->looks, [](const BodyLook& look) { return (look.marks & kSelected) != 0; });
     m_state->scene.upload(std::move(scene));
-    m_state->areShadowsOfScene = false;
+    m_state->shadowsMoment.reset();
     m_state->bodiesCamera.reset();
 }
 
@@ -96,13 +97,14 @@ std::optional<std::uint32_t> Renderer::bodyAt(const PictureView& view, int x, in
     State& state = *m_state;
     if (x < 0 || y < 0 || x >= view.size.width || y >= view.size.height) return std::nullopt;
     const int up = view.size.height - 1 - y;
-    const bool isKept =
-        state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera && state.bodiesPart.contains(x, up);
+    const bool isKept = state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera &&
+                        state.bodiesMoment == view.moment && state.bodiesPart.contains(x, up);
     state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1).bind();
     if (!isKept) {
         state.bodiesPart = {x - kPickReach, up - kPickReach, 2 * kPickReach + 1, 2 * kPickReach + 1};
         state.drawBodies(view, state.bodiesPart);
         state.bodiesCamera = view.camera;
+        state.bodiesMoment = view.moment;
     }
     std::uint32_t body = 0;
     glReadPixels(x, up, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);

@@ -17,6 +17,7 @@ struct PictureView {
     PictureSize size;
     RenderSettings settings;
     std::optional<std::uint32_t> hovered;  // body under the pointer, drawn brighter
+    double moment = 1.0;                   // in [0, 1]: from where bodies were a step before to where they are
     bool operator==(const PictureView&) const = default;
 };
 

@@ -53,8 +53,10 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
 
 SceneBuffers::SceneBuffers()
     : m_motions(GlBuffer::made()),
+      m_earlier(GlBuffer::made()),
       m_looks(GlBuffer::made()),
       m_motionTexels(GlTexture::made()),
+      m_earlierTexels(GlTexture::made()),
       m_lookTexels(GlTexture::made()) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
@@ -96,6 +98,9 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     writeTexels(m_motions, m_scene->motions);
     bindTexels(TextureUnit::Motions, m_motionTexels);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_motions.id());
+    writeTexels(m_earlier, m_scene->earlier);
+    bindTexels(TextureUnit::Earlier, m_earlierTexels);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_earlier.id());
     writeTexels(m_looks, m_scene->looks);
     bindTexels(TextureUnit::Looks, m_lookTexels);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, m_looks.id());
@@ -103,6 +108,7 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
 
 void SceneBuffers::draw(Part part) const {
     bindTexels(TextureUnit::Motions, m_motionTexels);
+    bindTexels(TextureUnit::Earlier, m_earlierTexels);
     bindTexels(TextureUnit::Looks, m_lookTexels);
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];

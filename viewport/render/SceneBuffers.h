@@ -39,8 +39,10 @@ private:
     std::vector<Geometry> m_geometries;
     std::vector<Batch> m_batches;
     GlBuffer m_motions;
+    GlBuffer m_earlier;
     GlBuffer m_looks;
     GlTexture m_motionTexels;
+    GlTexture m_earlierTexels;
     GlTexture m_lookTexels;
 };
 

@@ -13,11 +13,9 @@ struct Sampler {
     const char* name;
     TextureUnit unit;
 };
-constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},
-                                 {"looks", TextureUnit::Looks},
-                                 {"keyShadow", TextureUnit::KeyShadow},
-                                 {"skyShadow", TextureUnit::SkyShadow},
-                                 {"source", TextureUnit::Source}};
+constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},     {"earlier", TextureUnit::Earlier},
+                                 {"looks", TextureUnit::Looks},         {"keyShadow", TextureUnit::KeyShadow},
+                                 {"skyShadow", TextureUnit::SkyShadow}, {"source", TextureUnit::Source}};
 
 /// A driver's words as one line.
 std::string oneLine(std::string text) {

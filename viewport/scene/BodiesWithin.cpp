@@ -28,7 +28,7 @@ Vec3 middleOf(const DrawnPose& motion, const Box3& box, double exploded) {
 }  // namespace
 
 std::vector<std::uint32_t> bodiesWithin(const RenderScene& scene, const Camera& camera, PictureSize size,
-                                        const Box2& pixels) {
+                                        const Box2& pixels, double moment) {
     const CameraMatrices matrices = matricesOf(camera, size, scene.origin, boundsOf(scene));
     std::vector<std::uint32_t> bodies;
     for (const SceneBatch& batch : scene.batches) {
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> bodiesWithin(const RenderScene& scene, const Camera& 
             for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
                 const std::uint32_t body = first + piece;
                 if ((scene.looks[body].marks & kHidden) != 0) continue;
-                const Vec3 middle = middleOf(scene.motions[body], batch.geometry->boxes[piece], scene.exploded);
+                const Vec3 middle = middleOf(poseAt(scene, body, moment), batch.geometry->boxes[piece], scene.exploded);
                 const std::optional<Vec2> pixel = pixelOf(middle, matrices, size);
                 if (pixel && isWithin(*pixel, pixels)) bodies.push_back(body);
             }

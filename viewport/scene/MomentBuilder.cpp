@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kKeptMoments = 3;  // one drawn, one about to be, one written
+constexpr std::size_t kKeptMoments = 4;  // one drawn, one about to be, the last, one written
 constexpr Colour kMissileColour{0.30, 0.34, 0.40};
 
 AssetModel missileModel(const Polytope& hull, const SceneOptions& options) {
@@ -98,6 +98,40 @@ bool MomentBuilder::isWritten(const Session& session, RenderScene& moment) const
     return true;
 }
 
+/// Writes where bodies were a step before, or nothing where it is not known.
+void MomentBuilder::writeEarlier(std::uint64_t step, RenderScene& moment) const {
+    moment.earlier.clear();
+    if (m_last == nullptr) return;
+    if (step == m_lastStep && moment.motions == m_last->motions) moment.earlier = m_last->earlier;
+    if (step != m_lastStep + 1) return;
+    moment.earlier = m_last->motions;
+    for (std::size_t k = 0; k < moment.looks.size(); ++k) {
+        if ((m_last->looks[k].marks & kHidden) != 0) moment.earlier[k] = moment.motions[k];
+    }
+}
+
+/// Lays the last moment out anew, with what had its place and has one.
+void MomentBuilder::keepLast(const std::vector<Places>& placesThen) {
+    if (m_last == nullptr) return;
+    const auto kept = std::make_shared<RenderScene>(m_layout);
+    if (!m_last->earlier.empty()) kept->earlier = m_layout.motions;
+    for (std::size_t origin = 0; origin < std::min(placesThen.size(), m_places.size()); ++origin) {
+        for (const Place& then : placesThen[origin]) {
+            const auto isIts = [&](const Place& place) { return place.asset == then.asset && place.hull == then.hull; };
+            const auto now = std::ranges::find_if(m_places[origin], isIts);
+            if (then.first == kNone || now == m_places[origin].end() || now->first == kNone) continue;
+            const std::size_t pieces = then.asset != nullptr ? 1 + then.asset->bake->fragmentCount() : 1;
+            const auto copy = [&](const auto& from, auto& to) {
+                std::copy_n(from.begin() + then.first, pieces, to.begin() + now->first);
+            };
+            copy(m_last->motions, kept->motions);
+            copy(m_last->looks, kept->looks);
+            if (!m_last->earlier.empty()) copy(m_last->earlier, kept->earlier);
+        }
+    }
+    m_last = kept;
+}
+
 /// Gives one more model of an origin its place.
 void MomentBuilder::addPlace(const Session& session, std::uint32_t origin, const Place& added) {
     Places& places = m_places[origin];
@@ -119,7 +153,7 @@ void MomentBuilder::layOut(const Session& session) {
     m_moments.clear();
     m_models.resize(m_scene->assets.size());
     m_layout = emptyLayout();
-    m_places.assign(session.origins().size(), {});
+    const std::vector<Places> placesThen = std::exchange(m_places, std::vector<Places>(session.origins().size()));
     for (std::uint32_t origin = 0; origin < m_places.size(); ++origin) {
         const PlayOrigin& told = session.origins()[origin];
         if (told.instance != 0) addPlace(session, origin, {.asset = m_scene->assets.at(told.asset)});
@@ -129,11 +163,12 @@ void MomentBuilder::layOut(const Session& session) {
         addPlace(session, body.origin, {.asset = body.asset, .hull = body.hull});
     }
     paint();
+    keepLast(placesThen);
 }
 
 void MomentBuilder::paint() {
     m_layout.motions.resize(m_layout.picks.size());
-    m_layout.looks.resize(m_layout.picks.size());
+    m_layout.looks.assign(m_layout.picks.size(), {.marks = kHidden});
     std::vector<const AssetModel*> models;
     for (const Model& model : m_models) models.push_back(&model.drawn);
     paintBodies(m_layout, models, m_scene->project, m_options.colouring);
@@ -147,8 +182,8 @@ std::shared_ptr<RenderScene> MomentBuilder::freeMoment() {
     return m_moments.emplace_back(std::make_shared<RenderScene>(m_layout));
 }
 
-std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& session) {
-    RUBBLE_ASSERT(&session.scene() == m_scene.get());
+/// Without what was earlier.
+std::shared_ptr<RenderScene> MomentBuilder::writtenMoment(const Session& session) {
     std::shared_ptr<RenderScene> moment = freeMoment();
     if (isWritten(session, *moment)) return moment;
     moment.reset();
@@ -156,6 +191,15 @@ std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& sessio
     moment = freeMoment();
     const bool isWhole = isWritten(session, *moment);
     RUBBLE_ASSERT(isWhole);
+    return moment;
+}
+
+std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& session) {
+    RUBBLE_ASSERT(&session.scene() == m_scene.get());
+    const std::shared_ptr<RenderScene> moment = writtenMoment(session);
+    writeEarlier(session.stepsDone(), *moment);
+    m_last = moment;
+    m_lastStep = session.stepsDone();
     return moment;
 }
 

@@ -23,6 +23,9 @@ public:
     /// The bodies of a session over the scene where they are now; the ground is drawn as any scene's. A few numbers a body, or
     /// for the first moment with something new in it, a few times as much. A scene that nobody holds any more is used
     /// again: let go of them in the thread that calls this.
+    ///
+    /// Called after each step, it says where bodies were a step before. After anything but one step (a start, several
+    /// steps, a way back) nothing moves in the scene; asked again for the same moment it says the same.
     std::shared_ptr<const RenderScene> momentOf(const Session& session);
 
 private:
@@ -38,8 +41,11 @@ private:
     using Places = std::array<Place, 2>;
 
     std::shared_ptr<RenderScene> freeMoment();
+    std::shared_ptr<RenderScene> writtenMoment(const Session& session);
     std::uint32_t sceneBodyOf(const PlayBody& body) const;
     bool isWritten(const Session& session, RenderScene& moment) const;
+    void writeEarlier(std::uint64_t step, RenderScene& moment) const;
+    void keepLast(const std::vector<Places>& placesThen);
     RenderScene emptyLayout() const;
     void layOut(const Session& session);
     void addPlace(const Session& session, std::uint32_t origin, const Place& added);
@@ -52,6 +58,8 @@ private:
     std::vector<Places> m_places;  // one an origin
     RenderScene m_layout;          // what all moments share, with everything hidden
     std::vector<std::shared_ptr<RenderScene>> m_moments;
+    std::shared_ptr<const RenderScene> m_last;  // the last moment, laid out as m_layout is
+    std::uint64_t m_lastStep = 0;
 };
 
 /// The body that a click in a moment's scene has hit; null where it is gone. Linear in bodies.

@@ -1,5 +1,8 @@
 #include "viewport/scene/RenderScene.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace rubble {
@@ -30,6 +33,18 @@ DrawnPose drawnPose(const Pose& pose, Vec3 origin) {
             {orientation.x, orientation.y, orientation.z, orientation.w}};
 }
 
+DrawnPose between(const DrawnPose& from, const DrawnPose& to, double share) {
+    const auto part = static_cast<float>(share);
+    const float side = glm::dot(from.orientation, to.orientation) < 0.0f ? -1.0f : 1.0f;
+    return {glm::mix(from.position, to.position, part),
+            glm::normalize(glm::mix(side * from.orientation, to.orientation, part)), to.apart};
+}
+
+DrawnPose poseAt(const RenderScene& scene, std::uint32_t body, double moment) {
+    const DrawnPose& now = scene.motions[body];
+    return moment >= 1.0 || scene.earlier.empty() ? now : between(scene.earlier[body], now, moment);
+}
+
 void setMarks(RenderScene& scene, const SceneMarks& marks) {
     SceneMarks sorted = marks;
     for (std::vector<PickId>* ids : {&sorted.hidden, &sorted.selected, &sorted.hovered}) std::ranges::sort(*ids);
@@ -48,7 +63,10 @@ Box3 boundsOf(const RenderScene& scene, std::uint32_t marks) {
             for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
                 const std::uint32_t has = scene.looks[first + piece].marks;
                 const bool isMeant = (has & kHidden) == 0 && (marks == 0 || (has & marks) != 0);
-                if (isMeant) include(bounds, batch.geometry->boxes[piece], scene.motions[first + piece], scene);
+                if (!isMeant) continue;
+                include(bounds, batch.geometry->boxes[piece], scene.motions[first + piece], scene);
+                if (scene.earlier.empty()) continue;
+                include(bounds, batch.geometry->boxes[piece], scene.earlier[first + piece], scene);
             }
         }
     }

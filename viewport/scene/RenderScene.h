@@ -28,10 +28,14 @@ struct DrawnPose {
         0.0f};  // m, relative to RenderScene::origin; w: how much it has shrunk, 0 as it is, 1 to a point
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
     glm::vec4 apart{0.0f};                          // m at an exploded factor of 1
+    bool operator==(const DrawnPose&) const = default;
 };
 
 /// Where a pose is drawn in a scene with that origin.
 DrawnPose drawnPose(const Pose& pose, Vec3 origin);
+
+/// Between two poses: `share` 0 gives `from`, 1 gives `to`. Turns the shorter way round, as shaders do.
+DrawnPose between(const DrawnPose& from, const DrawnPose& to, double share);
 
 /// What a body looks like. Colours are sRGB, 0xRRGGBB.
 struct BodyLook {
@@ -59,10 +63,15 @@ struct RenderScene {
     std::vector<DrawnPose> motions;  // this and the following: one a body
     std::vector<BodyLook> looks;
     std::vector<PickId> picks;
+    std::vector<DrawnPose>
+        earlier;            // motions a step before; those now for what was not there. Empty where nothing moves
     double exploded = 0.0;  // factor of DrawnPose::apart
     bool hasGround = true;
     double groundHeight = 0.0;  // m
 };
+
+/// Where a body is drawn at a moment in [0, 1] of the step that led to the scene (see PictureView).
+DrawnPose poseAt(const RenderScene& scene, std::uint32_t body, double moment);
 
 /// Marks bodies anew: a body is hidden, selected or hovered where one of the ids stands for it.
 struct SceneMarks {
@@ -72,8 +81,8 @@ struct SceneMarks {
 };
 void setMarks(RenderScene& scene, const SceneMarks& marks);
 
-/// A box in the world around all bodies that are not hidden, as exploded as they are; around those only that have
-/// one of `marks`, where it is given. Empty (min > max) where there are none.
+/// A box in the world around all bodies that are not hidden, as exploded as they are, where they are and where they were
+/// earlier; around those only that have one of `marks`, where it is given. Empty (min > max) where there are none.
 Box3 boundsOf(const RenderScene& scene, std::uint32_t marks = 0);
 
 }  // namespace rubble

@@ -24,11 +24,18 @@ std::shared_ptr<const RenderScene> houseScene(const SceneOptions& options) {
     return std::make_shared<const RenderScene>(sceneOf(house, bakes, options));
 }
 
-QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderSettings& settings, int samples) {
-    PictureView view{.camera = orbited({}, 0.6, 0.4), .size = kSize, .settings = settings};
-    view.camera = framing(view.camera, boundsOf(*scene), kSize);
+PictureView viewOf(const RenderScene& scene, const RenderSettings& settings, double moment = 1.0) {
+    PictureView view{.camera = orbited({}, 0.6, 0.4), .size = kSize, .settings = settings, .moment = moment};
+    view.camera = framing(view.camera, boundsOf(scene), kSize);
+    return view;
+}
+
+QImage shown(const std::shared_ptr<const RenderScene>& scene, const PictureView& view, int samples = 0) {
     const Image image = pictureOf(scene, view, samples).value();
     return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
+}
+QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderSettings& settings, int samples) {
+    return shown(scene, viewOf(*scene, settings), samples);
 }
 
 }  // namespace
@@ -75,6 +82,23 @@ private slots:
         const QImage moment = shown(MomentBuilder(play).momentOf(session), {.msaa = 4}, 0);
         const QImage wholes = shown(houseScene({.isWhole = true}), {.msaa = 4}, 0);
         QVERIFY(meanDifference(moment, wholes) < 0.05);
+    }
+    void halfWayThroughAStepABodyIsHalfWay() {
+        RenderScene scene = *houseScene({.isWhole = true});
+        scene.earlier = scene.motions;
+        for (std::size_t k = 0; k < scene.motions.size(); k += 3) {
+            scene.earlier[k].position += glm::vec4(0.0f, 1.0f, 0.5f, 0.4f);
+            scene.earlier[k].orientation = -glm::normalize(glm::vec4(0.3f, 0.1f, 0.2f, 0.9f));
+        }
+        RenderScene half = scene;
+        for (std::uint32_t k = 0; k < scene.motions.size(); ++k) half.motions[k] = poseAt(scene, k, 0.5);
+        half.earlier.clear();
+        const auto moving = std::make_shared<const RenderScene>(scene);
+        const PictureView view = viewOf(half, {.msaa = 4}, 0.5);
+        const QImage expected = shown(std::make_shared<RenderScene>(half), view);
+        QVERIFY(meanDifference(shown(moving, view), expected) < 0.08);  // shadows, too, but for their sharpness
+        QVERIFY(meanDifference(shown(moving, viewOf(half, {.msaa = 4}, 1.0)), expected) > 1.0);
+        QVERIFY(meanDifference(shown(moving, viewOf(half, {.msaa = 4}, 0.0)), expected) > 1.0);
     }
     void sidesOutOfRangeAreRefused() {
         for (const PictureSize size : {PictureSize{0, 10}, PictureSize{10, 8193}}) {

@@ -52,6 +52,21 @@ private slots:
         QVERIFY(!m_renderer->bodyAt(view, 0, 0));
         QVERIFY(!m_renderer->bodyAt(view, -1, 500));
     }
+    void whatMovesIsPickedWhereItIsDrawn() {
+        RenderScene moved = *wallScene();
+        const std::uint32_t body = pickedAt(moved, 1.0).value();
+        moved.earlier = moved.motions;
+        moved.earlier[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of the picture
+        QCOMPARE(pickedAt(moved, 1.0), std::optional(body));
+        QVERIFY(pickedAt(moved, 0.5) != body);
+        moved.earlier[body].position -= glm::vec4(8.0f, 0.0f, 0.0f, 0.0f);
+        for (DrawnPose& now : moved.motions) now.position.x += 4.0f;  // half-way they stand where they stood
+        for (std::uint32_t k = 0; k < moved.earlier.size(); ++k) {
+            if (k != body) moved.earlier[k].position.x -= 4.0f;
+        }
+        QCOMPARE(pickedAt(moved, 0.5), std::optional(body));
+        QVERIFY(pickedAt(moved, 1.0) != body);
+    }
     void whatIsHiddenIsNotPicked() {
         const auto all = wallScene();
         m_renderer->setScene(all);
@@ -62,6 +77,14 @@ private slots:
     }
 
 private:
+    /// The body in the middle of the wall as it stands, at a moment of a scene's step.
+    std::optional<std::uint32_t> pickedAt(const RenderScene& scene, double moment) {
+        PictureView view = frontView(*wallScene());
+        view.moment = moment;
+        m_renderer->setScene(std::make_shared<RenderScene>(scene));
+        return m_renderer->bodyAt(view, 100, 100);
+    }
+
     std::unique_ptr<SurfacelessContext> m_context;
     std::unique_ptr<Renderer> m_renderer;
 };

@@ -165,6 +165,70 @@ private slots:
         const auto gone = drawn.momentAfter(20);
         QCOMPARE(shownBodies(*gone).size(), std::size_t{1});  // the block that stood there is no debris
     }
+    void whatMovesGoesFromWhereItWasToWhereItIs() {
+        Drawn drawn(floatingBlock(5));
+        give(drawn.session, ShotInput{"box", test::throwAtBlock(1.0, 6.0)});
+        const auto first = drawn.momentAfter(1), second = drawn.momentAfter(1);
+        const std::uint32_t box = shownBodies(*second).back();
+        QVERIFY(first->earlier.empty() || first->earlier[box] == first->motions[box]);
+        QVERIFY(poseAt(*second, box, 0.0).position == first->motions[box].position);
+        QVERIFY(poseAt(*second, box, 1.0) == second->motions[box]);
+        const glm::vec4 half = poseAt(*second, box, 0.5).position;
+        QVERIFY(glm::length(half - 0.5f * (first->motions[box].position + second->motions[box].position)) < 1e-6f);
+        QVERIFY(glm::distance(first->motions[box].position, second->motions[box].position) > 0.09f);  // 6 m/s
+    }
+    void itTurnsTheShorterWay() {
+        const DrawnPose from{.orientation = {0.0f, 0.0f, 0.0f, 1.0f}};
+        const DrawnPose to{.orientation = {0.0f, -0.6f, 0.0f, -0.8f}};  // as (0, 0.6, 0, 0.8)
+        const glm::vec4 half = between(from, to, 0.5).orientation;
+        QVERIFY(std::abs(half.y / half.w) < 0.34f && std::abs(half.y / half.w) > 0.33f);  // the tangent of half as much
+        QVERIFY(std::abs(glm::length(half) - 1.0f) < 1e-6f);
+    }
+    void whatIsBornIsAtOnceWhereItIs() {
+        Drawn drawn(floatingBlock(5));
+        give(drawn.session, ShotInput{"box", test::throwAtBlock(20.0, 12.0)});
+        std::size_t bodies = 0;
+        for (int k = 0; k < 20; ++k) {
+            const auto moment = drawn.momentAfter(1);
+            for (const PlayBody& body : drawn.session.events().born) {
+                const auto isIt = [&](std::uint32_t shown) {
+                    return bodyOf(drawn.session, moment->picks[shown])->number == body.number;
+                };
+                const std::vector<std::uint32_t> shown = shownBodies(*moment);
+                const std::uint32_t at = *std::ranges::find_if(shown, isIt);
+                QVERIFY(moment->earlier.empty() || moment->earlier[at] == moment->motions[at]);
+                ++bodies;
+            }
+        }
+        QCOMPARE(bodies, std::size_t{6});  // the box and five pieces
+    }
+    void whatWasThereGoesOnWhenMoreIsThrown() {
+        Drawn drawn(floatingBlock(5));
+        give(drawn.session, ShotInput{"box", test::throwAtBlock(1.0, 2.0)});
+        drawn.momentAfter(2);
+        const auto before = drawn.momentAfter(1);
+        Throw ball = test::throwAtBlock(1.0, 1.0);
+        ball.size *= 2.0;
+        ball.from.y = ball.to.y = 20.0;
+        give(drawn.session, ShotInput{"another", ball});
+        const auto after = drawn.momentAfter(1);
+        QVERIFY(after->motions.size() > before->motions.size());
+        QVERIFY(poseAt(*after, 6, 0.0).position == before->motions[6].position);
+        QVERIFY(after->earlier[7] == after->motions[7]);
+    }
+    void nothingMovesInAMomentThatDoesNotFollowTheLast() {
+        Drawn drawn(floatingBlock(5));
+        give(drawn.session, ShotInput{"box", test::throwAtBlock(1.0, 2.0)});
+        QVERIFY(drawn.moment()->earlier.empty());
+        QVERIFY(drawn.momentAfter(2)->earlier.empty());
+        const auto start = drawn.session.snapshot();
+        const auto next = drawn.momentAfter(1);
+        QCOMPARE(next->earlier.size(), next->motions.size());
+        QVERIFY(drawn.moment()->earlier == next->earlier);  // the same moment once more
+        drawn.session.restore(*start);
+        QVERIFY(drawn.moment()->earlier.empty());
+        QVERIFY(!drawn.momentAfter(1)->earlier.empty());
+    }
     void aSceneThatSomebodyHoldsStaysAsItIs() {
         Drawn drawn(floatingBlock(5));
         const auto held = drawn.moment();
@@ -172,6 +236,7 @@ private slots:
         const RenderScene* second = drawn.momentAfterBreaking(kBlock).get();
         QVERIFY(second != held.get());
         QVERIFY(shownBodies(*held) == shownBodies(copy) && held->motions[0].position == copy.motions[0].position);
+        QVERIFY(drawn.momentAfter(1).get() != second);  // the last moment is held by who makes the next
         QVERIFY(drawn.momentAfter(1).get() == second);  // that nobody holds
     }
     void aSessionThatGoesBackIsDrawnAsItWas() {
