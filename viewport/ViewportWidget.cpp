@@ -85,6 +85,20 @@ void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
     showFrom(m_camera);
 }
 
+void ViewportWidget::setMoment(double moment) {
+    if (m_moment == moment) return;
+    m_moment = moment;
+    showFrom(m_camera);
+}
+
+Ray ViewportWidget::rayAt(QPointF point) const { return rayThrough(m_camera, pixels(point), pictureSize()); }
+
+std::optional<QPointF> ViewportWidget::pointOf(Vec3 place) const {
+    const std::optional<Vec2> pixel = pixelOf(m_camera, place, pictureSize());
+    if (!pixel) return std::nullopt;
+    return QPointF(pixel->x, pixel->y) / devicePixelRatioF();
+}
+
 void ViewportWidget::setSettings(const RenderSettings& settings) {
     m_settings = settings;
     showFrom(m_camera);
@@ -103,7 +117,7 @@ Vec2 ViewportWidget::pixels(QPointF point) const { return devicePixelRatioF() * 
 void ViewportWidget::showFrom(const Camera& camera) {
     m_camera = camera;
     if (m_canvas == nullptr) return;
-    m_canvas->setView({.camera = camera, .size = {}, .settings = m_settings, .hovered = m_hovered});
+    m_canvas->setView({.camera = camera, .size = {}, .settings = m_settings, .hovered = m_hovered, .moment = m_moment});
 }
 
 void ViewportWidget::setCamera(const Camera& camera) {

@@ -32,6 +32,14 @@ public:
     void setScene(std::shared_ptr<const RenderScene> scene);
     const RenderScene& scene() const { return *m_scene; }
 
+    /// Which moment of a scene in motion is shown, in [0, 1]: 0 where bodies were a step before, 1 where they are.
+    void setMoment(double moment);
+
+    /// What lies behind a point of the widget.
+    Ray rayAt(QPointF point) const;
+    /// Where a point of the world is seen in the widget; nothing where it lies behind the eye.
+    std::optional<QPointF> pointOf(Vec3 place) const;
+
     void setSettings(const RenderSettings& settings);
     const RenderSettings& settings() const { return m_settings; }
     void setNavigation(NavigationStyle style) { m_style = style; }
@@ -90,6 +98,7 @@ private:
     ViewportCanvas* m_canvas = nullptr;  // null where there is no OpenGL
     QLabel* m_fault = nullptr;           // null where there is
     std::shared_ptr<const RenderScene> m_scene;
+    double m_moment = 1.0;
     RenderSettings m_settings;
     NavigationStyle m_style = NavigationStyle::Blender;
     bool m_hasFlights = true;

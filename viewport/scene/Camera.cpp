@@ -72,6 +72,28 @@ CameraAxes axesOf(const Camera& camera) {
 
 Vec3 eyeOf(const Camera& camera) { return camera.target + camera.distance * axesOf(camera).back; }
 
+Ray rayThrough(const Camera& camera, Vec2 pixel, PictureSize size) {
+    const CameraAxes axes = axesOf(camera);
+    const Vec2 fromMiddle(pixel.x - 0.5 * size.width, 0.5 * size.height - pixel.y);
+    const Vec3 aside = metresPerPixel(camera, size) * (fromMiddle.x * axes.right + fromMiddle.y * axes.up);
+    const Vec3 eye = eyeOf(camera);
+    if (camera.projection == Projection::Orthographic) return {eye + aside, -axes.back};
+    return {eye, glm::normalize(camera.target + aside - eye)};
+}
+
+std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, PictureSize size) {
+    const CameraAxes axes = axesOf(camera);
+    const Vec3 way = point - camera.target;
+    double scale = 1.0 / metresPerPixel(camera, size);
+    if (camera.projection == Projection::Perspective) {
+        const double depth = camera.distance - glm::dot(way, axes.back);
+        if (depth <= 0.0) return std::nullopt;
+        scale *= camera.distance / depth;
+    }
+    return Vec2(0.5 * size.width + scale * glm::dot(way, axes.right),
+                0.5 * size.height - scale * glm::dot(way, axes.up));
+}
+
 double metresPerPixel(const Camera& camera, PictureSize size) {
     return 2.0 * camera.distance * halfTangent(camera) / static_cast<double>(size.height);
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/geometry/Ray.h"
 #include "core/geometry/TriangleMesh.h"
 #include "core/geometry/Vec.h"
 
 #include <glm/mat4x4.hpp>
+
+#include <optional>
 
 namespace rubble {
 
@@ -38,6 +41,12 @@ struct CameraAxes {
 };
 CameraAxes axesOf(const Camera& camera);
 Vec3 eyeOf(const Camera& camera);
+
+/// What lies behind a point of the picture (pixels from its top left corner): from the eye, or where lines of sight are parallel from the
+/// target's plane moved back by the camera's distance.
+Ray rayThrough(const Camera& camera, Vec2 pixel, PictureSize size);
+/// Where a point of the world is seen, pixels from the top left corner; nothing where it lies behind the eye.
+std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, PictureSize size);
 
 /// Metres that a pixel spans at the target.
 double metresPerPixel(const Camera& camera, PictureSize size);

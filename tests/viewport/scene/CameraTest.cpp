@@ -109,6 +109,27 @@ private slots:
         QVERIFY(std::abs(between(from, to, 0.5).azimuth - std::numbers::pi) < 1e-15);
         QCOMPARE(between(from, to, 0.5).distance, 15.0);
     }
+    void raysGoWherePointsAreSeen() {
+        std::mt19937 random(5);
+        for (int round = 0; round < 100; ++round) {
+            const Camera camera = randomCamera(random);
+            const CameraAxes axes = axesOf(camera);
+            const double reach = 0.3 * camera.distance;
+            const Vec3 point = camera.target + reach * (0.3 * axes.right - 0.2 * axes.up + 0.9 * axes.back);
+            const std::optional<Vec2> pixel = pixelOf(camera, point, kSize);
+            QVERIFY(pixel && isNear(*pixel, pixelOf(point, camera, boxAround(point, 1.0))));
+            const Ray ray = rayThrough(camera, *pixel, kSize);
+            const Vec3 nearest = ray.at(glm::dot(point - ray.from, ray.direction));
+            QVERIFY(glm::distance(nearest, point) < 1e-9 * camera.distance);
+            QVERIFY(std::abs(glm::length(ray.direction) - 1.0) < 1e-12);
+        }
+    }
+    void whatLiesBehindTheEyeIsNotSeen() {
+        const Camera seeing, parallel{.projection = Projection::Orthographic};
+        const Vec3 behind = eyeOf(seeing) + axesOf(seeing).back;
+        QVERIFY(!pixelOf(seeing, behind, kSize));
+        QVERIFY(pixelOf(parallel, behind, kSize));
+    }
 };
 
 QTEST_GUILESS_MAIN(CameraTest)
