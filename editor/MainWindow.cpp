@@ -5,6 +5,7 @@
 #include "editor/EditActions.h"
 #include "editor/FileActions.h"
 #include "editor/HelpActions.h"
+#include "editor/PlayActions.h"
 #include "editor/Program.h"
 #include "editor/StartPage.h"
 #include "editor/ViewActions.h"
@@ -52,9 +53,10 @@ MainWindow::MainWindow(Program& program, Project project)
     m_editActions = new EditActions(*this);
     m_assetActions = new AssetActions(*this);
     m_viewActions = new ViewActions(*this);
+    m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
     for (QMenu* menu : {m_fileActions->menu(), m_editActions->menu(), m_viewActions->menu(), m_assetActions->menu(),
-                        m_helpActions->menu()}) {
+                        m_playActions->menu(), m_helpActions->menu()}) {
         menuBar()->addMenu(menu);
     }
     auto* start = new StartPage(program.recentFiles());
@@ -104,6 +106,7 @@ void MainWindow::showWork() {
     for (QToolBar* bar : m_toolBars) bar->show();
     m_views->showDocks(true);
     m_viewActions->setWorking(true);
+    m_playActions->setWorking(true);
     m_views->fit();
 }
 
@@ -138,6 +141,7 @@ void MainWindow::makeToolBars() {
     add("bar-file", tr("File"), m_fileActions->toolbarActions());
     add("bar-edit", tr("Edit"), m_editActions->toolbarActions());
     add("bar-asset", tr("Asset"), m_assetActions->toolbarActions());
+    add("bar-play", tr("Play"), m_playActions->toolbarActions());
     add("bar-tools", tr("Tools"), m_viewActions->toolActions());
     add("bar-canvas", tr("Canvas"), m_viewActions->canvasActions());
     for (QToolBar* bar : m_toolBars) bar->hide();

@@ -15,6 +15,7 @@ class AssetActions;
 class EditActions;
 class FileActions;
 class HelpActions;
+class PlayActions;
 class Program;
 class ViewActions;
 class Views;
@@ -61,6 +62,7 @@ private:
     EditActions* m_editActions = nullptr;
     AssetActions* m_assetActions = nullptr;
     ViewActions* m_viewActions = nullptr;
+    PlayActions* m_playActions = nullptr;
     HelpActions* m_helpActions = nullptr;
     QList<QToolBar*> m_toolBars;
     QLabel* m_hint = nullptr;

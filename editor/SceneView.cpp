@@ -2,6 +2,8 @@
 
 #include "editor/Action.h"
 #include "editor/ChoiceBox.h"
+#include "editor/PlayView.h"
+#include "editor/TimelineBar.h"
 #include "editor/ViewportLook.h"
 #include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
@@ -34,7 +36,11 @@ AssetBakes bakesOf(const Bakes& bakes) {
 }  // namespace
 
 SceneView::SceneView(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), m_workspace(workspace), m_viewport(new ViewportWidget) {
+    : QWidget(parent),
+      m_workspace(workspace),
+      m_viewport(new ViewportWidget),
+      m_playView(new PlayView(workspace.play(), *m_viewport)),
+      m_timeline(new TimelineBar(workspace.play())) {
     setFocusProxy(m_viewport);
     addViews();
     addToggles();
@@ -43,6 +49,9 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     rows->setSpacing(0);
     rows->addWidget(makeBar());
     rows->addWidget(m_viewport, 1);
+    rows->addWidget(m_timeline);
+    m_timeline->hide();
+    connect(&workspace.play(), &PlayController::stateChanged, this, &SceneView::takePlayState);
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
     connect(&m_timer, &QTimer::timeout, this, &SceneView::update);
@@ -141,9 +150,8 @@ QWidget* SceneView::makeBar() {
         m_options.colouring = static_cast<SceneColouring>(index);
         invalidate();
     });
-    bar->addWidget(scope);
-    bar->addWidget(colouring);
-    bar->addWidget(makeExploded());
+    m_notInPlay = {scope, colouring, makeExploded()};
+    for (QWidget* control : m_notInPlay) bar->addWidget(control);
     for (QAction* action : actions()) {
         if (action->isCheckable() || action->objectName() == "view-home") bar->addAction(action);
     }
@@ -171,8 +179,17 @@ QWidget* SceneView::makeExploded() {
     return box;
 }
 
+/// While it is played the scene is not the document's.
+void SceneView::takePlayState() {
+    const bool isOn = m_workspace.play().isOn();
+    m_timeline->setVisible(isOn);
+    for (QWidget* control : m_notInPlay) control->setEnabled(!isOn);
+    if (!isOn) invalidate();
+}
+
 void SceneView::update() {
     m_timer.stop();
+    if (m_workspace.play().frame()) return;
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
     m_options.marks = marks();
     m_viewport->setScene(std::make_shared<const RenderScene>(

@@ -14,6 +14,7 @@ class QSlider;
 
 namespace rubble {
 
+class PlayView;
 class ViewportWidget;
 
 /// The 3D view of a workspace with its bar: makes scenes of what was baked, marks what is chosen and hidden, and turns
@@ -26,6 +27,8 @@ public:
     ViewportWidget& viewport() { return *m_viewport; }
     void frameAll();
     void takePreferences(const Preferences& preferences);
+    /// What is played is shown by it.
+    PlayView& playView() { return *m_playView; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -45,6 +48,7 @@ private:
     /// Of an asset's fragments, in the bake's order; none where there is no bake.
     std::vector<SeedId> seedsOf(Id asset) const;
     void chooseNothing();
+    void takePlayState();
     void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
 
     Workspace& m_workspace;
@@ -53,6 +57,9 @@ private:
     SceneOptions m_options;
     bool m_isAssetOnly = false;
     QTimer m_timer;
+    PlayView* m_playView;
+    QWidget* m_timeline;
+    QList<QWidget*> m_notInPlay;  // controls of the bar that say nothing while it is played
 };
 
 }  // namespace rubble

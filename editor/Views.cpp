@@ -10,7 +10,10 @@
 #include "editor/panels/HistoryPanel.h"
 #include "editor/panels/Inspector.h"
 #include "editor/panels/MessagesPanel.h"
+#include "editor/panels/PlayPanel.h"
 #include "editor/panels/ProjectTree.h"
+#include "editor/panels/ToolsPanel.h"
+#include "viewport/ViewportWidget.h"
 
 #include <QDockWidget>
 #include <QLocale>
@@ -27,8 +30,9 @@ constexpr const char* kStateKey = "window/state";
 constexpr const char* kFoldedKey = "window/folded";  // sections of the inspector
 constexpr int kTreeWidth = 240;                      // this and the following: pixels, at first
 constexpr int kInspectorWidth = 320;
+constexpr double kAroundBreak = 1.5;  // m that are shown on each side of a break
 constexpr int kTableHeight = 240;
-constexpr int kStateVersion = 1;  // of the docks: another set of docks, another version
+constexpr int kStateVersion = 2;  // of the docks: another set of docks, another version
 
 }  // namespace
 
@@ -84,6 +88,16 @@ void Views::makeDocks() {
     addDock("dock-fragments", tr("Fragments"), m_fragments, Qt::BottomDockWidgetArea);
     addDock("dock-messages", tr("Messages"), messages, Qt::BottomDockWidgetArea);
     addDock("dock-history", tr("History"), history, Qt::LeftDockWidgetArea);
+    auto* play = new PlayPanel(workspace.play());
+    m_tools = new ToolsPanel(workspace.document(), workspace.play());
+    connect(m_tools, &ToolsPanel::refused, this, &Views::said);
+    connect(play, &PlayPanel::jumpRequested, this, [this](const Vec3& place) {
+        m_scene->viewport().frame({place - Vec3(kAroundBreak), place + Vec3(kAroundBreak)});
+        m_scene->viewport().setFocus();
+    });
+    addDock("dock-play", tr("Play"), play, Qt::BottomDockWidgetArea);
+    addDock("dock-tools", tr("Throw"), m_tools, Qt::RightDockWidgetArea);
+    connect(&workspace.play(), &PlayController::stateChanged, this, &Views::takePlayState);
     arrange();
 }
 
@@ -101,12 +115,12 @@ QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* con
 /// The layout that everybody begins with.
 void Views::arrange() {
     QDockWidget *tree = m_docks[0], *inspector = m_docks[1], *fragments = m_docks[2], *messages = m_docks[3],
-                *history = m_docks[4];
-    const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {{tree, Qt::LeftDockWidgetArea},
-                                                                  {history, Qt::LeftDockWidgetArea},
-                                                                  {inspector, Qt::RightDockWidgetArea},
-                                                                  {fragments, Qt::BottomDockWidgetArea},
-                                                                  {messages, Qt::BottomDockWidgetArea}};
+                *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6];
+    const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
+        {tree, Qt::LeftDockWidgetArea},       {history, Qt::LeftDockWidgetArea},
+        {inspector, Qt::RightDockWidgetArea}, {fragments, Qt::BottomDockWidgetArea},
+        {messages, Qt::BottomDockWidgetArea}, {play, Qt::BottomDockWidgetArea},
+        {tools, Qt::RightDockWidgetArea}};
     for (const auto& [dock, area] : places) {
         dock->setFloating(false);
         m_window.addDockWidget(area, dock);
@@ -115,7 +129,10 @@ void Views::arrange() {
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     m_window.tabifyDockWidget(fragments, messages);
+    m_window.tabifyDockWidget(messages, play);
+    m_window.tabifyDockWidget(inspector, tools);
     fragments->raise();
+    inspector->raise();
     m_window.resizeDocks({tree, inspector}, {kTreeWidth, kInspectorWidth}, Qt::Horizontal);
     m_window.resizeDocks({tree, history}, {3, 1}, Qt::Vertical);
     m_window.resizeDocks({fragments}, {kTableHeight}, Qt::Vertical);
@@ -154,6 +171,22 @@ void Views::resetLayout() {
     m_centre->setSizes({1, 1});
 }
 
+/// While something is played the 3D view has the middle to itself, and what is told of it is in front.
+void Views::takePlayState() {
+    const bool isOn = m_window.workspace().play().isOn();
+    if (isOn == m_isPlaying) return;
+    m_isPlaying = isOn;
+    QDockWidget *fragments = m_docks[2], *play = m_docks[5];
+    if (isOn) {
+        m_hadCanvas = !m_canvas->isHidden();
+        m_canvas->hide();
+        if (!play->isHidden()) play->raise();
+    } else {
+        m_canvas->setHidden(!m_hadCanvas);
+        if (!fragments->isHidden()) fragments->raise();
+    }
+}
+
 void Views::showCanvas(bool isShown) { m_canvas->setVisible(isShown); }
 
 void Views::showScene(bool isShown) { m_scene->setVisible(isShown); }
@@ -175,6 +208,7 @@ void Views::takePreferences(const Preferences& preferences) {
     m_tree->setUnits(units);
     m_inspector->setUnits(units);
     m_fragments->setUnits(units);
+    m_tools->setUnits(units);
 }
 
 /// Brings what a message is about into view.

@@ -19,6 +19,7 @@ class MainWindow;
 class PatternCanvas;
 class ProjectTree;
 class SceneView;
+class ToolsPanel;
 
 /// What a window shows of its project: the pattern canvas beside the 3D view in the middle, and the docks around. Each of
 /// them knows the workspace and none of the others; here they are put together.
@@ -59,6 +60,7 @@ private:
     QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void makeDocks();
     void arrange();
+    void takePlayState();
     void jump(Id asset, std::optional<SeedId> seed);
 
     MainWindow& m_window;
@@ -69,6 +71,9 @@ private:
     ProjectTree* m_tree = nullptr;
     Inspector* m_inspector = nullptr;
     FragmentTable* m_fragments = nullptr;
+    ToolsPanel* m_tools = nullptr;
+    bool m_isPlaying = false;
+    bool m_hadCanvas = true;  // before it was played
     QList<QDockWidget*> m_docks;
     QList<QDockWidget*> m_hidden;
 };

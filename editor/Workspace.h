@@ -3,10 +3,11 @@
 #include "editor/Baker.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
+#include "editor/play/PlayController.h"
 
 namespace rubble {
 
-/// All that one window works on: a document with where it lies, its backup, what is chosen in it and what was baked of it.
+/// All that one window works on: a document with where it lies, its backup, what is chosen in it, what was baked of it and how it plays.
 class Workspace : public QObject {
     Q_OBJECT
 public:
@@ -20,6 +21,7 @@ public:
     Selection& selection() { return m_selection; }
     Bakes& bakes() { return m_bakes; }
     Baker& baker() { return m_baker; }
+    PlayController& play() { return m_play; }
 
     /// The asset at hand; null where there is none.
     const Asset* asset() const { return findAsset(project(), m_selection.asset()); }
@@ -31,6 +33,7 @@ private:
     Selection m_selection;
     Bakes m_bakes;
     Baker m_baker;
+    PlayController m_play;
 };
 
 }  // namespace rubble

@@ -72,6 +72,21 @@ void ReplayRecorder::add(const Session& session) {
     m_replay.keyframes.push_back(std::move(frame));
 }
 
+Result<Replay> recorded(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings,
+                        std::vector<TimedInput> inputs, std::uint64_t steps, std::string program, ContentHash project,
+                        const TaskContext& task) {
+    Result<Session> session = Session::start(std::move(scene), settings);
+    if (!session) return session.error();
+    ReplayRecorder recorder(*session, std::move(program), project);
+    Timeline timeline(std::move(*session), std::move(inputs), steps);
+    const Status played = timeline.seek(steps, task, [&] {
+        recorder.add(timeline.session());
+        task.report(static_cast<double>(timeline.session().stepsDone()) / static_cast<double>(steps));
+    });
+    if (!played) return played.error();
+    return recorder.replay();
+}
+
 std::string Divergence::sentence() const {
     std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : '"' + body + '"') +
                        " went another way than it was recorded";

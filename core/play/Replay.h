@@ -64,6 +64,13 @@ private:
     Replay m_replay;
 };
 
+/// Plays inputs (ascending step) for so many steps from the start, and writes it down.
+///
+/// Errors: those of Session::start() and Timeline::seek(); Cancelled.
+Result<Replay> recorded(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings,
+                        std::vector<TimedInput> inputs, std::uint64_t steps, std::string program, ContentHash project,
+                        const TaskContext& task = {});
+
 /// Where a replay first went another way than it was recorded.
 struct Divergence {
     std::uint64_t step = 0;  // the first is 1

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kDensityOfStone = 2400.0;  // kg/m^3
 constexpr std::uint32_t kSeedsOfLevel = 4;  // in each fragment of a new level
+constexpr double kTimeOfShot = 0.5;         // s after the start
 constexpr double kGapBetweenAssets = 0.25;  // m, between a new asset and what is in the scene already
 
 QString tr(const char* text) { return QCoreApplication::translate("ProjectEdits", text); }
@@ -208,6 +209,14 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     removeFromPlayTests(project, instances, {}, edit);
     return edit;
+}
+
+Addition addShot(const Project& project, const std::string& name, const ShotAction& action) {
+    Addition added{.edit = {.text = tr("Keep shot")}};
+    added.id = added.edit.takeId(project);
+    added.edit.swaps = {Swap<Shot>{
+        added.id, Shot{.id = added.id, .name = freeName(project.shots, name), .time = kTimeOfShot, .action = action}}};
+    return added;
 }
 
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level) {

@@ -49,6 +49,9 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 /// Removes instances and the expectations that name them.
 Edit removeInstances(const Project& project, std::span<const Id> instances);
 
+/// Adds a shot that is fired half a second after the start. The name is numbered where it is taken.
+Addition addShot(const Project& project, const std::string& name, const ShotAction& action);
+
 /// Adds a layer at the end of an asset's pattern, or of that of a level (1: its first), with a random seed of its own.
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level = 0);
 /// Adds a level that breaks the smallest fragments of an asset so far again, each with a few scattered seeds.

@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-PlayController::PlayController(const Document& document, const Bakes& bakes, PlayThread::Clock clock, QObject* parent)
-    : QObject(parent), m_document(document), m_bakes(bakes), m_thread(clock) {
+PlayController::PlayController(const Document& document, const Bakes& bakes, QObject* parent)
+    : QObject(parent), m_document(document), m_bakes(bakes) {
     connect(&document, &Document::changed, this, &PlayController::follow);
     connect(&bakes, &Bakes::changed, this, &PlayController::tryToStart);
     connect(&m_thread, &PlayThread::hasNews, this, &PlayController::takeNews);
@@ -27,7 +27,7 @@ void PlayController::setState(PlayState state) {
 void PlayController::play() {
     if (m_state == PlayState::Stopped) {
         m_isGoingOn = true;
-        return prepare({});
+        return prepareAnew();
     }
     m_isGoingOn = true;
     if (m_state == PlayState::Paused) setState(PlayState::Playing);
@@ -56,7 +56,7 @@ void PlayController::finish(const QString& sentence) {
 }
 
 void PlayController::reset() {
-    if (isOn()) prepare({});
+    if (isOn()) prepareAnew();
 }
 
 void PlayController::replay(PlayScript script) {
@@ -143,10 +143,14 @@ void PlayController::fire(const Shot& shot) {
 PlayScript PlayController::script() {
     if (!m_scene) return {};
     std::promise<PlayScript> told;
-    m_thread.post([&told](PlayEngine& engine) {
-        told.set_value({engine.timeline().inputs(), engine.timeline().length(), {}});
+    m_thread.post([&told, settings = m_script.settings](PlayEngine& engine) {
+        told.set_value({settings, engine.timeline().inputs(), engine.timeline().length(), {}});
     });
     return told.get_future().get();
+}
+
+void PlayController::prepareAnew() {
+    prepare({.settings = {.hasDestruction = m_hasDestruction, .threads = QThread::idealThreadCount()}});
 }
 
 void PlayController::prepare(PlayScript script) {
@@ -172,12 +176,11 @@ void PlayController::tryToStart() {
     for (const auto& [asset, baked] : m_bakes.all()) {
         if (baked->bake) bakes.emplace(asset, baked->bake);
     }
-    const SessionSettings settings{.hasDestruction = m_hasDestruction, .threads = QThread::idealThreadCount()};
-    m_thread.start([project = m_played, bakes = std::move(bakes), settings, script = std::exchange(m_script, {})](
-                       const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
+    m_thread.start([project = m_played, bakes = std::move(bakes),
+                    script = m_script](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
         if (!scene) return scene.error();
-        return PlayEngine::started(*scene, settings, script);
+        return PlayEngine::started(*scene, script);
     });
 }
 
@@ -185,7 +188,7 @@ void PlayController::follow() {
     if (!isOn()) return;
     if (m_isWaitingForBakes) return tryToStart();
     const std::optional<std::vector<PlayInput>> inputs = liveInputs(m_played, m_document.project());
-    if (!inputs) return prepare({});
+    if (!inputs) return prepareAnew();
     m_played = m_document.project();
     for (const PlayInput& input : *inputs) m_thread.post([input](PlayEngine& engine) { engine.add(input); });
 }

@@ -21,8 +21,7 @@ enum class PlayState {
 class PlayController : public QObject {
     Q_OBJECT
 public:
-    PlayController(const Document& document, const Bakes& bakes, PlayThread::Clock clock = PlayThread::Clock::Real,
-                   QObject* parent = nullptr);
+    PlayController(const Document& document, const Bakes& bakes, QObject* parent = nullptr);
 
     PlayState state() const { return m_state; }
     bool isOn() const { return m_state != PlayState::Stopped; }
@@ -90,6 +89,7 @@ signals:
 
 private:
     void prepare(PlayScript script);
+    void prepareAnew();
     void tryToStart();
     bool areBakesCurrent() const;
     void follow();
@@ -107,7 +107,7 @@ private:
     PlayTools m_tools;
     Project m_played;  // what the play follows now
     Project m_begunWith;
-    PlayScript m_script;  // to begin with
+    PlayScript m_script;  // that it began, or begins with
     std::shared_ptr<const PlayScene> m_scene;
     std::optional<PlayFrame> m_frame;
     std::vector<ToldBreak> m_breaks;

@@ -44,9 +44,18 @@ ToldBreak told(const Session& session, const PlayBreak& broken) {
 
 }  // namespace
 
+PlayScript scriptOf(const Replay& replay) {
+    PlayScript script{
+        .settings = {.dt = replay.dt, .sleeping = replay.sleeping, .hasDestruction = replay.hasDestruction},
+        .inputs = replay.inputs,
+        .steps = replay.steps.size()};
+    for (const ReplayStep& step : replay.steps) script.hashes.push_back(step.hash);
+    return script;
+}
+
 Result<std::unique_ptr<PlayEngine>> PlayEngine::started(const std::shared_ptr<const PlayScene>& scene,
-                                                        const SessionSettings& settings, PlayScript script) {
-    Result<Session> session = Session::start(scene, settings);
+                                                        PlayScript script) {
+    Result<Session> session = Session::start(scene, script.settings);
     if (!session) return session.error();
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
     return std::unique_ptr<PlayEngine>(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/Timeline.h"
+#include "core/play/Replay.h"
 #include "editor/play/PlayFrame.h"
 #include "viewport/scene/MomentBuilder.h"
 
@@ -8,10 +8,12 @@ namespace rubble {
 
 /// What is played from the start: nothing, or what was recorded.
 struct PlayScript {
+    SessionSettings settings;
     std::vector<TimedInput> inputs;  // ascending step
     std::uint64_t steps = 0;
     std::vector<std::uint64_t> hashes;  // that the steps came to; empty: nothing is known of it
 };
+PlayScript scriptOf(const Replay& replay);
 
 /// A project in play, as a window sees it: carries out what the user does, tells what becomes of it. Knows no time but steps.
 /// Everything of it happens in one thread.
@@ -19,7 +21,7 @@ class PlayEngine {
 public:
     /// Errors: those of Session::start().
     static Result<std::unique_ptr<PlayEngine>> started(const std::shared_ptr<const PlayScene>& scene,
-                                                       const SessionSettings& settings, PlayScript script = {});
+                                                       PlayScript script);
 
     const Timeline& timeline() const { return m_timeline; }
     const Session& session() const { return m_timeline.session(); }

@@ -28,7 +28,7 @@ void join(PlayNews& news, PlayNews&& newer) {
 
 }  // namespace
 
-PlayThread::PlayThread(Clock clock, QObject* parent) : QObject(parent), m_clock(clock), m_thread([this] { run(); }) {}
+PlayThread::PlayThread(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
 
 PlayThread::~PlayThread() {
     {
@@ -94,13 +94,23 @@ void PlayThread::setTimeScale(double scale) {
 double PlayThread::interval() const { return m_stepLength / m_timeScale; }
 
 double PlayThread::nowLocked() const {
-    if (m_clock == Clock::Stepped) return m_steppedNow;
+    if (m_isStepped) return m_steppedNow;
     return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 double PlayThread::now() const {
     const std::lock_guard lock(m_mutex);
     return nowLocked();
+}
+
+double PlayThread::stepLength() const {
+    const std::lock_guard lock(m_mutex);
+    return m_stepLength;
+}
+
+void PlayThread::useSteppedClock() {
+    const std::lock_guard lock(m_mutex);
+    m_isStepped = true;
 }
 
 void PlayThread::advance(double seconds) {
@@ -135,7 +145,7 @@ void PlayThread::run() {
             continue;
         }
         m_idle.notify_all();
-        const bool isTimed = m_clock == Clock::Real && m_hasEngine && m_isPlaying;
+        const bool isTimed = !m_isStepped && m_hasEngine && m_isPlaying;
         const auto isWoken = [this] { return isWorkWaiting(); };
         if (isTimed) {
             m_woken.wait_for(lock, Seconds(m_due - nowLocked()), isWoken);

@@ -20,12 +20,7 @@ public:
     using Maker = std::function<Result<std::unique_ptr<PlayEngine>>(const TaskContext& task)>;
     using Task = std::function<void(PlayEngine&)>;
 
-    enum class Clock {
-        Real,
-        Stepped,  // stands still until advance(): for tests
-    };
-
-    explicit PlayThread(Clock clock = Clock::Real, QObject* parent = nullptr);
+    explicit PlayThread(QObject* parent = nullptr);
     ~PlayThread() override;
 
     /// Lets go of what is played, and makes something else.
@@ -41,7 +36,11 @@ public:
 
     /// Seconds since some moment.
     double now() const;
-    /// Moves a stepped clock on, and waits until all that is due is done.
+    /// Seconds of a step.
+    double stepLength() const;
+    /// Takes a clock that stands still until advance(): for tests, before anything is played.
+    void useSteppedClock();
+    /// Moves the stepped clock on, and waits until all that is due is done.
     void advance(double seconds);
     /// Waits until all tasks are done.
     void settle();
@@ -69,8 +68,8 @@ private:
     mutable std::mutex m_mutex;  // guards all below but the engine
     std::condition_variable m_woken;
     std::condition_variable m_idle;
-    const Clock m_clock;
-    double m_steppedNow = 0.0;
+    bool m_isStepped = false;
+    double m_steppedNow = 0.0;  // s
     bool m_isQuitting = false;
     bool m_isBusy = false;
     bool m_isPlaying = false;

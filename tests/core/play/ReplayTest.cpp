@@ -59,6 +59,12 @@ private slots:
         }
     }
 
+    void isWrittenDownAgainFromItsInputs() {
+        const Result<Replay> again = rubble::recorded(m_scene, {}, m_replay.inputs, kSteps, "1", {1, 2});
+        QVERIFY(again.hasValue());
+        QVERIFY(*again == m_replay);
+    }
+
     void scrubsBothWays() {
         ReplayPlayer player = playerOf(m_scene, m_replay);
         for (const std::uint64_t step : {100, 40, 41, 149, 0, 60, 59, 150, 149, 1, 1000}) {

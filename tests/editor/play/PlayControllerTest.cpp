@@ -17,8 +17,8 @@ constexpr double kStep = 1.0 / 60.0;
 /// A document in play by a clock that the test moves on.
 class Stage {
 public:
-    explicit Stage(const Project& project = test::floatingBlock())
-        : document(project), controller(document, bakes, PlayThread::Clock::Stepped) {
+    explicit Stage(const Project& project = test::floatingBlock()) : document(project), controller(document, bakes) {
+        controller.thread().useSteppedClock();
         bake();
     }
     /// Bakes all that is there, as the editor does in the background.

@@ -1,0 +1,129 @@
+#include "editor/PlayHud.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace rubble {
+
+namespace {
+
+const QColor kRunning(242, 140, 40);
+const QColor kWaiting(96, 140, 190);
+const QColor kPaper(20, 22, 26, 150);
+const QColor kInk(245, 246, 248);
+const QColor kFaintInk(245, 246, 248, 190);
+constexpr int kFrame = 3;  // this and the following: points
+constexpr int kMargin = 12;
+constexpr int kPadding = 7;
+constexpr int kAxes = 92;  // the cross of axes stands in the corner
+constexpr int kChargeWidth = 220;
+constexpr int kChargeHeight = 12;
+
+/// A line of text on a dark plate, which can be read over anything.
+QRect paintPlate(QPainter& painter, const QRect& plate) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kPaper);
+    painter.drawRoundedRect(plate, 4, 4);
+    return plate.adjusted(kPadding, kPadding - 2, -kPadding, -kPadding + 2);
+}
+
+}  // namespace
+
+PlayHud::PlayHud(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(tr("Play figures"));
+    parent->installEventFilter(this);
+    resize(parent->size());
+}
+
+bool PlayHud::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parent() && event->type() == QEvent::Resize) resize(parentWidget()->size());
+    return QWidget::eventFilter(watched, event);
+}
+
+void PlayHud::setContent(const Content& content) {
+    if (m_content == content) return;
+    m_content = content;
+    setAccessibleDescription((QStringList(content.title) + content.figures).join(", "));
+    update();
+}
+
+void PlayHud::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintFlight(painter);
+    paintTexts(painter);
+    paintCharge(painter);
+    paintFrame(painter);
+}
+
+void PlayHud::paintFrame(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(
+        QPen(m_content.isRunning ? kRunning : kWaiting, kFrame, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(QRectF(rect()).adjusted(kFrame / 2.0, kFrame / 2.0, -kFrame / 2.0, -kFrame / 2.0));
+}
+
+/// Dashes that can be seen on dark and light alike, and a ring where it ends.
+void PlayHud::paintFlight(QPainter& painter) const {
+    if (m_content.flight.size() < 2) return;
+    QPainterPath path(m_content.flight.front());
+    for (const QPointF& point : m_content.flight) path.lineTo(point);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 110), 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    painter.setPen(QPen(kRunning, 2, Qt::DashLine, Qt::FlatCap));
+    painter.drawPath(path);
+    if (!m_content.isMet) return;
+    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 4), std::pair(kRunning, 2)}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawEllipse(m_content.flight.back(), 7, 7);
+    }
+}
+
+void PlayHud::paintTexts(QPainter& painter) const {
+    QFont bold = font();
+    bold.setBold(true);
+    const QFontMetrics lines(font()), title(bold);
+    int width = title.horizontalAdvance(m_content.title);
+    for (const QString& line : m_content.figures) width = std::max(width, lines.horizontalAdvance(line));
+    const int height = title.height() + static_cast<int>(m_content.figures.size()) * lines.height();
+    QRect text = paintPlate(painter, QRect(kMargin, kMargin, width + 2 * kPadding, height + 2 * kPadding - 4));
+    painter.setPen(kInk);
+    painter.setFont(bold);
+    painter.drawText(text, Qt::AlignTop, m_content.title);
+    painter.setFont(font());
+    painter.setPen(kFaintInk);
+    painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.figures.join('\n'));
+    if (m_content.hint.isEmpty()) return;
+    const int most = this->width() - kAxes - kMargin - 2 * kPadding;
+    const QRect bounds = lines.boundingRect(QRect(0, 0, most, 1000), Qt::TextWordWrap, m_content.hint);
+    text = paintPlate(painter, QRect(kAxes, this->height() - kMargin - bounds.height() - 2 * kPadding + 4,
+                                     bounds.width() + 2 * kPadding, bounds.height() + 2 * kPadding - 4));
+    painter.setPen(kFaintInk);
+    painter.drawText(text, Qt::TextWordWrap, m_content.hint);
+}
+
+void PlayHud::paintCharge(QPainter& painter) const {
+    if (!m_content.charge) return;
+    const QFontMetrics lines(font());
+    const int height = kChargeHeight + lines.height() + 2 * kPadding;
+    const QRect plate((width() - kChargeWidth) / 2 - kPadding, static_cast<int>(0.72 * this->height()),
+                      kChargeWidth + 2 * kPadding, height);
+    const QRect inside = paintPlate(painter, plate);
+    QRect bar(inside.left(), inside.top() + 2, inside.width(), kChargeHeight);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 50));
+    painter.drawRoundedRect(bar, 3, 3);
+    bar.setWidth(static_cast<int>(*m_content.charge * bar.width()));
+    painter.setBrush(kRunning);
+    painter.drawRoundedRect(bar, 3, 3);
+    painter.setPen(kInk);
+    painter.drawText(inside.adjusted(0, kChargeHeight + 2, 0, 0), Qt::AlignHCenter | Qt::AlignBottom,
+                     m_content.chargeText);
+}
+
+}  // namespace rubble
