@@ -1,12 +1,13 @@
 // What stands between a changed seed and its picture, and what a picture takes: making the scene of a new bake, making it
 // again where nothing but its explosion changed, taking it to the card, drawing it, and finding the piece under the
-// pointer. Wall-clock times; pictures of 1280 x 720 by whatever EGL finds, which is the processor where there is no card.
-#include "bench/BoxAssets.h"
+// pointer. And in play, by moving fragments: making a moment, which is the physics thread's, preparing a frame of it, which
+// is the window's beside drawing, and preparing one more frame within the same step. Wall-clock times; pictures of 1280 x 720 by whatever EGL finds, which is the processor where there is no card.
+#include "bench/MovingFragments.h"
 #include "bench/RatioReporter.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
-#include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/MomentBuilder.h"
 
 #include <epoxy/gl.h>
 
@@ -113,12 +114,76 @@ void pick(benchmark::State& state) {
     }
 }
 
+/// What it takes beside the step itself.
+void makeMoment(benchmark::State& state) {
+    const auto scene = boxesInTheAir(static_cast<std::size_t>(state.range(0)));
+    Session session = brokenBoxes(scene);
+    MomentBuilder builder(scene);
+    for (auto _ : state) {
+        state.PauseTiming();
+        session.step();
+        state.ResumeTiming();
+        benchmark::DoNotOptimize(builder.momentOf(session));
+    }
+}
+
+/// A whole's moment, and those of its pieces after it, step by step.
+std::vector<std::shared_ptr<const RenderScene>> momentsOfAFall(std::size_t pieces) {
+    const auto scene = boxesInTheAir(pieces);
+    MomentBuilder builder(scene);
+    std::vector<std::shared_ptr<const RenderScene>> moments{builder.momentOf(Session::start(scene, {}).value())};
+    Session session = brokenBoxes(scene);
+    for (int k = 0; k < 6; ++k) {
+        moments.push_back(builder.momentOf(session));
+        session.step();
+    }
+    return moments;
+}
+
+/// Takes a new moment to the card.
+void prepareFrame(benchmark::State& state) {
+    const auto moments = momentsOfAFall(static_cast<std::size_t>(state.range(0)));
+    Stage stage;
+    PictureView view = viewOf(*moments[0], 1);
+    const auto drawNext = [&](const std::shared_ptr<const RenderScene>& moment) {
+        stage.renderer->setScene(moment);
+        stage.renderer->draw(view, stage.target.framebuffer());
+        glFinish();
+    };
+    drawNext(moments[0]);
+    RenderCounts before = stage.renderer->counts();
+    drawNext(moments[1]);
+    const RenderCounts& now = stage.renderer->counts();
+    state.counters["geometry bytes at a swap"] = static_cast<double>(now.geometryBytes - before.geometryBytes);
+    state.counters["body bytes"] = static_cast<double>(now.bodyBytes - before.bodyBytes);
+    state.counters["draw calls"] = static_cast<double>(now.drawCalls - before.drawCalls);
+    std::size_t turn = 2;
+    for (auto _ : state) {
+        stage.renderer->setScene(moments[turn]);
+        state.PauseTiming();
+        view.moment = 0.5;
+        stage.renderer->draw(view, stage.target.framebuffer());
+        glFinish();
+        turn = turn + 1 < moments.size() ? turn + 1 : 2;
+        state.ResumeTiming();
+    }
+}
+
 void add(const char* name, void (*measure)(benchmark::State&)) {
     benchmark::RegisterBenchmark(name, measure)
         ->Arg(1'000)
         ->Arg(10'000)
         ->Unit(benchmark::kMillisecond)
         ->MeasureProcessCPUTime()
+        ->UseRealTime();
+}
+
+/// In play, by 20,000 moving pieces; each turn steps or draws beside what is measured, so few turns are taken.
+void addPlay(const char* name, void (*measure)(benchmark::State&)) {
+    benchmark::RegisterBenchmark(name, measure)
+        ->Arg(20'000)
+        ->Iterations(60)
+        ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
 }
 
@@ -131,7 +196,11 @@ int main(int argc, char** argv) {
     add("picture", drawPlain);
     add("picture, 4x MSAA", drawMsaa);
     add("first pick", pick);
-    RatioReporter reporter("pieces", {"new scene", "exploded", "upload", "picture", "picture, 4x MSAA", "first pick"},
-                           {});
+    addPlay("moment", makeMoment);
+    addPlay("frame prepared", prepareFrame);
+    RatioReporter reporter(
+        "pieces",
+        {"new scene", "exploded", "upload", "picture", "picture, 4x MSAA", "first pick", "moment", "frame prepared"},
+        {});
     return runBenchmarks(argc, argv, reporter);
 }

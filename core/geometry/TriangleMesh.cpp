@@ -14,6 +14,12 @@ void Box3::include(Vec3 point) {
     max = glm::max(max, point);
 }
 
+void Box3::include(const Box3& box) {
+    if (box.isEmpty()) return;
+    include(box.min);
+    include(box.max);
+}
+
 double Box3::diagonal() const { return isEmpty() ? 0.0 : glm::length(max - min); }
 
 Vec3 Box3::corner(int index) const {

@@ -22,6 +22,7 @@ struct Box3 {
     Vec3 min{1e308, 1e308, 1e308};
     Vec3 max{-1e308, -1e308, -1e308};
     void include(Vec3 point);
+    void include(const Box3& box);
     bool isEmpty() const { return min.x > max.x; }
     Vec3 corner(int index) const;  // one of eight
     double diagonal() const;

@@ -1,6 +1,7 @@
 // Finds the body of a vertex: where it stands, what it looks like. See RenderScene.
-uniform samplerBuffer motions;  // three texels a body: position and shrinking, orientation (x, y, z, w), way apart
+uniform samplerBuffer motions;  // two texels a body: position and shrinking, orientation (x, y, z, w)
 uniform samplerBuffer earlier;  // the same, a step before; read only where edges.w < 1
+uniform samplerBuffer apart;    // one: the way apart; read only where edges.z > 0
 uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks
 
 layout(location = 0) in vec3 position;
@@ -31,7 +32,7 @@ struct BodyPose {
 };
 // Between the poses a step before and now; turned the shorter way.
 BodyPose poseOfBody() {
-    int first = 3 * bodyIndex();
+    int first = 2 * bodyIndex();
     BodyPose now = BodyPose(texelFetch(motions, first), texelFetch(motions, first + 1));
     if (edges.w >= 1.0) return now;
     vec4 turn = texelFetch(earlier, first + 1);
@@ -40,8 +41,8 @@ BodyPose poseOfBody() {
                     normalize(mix(turn, now.orientation, edges.w)));
 }
 vec3 pointInScene(BodyPose pose) {
-    return pose.place.xyz + edges.z * texelFetch(motions, 3 * bodyIndex() + 2).xyz +
-           turned(pose.orientation, (1.0 - pose.place.w) * position);
+    vec3 point = pose.place.xyz + turned(pose.orientation, (1.0 - pose.place.w) * position);
+    return edges.z > 0.0 ? point + edges.z * texelFetch(apart, bodyIndex()).xyz : point;
 }
 // Where nothing is drawn.
 const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);

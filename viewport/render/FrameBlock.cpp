@@ -73,7 +73,8 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 0.0f);
     const std::uint32_t accent = packed(settings.accent);
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
-    frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f, static_cast<float>(scene.exploded),
+    frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f,
+                   scene.apart.empty() ? 0.0f : static_cast<float>(scene.exploded),
                    scene.earlier.empty() ? 1.0f : static_cast<float>(view.moment)};
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
     frame.picture = {view.size.width, view.size.height, 0.0f, scale};

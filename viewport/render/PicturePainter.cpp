@@ -50,15 +50,15 @@ void PicturePainter::drawTimes(const RenderTarget& source, float share) const {
 
 void PicturePainter::drawShadows(const PictureView& view, const std::optional<LightSample>& lightSample) {
     light = Light::Plain;
-    if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || bounds.isEmpty()) return;
+    if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || summary.bounds.isEmpty()) return;
     light = lightSample ? Light::Sampled : Light::Shadowed;
     const double moment = scene.scene()->earlier.empty() ? 1.0 : view.moment;
     if (!lightSample && shadowsMoment == moment) return;
     setFrame(frame);  // for its exploded factor and its moment
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), bounds);
-    if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, bounds);
+    keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), summary.bounds);
+    if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, summary.bounds);
     shadowsMoment = lightSample ? std::nullopt : std::optional(moment);
 }
 
@@ -126,7 +126,7 @@ void PicturePainter::drawGround(const PictureView& view) {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
     glBindVertexArray(nothing.id());
-    if (light != Light::Plain && !bounds.isEmpty()) {
+    if (light != Light::Plain && !summary.bounds.isEmpty()) {
         lit(programs.shade).use();
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
@@ -179,7 +179,7 @@ void PicturePainter::drawPicture(const PictureView& view) {
         drawWires(view);
     drawGround(view);
     drawHulls(view);
-    if (hasSelected && isSolid) {
+    if (summary.hasSelected && isSolid) {
         drawLines({.line = withOpacity(frame.accent, 0.45f),
                    .fill = withOpacity(frame.accent, 0.06f),
                    .width = 1.2f,
@@ -190,7 +190,7 @@ void PicturePainter::drawPicture(const PictureView& view) {
 }
 
 void PicturePainter::drawBodies(const PictureView& view, const PixelBox& part) {
-    setFrame(frameBlock(view, *scene.scene(), bounds, {}));
+    setFrame(frameBlock(view, *scene.scene(), summary.bounds, {}));
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.x, part.y, part.width, part.height);
     glEnable(GL_DEPTH_TEST);

@@ -42,8 +42,7 @@ struct PicturePainter {
 
     RenderPrograms programs;
     SceneBuffers scene;
-    Box3 bounds;
-    bool hasSelected = false;
+    SceneSummary summary;  // of `scene`
     ShadowMap keyShadow{kShadowWidth};
     ShadowMap skyShadow{kSkyShadowWidth};
     std::optional<double> shadowsMoment;  // of `scene`, that keyShadow is of, by the middle of the lights

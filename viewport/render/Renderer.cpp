@@ -46,9 +46,7 @@ Renderer::Renderer(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
-    m_state->bounds = boundsOf(*scene);
-    m_state->hasSelected =
-        std::ranges::any_of(scene->looks, [](const BodyLook& look) { return (look.marks & kSelected) != 0; });
+    m_state->summary = summaryOf(*scene);
     m_state->scene.upload(std::move(scene));
     m_state->shadowsMoment.reset();
     m_state->bodiesCamera.reset();
@@ -56,7 +54,7 @@ void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
 
 void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
     State& state = *m_state;
-    state.frame = frameBlock(view, *state.scene.scene(), state.bounds, {});
+    state.frame = frameBlock(view, *state.scene.scene(), state.summary.bounds, {});
     state.drawShadows(view, {});
     const int samples = view.settings.msaa > 0 ? view.settings.msaa : isSoftware() ? 1 : 4;
     RenderTarget& target = state.target(state.picture, view.size, PixelFormat::Colour, samples);
@@ -69,7 +67,7 @@ void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
 void Renderer::addSample(const PictureView& view, int index) {
     State& state = *m_state;
     const LightSample light = lightSample(index);
-    state.frame = frameBlock(view, *state.scene.scene(), state.bounds, light);
+    state.frame = frameBlock(view, *state.scene.scene(), state.summary.bounds, light);
     state.drawShadows(view, light);
     RenderTarget& sample = state.target(state.sample, view.size, PixelFormat::Colour, 1);
     sample.bind();
@@ -87,6 +85,8 @@ void Renderer::showMean(const PictureView& view, std::uint32_t framebuffer) {
     glViewport(0, 0, view.size.width, view.size.height);
     m_state->drawTimes(m_state->sum, 1.0f / static_cast<float>(m_state->samplesTaken));
 }
+
+const RenderCounts& Renderer::counts() const { return m_state->scene.counts(); }
 
 bool Renderer::isSoftware() const {
     const std::string_view name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "viewport/render/RenderCounts.h"
 #include "viewport/render/RenderSettings.h"
 #include "viewport/scene/Camera.h"
 #include "viewport/scene/RenderScene.h"
@@ -29,7 +30,8 @@ public:
     static Result<std::unique_ptr<Renderer>> made();
     ~Renderer();
 
-    /// The scene that is drawn from now on. Uploads geometry that the last scene did not have, and a few numbers a body.
+    /// The scene that is drawn from now on. Uploads geometry that the last scene did not have, and a few numbers a body;
+    /// what else it does does not grow with bodies where the scene has a summary.
     void setScene(std::shared_ptr<const RenderScene> scene);
 
     /// Draws a picture to a framebuffer: at once, lit by a sky that nothing hides.
@@ -40,6 +42,8 @@ public:
     void addSample(const PictureView& view, int index);
     /// Draws the mean of the samples that were taken.
     void showMean(const PictureView& view, std::uint32_t framebuffer);
+
+    const RenderCounts& counts() const;
 
     /// Whether the processor does the work of a graphics card.
     bool isSoftware() const;

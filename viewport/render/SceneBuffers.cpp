@@ -1,16 +1,16 @@
 #include "viewport/render/SceneBuffers.h"
 
-#include "viewport/render/ShaderProgram.h"
-
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
+#include <utility>
 
 namespace rubble {
 namespace {
 
-static_assert(sizeof(DrawnPose) == 48 && sizeof(BodyLook) == 16, "texels of buffer textures");
+static_assert(sizeof(DrawnPose) == 32 && sizeof(BodyLook) == 16, "texels of buffer textures");
 
 template <class T>
 GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
@@ -18,17 +18,6 @@ GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
     return buffer;
-}
-
-template <class T>
-void writeTexels(const GlBuffer& buffer, const std::vector<T>& values) {
-    glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_DYNAMIC_DRAW);
-}
-
-void bindTexels(TextureUnit unit, const GlTexture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_BUFFER, texture.id());
 }
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
@@ -52,16 +41,15 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
 }  // namespace
 
 SceneBuffers::SceneBuffers()
-    : m_motions(GlBuffer::made()),
-      m_earlier(GlBuffer::made()),
-      m_looks(GlBuffer::made()),
-      m_motionTexels(GlTexture::made()),
-      m_earlierTexels(GlTexture::made()),
-      m_lookTexels(GlTexture::made()) {}
+    : m_motions(TextureUnit::Motions, GL_RGBA32F),
+      m_earlier(TextureUnit::Earlier, GL_RGBA32F),
+      m_apart(TextureUnit::Apart, GL_RGBA32F),
+      m_looks(TextureUnit::Looks, GL_RGBA32UI) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
     const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
     if (known != m_geometries.end()) return *known;
+    m_counts.geometryBytes += std::span(source->vertices).size_bytes() + std::span(source->indices).size_bytes();
     // The index buffer is made as an array buffer: an element buffer would become part of the bound vertex array.
     m_geometries.push_back(
         {source, bufferOf(GL_ARRAY_BUFFER, source->vertices), bufferOf(GL_ARRAY_BUFFER, source->indices)});
@@ -69,6 +57,7 @@ const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const
 }
 
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
+    m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
     Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::made(), {}};
     const Geometry& geometry = uploaded(batch.geometry);
     glBindVertexArray(made.bodies.id());
@@ -83,9 +72,7 @@ SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     return made;
 }
 
-void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
-    if (scene == m_scene) return;
-    m_scene = std::move(scene);
+void SceneBuffers::uploadBatches() {
     m_batches.clear();
     const auto isUsed = [&](const Geometry& geometry) {
         return std::ranges::any_of(m_scene->batches, [&](const SceneBatch& batch) {
@@ -94,22 +81,25 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     };
     std::erase_if(m_geometries, [&](const Geometry& geometry) { return !isUsed(geometry); });
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
+}
 
-    writeTexels(m_motions, m_scene->motions);
-    bindTexels(TextureUnit::Motions, m_motionTexels);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_motions.id());
-    writeTexels(m_earlier, m_scene->earlier);
-    bindTexels(TextureUnit::Earlier, m_earlierTexels);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_earlier.id());
-    writeTexels(m_looks, m_scene->looks);
-    bindTexels(TextureUnit::Looks, m_lookTexels);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, m_looks.id());
+void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
+    if (scene == m_scene) return;
+    const std::shared_ptr<const RenderScene> last = std::exchange(m_scene, std::move(scene));
+    if (last == nullptr || last->batches != m_scene->batches) uploadBatches();
+    const auto write = [&](TexelBuffer& texels, const auto& values) {
+        if (values.empty()) return;
+        texels.write(std::as_bytes(std::span(values)));
+        m_counts.bodyBytes += std::span(values).size_bytes();
+    };
+    write(m_motions, m_scene->motions);
+    write(m_earlier, m_scene->earlier);
+    write(m_apart, m_scene->apart);
+    write(m_looks, m_scene->looks);
 }
 
 void SceneBuffers::draw(Part part) const {
-    bindTexels(TextureUnit::Motions, m_motionTexels);
-    bindTexels(TextureUnit::Earlier, m_earlierTexels);
-    bindTexels(TextureUnit::Looks, m_lookTexels);
+    for (const TexelBuffer* texels : {&m_motions, &m_earlier, &m_apart, &m_looks}) texels->bind();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];
         const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();
@@ -117,6 +107,7 @@ void SceneBuffers::draw(Part part) const {
         glBindVertexArray((part == Part::Hulls ? m_batches[k].hulls : m_batches[k].bodies).id());
         glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(geometry->indices.size()), GL_UNSIGNED_INT, nullptr,
                                 static_cast<GLsizei>(batch.firstBodies.size()));
+        ++m_counts.drawCalls;
     }
     glBindVertexArray(0);
 }

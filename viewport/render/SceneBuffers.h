@@ -1,6 +1,7 @@
 #pragma once
 
-#include "viewport/render/GlObjects.h"
+#include "viewport/render/RenderCounts.h"
+#include "viewport/render/TexelBuffer.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <memory>
@@ -20,6 +21,7 @@ public:
     enum class Part { Bodies, Hulls };
     /// Draws all triangles by the program in use: one call a batch.
     void draw(Part part) const;
+    const RenderCounts& counts() const { return m_counts; }
 
 private:
     struct Geometry {
@@ -32,18 +34,15 @@ private:
         GlVertexArray bodies;
         GlVertexArray hulls;
     };
+    void uploadBatches();
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
     Batch batchOf(const SceneBatch& batch);
 
     std::shared_ptr<const RenderScene> m_scene;
     std::vector<Geometry> m_geometries;
     std::vector<Batch> m_batches;
-    GlBuffer m_motions;
-    GlBuffer m_earlier;
-    GlBuffer m_looks;
-    GlTexture m_motionTexels;
-    GlTexture m_earlierTexels;
-    GlTexture m_lookTexels;
+    TexelBuffer m_motions, m_earlier, m_apart, m_looks;
+    mutable RenderCounts m_counts;
 };
 
 }  // namespace rubble

@@ -14,8 +14,9 @@ struct Sampler {
     TextureUnit unit;
 };
 constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},     {"earlier", TextureUnit::Earlier},
-                                 {"looks", TextureUnit::Looks},         {"keyShadow", TextureUnit::KeyShadow},
-                                 {"skyShadow", TextureUnit::SkyShadow}, {"source", TextureUnit::Source}};
+                                 {"apart", TextureUnit::Apart},         {"looks", TextureUnit::Looks},
+                                 {"keyShadow", TextureUnit::KeyShadow}, {"skyShadow", TextureUnit::SkyShadow},
+                                 {"source", TextureUnit::Source}};
 
 /// A driver's words as one line.
 std::string oneLine(std::string text) {

@@ -19,10 +19,9 @@ bool isWithin(Vec2 pixel, const Box2& box) {
 }
 
 /// The middle of a body's box, relative to the scene's origin.
-Vec3 middleOf(const DrawnPose& motion, const Box3& box, double exploded) {
+Vec3 middleOf(const DrawnPose& motion, const Box3& box) {
     const Quat turn(glm::quat(motion.orientation.w, motion.orientation.x, motion.orientation.y, motion.orientation.z));
-    return Vec3(motion.position) + exploded * Vec3(motion.apart) +
-           (1.0 - static_cast<double>(motion.position.w)) * (turn * box.centre());
+    return Vec3(motion.position) + (1.0 - static_cast<double>(motion.position.w)) * (turn * box.centre());
 }
 
 }  // namespace
@@ -36,7 +35,8 @@ std::vector<std::uint32_t> bodiesWithin(const RenderScene& scene, const Camera& 
             for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
                 const std::uint32_t body = first + piece;
                 if ((scene.looks[body].marks & kHidden) != 0) continue;
-                const Vec3 middle = middleOf(poseAt(scene, body, moment), batch.geometry->boxes[piece], scene.exploded);
+                const Vec3 middle =
+                    movedApart(scene, body) + middleOf(poseAt(scene, body, moment), batch.geometry->boxes[piece]);
                 const std::optional<Vec2> pixel = pixelOf(middle, matrices, size);
                 if (pixel && isWithin(*pixel, pixels)) bodies.push_back(body);
             }

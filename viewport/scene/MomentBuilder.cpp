@@ -110,6 +110,16 @@ void MomentBuilder::writeEarlier(std::uint64_t step, RenderScene& moment) const 
     }
 }
 
+/// Where bodies were is not asked again where the last moment told it.
+void MomentBuilder::summarize(std::uint64_t step, RenderScene& moment) {
+    moment.summary.reset();
+    const Box3 now = boundsAt(moment, moment.motions);
+    SceneSummary summary{.bounds = step == m_lastStep ? boundsOf(moment) : now};
+    if (step == m_lastStep + 1 && !moment.earlier.empty()) summary.bounds.include(m_lastBounds);
+    moment.summary = summary;
+    m_lastBounds = now;
+}
+
 /// Lays the last moment out anew, with what had its place and has one.
 void MomentBuilder::keepLast(const std::vector<Places>& placesThen) {
     if (m_last == nullptr) return;
@@ -198,6 +208,7 @@ std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& sessio
     RUBBLE_ASSERT(&session.scene() == m_scene.get());
     const std::shared_ptr<RenderScene> moment = writtenMoment(session);
     writeEarlier(session.stepsDone(), *moment);
+    summarize(session.stepsDone(), *moment);
     m_last = moment;
     m_lastStep = session.stepsDone();
     return moment;

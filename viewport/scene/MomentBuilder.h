@@ -45,6 +45,7 @@ private:
     std::uint32_t sceneBodyOf(const PlayBody& body) const;
     bool isWritten(const Session& session, RenderScene& moment) const;
     void writeEarlier(std::uint64_t step, RenderScene& moment) const;
+    void summarize(std::uint64_t step, RenderScene& moment);
     void keepLast(const std::vector<Places>& placesThen);
     RenderScene emptyLayout() const;
     void layOut(const Session& session);
@@ -60,6 +61,7 @@ private:
     std::vector<std::shared_ptr<RenderScene>> m_moments;
     std::shared_ptr<const RenderScene> m_last;  // the last moment, laid out as m_layout is
     std::uint64_t m_lastStep = 0;
+    Box3 m_lastBounds;  // of its bodies where they are, not where they were
 };
 
 /// The body that a click in a moment's scene has hit; null where it is gone. Linear in bodies.

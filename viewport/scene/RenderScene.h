@@ -8,6 +8,8 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace rubble {
@@ -22,12 +24,11 @@ struct PickId {
     auto operator<=>(const PickId&) const = default;
 };
 
-/// Where a body stands and where it is moved to in an exploded view.
+/// Where a body stands.
 struct DrawnPose {
     glm::vec4 position{
         0.0f};  // m, relative to RenderScene::origin; w: how much it has shrunk, 0 as it is, 1 to a point
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
-    glm::vec4 apart{0.0f};                          // m at an exploded factor of 1
     bool operator==(const DrawnPose&) const = default;
 };
 
@@ -53,6 +54,13 @@ struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
     std::shared_ptr<const SceneGeometry> hulls;  // the same pieces as convex hulls; null where they are not shown
     std::vector<std::uint32_t> firstBodies;      // an instance each: the body of its piece 0, others follow
+    bool operator==(const SceneBatch&) const = default;
+};
+
+/// What is asked of a scene as a whole.
+struct SceneSummary {
+    Box3 bounds;  // as boundsOf() gives it
+    bool hasSelected = false;
 };
 
 /// A whole picture as a value: everything that is drawn but not from where. Geometry is shared and large; the rest is
@@ -64,14 +72,20 @@ struct RenderScene {
     std::vector<BodyLook> looks;
     std::vector<PickId> picks;
     std::vector<DrawnPose>
-        earlier;            // motions a step before; those now for what was not there. Empty where nothing moves
-    double exploded = 0.0;  // factor of DrawnPose::apart
+        earlier;  // motions a step before; those now for what was not there. Empty where nothing moves
+    std::vector<glm::vec4>
+        apart;              // m, where it is moved to at an exploded factor of 1. Empty where nothing is exploded
+    double exploded = 0.0;  // factor of `apart`
     bool hasGround = true;
-    double groundHeight = 0.0;  // m
+    std::optional<SceneSummary> summary;  // of this scene, found where it was made; none: whoever asks finds it
+    double groundHeight = 0.0;            // m
 };
 
 /// Where a body is drawn at a moment in [0, 1] of the step that led to the scene (see PictureView).
 DrawnPose poseAt(const RenderScene& scene, std::uint32_t body, double moment);
+
+/// How far a body is moved in the exploded view, m.
+Vec3 movedApart(const RenderScene& scene, std::uint32_t body);
 
 /// Marks bodies anew: a body is hidden, selected or hovered where one of the ids stands for it.
 struct SceneMarks {
@@ -84,5 +98,10 @@ void setMarks(RenderScene& scene, const SceneMarks& marks);
 /// A box in the world around all bodies that are not hidden, as exploded as they are, where they are and where they were
 /// earlier; around those only that have one of `marks`, where it is given. Empty (min > max) where there are none.
 Box3 boundsOf(const RenderScene& scene, std::uint32_t marks = 0);
+/// The same with bodies at these poses, of all of them.
+Box3 boundsAt(const RenderScene& scene, std::span<const DrawnPose> poses, std::uint32_t marks = 0);
+
+/// The scene's own, or found anew where it has none. Linear in bodies then.
+SceneSummary summaryOf(const RenderScene& scene);
 
 }  // namespace rubble

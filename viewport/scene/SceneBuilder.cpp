@@ -66,9 +66,10 @@ private:
         m_scene.groundHeight = m_options.asset != 0 ? bounds.min.y : m_project.ground.height;
         Vec3 middle = bounds.centre();
         if (m_scene.hasGround) middle.y = std::min(m_scene.groundHeight, bounds.min.y);
+        if (m_options.exploded == 0.0) return;
         const glm::vec3 fromMiddle(middle - m_scene.origin);
-        for (DrawnPose& motion : m_scene.motions) {
-            motion.apart = glm::vec4(glm::vec3(motion.position) - fromMiddle, 0.0f);
+        for (const DrawnPose& motion : m_scene.motions) {
+            m_scene.apart.emplace_back(glm::vec3(motion.position) - fromMiddle, 0.0f);
         }
     }
 

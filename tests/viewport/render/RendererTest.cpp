@@ -1,9 +1,9 @@
 #include "core/asset/StarterProject.h"
+#include "tests/support/Sessions.h"
+#include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
-#include "viewport/scene/SceneBuilder.h"
-
-#include <QTest>
+#include "viewport/scene/MomentBuilder.h"
 
 using namespace rubble;
 
@@ -67,6 +67,33 @@ private slots:
         QCOMPARE(pickedAt(moved, 0.5), std::optional(body));
         QVERIFY(pickedAt(moved, 1.0) != body);
     }
+    void aSwapUploadsNoGeometryAndTakesNoMoreDrawCalls() {
+        const auto play = test::playSceneOf(test::floatingBlock(40));
+        Session session = Session::start(play, {}).value();
+        MomentBuilder builder(play);
+        drawn(builder.momentOf(session));
+        session.step();
+        const RenderCounts whole = drawn(builder.momentOf(session));
+        test::give(session, BreakInput{1});
+        session.step();
+        QCOMPARE(session.bodies().size(), std::size_t{41});
+        const RenderCounts swap = drawn(builder.momentOf(session));
+        session.step();
+        const RenderCounts pieces = drawn(builder.momentOf(session));
+        QCOMPARE(whole.geometryBytes, std::uint64_t{0});
+        QVERIFY(swap.geometryBytes == 0 && pieces.geometryBytes == 0);
+        QVERIFY(whole.drawCalls == 2 && swap.drawCalls == 2 && pieces.drawCalls == 2);  // one for shadows
+        QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && pieces.bodyBytes == whole.bodyBytes);
+    }
+    void oneMoreFrameOfAStepUploadsNothing() {
+        RenderScene moved = *wallScene();
+        moved.earlier = moved.motions;
+        const auto scene = std::make_shared<RenderScene>(moved);
+        QVERIFY(drawn(scene, 0.2).bodyBytes > 0);
+        const RenderCounts again = drawn(scene, 0.6);
+        QVERIFY(again.bodyBytes == 0 && again.geometryBytes == 0);
+        QCOMPARE(again.drawCalls, std::uint64_t{2});
+    }
     void whatIsHiddenIsNotPicked() {
         const auto all = wallScene();
         m_renderer->setScene(all);
@@ -77,6 +104,19 @@ private slots:
     }
 
 private:
+    /// What it takes to draw a scene after the last one.
+    RenderCounts drawn(const std::shared_ptr<const RenderScene>& scene, double moment = 1.0) {
+        const RenderCounts before = m_renderer->counts();
+        m_renderer->setScene(scene);
+        PictureView view = frontView(*scene);
+        view.moment = moment;
+        const RenderTarget target(kSize, PixelFormat::Colour, 1);
+        m_renderer->draw(view, target.framebuffer());
+        const RenderCounts& now = m_renderer->counts();
+        return {now.drawCalls - before.drawCalls, now.geometryBytes - before.geometryBytes,
+                now.bodyBytes - before.bodyBytes};
+    }
+
     /// The body in the middle of the wall as it stands, at a moment of a scene's step.
     std::optional<std::uint32_t> pickedAt(const RenderScene& scene, double moment) {
         PictureView view = frontView(*wallScene());

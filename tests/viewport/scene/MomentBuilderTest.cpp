@@ -229,6 +229,20 @@ private slots:
         QVERIFY(drawn.moment()->earlier.empty());
         QVERIFY(!drawn.momentAfter(1)->earlier.empty());
     }
+    void itsSummaryIsWhatOneWouldFind() {
+        Drawn drawn(floatingBlock(5));
+        give(drawn.session, ShotInput{"box", test::throwAtBlock(20.0, 12.0)});
+        const auto isFound = [](const RenderScene& moment) {
+            RenderScene anew = moment;
+            anew.summary.reset();
+            const Box3 told = boundsOf(moment), found = boundsOf(anew);
+            return moment.summary && glm::distance(told.min, found.min) + glm::distance(told.max, found.max) < 0.05;
+        };
+        for (int k = 0; k < 20; ++k) {
+            QVERIFY(isFound(*drawn.momentAfter(1)));
+            QVERIFY(isFound(*drawn.moment()));
+        }
+    }
     void aSceneThatSomebodyHoldsStaysAsItIs() {
         Drawn drawn(floatingBlock(5));
         const auto held = drawn.moment();

@@ -74,7 +74,7 @@ private slots:
         const Vec3 foot = boundsOf(together).centre() - Vec3(0.0, 0.5, 0.0);
         for (std::size_t k = 0; k < apart.motions.size(); ++k) {
             const Vec3 arm = together.origin + Vec3(together.motions[k].position) - foot;
-            QVERIFY(isNear(Vec3(apart.motions[k].apart), arm));
+            QVERIFY(isNear(Vec3(apart.apart[k]), arm));
         }
         QVERIFY(boundsOf(apart).min.y > boundsOf(together).min.y - 1e-6);  // nothing goes below the ground
     }
