@@ -25,14 +25,6 @@ constexpr int kExplodedSteps = 200;    // of the slider
 constexpr double kMostExploded = 2.0;  // factor at its end
 constexpr QSize kBarIcon{18, 18};
 
-AssetBakes bakesOf(const Bakes& bakes) {
-    AssetBakes all;
-    for (const auto& [asset, baked] : bakes.all()) {
-        if (baked->bake) all.emplace(asset, baked->bake);
-    }
-    return all;
-}
-
 }  // namespace
 
 SceneView::SceneView(Workspace& workspace, QWidget* parent)

@@ -11,6 +11,7 @@
 #include "editor/panels/Inspector.h"
 #include "editor/panels/MessagesPanel.h"
 #include "editor/panels/PlayPanel.h"
+#include "editor/panels/PlayTestPanel.h"
 #include "editor/panels/ProjectTree.h"
 #include "editor/panels/ToolsPanel.h"
 #include "viewport/ViewportWidget.h"
@@ -96,7 +97,11 @@ void Views::makeDocks() {
         m_scene->viewport().setFocus();
     });
     addDock("dock-play", tr("Play"), play, Qt::BottomDockWidgetArea);
+    auto* tests = new PlayTestPanel(workspace.document(), workspace.play(), workspace.playTests());
+    connect(tests, &PlayTestPanel::refused, this, &Views::said);
+    connect(tests, &PlayTestPanel::showRequested, this, [this] { showScene(true); });
     addDock("dock-tools", tr("Throw"), m_tools, Qt::RightDockWidgetArea);
+    addDock("dock-tests", tr("Tests"), tests, Qt::BottomDockWidgetArea);
     connect(&workspace.play(), &PlayController::stateChanged, this, &Views::takePlayState);
     arrange();
 }
@@ -115,12 +120,12 @@ QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* con
 /// The layout that everybody begins with.
 void Views::arrange() {
     QDockWidget *tree = m_docks[0], *inspector = m_docks[1], *fragments = m_docks[2], *messages = m_docks[3],
-                *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6];
+                *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6], *tests = m_docks[7];
     const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
         {tree, Qt::LeftDockWidgetArea},       {history, Qt::LeftDockWidgetArea},
         {inspector, Qt::RightDockWidgetArea}, {fragments, Qt::BottomDockWidgetArea},
         {messages, Qt::BottomDockWidgetArea}, {play, Qt::BottomDockWidgetArea},
-        {tools, Qt::RightDockWidgetArea}};
+        {tools, Qt::RightDockWidgetArea},     {tests, Qt::BottomDockWidgetArea}};
     for (const auto& [dock, area] : places) {
         dock->setFloating(false);
         m_window.addDockWidget(area, dock);
@@ -130,6 +135,7 @@ void Views::arrange() {
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     m_window.tabifyDockWidget(fragments, messages);
     m_window.tabifyDockWidget(messages, play);
+    m_window.tabifyDockWidget(play, tests);
     m_window.tabifyDockWidget(inspector, tools);
     fragments->raise();
     inspector->raise();

@@ -4,6 +4,7 @@
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
 #include "editor/play/PlayController.h"
+#include "editor/play/PlayTestRunner.h"
 
 namespace rubble {
 
@@ -22,6 +23,7 @@ public:
     Bakes& bakes() { return m_bakes; }
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
+    PlayTestRunner& playTests() { return m_playTests; }
 
     /// The asset at hand; null where there is none.
     const Asset* asset() const { return findAsset(project(), m_selection.asset()); }
@@ -34,6 +36,7 @@ private:
     Bakes m_bakes;
     Baker m_baker;
     PlayController m_play;
+    PlayTestRunner m_playTests;
 };
 
 }  // namespace rubble

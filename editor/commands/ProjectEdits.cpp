@@ -75,6 +75,13 @@ Id appendMaterial(const Project& project, const std::string& name, Edit& edit) {
     return id;
 }
 
+Id appendShot(const Project& project, const std::string& name, const ShotAction& action, Edit& edit) {
+    const Id id = edit.takeId(project);
+    const Shot shot{.id = id, .name = freeName(project.shots, name), .time = kTimeOfShot, .action = action};
+    edit.swaps.push_back(Swap<Shot>{id, shot});
+    return id;
+}
+
 /// The project's first material; one that is added where there is none.
 Id firstMaterial(const Project& project, Edit& edit) {
     return project.materials.empty() ? appendMaterial(project, "stone", edit) : project.materials.front().id;
@@ -213,11 +220,25 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
 
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action) {
     Addition added{.edit = {.text = tr("Keep shot")}};
-    added.id = added.edit.takeId(project);
-    added.edit.swaps = {Swap<Shot>{
-        added.id, Shot{.id = added.id, .name = freeName(project.shots, name), .time = kTimeOfShot, .action = action}}};
+    added.id = appendShot(project, name, action, added.edit);
     return added;
 }
+
+Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot) {
+    Addition added{.edit = {.text = tr("Add play-test")}};
+    PlayTest test{.name = freeName(project.playTests, shot ? shot->name : "stands")};
+    if (shot) {
+        test.shots = {appendShot(project, shot->name, shot->action, added.edit)};
+        test.expectations = {{.kind = ExpectationKind::Breaks}};
+    } else {
+        test.expectations = {{.kind = ExpectationKind::StandsUntouched, .value = test.duration}};
+    }
+    added.id = test.id = added.edit.takeId(project);
+    added.edit.swaps.push_back(Swap<PlayTest>{added.id, std::move(test)});
+    return added;
+}
+
+Edit removePlayTest(Id test) { return {.text = tr("Delete play-test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}}; }
 
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level) {
     Addition addition{{.text = tr("Add layer")}};

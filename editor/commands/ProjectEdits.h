@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/play/PlayInput.h"
 #include "editor/document/Edit.h"
 
 #include <span>
@@ -51,6 +52,10 @@ Edit removeInstances(const Project& project, std::span<const Id> instances);
 
 /// Adds a shot that is fired half a second after the start. The name is numbered where it is taken.
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action);
+
+/// Adds a play-test: of a shot, which is kept, too, that something breaks; without one that everything stands.
+Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot);
+Edit removePlayTest(Id test);
 
 /// Adds a layer at the end of an asset's pattern, or of that of a level (1: its first), with a random seed of its own.
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level = 0);

@@ -1,5 +1,7 @@
 #include "editor/document/Bakes.h"
 
+#include <algorithm>
+
 namespace rubble {
 
 std::shared_ptr<const BakedAsset> Bakes::find(Id asset) const {
@@ -30,6 +32,21 @@ void Bakes::remove(Id asset) {
 void Bakes::clear() {
     while (!m_patterns.empty()) remove(m_patterns.begin()->first);
     while (!m_results.empty()) remove(m_results.begin()->first);
+}
+
+AssetBakes bakesOf(const Bakes& bakes) {
+    AssetBakes all;
+    for (const auto& [asset, baked] : bakes.all()) {
+        if (baked->bake) all.emplace(asset, baked->bake);
+    }
+    return all;
+}
+
+bool areCurrent(const Bakes& bakes, const Project& project) {
+    return std::ranges::all_of(project.assets, [&](const Asset& asset) {
+        const std::shared_ptr<const BakedAsset> baked = bakes.find(asset.id);
+        return baked && *baked->asset == asset;
+    });
 }
 
 }  // namespace rubble

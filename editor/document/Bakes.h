@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/AssetBakes.h"
 #include "core/base/Result.h"
 #include "core/fracture/Delaunay.h"
 #include "core/fracture/Partition.h"
@@ -55,5 +55,10 @@ private:
     std::map<Id, std::shared_ptr<const BakedAsset>> m_results;
     std::map<Id, std::shared_ptr<const BakedPattern>> m_patterns;
 };
+
+/// All bakes that there are.
+AssetBakes bakesOf(const Bakes& bakes);
+/// Whether the last result of each of a project's assets is of its state.
+bool areCurrent(const Bakes& bakes, const Project& project);
 
 }  // namespace rubble

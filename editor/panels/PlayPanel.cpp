@@ -30,9 +30,7 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     m_view->setAlternatingRowColors(true);
     m_view->setAccessibleName(tr("Breaks"));
     m_view->setObjectName("breaks");
-    m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_view->header()->setSectionResizeMode(BreakModel::kName, QHeaderView::Stretch);
     connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
         const ToldBreak& broken = m_model->broken(index.row());
         m_controller.seek(broken.step);

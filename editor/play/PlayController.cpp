@@ -60,7 +60,7 @@ void PlayController::reset() {
 }
 
 void PlayController::replay(PlayScript script) {
-    m_isGoingOn = true;
+    m_isGoingOn = script.begin == 0;
     prepare(std::move(script));
 }
 
@@ -144,7 +144,8 @@ PlayScript PlayController::script() {
     if (!m_scene) return {};
     std::promise<PlayScript> told;
     m_thread.post([&told, settings = m_script.settings](PlayEngine& engine) {
-        told.set_value({settings, engine.timeline().inputs(), engine.timeline().length(), {}});
+        told.set_value(
+            {.settings = settings, .inputs = engine.timeline().inputs(), .steps = engine.timeline().length()});
     });
     return told.get_future().get();
 }
@@ -160,27 +161,16 @@ void PlayController::prepare(PlayScript script) {
     tryToStart();
 }
 
-bool PlayController::areBakesCurrent() const {
-    return std::ranges::all_of(m_document.project().assets, [this](const Asset& asset) {
-        const std::shared_ptr<const BakedAsset> baked = m_bakes.find(asset.id);
-        return baked && *baked->asset == asset;
-    });
-}
-
 /// Begins as soon as all assets are baked as they are now.
 void PlayController::tryToStart() {
-    if (!m_isWaitingForBakes || !areBakesCurrent()) return;
+    if (!m_isWaitingForBakes || !areCurrent(m_bakes, m_document.project())) return;
     m_isWaitingForBakes = false;
     m_played = m_begunWith = m_document.project();
-    AssetBakes bakes;
-    for (const auto& [asset, baked] : m_bakes.all()) {
-        if (baked->bake) bakes.emplace(asset, baked->bake);
-    }
-    m_thread.start([project = m_played, bakes = std::move(bakes),
+    m_thread.start([project = m_played, bakes = bakesOf(m_bakes),
                     script = m_script](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
         if (!scene) return scene.error();
-        return PlayEngine::started(*scene, script);
+        return PlayEngine::started(*scene, script, task);
     });
 }
 

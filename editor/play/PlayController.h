@@ -36,7 +36,7 @@ public:
     void stepOnce();
     /// Pauses at the moment after so many steps of those that are known.
     void seek(std::uint64_t step);
-    /// Plays what was recorded, of the document as it is.
+    /// Plays a script, of the document as it is; stands still where it begins later than at the start.
     void replay(PlayScript script);
 
     double timeScale() const { return m_timeScale; }
@@ -91,7 +91,6 @@ private:
     void prepare(PlayScript script);
     void prepareAnew();
     void tryToStart();
-    bool areBakesCurrent() const;
     void follow();
     void setState(PlayState state);
     void finish(const QString& sentence);

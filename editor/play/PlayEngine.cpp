@@ -53,12 +53,26 @@ PlayScript scriptOf(const Replay& replay) {
     return script;
 }
 
+PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin) {
+    PlayScript script{.begin = begin};
+    script.steps = std::max<std::uint64_t>(stepOf(test.duration, script.settings.dt), 1);
+    for (const Shot& shot : project.shots) {
+        if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
+        script.inputs.push_back({stepOf(shot.time, script.settings.dt), ShotInput{shot.name, shot.action}});
+    }
+    std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
+    return script;
+}
+
 Result<std::unique_ptr<PlayEngine>> PlayEngine::started(const std::shared_ptr<const PlayScene>& scene,
-                                                        PlayScript script) {
+                                                        PlayScript script, const TaskContext& task) {
     Result<Session> session = Session::start(scene, script.settings);
     if (!session) return session.error();
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
-    return std::unique_ptr<PlayEngine>(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
+    std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
+    const Status begun = engine->m_timeline.seek(script.begin, task, [&engine] { engine->tell(); });
+    if (!begun) return begun.error();
+    return engine;
 }
 
 PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline,

@@ -11,17 +11,20 @@ struct PlayScript {
     SessionSettings settings;
     std::vector<TimedInput> inputs;  // ascending step
     std::uint64_t steps = 0;
+    std::uint64_t begin = 0;            // the moment that is shown first, after so many steps
     std::vector<std::uint64_t> hashes;  // that the steps came to; empty: nothing is known of it
 };
 PlayScript scriptOf(const Replay& replay);
+/// Of a play-test: its shots, for as long as it lasts, shown from a moment on.
+PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin);
 
 /// A project in play, as a window sees it: carries out what the user does, tells what becomes of it. Knows no time but steps.
 /// Everything of it happens in one thread.
 class PlayEngine {
 public:
-    /// Errors: those of Session::start().
-    static Result<std::unique_ptr<PlayEngine>> started(const std::shared_ptr<const PlayScene>& scene,
-                                                       PlayScript script);
+    /// Errors: those of Session::start() and Timeline::seek().
+    static Result<std::unique_ptr<PlayEngine>> started(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
+                                                       const TaskContext& task = {});
 
     const Timeline& timeline() const { return m_timeline; }
     const Session& session() const { return m_timeline.session(); }

@@ -7,6 +7,7 @@
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/panels/Section.h"
 #include "editor/panels/SliderField.h"
+#include "tests/support/Dialogs.h"
 #include "tests/support/TestSettings.h"
 #include "viewport/ViewportWidget.h"
 
@@ -28,27 +29,6 @@ using namespace rubble;
 namespace {
 
 constexpr int kPatience = 20000;  // ms, for baking on a busy machine
-
-/// What to do with the next dialog: done once it is there and active.
-template <class Dialog>
-void whenAsked(std::function<void(Dialog&)> answer) {
-    auto* timer = new QTimer(qApp);
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
-        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        timer->deleteLater();
-        timer->stop();
-        answer(*dialog);
-    });
-    timer->start(20);
-}
-
-void takeFile(QFileDialog& dialog, const QString& path) {
-    auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
-    name->setText(path);  // typed, its completer would hold the mouse
-    auto* buttons = dialog.findChild<QDialogButtonBox*>();
-    QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
-}
 
 QByteArray bytesOf(const QString& path) {
     QFile file(path);
@@ -88,7 +68,7 @@ private slots:
         m_newBytes = projectText(project());
     }
     void aRectangleIsAddedByTypingForIt() {
-        whenAsked<QDialog>([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
+        test::whenAsked<QDialog>([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
         QTest::keyClick(m_window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         QWidget* search = nullptr;
         QTRY_VERIFY((search = QApplication::activePopupWidget()));
@@ -149,7 +129,7 @@ private slots:
     }
     void itIsSavedAndOpenedAsItWas() {
         const QString path = m_folder.filePath("story.rubble");
-        whenAsked<QFileDialog>([path](QFileDialog& dialog) { takeFile(dialog, path); });
+        test::whenAsked<QFileDialog>([path](QFileDialog& dialog) { test::takeFile(dialog, path); });
         QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
         QCOMPARE(bytesOf(path).toStdString(), m_editedBytes);
         QVERIFY(!m_window->isWindowModified());
@@ -166,7 +146,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(37), kPatience);
     }
     void itIsExportedAsObj() {
-        whenAsked<QDialog>([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
+        test::whenAsked<QDialog>([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
         QTest::keyClick(m_window, Qt::Key_E, Qt::ControlModifier);
         const std::filesystem::path folder = m_folder.filePath("packs/wall").toStdString();
         QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(folder / "pack.json"), kPatience);

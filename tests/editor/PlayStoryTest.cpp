@@ -1,0 +1,196 @@
+#include "core/io/ReplayFile.h"
+#include "editor/MainWindow.h"
+#include "editor/PlayView.h"
+#include "editor/Program.h"
+#include "editor/SceneView.h"
+#include "editor/TimelineBar.h"
+#include "editor/Views.h"
+#include "editor/canvas/PatternCanvas.h"
+#include "editor/commands/ProjectEdits.h"
+#include "tests/support/Dialogs.h"
+#include "tests/support/Pictures.h"
+#include "tests/support/TestSettings.h"
+#include "viewport/ViewportWidget.h"
+
+#include <QApplication>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeView>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kPatience = 30000;  // ms, for baking on a busy machine
+constexpr double kStep = 1.0 / 60.0;
+const Vec3 kBesideTheDoor{1.5, 1.5, 3.0};
+
+}  // namespace
+
+/// A play by mouse and keys, on a clock that the test moves on: the house stands, a wall breaks, the play is gone back in, written
+/// down, played again, and another threshold makes another end.
+class PlayStoryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_folder.path());
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        m_program = std::make_unique<Program>();
+        QVERIFY(QFile::copy(RUBBLE_SOURCE_DIR "/projects/house.rubble", m_folder.filePath("house.rubble")));
+        m_window = m_program->open(m_folder.filePath("house.rubble"));
+        QVERIFY(m_window);
+        QApplication::setActiveWindow(m_window);  // there may be no window manager
+        QVERIFY(QTest::qWaitForWindowExposed(m_window, kPatience));
+        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        play().thread().useSteppedClock();
+        m_bytes = bytesOf("house.rubble");
+    }
+
+    void itStands() {
+        QTest::keyClick(m_window, Qt::Key_P, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        const QImage before = picture();
+        advance(60);
+        QCOMPARE(play().frame()->step, 60u);
+        QVERIFY(play().breaks().empty());
+        QVERIFY(test::meanDifference(before.copy(around()), picture().copy(around())) < 0.5);
+        QVERIFY(!m_window->views().canvas().isVisible());  // the 3D view has the middle to itself
+    }
+    void whatIsThrownIsSeenWithinTwoFrames() {
+        m_unbroken = picture();
+        QTest::mouseMove(&viewport(), target());
+        QTest::keyPress(&viewport(), Qt::Key_F);
+        advance(60);  // a full charge
+        const QImage charged = picture();
+        QTest::keyRelease(&viewport(), Qt::Key_F);
+        advance(2);
+        QVERIFY(play().lastShot().has_value());
+        QVERIFY(test::meanDifference(charged, picture()) > 1.0);  // it begins near the eye, and is large
+    }
+    void theWallBreaksInThePictureAndInTheList() {
+        advance(90);
+        QVERIFY(!play().breaks().empty());
+        QVERIFY(play().breaks().front().ratio() >= 1.0);
+        QTRY_COMPARE(breaks().model()->rowCount(), static_cast<int>(play().breaks().size()));
+        const QImage now = picture();
+        QVERIFY(test::meanDifference(m_unbroken.copy(around()), now.copy(around())) > 3.0);
+        m_hash = hash();
+        m_steps = play().frame()->length;
+    }
+    void itGoesBackAndForth() {
+        QTest::keyClick(&timeline(), Qt::Key_Home);
+        QTRY_COMPARE(play().frame()->step, 0u);
+        QCOMPARE(play().state(), PlayState::Paused);
+        QTest::keyClick(&timeline(), Qt::Key_Right);
+        QTRY_COMPARE(play().frame()->step, 1u);
+        QTest::mouseClick(&timeline(), Qt::LeftButton, {}, timeline().rect().center());
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps / 2, kPatience);
+        QTest::keyClick(&timeline(), Qt::Key_End);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+        QCOMPARE(hash(), m_hash);
+    }
+    void aBreakIsGoneToFromTheList() {
+        const QModelIndex first = breaks().model()->index(0, 0);
+        breaks().scrollTo(first);
+        QTest::mouseClick(breaks().viewport(), Qt::LeftButton, {}, breaks().visualRect(first).center());
+        QTest::keyClick(&breaks(), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().breaks().front().step, kPatience);
+        QVERIFY(glm::distance(viewport().camera().target, play().breaks().front().point) < 0.1);
+        QTest::keyClick(&timeline(), Qt::Key_End);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+    }
+    void itIsWrittenDownAndTheCommandLineComesToTheSame() {
+        const QString path = m_folder.filePath("shot.replay");
+        test::whenAsked<QFileDialog>([path](QFileDialog& dialog) { test::takeFile(dialog, path); });
+        action("play-save")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
+        QProcess cli;
+        cli.start(RUBBLE_CLI, {"replay", path, m_folder.filePath("house.rubble")});
+        QVERIFY(cli.waitForFinished(kPatience));
+        const QByteArray out = cli.readAllStandardOutput();
+        QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError());
+        QVERIFY2(out.contains(m_hash.hex().c_str()), out);
+        QVERIFY(out.contains("\"matches\": true"));
+    }
+    void itIsPlayedAgainFromTheFile() {
+        const Result<Replay> replay = loadReplay(m_folder.filePath("shot.replay").toStdString());
+        QVERIFY(replay.hasValue());
+        play().replay(scriptOf(*replay));
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        advance(static_cast<int>(m_steps));
+        QCOMPARE(hash(), m_hash);
+    }
+    void anotherThresholdMakesAnotherEnd() {
+        QTest::keyClick(&viewport(), Qt::Key_R);
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying() && play().frame()->step == 0, kPatience);
+        Asset wall = m_window->workspace().project().assets[0];
+        wall.threshold = 1e7;
+        m_window->workspace().document().push(altered("Change threshold", wall));
+        viewport().frameAll();
+        QTest::qWait(400);
+        QTest::mouseMove(&viewport(), target());
+        QTest::keyPress(&viewport(), Qt::Key_F);
+        advance(60);
+        QTest::keyRelease(&viewport(), Qt::Key_F);
+        advance(90);
+        QVERIFY(play().breaks().empty());
+        m_window->workspace().document().undoStack().undo();
+        QVERIFY(play().isPlaying());
+    }
+    void whatWasThrownIsKept() {
+        QTest::keyClick(m_window, Qt::Key_K, Qt::ControlModifier);
+        QCOMPARE(m_window->workspace().project().shots.back().name, "throw");
+        m_window->workspace().document().undoStack().undo();
+    }
+    void theProjectIsWhatItWas() {
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QCOMPARE(play().state(), PlayState::Stopped);
+        QVERIFY(m_window->views().canvas().isVisible());
+        QVERIFY(!m_window->workspace().document().isModified());
+        QCOMPARE(bytesOf("house.rubble"), m_bytes);
+    }
+    void cleanupTestCase() {
+        if (m_window) m_window->close();
+    }
+
+private:
+    PlayController& play() { return m_window->workspace().play(); }
+    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
+    TimelineBar& timeline() { return *m_window->findChild<TimelineBar*>("timeline"); }
+    QTreeView& breaks() { return *m_window->findChild<QTreeView*>("breaks"); }
+    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
+    QPoint target() { return viewport().pointOf(kBesideTheDoor)->toPoint(); }
+    QRect around() { return QRect(target() - QPoint(40, 40), QSize(80, 80)); }
+    void advance(int steps) {
+        for (int k = 0; k < steps; ++k) play().thread().advance(kStep);
+        play().takeNews();
+    }
+    QImage picture() {
+        m_window->views().scene().playView().refresh();
+        return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
+    }
+    ContentHash hash() {
+        ContentHash hash;
+        play().thread().post([&](PlayEngine& engine) { hash = engine.session().hash(); });
+        play().thread().settle();
+        return hash;
+    }
+    QByteArray bytesOf(const QString& name) {
+        QFile file(m_folder.filePath(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Program> m_program;
+    MainWindow* m_window = nullptr;
+    QByteArray m_bytes;
+    QImage m_unbroken;
+    ContentHash m_hash;
+    std::uint64_t m_steps = 0;
+};
+
+QTEST_MAIN(PlayStoryTest)
+#include "PlayStoryTest.moc"
