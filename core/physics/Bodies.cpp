@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-3;  // of a rotation's length: it is made a unit
 
-bool isWithin(Vec3 v, double most) {
-    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for nan
-}
-
 SymMat3f toFloat(const Mat3& m, double scale) {
     const auto at = [&](int column, int row) { return static_cast<float>(m[column][row] * scale); };
     return {at(0, 0), at(1, 0), at(2, 0), at(1, 1), at(2, 1), at(2, 2)};
@@ -44,14 +40,26 @@ std::uint32_t newBody(WorldState& state) {
 
 }  // namespace
 
+bool isWithin(Vec3 v, double most) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for nan
+}
+
+std::optional<std::string> faultOf(const Pose& pose, const std::string& what) {
+    if (!isWithin(pose.position, kFarthest)) {
+        return "The position of " + what + " must be within 100 km of the origin.";
+    }
+    const Quat& turn = pose.orientation;
+    const double size = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
+    if (!(std::abs(size - 1.0) <= kUnitTolerance)) {
+        return "The orientation of " + what + " must be a quaternion of length 1.";
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> faultOf(const BodyDefinition& definition) {
     const auto isNegative = [](double value) { return !(value >= 0.0 && std::isfinite(value)); };
     if (definition.shape == nullptr) return "A body needs a shape.";
-    if (!isWithin(definition.pose.position, kFarthest))
-        return "The position of a body must be within 100 km of the origin.";
-    const Quat& turn = definition.pose.orientation;
-    const double size = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
-    if (!(std::abs(size - 1.0) <= kUnitTolerance)) return "The orientation of a body must be a quaternion of length 1.";
+    if (const auto fault = faultOf(definition.pose, "a body")) return fault;
     if (!isWithin(definition.velocity, kFastest)) return "The velocity of a body must be below 10 km/s.";
     if (!isWithin(definition.angularVelocity, kFastest))
         return "The angular velocity of a body must be below 10,000 rad/s.";

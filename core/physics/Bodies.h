@@ -4,6 +4,10 @@
 
 namespace rubble {
 
+/// Whether no coordinate is larger than `most`; never where one is not a number.
+bool isWithin(Vec3 v, double most);
+/// What is wrong with the pose of something, as a sentence, or nothing.
+std::optional<std::string> faultOf(const Pose& pose, const std::string& what);
 /// What keeps a body from being made, as a sentence, or nothing.
 std::optional<std::string> faultOf(const BodyDefinition& definition);
 /// Makes a body of a definition without fault.

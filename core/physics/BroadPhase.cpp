@@ -115,14 +115,16 @@ void removeParted(WorldState& state, PairScratch& scratch) {
 
 }  // namespace
 
-Box tightBox(const WorldState& state, const Proxy& proxy) {
-    const BodyPlace& place = state.places[proxy.body];
-    const Hull& hull = state.bodies[proxy.body].shape->hulls[proxy.hull];
+Box tightBox(const Hull& hull, const BodyPlace& place) {
     const Mat3f turn = place.turn.matrix();
     const Vec3f middle = place.centre + turn * hull.middle;
     const Vec3f half =
         magnitudes(turn.x) * hull.extents.x + magnitudes(turn.y) * hull.extents.y + magnitudes(turn.z) * hull.extents.z;
     return {middle - half, middle + half};
+}
+
+Box tightBox(const WorldState& state, const Proxy& proxy) {
+    return tightBox(hullOf(state, proxy), state.places[proxy.body]);
 }
 
 void addProxies(WorldState& state, std::uint32_t body) {

@@ -13,7 +13,8 @@ struct PairScratch {
     std::vector<std::uint32_t> gone;                  // contacts
 };
 
-/// Where the box of a proxy's hull is now, without any margin.
+/// The box of a hull, or of a proxy's where it is now, without any margin.
+Box tightBox(const Hull& hull, const BodyPlace& place);
 Box tightBox(const WorldState& state, const Proxy& proxy);
 
 /// Puts a body's hulls in the tree, or takes them out.

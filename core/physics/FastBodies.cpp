@@ -36,7 +36,7 @@ void holdBack(WorldState& state, std::uint32_t body) {
         const Contact& contact = state.contacts[number];
         const Proxy& proxy = state.proxies[contact.proxies[contact.bodies[0] == other ? 0 : 1]];
         const RelativeWay way = wayPast(state, body, other);
-        const HullEntry entry = entryOf(state.bodies[other].shape->hulls[proxy.hull], way.from, way.way);
+        const HullEntry entry = entryOf(hullOf(state, proxy), way.from, way.way);
         if (entry.fraction > 1.0f) return;
         const float distance = kDistanceShare * state.bodies[body].shape->breadth;
         const float fraction = std::max(0.0f, entry.fraction + distance / dot(entry.normal, way.way));

@@ -163,6 +163,17 @@ Manifold betweenEdges(const SeparatingAxis& axis, const Hull& first, const Hull&
     return manifold;
 }
 
+/// The corner that lies farthest along the axis: the first hull's where it touches a face of the second, else the second's.
+Manifold::Point cornerAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second,
+                            const RelativePlace& place) {
+    if (axis.kind == AxisKind::SecondFace) {
+        const int corner = first.farthest(axis.normal);
+        return {first.corner(corner), 0.0f, kOnSecondsFace | static_cast<std::uint32_t>(corner)};
+    }
+    const int corner = second.farthest(place.turn.transposedTimes(axis.normal) * -1.0f);
+    return {place.turn * second.corner(corner) + place.offset, 0.0f, static_cast<std::uint32_t>(corner)};
+}
+
 }  // namespace
 
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePlace& place,
@@ -174,6 +185,17 @@ Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull
         case AxisKind::None: break;
     }
     return {};
+}
+
+Manifold touchingAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePlace& place,
+                       float margin) {
+    Manifold manifold = manifoldAlong(axis, first, second, place, margin);
+    manifold.normal = axis.normal;
+    if (manifold.count == 0) {
+        manifold.count = 1;
+        manifold.points[0] = cornerAlong(axis, first, second, place);
+    }
+    return manifold;
 }
 
 }  // namespace rubble

@@ -26,4 +26,8 @@ struct Manifold {
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePlace& place,
                        float margin);
 
+/// The same of hulls that are known to touch along the axis: where the clipping leaves no point, the corner that touches.
+Manifold touchingAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePlace& place,
+                       float margin);
+
 }  // namespace rubble

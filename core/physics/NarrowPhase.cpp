@@ -18,23 +18,6 @@ constexpr float kGapShare = 0.75f;
 constexpr float kSweptShare = 0.5f;
 constexpr std::size_t kLeastOpen = 1024;
 
-const Hull& hullOf(const WorldState& state, std::uint32_t proxy) {
-    return state.bodies[state.proxies[proxy].body].shape->hulls[state.proxies[proxy].hull];
-}
-
-RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second) {
-    const Mat3f turn = first.turn.matrix();
-    return {turn.transposed() * second.turn.matrix(), turn.transposedTimes(second.centre - first.centre)};
-}
-
-/// The point of two hulls that touch at a corner which the clipping lost.
-void touchAtCorner(Manifold& manifold, const SeparatingAxis& axis, const Hull& second, const RelativePlace& place) {
-    const int corner = second.farthest(place.turn.transposedTimes(axis.normal) * -1.0f);
-    manifold.normal = axis.normal;
-    manifold.count = 1;
-    manifold.points[0] = {place.turn * second.corner(corner) + place.offset, 0.0f, static_cast<std::uint32_t>(corner)};
-}
-
 void sweep(Look& look, const Hull& first, const Hull& second, RelativePlace place, Vec3f way) {
     const SweptTouch touch = sweptTouch(first, second, place, way);
     if (touch.axis.kind == AxisKind::None) return;
@@ -43,9 +26,7 @@ void sweep(Look& look, const Hull& first, const Hull& second, RelativePlace plac
     look.offset = place.offset;
     look.isSwept = true;
     // What has not arrived yet when the first corner does holds the others back as they turn towards it.
-    look.manifold = manifoldAlong(touch.axis, first, second, place, 2.0f * std::min(first.reach, second.reach));
-    look.manifold.normal = touch.axis.normal;
-    if (look.manifold.count == 0) touchAtCorner(look.manifold, touch.axis, second, place);
+    look.manifold = touchingAlong(touch.axis, first, second, place, 2.0f * std::min(first.reach, second.reach));
 }
 
 /// A unit vector square to another, the same for the same.
@@ -192,8 +173,14 @@ void sortLooks(LookScratch& scratch) {
 
 }  // namespace
 
+RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second) {
+    const Mat3f turn = first.turn.matrix();
+    return {turn.transposed() * second.turn.matrix(), turn.transposedTimes(second.centre - first.centre)};
+}
+
 Look lookAt(const WorldState& state, const Contact& contact, float dt) {
-    const Hull &first = hullOf(state, contact.proxies[0]), &second = hullOf(state, contact.proxies[1]);
+    const Hull& first = hullOf(state, state.proxies[contact.proxies[0]]);
+    const Hull& second = hullOf(state, state.proxies[contact.proxies[1]]);
     const BodyPlace &firstPlace = state.places[contact.bodies[0]], &secondPlace = state.places[contact.bodies[1]];
     const RelativePlace place = relativePlace(firstPlace, secondPlace);
     const BodyMotion &a = state.motions[contact.bodies[0]], &b = state.motions[contact.bodies[1]];

@@ -15,6 +15,9 @@ struct Look {
     bool isSwept = false;            // the manifold is of where they will meet
 };
 
+/// Where the second body is in the first's frame.
+RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second);
+
 /// Looks at two hulls as they are, or, where one moves far against its size, as they will be when they meet in the coming dt seconds.
 Look lookAt(const WorldState& state, const Contact& contact, float dt);
 

@@ -9,6 +9,7 @@ namespace {
 // Of a face that meets flat, edges meet something at the same time, up to rounding; but what touches is the face. Edges must be
 // later by so much of a way.
 constexpr float kEdgesBehind = 5e-4f;  // m
+constexpr float kOutermost = 1e-4f;    // m: what lies so near to the end of a hull along an axis is its end
 
 struct Interval {
     float low = 0.0f;
@@ -38,13 +39,19 @@ public:
         Interval b = spanAlong(m_second, m_place.turn.transposedTimes(axis.normal));
         const float offset = dot(axis.normal, m_place.offset), speed = dot(axis.normal, m_way);
         b = {b.low + offset, b.high + offset};
-        if (b.low > a.high) return narrowOneSide(axis, b.low - a.high, b.high - a.low, speed);
+        // Where other edges or corners lie farther out, the axis tells when, but not what touches.
+        SeparatingAxis found = axis;
+        if (b.low > a.high) {
+            if (axis.kind == AxisKind::Edges && !areOutermost(axis, a.high, b.low - offset))
+                found.kind = AxisKind::None;
+            return narrowOneSide(found, b.low - a.high, b.high - a.low, speed);
+        }
         if (a.low > b.high) {
-            // Behind a face there is another face or corner: the axis tells when, but not what touches.
-            SeparatingAxis other = axis;
-            other.normal = axis.normal * -1.0f;
-            if (axis.kind != AxisKind::Edges) other.kind = AxisKind::None;
-            return narrowOneSide(other, a.low - b.high, a.high - b.low, -speed);
+            found.normal = axis.normal * -1.0f;
+            if (axis.kind != AxisKind::Edges || !areOutermost(axis, a.low, b.high - offset)) {
+                found.kind = AxisKind::None;
+            }
+            return narrowOneSide(found, a.low - b.high, a.high - b.low, -speed);
         }
         return narrowEnd(b.high - a.low, a.high - b.low, speed);
     }
@@ -53,11 +60,19 @@ public:
     bool isMet() const { return m_axis.kind != AxisKind::None && m_begin <= m_end; }
 
 private:
+    /// Whether the two edges are what ends the hulls there: of parallel edges only one is.
+    bool areOutermost(const SeparatingAxis& edges, float endOfFirst, float endOfSecond) const {
+        const Vec3f first = m_first.corner(m_first.edges[edges.first].from);
+        const Vec3f second = m_second.corner(m_second.edges[edges.second].from);
+        return std::abs(dot(edges.normal, first) - endOfFirst) <= kOutermost &&
+               std::abs(dot(m_place.turn.transposedTimes(edges.normal), second) - endOfSecond) <= kOutermost;
+    }
     /// The second lies `gap` beyond the first along the normal, and has passed it after `whole`.
     bool narrowOneSide(const SeparatingAxis& axis, float gap, float whole, float speed) {
         if (speed >= 0.0f || gap > -speed) return false;
         const float begin = gap / -speed;
-        const float behind = axis.kind == AxisKind::Edges ? kEdgesBehind / -speed : 0.0f;
+        const bool isOverFace = axis.kind == AxisKind::Edges && m_axis.kind != AxisKind::Edges;
+        const float behind = isOverFace ? kEdgesBehind / -speed : 0.0f;
         const bool isLater = begin > m_axisBegin + behind || m_axis.kind == AxisKind::None;
         if (isLater && axis.kind != AxisKind::None) {
             m_axisBegin = begin;

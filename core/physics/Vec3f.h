@@ -94,10 +94,4 @@ inline SymMat3f rotated(const SymMat3f& m, const Mat3f& r) {
     return {a.x, a.y, a.z, b.y, b.z, c.z};
 }
 
-/// Where a body's centre of mass is and how it is turned.
-struct Placing {
-    Vec3f centre{0.0f, 0.0f, 0.0f};  // m
-    Quatf turn;                      // world from body
-};
-
 }  // namespace rubble

@@ -20,12 +20,12 @@ struct WorldSettings {
     LaneWidth lanes = widestLanes();
 };
 
-/// What a ray meets first.
-struct RayHit {
+/// What a ray or a hull meets first on a straight way.
+struct CastHit {
     BodyId body;
-    Vec3 point;
-    Vec3 normal;  // outwards, length 1
-    double fraction = 0.0;
+    Vec3 point;             // where they touch; the middle of it where edges or faces do
+    Vec3 normal;            // of the body outwards, length 1
+    double fraction = 0.0;  // of the way
 };
 
 /// An impulse on a body.
@@ -105,10 +105,17 @@ public:
     /// Every contact point that pushes or is about to, for drawing.
     std::vector<ContactPoint> contactPoints() const;
 
-    std::optional<RayHit> castRay(Vec3 from, Vec3 to) const;
+    /// A ray that begins inside a hull does not meet it; of bodies met at once it is the one with the lowest index.
+    std::optional<CastHit> castRay(Vec3 from, Vec3 to) const;
+    /// The same of a convex polytope that goes along `way` from `pose` without turning. What it touches or overlaps at the
+    /// start it meets there, along the axis along which they overlap least.
+    ///
+    /// Errors: those of makeHull(); BadInput for a pose or a way that is not finite, a rotation that is not of length 1, or
+    /// places farther than kFarthest from the origin.
+    Result<std::optional<CastHit>> castHull(const Polytope& polytope, const Pose& pose, Vec3 way) const;
     /// The bodies whose hulls overlap a convex polytope, in order of their indices.
     ///
-    /// Errors: those of makeHull().
+    /// Errors: those of makeHull(); BadInput for a pose as above.
     Result<std::vector<BodyId>> overlapping(const Polytope& polytope, const Pose& pose) const;
 
     /// Everything that the next step depends on.

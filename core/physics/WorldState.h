@@ -124,6 +124,10 @@ struct WorldState {
     BodyId idOf(std::uint32_t body) const { return {body, bodies[body].generation}; }
 };
 
+inline const Hull& hullOf(const WorldState& state, const Proxy& proxy) {
+    return state.bodies[proxy.body].shape->hulls[proxy.hull];
+}
+
 struct Snapshot {
     WorldState state;
 };

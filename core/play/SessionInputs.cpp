@@ -105,7 +105,7 @@ void act(const SessionParts& parts, const std::string& name, const Throw& thrown
 }
 
 /// The body that a hammer meets, and where.
-std::optional<RayHit> struckBy(const World& world, const Hammer& hammer, Vec3 direction) {
+std::optional<CastHit> struckBy(const World& world, const Hammer& hammer, Vec3 direction) {
     return world.castRay(hammer.at - kHammerReach * direction, hammer.at + kHammerReach * direction);
 }
 
@@ -113,7 +113,7 @@ void act(const SessionParts& parts, const std::string& name, const Hammer& hamme
     const double size = std::sqrt(glm::dot(hammer.impulse, hammer.impulse));
     if (size == 0.0) return;
     const Vec3 direction = hammer.impulse / size;
-    std::optional<RayHit> hit = struckBy(parts.world, hammer, direction);
+    std::optional<CastHit> hit = struckBy(parts.world, hammer, direction);
     if (!hit) {
         parts.state.events.notices.push_back("The blow \"" + name + "\" met nothing.");
         return;

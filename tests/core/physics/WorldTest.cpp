@@ -144,7 +144,7 @@ private slots:
     }
     void raysMeetTheNearestFace() {
         SceneWorld moved = test::worldOf(boxesAt({{0.0, 0.5, 0.0}, {3.0, 0.5, 0.0}}));
-        const std::optional<RayHit> hit = moved.world.castRay({-5.0, 0.6, 0.1}, {5.0, 0.6, 0.1});
+        const std::optional<CastHit> hit = moved.world.castRay({-5.0, 0.6, 0.1}, {5.0, 0.6, 0.1});
         QVERIFY(hit);
         QCOMPARE(hit->body, moved.bodies[1]);
         QVERIFY(glm::distance(hit->point, Vec3(-0.5, 0.6, 0.1)) < 1e-5);
