@@ -10,8 +10,10 @@ struct Box {
     Vec3f high{0.0f, 0.0f, 0.0f};
 
     bool overlaps(const Box& other) const {
-        return low.x <= other.high.x && low.y <= other.high.y && low.z <= other.high.z && other.low.x <= high.x &&
-               other.low.y <= high.y && other.low.z <= high.z;
+        // Without a branch after each: which of the six fails first cannot be foreseen.
+        const int below = (low.x <= other.high.x) & (low.y <= other.high.y) & (low.z <= other.high.z);
+        const int above = (other.low.x <= high.x) & (other.low.y <= high.y) & (other.low.z <= high.z);
+        return (below & above) != 0;
     }
     bool contains(const Box& other) const {
         return low.x <= other.low.x && low.y <= other.low.y && low.z <= other.low.z && other.high.x <= high.x &&

@@ -46,13 +46,21 @@ std::uint32_t BoxTree::insert(const Box& box, std::uint32_t number) {
     const std::uint32_t leaf = newNode();
     m_nodes[leaf].box = box;
     m_nodes[leaf].number = number;
+    m_nodes[leaf].parent = kLoose;
+    m_loose.push_back(leaf);
     ++m_leafCount;
     ++m_changes;
+    return leaf;
+}
+
+/// Hangs a loose leaf beside the best sibling.
+void BoxTree::place(std::uint32_t leaf) {
     if (m_root == kNone) {
         m_root = leaf;
-        return leaf;
+        m_nodes[leaf].parent = kNone;
+        return;
     }
-    const std::uint32_t sibling = siblingFor(box);
+    const std::uint32_t sibling = siblingFor(m_nodes[leaf].box);
     const std::uint32_t parent = newNode(), above = m_nodes[sibling].parent;
     m_nodes[parent].parent = above;
     m_nodes[parent].children = {sibling, leaf};
@@ -63,11 +71,10 @@ std::uint32_t BoxTree::insert(const Box& box, std::uint32_t number) {
         m_nodes[above].children[m_nodes[above].children[1] == sibling ? 1 : 0] = parent;
     }
     refitAbove(leaf);
-    return leaf;
 }
 
 void BoxTree::refitAbove(std::uint32_t node) {
-    for (std::uint32_t above = m_nodes[node].parent; above != kNone; above = m_nodes[above].parent) {
+    for (std::uint32_t above = m_nodes[node].parent; above < kLoose; above = m_nodes[above].parent) {
         Node& parent = m_nodes[above];
         parent.box = joined(m_nodes[parent.children[0]].box, m_nodes[parent.children[1]].box);
     }
@@ -77,6 +84,10 @@ void BoxTree::remove(std::uint32_t leaf) {
     const std::uint32_t parent = m_nodes[leaf].parent;
     --m_leafCount;
     m_free.push_back(leaf);
+    if (parent == kLoose) {
+        std::erase(m_loose, leaf);
+        return;
+    }
     if (parent == kNone) {
         m_root = kNone;
         return;
@@ -96,7 +107,7 @@ void BoxTree::remove(std::uint32_t leaf) {
 void BoxTree::grow(std::uint32_t leaf, const Box& box) {
     ++m_changes;
     m_nodes[leaf].box = joined(m_nodes[leaf].box, box);
-    for (std::uint32_t above = m_nodes[leaf].parent; above != kNone; above = m_nodes[above].parent) {
+    for (std::uint32_t above = m_nodes[leaf].parent; above < kLoose; above = m_nodes[above].parent) {
         if (m_nodes[above].box.contains(box)) return;
         m_nodes[above].box = joined(m_nodes[above].box, box);
     }
@@ -135,7 +146,7 @@ std::uint32_t BoxTree::built(std::size_t begin, std::size_t end) {
 }
 
 void BoxTree::rebuild() {
-    m_leaves.clear();
+    m_leaves = m_loose;
     std::vector<std::uint32_t>& inner = m_free;  // every inner node is free again
     inner.reserve(m_nodes.size());
     std::vector<std::uint32_t> open;
@@ -157,7 +168,12 @@ void BoxTree::rebuild() {
 }
 
 void BoxTree::tidy() {
-    if (2 * m_changes > m_leafCount) rebuild();
+    if (2 * m_changes > m_leafCount) {
+        rebuild();
+    } else {
+        for (const std::uint32_t leaf : m_loose) place(leaf);
+    }
+    m_loose.clear();
 }
 
 }  // namespace rubble

@@ -9,7 +9,8 @@
 namespace rubble {
 
 /// Boxes in a binary tree, to find those that a box overlaps in logarithmic time. Boxes that grow are grown in place, and the
-/// tree is built anew when half of them have: a cheap way to keep a heap in motion well sorted.
+/// tree is built anew when half of them have: a cheap way to keep a heap in motion well sorted. Boxes that are put in lie loose
+/// until then, or find their place one by one.
 /// Source: Wald 2007 (splits by the middle of the longest side); Goldsmith, Salmon 1987 (insertion by surface).
 class BoxTree {
 public:
@@ -37,9 +38,14 @@ public:
     template <class Meets, class Visit>
     void visitWhere(const Meets& meets, const Visit& visit) const {
         if (m_root != kNone) visitBelow(m_root, meets, visit);
+        for (const std::uint32_t leaf : m_loose) {
+            if (meets(m_nodes[leaf].box)) visit(m_nodes[leaf].number);
+        }
     }
 
 private:
+    static constexpr std::uint32_t kLoose = kNone - 1;  // the parent of a leaf that has no place yet
+
     struct Node {
         Box box;
         std::uint32_t parent = kNone;
@@ -50,17 +56,20 @@ private:
 
     template <class Meets, class Visit>
     void visitBelow(std::uint32_t top, const Meets& meets, const Visit& visit) const {
-        std::array<std::uint32_t, 64> open;
+        std::array<std::uint32_t, 64> open;  // all of them met
         std::size_t count = 0;
-        open[count++] = top;
+        open[0] = top;
+        count += meets(m_nodes[top].box) ? 1 : 0;
         while (count > 0) {
             const Node& node = m_nodes[open[--count]];
-            if (!meets(node.box)) continue;
             if (node.isLeaf()) {
                 visit(node.number);
             } else if (count + 2 <= open.size()) {
-                open[count++] = node.children[1];
-                open[count++] = node.children[0];
+                // Written in any case, and kept by counting: a branch that cannot be foreseen costs more than the test.
+                open[count] = node.children[1];
+                count += meets(m_nodes[node.children[1]].box) ? 1 : 0;
+                open[count] = node.children[0];
+                count += meets(m_nodes[node.children[0]].box) ? 1 : 0;
             } else {  // deeper than a tree in order: its parts are visited on their own
                 visitBelow(node.children[0], meets, visit);
                 visitBelow(node.children[1], meets, visit);
@@ -70,12 +79,14 @@ private:
 
     std::uint32_t newNode();
     std::uint32_t siblingFor(const Box& box) const;
+    void place(std::uint32_t leaf);
     void refitAbove(std::uint32_t node);
     std::uint32_t built(std::size_t begin, std::size_t end);
     void rebuild();
 
     std::vector<Node> m_nodes;
     std::vector<std::uint32_t> m_free;
+    std::vector<std::uint32_t> m_loose;
     std::vector<std::uint32_t> m_leaves;  // while it is built anew
     std::uint32_t m_root = kNone;
     std::size_t m_leafCount = 0;

@@ -86,6 +86,17 @@ void addFaces(Hull& hull, const Polytope& polytope, Vec3 centre) {
     }
 }
 
+void addSides(Hull& hull) {
+    for (int face = 0; face < static_cast<int>(hull.planes.size()); ++face) {
+        const std::span<const std::uint16_t> loop = hull.face(face);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec3f from = hull.corner(loop[i]), to = hull.corner(loop[i + 1 == loop.size() ? 0 : i + 1]);
+            const Vec3f outwards = normalized(cross(to - from, hull.planes[face].normal));
+            hull.sides.push_back({outwards, dot(outwards, from)});
+        }
+    }
+}
+
 /// The face whose loop runs along each directed edge.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint16_t> facesByEdge(const Polytope& polytope) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint16_t> faces;
@@ -159,6 +170,7 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
     hull.breadth = static_cast<float>(breadthOf(*simple));
     addCorners(hull, *simple, centre);
     addFaces(hull, *simple, centre);
+    addSides(hull);
     addEdges(hull, *simple);
     return hull;
 }

@@ -40,6 +40,7 @@ struct Hull {
     std::vector<HullEdge> edges;
     std::vector<std::uint16_t> loops;        // corners of all faces, each counter-clockwise from outside
     std::vector<std::uint16_t> firstInLoop;  // one a face and one more
+    std::vector<HullPlane> sides;  // one a corner of `loops`: through the edge that leaves it, square to the face
     // By edge, padded with zeros: from the first corner to the second, the first corner, the normals of both faces.
     VectorRows edgeVectors, edgeCorners, edgeFirstNormals, edgeSecondNormals;
     Vec3f middle{0.0f, 0.0f, 0.0f};   // of its box
@@ -50,6 +51,9 @@ struct Hull {
     Vec3f corner(int index) const { return Vec3f(corners.x[index], corners.y[index], corners.z[index]); }
     std::span<const std::uint16_t> face(int index) const {
         return std::span(loops).subspan(firstInLoop[index], firstInLoop[index + 1] - firstInLoop[index]);
+    }
+    std::span<const HullPlane> sidesOf(int face) const {
+        return std::span(sides).subspan(firstInLoop[face], firstInLoop[face + 1] - firstInLoop[face]);
     }
     /// The corner farthest along a direction; of equals the first.
     int farthest(Vec3f direction) const;

@@ -33,13 +33,13 @@ int placedFace(const Hull& hull, int face, const RelativePlace& place, const Hul
 }
 
 /// Keeps what lies behind a plane through a side of the reference face.
-int clippedBy(Vec3f normal, float offset, std::uint16_t side, const Clipped* in, int count, Clipped* out) {
+int clippedBy(const HullPlane& plane, std::uint16_t side, const Clipped* in, int count, Clipped* out) {
     int kept = 0;
-    float before = dot(normal, in[count - 1].place) - offset;
+    float before = dot(plane.normal, in[count - 1].place) - plane.offset;
     for (int i = 0; i < count; ++i) {
         const Clipped& from = in[i == 0 ? count - 1 : i - 1];
         const Clipped& to = in[i];
-        const float after = dot(normal, to.place) - offset;
+        const float after = dot(plane.normal, to.place) - plane.offset;
         if ((before <= 0.0f) != (after <= 0.0f)) {
             const float share = before / (before - after);
             const std::uint32_t feature =
@@ -112,10 +112,9 @@ Manifold overFace(const Hull& owner, int face, const Hull& other, const Relative
     Clipped *in = buffers[0], *out = buffers[1];
     int count = placedFace(other, facing, place, reference, in);
     const std::span<const std::uint16_t> loop = owner.face(face);
+    const std::span<const HullPlane> sides = owner.sidesOf(face);
     for (std::size_t i = 0; i < loop.size() && count > 0; ++i) {
-        const Vec3f from = owner.corner(loop[i]), to = owner.corner(loop[i + 1 == loop.size() ? 0 : i + 1]);
-        const Vec3f outwards = normalized(cross(to - from, reference.normal));
-        count = clippedBy(outwards, dot(outwards, from), loop[i], in, count, out);
+        count = clippedBy(sides[i], loop[i], in, count, out);
         std::swap(in, out);
     }
     const Clipped* end = std::remove_if(in, in + count, [&](const Clipped& p) { return p.height > margin; });

@@ -57,14 +57,8 @@ BestFace bestFace(const Hull& owner, const Hull& other, const RelativePlace& oth
 
 /// Whether a point over a face lies over the face itself and not beside it, by less than `tolerance`.
 bool isOver(const Hull& owner, int face, Vec3f point, float tolerance) {
-    const Vec3f normal = owner.planes[face].normal;
-    const std::span<const std::uint16_t> loop = owner.face(face);
-    Vec3f from = owner.corner(loop[loop.size() - 1]);
-    for (const std::uint16_t corner : loop) {
-        const Vec3f to = owner.corner(corner), side = to - from, outwards = cross(side, normal);
-        const float beside = dot(outwards, point - from);
-        if (beside > 0.0f && beside * beside > tolerance * tolerance * lengthSquared(side)) return false;
-        from = to;
+    for (const HullPlane& side : owner.sidesOf(face)) {
+        if (dot(side.normal, point) - side.offset > tolerance) return false;
     }
     return true;
 }
