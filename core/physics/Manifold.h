@@ -20,6 +20,14 @@ struct Manifold {
     std::array<Point, kMostManifoldPoints> points;
 };
 
+/// What a look at two hulls gave.
+struct Look {
+    Manifold manifold;  // in the first hull's frame
+    SeparatingAxis axis;
+    Vec3f offset{0.0f, 0.0f, 0.0f};  // m: where the second's centre is then, in the first's frame
+    bool isSwept = false;            // the manifold is of where they will meet
+};
+
 /// The points along an axis that are nearer than `margin`: of a face, the other hull's facing face clipped to it and reduced to
 /// the four that span most; of edges, the point between them, or none where the lines meet beyond their ends.
 /// Source: Gregorius 2015, "Robust contact creation".

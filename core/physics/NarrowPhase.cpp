@@ -8,8 +8,6 @@
 namespace rubble {
 namespace {
 
-/// Bodies nearer than this get a manifold before they touch, so that they do not overlap first.
-constexpr float kSpeculativeDistance = 0.02f;  // m
 /// A manifold is kept while its bodies move less against each other than this.
 constexpr float kMostSlack = 0.02f;  // m
 /// Bodies that are apart are looked at again when they may have closed this share of the gap.
@@ -85,27 +83,6 @@ void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference,
     contact.features = features;
 }
 
-/// Writes what was seen into the contact's lane.
-void keepManifold(WorldState& state, std::uint32_t number, const Look& look) {
-    Contact& contact = state.contacts[number];
-    ContactBlock& block = state.colours.block(contact.slot);
-    ReferenceBlock& reference = state.colours.reference(contact.slot);
-    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
-    const BodyPlace &first = state.places[contact.bodies[0]], &second = state.places[contact.bodies[1]];
-    const Mat3f turn = first.turn.matrix();
-    turnFriction(block, lane, turn * look.manifold.normal);
-    putPoints(contact, block, reference, lane, look.manifold, turn);
-    put(first.turn, reference.firstTurn, lane);
-    put(second.turn, reference.secondTurn, lane);
-    put(look.isSwept ? turn * look.offset * -1.0f : first.centre - second.centre, reference.apart, lane);
-    reference.isSwept[lane] = look.isSwept ? 1.0f : 0.0f;
-    reference.slack[lane] = look.isSwept ? -1.0f : kMostSlack;
-    const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
-    block.friction[lane] = std::sqrt(a.friction * b.friction);
-    block.restitution[lane] = std::max(a.restitution, b.restitution);
-    contact.axis = look.axis;
-}
-
 /// Until when bodies that are apart need no look.
 void noteGap(WorldState& state, std::uint32_t number, const Look& look) {
     Contact& contact = state.contacts[number];
@@ -172,6 +149,26 @@ void sortLooks(LookScratch& scratch) {
 }
 
 }  // namespace
+
+void keepManifold(WorldState& state, std::uint32_t number, const Look& look) {
+    Contact& contact = state.contacts[number];
+    ContactBlock& block = state.colours.block(contact.slot);
+    ReferenceBlock& reference = state.colours.reference(contact.slot);
+    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
+    const BodyPlace &first = state.places[contact.bodies[0]], &second = state.places[contact.bodies[1]];
+    const Mat3f turn = first.turn.matrix();
+    turnFriction(block, lane, turn * look.manifold.normal);
+    putPoints(contact, block, reference, lane, look.manifold, turn);
+    put(first.turn, reference.firstTurn, lane);
+    put(second.turn, reference.secondTurn, lane);
+    put(look.isSwept ? turn * look.offset * -1.0f : first.centre - second.centre, reference.apart, lane);
+    reference.isSwept[lane] = look.isSwept ? 1.0f : 0.0f;
+    reference.slack[lane] = look.isSwept ? -1.0f : kMostSlack;
+    const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
+    block.friction[lane] = std::sqrt(a.friction * b.friction);
+    block.restitution[lane] = std::max(a.restitution, b.restitution);
+    contact.axis = look.axis;
+}
 
 RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second) {
     const Mat3f turn = first.turn.matrix();

@@ -7,19 +7,17 @@
 
 namespace rubble {
 
-/// What a look at two hulls gave.
-struct Look {
-    Manifold manifold;  // in the first hull's frame
-    SeparatingAxis axis;
-    Vec3f offset{0.0f, 0.0f, 0.0f};  // m: where the second's centre is then, in the first's frame
-    bool isSwept = false;            // the manifold is of where they will meet
-};
+/// Hulls nearer than this get a manifold before they touch, so that they do not overlap first.
+inline constexpr float kSpeculativeDistance = 0.02f;  // m
 
 /// Where the second body is in the first's frame.
 RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second);
 
 /// Looks at two hulls as they are, or, where one moves far against its size, as they will be when they meet in the coming dt seconds.
 Look lookAt(const WorldState& state, const Contact& contact, float dt);
+
+/// Writes what was seen into the lane of a contact that has one.
+void keepManifold(WorldState& state, std::uint32_t contact, const Look& look);
 
 struct Looked {
     std::uint32_t contact;

@@ -33,6 +33,21 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+std::uint32_t proxyOf(const WorldState& state, std::uint32_t body, std::uint32_t hull) {
+    std::uint32_t proxy = state.bodies[body].firstProxy;
+    while (state.proxies[proxy].hull != hull) proxy = state.proxies[proxy].next;
+    return proxy;
+}
+
+/// Makes a contact that is known, and keeps how it touches.
+void seedContact(WorldState& state, std::uint32_t first, std::uint32_t second, const ContactSeed& seed) {
+    if (state.pairs.find(first, second) != PairTable::kNone) return;
+    const std::uint32_t contact = addContact(state, first, second);
+    const Look& look = seed.looks[state.contacts[contact].proxies[0] == first ? 0 : 1];
+    beginTouching(state, contact, static_cast<std::uint32_t>(look.manifold.count));
+    keepManifold(state, contact, look);
+}
+
 bool isAlive(const WorldState& state, std::uint32_t body) { return state.bodies[body].shape != nullptr; }
 
 }  // namespace
@@ -156,9 +171,14 @@ void World::collide(double dt) {
     shop.times.collide += watch.lap();
 }
 
-void World::expectContact(BodyId first, BodyId second) {
+void World::expectContact(BodyId first, BodyId second, std::span<const ContactSeed> seeds) {
     RUBBLE_ASSERT(contains(first) && contains(second));
     WorldState& state = *m_state;
+    for (const ContactSeed& seed : seeds) {
+        seedContact(state, proxyOf(state, first.index, seed.hulls[0]), proxyOf(state, second.index, seed.hulls[1]),
+                    seed);
+    }
+    if (!seeds.empty()) return;
     for (std::uint32_t a = state.bodies[first.index].firstProxy; a != kNone; a = state.proxies[a].next) {
         for (std::uint32_t b = state.bodies[second.index].firstProxy; b != kNone; b = state.proxies[b].next) {
             if (state.pairs.find(a, b) == PairTable::kNone) addContact(state, a, b);

@@ -2,6 +2,7 @@
 
 #include "core/base/Hash.h"
 #include "core/physics/Body.h"
+#include "core/physics/ContactSeeds.h"
 #include "core/physics/Lanes.h"
 #include "core/physics/StepResults.h"
 
@@ -90,8 +91,9 @@ public:
     /// Finds contacts and the impacts of the step about to be solved. Called again after bodies were exchanged, it looks at
     /// the newcomers only.
     void collide(double dt);
-    /// Says that two bodies touch, as pieces of one broken body do, so that collide() need not search for it.
-    void expectContact(BodyId first, BodyId second);
+    /// Says that two bodies touch, as pieces of one broken body do, so that collide() need not search for it; nor look how, where
+    /// that is known by the seeds of their shapes. To be called between collide() and solve(), and collide() after it.
+    void expectContact(BodyId first, BodyId second, std::span<const ContactSeed> seeds = {});
     /// Those of the step about to be solved, as collide() left it, in order of bodies.
     std::vector<Impact> impacts();
     /// Moves all bodies by dt seconds.

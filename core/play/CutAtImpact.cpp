@@ -41,7 +41,7 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 po
                           {.id = 2, .randomSeed = randomSeed, .parameters = UniformScatter{.count = others}}};
     Result<Bake> baked = bake(cut);
     if (!baked) return baked.error();
-    return playAsset(cut, std::make_shared<const Bake>(std::move(*baked)));
+    return playAsset(cut, std::make_shared<const Bake>(std::move(*baked)), {}, FindContacts::WhenItBreaks);
 }
 
 }  // namespace rubble

@@ -25,10 +25,19 @@ PlayBreaking breakingWith(const BakedBreaking& baked) {
     PlayBreaking breaking{.first = baked.first, .count = baked.fragments.count()};
     for (std::uint32_t k = 0; k < breaking.count; ++k) {
         for (const Bond& bond : baked.fragments[k].bonds()) {
-            if (bond.fragment > k) breaking.neighbours.push_back({baked.first + k, baked.first + bond.fragment});
+            if (bond.fragment > k) breaking.neighbours.push_back({baked.first + k, baked.first + bond.fragment, {}});
         }
     }
     return breaking;
+}
+
+/// How neighbours touch.
+void findContacts(PlayAsset& ready, PlayBreaking& breaking) {
+    const auto centreOf = [](const PlayPiece& piece) { return piece.offset + piece.shape->mass.centre; };
+    for (PlayNeighbours& pair : breaking.neighbours) {
+        const PlayPiece &first = ready.pieces[pair.first], &second = ready.pieces[pair.second];
+        pair.seeds = contactSeeds(*first.shape, *second.shape, centreOf(second) - centreOf(first));
+    }
 }
 
 Status appendPieces(const BakedBreaking& baked, const TaskContext& task, PlayAsset& ready) {
@@ -61,7 +70,7 @@ const PlayBreaking* PlayAsset::breakingOf(std::uint32_t fragment) const {
 }
 
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
-                                                   const TaskContext& task) {
+                                                   const TaskContext& task, FindContacts when) {
     auto ready = std::make_shared<PlayAsset>();
     ready->bake = std::move(bake);
     const MassProperties& mass = ready->bake->whole;
@@ -77,6 +86,7 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
         PlayPiece& broken = baked.parent == kNone ? ready->whole : ready->pieces[baked.parent];
         broken.breaking = static_cast<std::uint32_t>(ready->breakings.size());
         ready->breakings.push_back(breakingWith(baked));
+        if (when == FindContacts::Beforehand) findContacts(*ready, ready->breakings.back());
     }
     return std::shared_ptr<const PlayAsset>(std::move(ready));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/Bake.h"
-#include "core/physics/Shape.h"
+#include "core/physics/ContactSeeds.h"
 
 #include <array>
 #include <cstdint>
@@ -20,11 +20,18 @@ struct PlayPiece {
     std::uint32_t breaking = kNone;      // what it breaks into, as an index in PlayAsset::breakings; kNone: it does not
 };
 
+/// Two fragments that touch, and how, where that was found beforehand.
+struct PlayNeighbours {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    std::vector<ContactSeed> seeds;
+};
+
 /// The pieces that one solid breaks into: consecutive fragments of the bake.
 struct PlayBreaking {
     std::uint32_t first = 0;
-    std::uint32_t count = 0;                               // at least 2
-    std::vector<std::array<std::uint32_t, 2>> neighbours;  // that touch, as numbers of fragments; each pair once
+    std::uint32_t count = 0;                 // at least 2
+    std::vector<PlayNeighbours> neighbours;  // each pair once
 };
 
 /// An asset made ready to be played: the shapes of all that it can become, shared by every body of it.
@@ -44,12 +51,16 @@ struct PlayAsset {
 /// The hulls of the whole where they stand in the prism's frame.
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake);
 
+/// When it is found out how the pieces of an asset touch: it takes about as long as their first collision.
+enum class FindContacts : std::uint8_t { Beforehand, WhenItBreaks };
+
 /// Makes a baked asset ready. A solid with more corners than simulation takes moves as the hull of its farthest ones, one too
 /// thin as a box around it, each with the mass of the exact piece; a notice tells of either. A fragment is as tough as its
 /// share of the whole's volume to the power of 2/3: what breaks is an area.
 ///
 /// Errors: BadInput where the whole cannot be a body at all, with the asset's name; Cancelled.
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
-                                                   const TaskContext& task = {});
+                                                   const TaskContext& task = {},
+                                                   FindContacts when = FindContacts::Beforehand);
 
 }  // namespace rubble

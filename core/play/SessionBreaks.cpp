@@ -88,7 +88,9 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
     }
     const PlayBody* pieces = &parts.state.bodies[parts.state.bodies.size() - breaking.count];
     const auto bodyOf = [&](std::uint32_t fragment) { return pieces[fragment - breaking.first].body; };
-    for (const auto& [first, second] : breaking.neighbours) parts.world.expectContact(bodyOf(first), bodyOf(second));
+    for (const PlayNeighbours& pair : breaking.neighbours) {
+        parts.world.expectContact(bodyOf(pair.first), bodyOf(pair.second), pair.seeds);
+    }
     told.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     parts.state.events.breaks.push_back(told);
 }
