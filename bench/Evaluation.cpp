@@ -2,34 +2,32 @@
 // tools/evaluate to draw.
 //
 //   Evaluation FOLDER
+#include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
 #include "core/fracture/ThesisMethod.h"
 #include "core/fracture/VoronoiPartition.h"
 #include "core/play/Session.h"
 #include "tests/support/House.h"
+#include "viewport/render/RenderTarget.h"
+#include "viewport/render/Renderer.h"
+#include "viewport/render/SurfacelessContext.h"
+#include "viewport/scene/MomentBuilder.h"
 
-#include <chrono>
+#include <epoxy/gl.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 using namespace rubble;
+using bench::millisecondsOf;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kRuns = 10;  // as the thesis
 constexpr std::uint32_t kMostSeeds = 100;
 const Ring kSquare = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
-
-template <class Work>
-double millisecondsOf(const Work& work) {
-    const auto start = Clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::vector<Vec2> seedsOf(std::uint32_t count, std::uint64_t run) {
     Random random(mixedWith(count, run));
@@ -81,16 +79,51 @@ void measureSwap(const std::filesystem::path& file) {
     }
 }
 
+/// Pictures of a session, and what they take.
+class Frames {
+public:
+    explicit Frames(std::shared_ptr<const PlayScene> scene) : m_moments(std::move(scene)) {
+        m_view.camera = framing(orbited({}, 0.6, 0.4), {Vec3(-6.0, 0.0, -6.0), Vec3(6.0, 6.0, 6.0)}, kSize);
+    }
+
+    const char* renderer() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+    /// Until the moment is where it is drawn from, ms.
+    double prepare(const Session& session) {
+        return millisecondsOf([&] {
+            m_renderer->setScene(m_moments.momentOf(session));
+            glFinish();
+        });
+    }
+    double draw() {
+        return millisecondsOf([&] {
+            m_renderer->draw(m_view, m_target.framebuffer());
+            glFinish();
+        });
+    }
+
+private:
+    static constexpr PictureSize kSize{1280, 720};
+
+    std::unique_ptr<SurfacelessContext> m_context = std::move(*SurfacelessContext::made());
+    std::unique_ptr<Renderer> m_renderer = std::move(*Renderer::made());
+    RenderTarget m_target{kSize, PixelFormat::Colour, 1};
+    PictureView m_view{.size = kSize};
+    MomentBuilder m_moments;
+};
+
 /// Figure 5: walls of the house are thrown on a pile, one after the other, and break there.
-void measureSteps(const std::filesystem::path& file) {
+void measureSteps(const std::filesystem::path& folder) {
     constexpr int kBodies = 600, kStepsBetween = 12;
     Project project = test::house();
     const Id wall = project.assets[0].id;
     project.instances.clear();
     project.playTests.clear();  // which name them
-    Result<Session> session = Session::start(*playScene(project), {.sleeping = false});
-    std::ofstream csv(file);
-    csv << "bodies,pairs,points,step\n";
+    const std::shared_ptr<const PlayScene> scene = *playScene(project);
+    Result<Session> session = Session::start(scene, {.sleeping = false});
+    Frames frames(scene);
+    std::ofstream(folder / "renderer.txt") << frames.renderer() << '\n';
+    std::ofstream csv(folder / "steps.csv");
+    csv << "bodies,pairs,points,step,moment,frame\n";
     Random random(1);
     std::vector<double> times;
     for (int body = 0; body < kBodies; ++body) {
@@ -104,7 +137,9 @@ void measureSteps(const std::filesystem::path& file) {
         if ((body + 1) % 5 != 0) continue;
         const StepCounts counts = session->world().counts();
         csv << counts.bodies << ',' << counts.candidatePairs << ',' << counts.contactPoints << ','
-            << percentile(times, 0.5) << '\n';
+            << percentile(times, 0.5);
+        const double moment = frames.prepare(*session);
+        csv << ',' << moment << ',' << moment + frames.draw() << '\n';
         times.clear();
     }
 }
@@ -119,6 +154,6 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argv[1];
     measureVoronoi(folder / "voronoi.csv");
     measureSwap(folder / "swap.csv");
-    measureSteps(folder / "steps.csv");
+    measureSteps(folder);
     return 0;
 }

@@ -3,11 +3,11 @@
 //
 //   PhysicsBench [scene]...    for instance: PhysicsBench heap-2000 wall
 #include "bench/BulletBodies.h"
+#include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/physics/Penetration.h"
 #include "tests/support/scenes/Scenes.h"
 
-#include <chrono>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -15,8 +15,6 @@
 using namespace rubble;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kStep = 1.0 / 60.0;  // s
 constexpr int kSettling = 120;        // steps before the clock starts
@@ -48,11 +46,7 @@ struct Runner {
     std::vector<double> times;
 
     void run(int steps) {
-        for (int k = 0; k < steps; ++k) {
-            const auto start = Clock::now();
-            bodies.step(kStep);
-            times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-        }
+        for (int k = 0; k < steps; ++k) times.push_back(bench::millisecondsOf([&] { bodies.step(kStep); }));
     }
     double median() const { return percentile({times.begin() + kSettling, times.end()}, 0.5); }
 };

@@ -1,18 +1,17 @@
 // What it costs to swap bodies for their pieces, in steps of the same scene: one polytope for ten fragments and for thirty that are
 // cut in that moment, and all polytopes of the house at once. Each is done many times from the same snapshot.
+#include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/play/Session.h"
 #include "tests/support/House.h"
 #include "tests/support/scenes/Scenes.h"
 
-#include <chrono>
 #include <cstdio>
 
 using namespace rubble;
+using bench::millisecondsOf;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kStep = 1.0 / 60.0;  // s
 constexpr int kSettling = 120;        // steps before the clock starts
@@ -24,13 +23,6 @@ Session started(const Project& project) {
     Result<Session> session = Session::start(std::move(*scene), {.sleeping = false});
     for (int step = 0; step < kSettling; ++step) session->step();
     return std::move(*session);
-}
-
-template <class Work>
-double millisecondsOf(const Work& work) {
-    const auto start = Clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 /// Medians over all rounds, in milliseconds.
