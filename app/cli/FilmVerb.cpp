@@ -70,16 +70,19 @@ Result<std::vector<Take>> takesOf(const ProjectInPlay& play, const FilmOptions& 
         if (!session) return session.error();
         takes.push_back(
             {std::move(*session), std::make_unique<MomentBuilder>(play.scene, sceneOptions(options.picture))});
+        takes.back().builder->setOverlays(playOverlays(options.picture));
     }
     return takes;
 }
 
-/// The moment of all takes, side by side.
+/// The moment of all takes after so many steps, side by side.
 Result<Image> frameOf(std::vector<Take>& takes, PictureMaker& maker, const PictureView& view, int samples,
-                      const TaskContext& task) {
+                      std::uint64_t step, const CliContext& context, const TaskContext& task) {
     std::optional<Image> frame;
     for (Take& take : takes) {
-        Result<Image> image = maker.pictureOf(take.builder->momentOf(take.session), view, samples, task);
+        const auto moment = momentAfter(*take.builder, take.session, step, context, task);
+        if (!moment) return moment.error();
+        Result<Image> image = maker.pictureOf(*moment, view, samples, task);
         if (!image) return image.error();
         frame = frame ? besideEachOther(*frame, *image, kGap) : std::move(*image);
     }
@@ -106,11 +109,8 @@ Status shoot(std::vector<Take>& takes, const FilmOptions& options, const CliCont
     const int frames = options.steps / options.every + 1;
     const TaskContext part{.cancel = task.cancel};
     for (int frame = 0; frame < frames; ++frame) {
-        for (Take& take : takes) {
-            const auto step = static_cast<std::uint64_t>(frame) * static_cast<std::uint64_t>(options.every);
-            if (const Status played = playTo(take.session, step, context, part); !played) return played.error();
-        }
-        const Result<Image> image = frameOf(takes, *maker, view, options.picture.samples, part);
+        const auto step = static_cast<std::uint64_t>(frame) * static_cast<std::uint64_t>(options.every);
+        const Result<Image> image = frameOf(takes, *maker, view, options.picture.samples, step, context, part);
         if (!image) return image.error();
         const Result<std::string> png = pngOf(*image);
         if (!png) return png.error();
@@ -170,6 +170,7 @@ Verb addFilm(CLI::App& program) {
     command->get_option("--compare")->excludes(command->get_option("--no-destruction")->option_text(" "));
     addViewOptions(*command, options->picture);
     addLookOptions(*command, options->picture);
+    addOverlayOption(*command, options->picture);
     addSamplesOption(*command, options->picture);
     addThreadsOption(*command, options->threads);
     return {command, [options](const CliContext& context) { return film(*options, context); }};

@@ -2,15 +2,28 @@
 
 #include "app/cli/CommonOptions.h"
 #include "app/cli/PictureWords.h"
+#include "app/cli/PlayOptions.h"
 #include "viewport/render/Picture.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 namespace rubble {
 namespace {
 
 constexpr int kMostSamples = 4096;
 constexpr double kRoomToFall = 0.3;  // of the height: most of a wall lies there when it has fallen
+
+/// What --overlay names.
+struct OverlayWord {
+    const char* word;
+    bool PlayOverlays::*flag;
+};
+constexpr OverlayWord kOverlays[] = {{"contacts", &PlayOverlays::hasContacts}, {"normals", &PlayOverlays::hasNormals},
+                                     {"impulses", &PlayOverlays::hasImpulses}, {"boxes", &PlayOverlays::hasBoxes},
+                                     {"islands", &PlayOverlays::hasIslands},   {"sleep", &PlayOverlays::hasSleep},
+                                     {"heat", &PlayOverlays::hasHeat}};
 
 /// An option whose text some function has to take.
 template <class Parse>
@@ -43,6 +56,18 @@ void addLookOptions(CLI::App& command, PictureOptions& options) {
     command.add_flag("--hulls", options.hasHulls, "The convex hulls over the pieces");
 }
 
+void addOverlayOption(CLI::App& command, PictureOptions& options) {
+    std::vector<std::string> words;
+    for (const OverlayWord& overlay : kOverlays) words.emplace_back(overlay.word);
+    command
+        .add_option("--overlay", options.overlays,
+                    "Show contacts, normals, impulses, boxes, islands, sleep or heat; may be given again")
+        ->expected(1)
+        ->take_all()
+        ->check(oneOf(words))
+        ->option_text("NAME");
+}
+
 void addSamplesOption(CLI::App& command, PictureOptions& options) {
     command
         .add_option("--samples", options.samples,
@@ -56,6 +81,31 @@ SceneOptions sceneOptions(const PictureOptions& options) {
     if (options.colour == "piece") scene.colouring = SceneColouring::Piece;
     if (options.colour == "volume") scene.colouring = SceneColouring::Volume;
     return scene;
+}
+
+PlayOverlays playOverlays(const PictureOptions& options) {
+    PlayOverlays overlays{.hasHulls = options.hasHulls};
+    for (const OverlayWord& overlay : kOverlays) {
+        if (std::ranges::find(options.overlays, overlay.word) != options.overlays.end()) overlays.*overlay.flag = true;
+    }
+    return overlays;
+}
+
+Result<std::shared_ptr<const RenderScene>> momentAfter(MomentBuilder& builder, Session& session, std::uint64_t step,
+                                                       const CliContext& context, const TaskContext& task) {
+    const auto second = static_cast<std::uint64_t>(1.0 / session.stepLength());
+    if (step > second) {
+        if (const Status played = playTo(session, step - second, context, task); !played) return played.error();
+    }
+    const TaskContext quiet{.cancel = task.cancel};
+    std::shared_ptr<const RenderScene> moment = builder.momentOf(session);
+    while (session.stepsDone() < step) {
+        if (const Status played = playTo(session, session.stepsDone() + 1, context, quiet); !played) {
+            return played.error();
+        }
+        moment = builder.momentOf(session);
+    }
+    return moment;
 }
 
 Box3 withRoomToFall(Box3 box) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/cli/Cli.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/MomentBuilder.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -19,6 +21,7 @@ struct PictureOptions {
     std::string theme = "light";
     bool isWireframe = false;
     bool hasHulls = false;
+    std::vector<std::string> overlays;  // of play
     int samples = 32;
 };
 
@@ -26,11 +29,22 @@ struct PictureOptions {
 void addViewOptions(CLI::App& command, PictureOptions& options);
 /// --colour, --theme, --wireframe, --hulls.
 void addLookOptions(CLI::App& command, PictureOptions& options);
+/// --overlay, of what a moment of play shows beside bodies.
+void addOverlayOption(CLI::App& command, PictureOptions& options);
 /// --samples, whose default is what `options` has.
 void addSamplesOption(CLI::App& command, PictureOptions& options);
 
 /// The options with a say in what a scene holds: its colouring and hulls.
 SceneOptions sceneOptions(const PictureOptions& options);
+
+PlayOverlays playOverlays(const PictureOptions& options);
+
+/// Takes a session to a step as playTo() does, and draws it then. Of the second before it every moment is made: heat cools
+/// down from step to step.
+///
+/// Errors: Cancelled.
+Result<std::shared_ptr<const RenderScene>> momentAfter(MomentBuilder& builder, Session& session, std::uint64_t step,
+                                                       const CliContext& context, const TaskContext& task);
 
 /// A box with room around it for what falls off it and is flung from it.
 Box3 withRoomToFall(Box3 box);

@@ -88,13 +88,14 @@ Result<Subject> momentAt(const RenderOptions& options, const CliContext& context
     Result<Session> session = startedSession(*play, options.play, options.threads);
     if (!session) return session.error();
     MomentBuilder builder(play->scene, sceneOptions(options.picture));
+    builder.setOverlays(playOverlays(options.picture));
     const Box3 framed = withRoomToFall(boundsOf(*builder.momentOf(*session)));
     ProgressLine line(context, "Simulating");
     task.progress = [&line](double fraction) { line.show(fraction); };
-    const Status played = playTo(*session, static_cast<std::uint64_t>(*options.step), context, task);
+    const auto moment = momentAfter(builder, *session, static_cast<std::uint64_t>(*options.step), context, task);
     line.clear();
-    if (!played) return played.error();
-    return Subject{builder.momentOf(*session), framed};
+    if (!moment) return moment.error();
+    return Subject{*moment, framed};
 }
 
 Status render(const RenderOptions& options, const CliContext& context) {
@@ -118,7 +119,9 @@ void addMoment(CLI::App& command, RenderOptions& options) {
                           ->check(numberBetween(0, kMostSteps))
                           ->option_text("STEP");
     addPlayOptions(command, options.play);
-    for (const char* name : {"--dt", "--shot", "--shots", "--no-destruction"}) command.get_option(name)->needs(at);
+    addOverlayOption(command, options.picture);
+    for (const char* name : {"--dt", "--shot", "--shots", "--no-destruction", "--overlay"})
+        command.get_option(name)->needs(at);
     command.get_option("--no-destruction")->option_text(" ");  // or CLI11 tells of --at there
     command.get_option("--whole")->option_text(" ");
     for (const char* name : {"--asset", "--explode", "--whole"}) at->excludes(command.get_option(name));

@@ -181,14 +181,21 @@ void listHits(const WorldState& state, WorkerTeam& team, const Regions& regions,
 
 std::vector<ContactPoint> contactPointsOf(const WorldState& state) {
     std::vector<ContactPoint> points;
-    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+    const auto list = [&](const ContactBlock& block, std::size_t lane) {
         for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
             const PointRows& point = block.points[i];
             points.push_back({state.idOf(block.first[lane]), state.idOf(block.second[lane]),
                               toDouble(state.places[block.first[lane]].centre + at(point.place, lane)),
                               toDouble(at(block.normal, lane)), point.separation[lane], point.impulse[lane]});
         }
-    });
+    };
+    visitContacts(state, list);
+    for (const Contact& contact : state.contacts) {
+        if (contact.proxies[0] == kNone || contact.stored == kNone) continue;
+        ContactBlock block{};
+        putLane(block, 0, state.stored[contact.stored].block);
+        list(block, 0);
+    }
     sortByBodies(points);
     return points;
 }

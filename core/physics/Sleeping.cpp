@@ -158,4 +158,16 @@ int sleepWhereAtRest(WorldState& state) {
     return count;
 }
 
+std::vector<std::uint32_t> islandsOf(const WorldState& state) {
+    Unions unions = islands(state);
+    for (const Sleepers& asleep : state.sleepers) {
+        for (const std::uint32_t body : asleep.bodies) unions.join(asleep.bodies.front(), body);
+    }
+    std::vector<std::uint32_t> roots(state.bodies.size(), 0);
+    for (std::uint32_t body = 1; body < roots.size(); ++body) {
+        if (state.bodies[body].shape != nullptr && state.bodies[body].isDynamic()) roots[body] = unions.root(body);
+    }
+    return roots;
+}
+
 }  // namespace rubble

@@ -238,6 +238,20 @@ StepCounts World::counts() const {
 
 std::vector<ContactPoint> World::contactPoints() const { return contactPointsOf(*m_state); }
 
+Box3 World::box(BodyId body) const {
+    RUBBLE_ASSERT(contains(body));
+    Box3 around;
+    for (std::uint32_t proxy = m_state->bodies[body.index].firstProxy; proxy != kNone;) {
+        const Proxy& hull = m_state->proxies[proxy];
+        const Box& box = m_state->tree.box(hull.leaf);
+        around.include(Box3{toDouble(box.low), toDouble(box.high)});
+        proxy = hull.next;
+    }
+    return around;
+}
+
+std::vector<std::uint32_t> World::islands() const { return islandsOf(*m_state); }
+
 std::shared_ptr<const Snapshot> World::snapshot() const { return std::make_shared<const Snapshot>(Snapshot{*m_state}); }
 
 void World::restore(const Snapshot& snapshot) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Hash.h"
+#include "core/geometry/TriangleMesh.h"
 #include "core/physics/Body.h"
 #include "core/physics/ContactSeeds.h"
 #include "core/physics/Lanes.h"
@@ -104,8 +105,13 @@ public:
     const StepEvents& events() const;
     StepCounts counts() const;
     const StepTimes& times() const;
-    /// Every contact point that pushes or is about to, for drawing.
+    /// Every contact point that pushes or is about to, for drawing; of bodies asleep as they fell asleep.
     std::vector<ContactPoint> contactPoints() const;
+    /// The box that is kept around a body to find what comes near it: larger than it by how far it may go. For drawing.
+    Box3 box(BodyId body) const;
+    /// Which bodies hang together by contacts, for drawing: by index of body the least index of its island; 0 for what is
+    /// not dynamic. Bodies asleep hang together with those that they fell asleep with.
+    std::vector<std::uint32_t> islands() const;
 
     /// A ray that begins inside a hull does not meet it; of bodies met at once it is the one with the lowest index.
     std::optional<CastHit> castRay(Vec3 from, Vec3 to) const;

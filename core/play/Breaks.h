@@ -18,6 +18,8 @@ struct PlayBreak {
     BodyId striker;                // 0 where nothing of the world hit it: hammers, blasts
     std::uint32_t firstPiece = 0;  // the number of its first piece; the others follow
     std::uint32_t pieces = 0;
+    Pose pose;                               // of the whole's frame, as it broke
+    std::shared_ptr<const PlayAsset> asset;  // that its pieces are of: its own, or one cut where it was hit
     double milliseconds =
         0.0;  // of wall-clock time that the swap took; the only thing here that differs from run to run
 };

@@ -81,6 +81,9 @@ void Session::step() {
     m_world.solve(m_settings.dt);
     ++m_state->step;
     clearAway(parts);
+    const auto recent = static_cast<std::uint64_t>(kRecentTime / m_settings.dt);
+    std::erase_if(m_state->recentBreaks,
+                  [&](const PlayBreak& broken) { return broken.step + recent <= m_state->step; });
 }
 
 std::uint64_t Session::stepsDone() const { return m_state->step; }
@@ -98,6 +101,7 @@ double Session::fadeOf(const PlayBody& body) const {
 }
 bool Session::hasDestruction() const { return m_state->hasDestruction; }
 const PlayEvents& Session::events() const { return m_state->events; }
+const std::vector<PlayBreak>& Session::recentBreaks() const { return m_state->recentBreaks; }
 double Session::swapMilliseconds() const { return m_swapMilliseconds; }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {

@@ -78,6 +78,8 @@ public:
     bool hasDestruction() const;
 
     const PlayEvents& events() const;
+    /// The breaks of the last kRecentTime, for drawing: what dust they raised is not seen in one step.
+    const std::vector<PlayBreak>& recentBreaks() const;
     /// Milliseconds that the last step spent on breaks and swaps; the rest is World::times().
     double swapMilliseconds() const;
     ContentHash hash() const { return world().hash(); }
@@ -98,6 +100,8 @@ private:
 
 inline constexpr double kShortestStep = 1e-5;  // s: shorter steps drown in rounding
 inline constexpr double kLongestStep = 0.1;    // s: longer ones are no motion any more
+
+inline constexpr double kRecentTime = 1.0;  // s
 
 /// After how many steps of dt a shot of this time is due.
 std::uint64_t stepOf(double time, double dt);

@@ -78,6 +78,8 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
     takeOut(parts, whole.number);
     told.firstPiece = parts.state.nextNumber;
     told.pieces = breaking.count;
+    told.pose = broken.pose;
+    told.asset = asset;
     for (std::uint32_t k = 0; k < breaking.count; ++k) {
         const std::uint32_t fragment = breaking.first + k;
         const Result<std::uint32_t> added =
@@ -93,6 +95,7 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
     }
     told.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     parts.state.events.breaks.push_back(told);
+    parts.state.recentBreaks.push_back(told);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct SessionState {
     std::map<Id, double> instanceThresholds;  // where an instance has its own
     double lowest = 0.0;                      // m: what falls below it is out of the world
     PlayEvents events;
+    std::vector<PlayBreak> recentBreaks;  // of the last kRecentTime; nothing that follows depends on them
 };
 
 struct SessionSnapshot {

@@ -18,6 +18,12 @@ layout(std140) uniform Frame {
     vec4 spacing;        // x: m between fine lines; y: how visible they are; z: strength of shadows
     vec4 accent;         // sRGB, of what is selected
     vec4 edges;          // x: width of edges, pixels; y: their strength; z: exploded factor; w: share of the way from earlier poses to those now
+    vec4 right;          // of the camera, as is the next; w: half the picture's width at a distance of 1
+    vec4 up;             // w: half its height
+    vec4 depth;          // x, y: third and fourth of the projection's depth; w: how bright dust is
+    vec4 zenith;         // sRGB; w: 1 under a sky
+    vec4 horizon;        // sRGB
+    vec4 soil;           // sRGB
     vec4 picture;        // width and height, pixels; w: pixels of the display a point
     uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };

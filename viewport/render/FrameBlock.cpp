@@ -76,6 +76,14 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f,
                    scene.apart.empty() ? 0.0f : static_cast<float>(scene.exploded),
                    scene.earlier.empty() ? 1.0f : static_cast<float>(view.moment)};
+    const double halfHeight = metresPerPixel(camera, {2, 2}) / camera.distance;
+    frame.right = direction(axesOf(camera).right, static_cast<float>(halfHeight * view.size.aspect()));
+    frame.up = direction(axesOf(camera).up, static_cast<float>(halfHeight));
+    frame.depth = glm::vec4(matrices.projection[2][2], matrices.projection[3][2], 0.0, around.dustLight);
+    const bool hasSky = scene.isOutdoors && camera.projection == Projection::Perspective;
+    frame.zenith = glm::vec4(around.zenith, hasSky ? 1.0f : 0.0f);
+    frame.horizon = glm::vec4(around.horizon, 1.0f);
+    frame.soil = glm::vec4(around.soil, 1.0f);
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
     frame.picture = {view.size.width, view.size.height, 0.0f, scale};
     return frame;

@@ -11,7 +11,8 @@ namespace rubble {
 struct FrameBlock {
     glm::mat4 clipFromScene, keyFromScene, skyFromScene;
     glm::vec4 eye, back, keyDirection, skyDirection, skyLight, groundLight;
-    glm::vec4 backgroundTop, backgroundBottom, grid, ground, shaded, spacing, accent, edges, picture;
+    glm::vec4 backgroundTop, backgroundBottom, grid, ground, shaded, spacing, accent, edges;
+    glm::vec4 right, up, depth, zenith, horizon, soil, picture;
     glm::uvec4 hovered;
 };
 

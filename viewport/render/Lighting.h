@@ -3,6 +3,7 @@
 #include "core/geometry/Vec.h"
 #include "viewport/render/RenderSettings.h"
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 namespace rubble {
@@ -10,7 +11,9 @@ namespace rubble {
 /// The colours that a theme gives to what is around the scene. sRGB.
 struct Surroundings {
     glm::vec4 backgroundTop, backgroundBottom, grid, hulls, wires;
-    float shadowStrength = 0.0f;  // on the ground
+    float shadowStrength = 0.0f;      // on the ground
+    glm::vec3 zenith, horizon, soil;  // outdoors
+    float dustLight = 1.0f;           // how bright dust is
 };
 Surroundings surroundingsOf(Theme theme);
 

@@ -1,6 +1,6 @@
 #include "viewport/render/PicturePainter.h"
 
-#include "viewport/render/AxesCross.h"
+#include "viewport/render/ScaleBar.h"
 
 #include <epoxy/gl.h>
 
@@ -25,6 +25,15 @@ void setCapability(std::uint32_t capability, bool isOn) { isOn ? glEnable(capabi
 glm::vec4 withOpacity(glm::vec4 colour, float opacity) { return {glm::vec3(colour), opacity}; }
 
 }  // namespace
+
+void PicturePainter::setScene(std::shared_ptr<const RenderScene> made) {
+    summary = summaryOf(*made);
+    shadowsMoment.reset();
+    spans.write(std::span(made->strokes));
+    boxes.write(std::span(made->boxes));
+    puffs.write(std::span(made->puffs));
+    scene.upload(std::move(made));
+}
 
 void PicturePainter::setFrame(const FrameBlock& block) {
     frame = block;
@@ -140,8 +149,51 @@ void PicturePainter::drawGround(const PictureView& view) {
     glDisable(GL_BLEND);
 }
 
+void PicturePainter::drawSpans() {
+    if (spans.count() + boxes.count() == 0) return;
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_DEPTH_CLAMP);  // they may reach beyond the bodies that the depth was made for
+    programs.spans.use();
+    const auto drawAs = [&](GLenum depthFunction, float strength) {
+        glDepthFunc(depthFunction);
+        programs.spans.set("strength", strength);
+        programs.spans.set("ofBoxes", 1.0f);
+        boxes.draw(72);
+        programs.spans.set("ofBoxes", 0.0f);
+        spans.draw(18);
+    };
+    drawAs(GL_GREATER, 0.25f);
+    drawAs(GL_LEQUAL, 1.0f);
+    glDisable(GL_DEPTH_CLAMP);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void PicturePainter::drawDust(const PictureView& view) {
+    if (puffs.count() == 0) return;
+    solidDepths.take(view.size);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Depths));
+    glBindTexture(GL_TEXTURE_2D, solidDepths.texture());
+    glEnable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);  // the shader asks the copy
+    glEnable(GL_DEPTH_CLAMP);
+    programs.dust.use();
+    puffs.draw(6);
+    glDisable(GL_DEPTH_CLAMP);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+}
+
 void PicturePainter::drawAxes(const PictureView& view) {
-    const std::vector<Stroke> strokes = axesCross(view.camera, view.settings.scale);
+    if (view.settings.hasAxes) drawStrokes(axesCross(view.camera, view.settings.scale));
+    if (!view.settings.hasGrid || !scene.scene()->isOutdoors) return;
+    const bool isDark = view.settings.theme == Theme::Dark;
+    const glm::vec3 ink(isDark ? 0.92f : 0.12f), paper(isDark ? 0.05f : 1.0f);
+    drawStrokes(scaleBar(view.camera, view.size, view.settings.scale, ink, paper));
+}
+
+void PicturePainter::drawStrokes(const std::vector<Stroke>& strokes) {
     glBindVertexArray(strokeArray.id());
     glBindBuffer(GL_ARRAY_BUFFER, strokeBuffer.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(strokes.size() * sizeof(Stroke)), strokes.data(),
@@ -186,7 +238,9 @@ void PicturePainter::drawPicture(const PictureView& view) {
                    .onlyMarks = kSelected,
                    .depthFunction = GL_GREATER});
     }
-    if (view.settings.hasAxes) drawAxes(view);
+    drawSpans();
+    if (isSolid) drawDust(view);
+    drawAxes(view);
 }
 
 void PicturePainter::drawBodies(const PictureView& view, const PixelBox& part) {

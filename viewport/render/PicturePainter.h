@@ -1,6 +1,8 @@
 #pragma once
 
+#include "viewport/render/AxesCross.h"
 #include "viewport/render/FrameBlock.h"
+#include "viewport/render/InstanceBuffer.h"
 #include "viewport/render/RenderPrograms.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
@@ -25,6 +27,7 @@ struct LinePass;
 struct PicturePainter {
     explicit PicturePainter(RenderPrograms made) : programs(std::move(made)) {}
 
+    void setScene(std::shared_ptr<const RenderScene> made);
     void setFrame(const FrameBlock& block);
     void drawShadows(const PictureView& view, const std::optional<LightSample>& lightSample);
     void drawPicture(const PictureView& view);
@@ -35,13 +38,20 @@ struct PicturePainter {
     void drawHulls(const PictureView& view);
     void drawLines(const LinePass& pass);
     void drawGround(const PictureView& view);
+    void drawSpans();
+    void drawDust(const PictureView& view);
     void drawAxes(const PictureView& view);
+    void drawStrokes(const std::vector<Stroke>& strokes);
     void drawBodies(const PictureView& view, const PixelBox& part);
     void drawWhole() const;
     void drawTimes(const RenderTarget& source, float share) const;
 
     RenderPrograms programs;
     SceneBuffers scene;
+    InstanceBuffer spans{4, 4, 4, 4};
+    InstanceBuffer boxes{4, 4, 4, 4};
+    InstanceBuffer puffs{4, 4, 4};
+    DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
     ShadowMap keyShadow{kShadowWidth};
     ShadowMap skyShadow{kSkyShadowWidth};

@@ -39,6 +39,8 @@ Result<RenderPrograms> madePrograms() {
         .sky = maker.made({"whole.vert"}, {"sky.frag"}),
         .grid = maker.made({"grid.vert"}, {"grid.frag"}),
         .strokes = maker.made({"strokes.vert"}, {"strokes.frag"}),
+        .spans = maker.made({"spans.vert"}, {"strokes.frag"}),
+        .dust = maker.made({"dust.vert"}, {"dust.frag"}),
         .mean = maker.made({"whole.vert"}, {"mean.frag"}),
     };
     if (maker.fault()) return *maker.fault();

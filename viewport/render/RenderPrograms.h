@@ -14,7 +14,7 @@ struct LitPrograms {
 /// All programs of resources/shaders.
 struct RenderPrograms {
     LitPrograms solid, shade;
-    ShaderProgram lines, depth, pick, sky, grid, strokes, mean;
+    ShaderProgram lines, depth, pick, sky, grid, strokes, spans, dust, mean;
 };
 
 /// Errors: those of ShaderProgram::made(), of the first that fails.

@@ -28,6 +28,19 @@ private:
     GlRenderbuffer m_depth;
 };
 
+/// How far what was drawn is from the eye, to be read by what is drawn after it.
+class DepthCopy {
+public:
+    /// Copies the depths of the framebuffer that is bound, which stays so, of a size.
+    void take(PictureSize size);
+    std::uint32_t texture() const { return m_depths.id(); }
+
+private:
+    PictureSize m_size{0, 0};
+    GlFramebuffer m_framebuffer;
+    GlTexture m_depths;
+};
+
 /// Copies the colours of one framebuffer to another of the same size.
 void copyColours(std::uint32_t from, std::uint32_t to, PictureSize size);
 

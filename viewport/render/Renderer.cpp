@@ -46,9 +46,7 @@ Renderer::Renderer(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
-    m_state->summary = summaryOf(*scene);
-    m_state->scene.upload(std::move(scene));
-    m_state->shadowsMoment.reset();
+    m_state->setScene(std::move(scene));
     m_state->bodiesCamera.reset();
 }
 

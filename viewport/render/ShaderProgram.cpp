@@ -16,7 +16,7 @@ struct Sampler {
 constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},     {"earlier", TextureUnit::Earlier},
                                  {"apart", TextureUnit::Apart},         {"looks", TextureUnit::Looks},
                                  {"keyShadow", TextureUnit::KeyShadow}, {"skyShadow", TextureUnit::SkyShadow},
-                                 {"source", TextureUnit::Source}};
+                                 {"source", TextureUnit::Source},       {"depths", TextureUnit::Depths}};
 
 /// A driver's words as one line.
 std::string oneLine(std::string text) {

@@ -3,6 +3,8 @@
 #include "core/base/Assert.h"
 #include "core/geometry/MassProperties.h"
 #include "viewport/scene/BodyColours.h"
+#include "viewport/scene/ContactStrokes.h"
+#include "viewport/scene/Dust.h"
 
 #include <algorithm>
 
@@ -10,6 +12,8 @@ namespace rubble {
 namespace {
 
 constexpr std::size_t kKeptMoments = 4;  // one drawn, one about to be, the last, one written
+constexpr double kCooling = 3.0;         // 1/s, of impacts that heat shows
+constexpr double kCold = 0.02;
 constexpr Colour kMissileColour{0.30, 0.34, 0.40};
 
 AssetModel missileModel(const Polytope& hull, const SceneOptions& options) {
@@ -40,17 +44,40 @@ struct MomentBuilder::Model {
 };
 
 MomentBuilder::MomentBuilder(std::shared_ptr<const PlayScene> scene, const SceneOptions& options)
-    : m_scene(std::move(scene)), m_options(options) {
-    for (const auto& [id, asset] : m_scene->assets) modelOf({.asset = asset});
-    m_layout = emptyLayout();
+    : m_scene(std::move(scene)), m_options(options), m_arrowScale(arrowScale(*m_scene)) {
+    m_overlays.hasHulls = options.hasHulls;
+    makeModels();
 }
 
 MomentBuilder::~MomentBuilder() = default;
 
+void MomentBuilder::makeModels() {
+    m_models.clear();
+    m_places.clear();
+    m_moments.clear();
+    m_last.reset();
+    for (const auto& [id, asset] : m_scene->assets) modelOf({.asset = asset});
+    m_layout = emptyLayout();
+}
+
+void MomentBuilder::setOverlays(const PlayOverlays& overlays) {
+    if (overlays == m_overlays) return;
+    m_overlays = overlays;
+    m_moments.clear();  // their colours may be others'
+    if (overlays.hasHulls == m_options.hasHulls) return;
+    m_options.hasHulls = overlays.hasHulls;
+    makeModels();
+}
+
+void MomentBuilder::setForecast(std::optional<std::vector<BodyHeat>> heat) {
+    m_forecast = std::move(heat);
+    if (m_forecast) std::ranges::sort(*m_forecast, {}, &BodyHeat::body);
+}
+
 /// With a batch for each of the scene's assets, and nothing in it.
 RenderScene MomentBuilder::emptyLayout() const {
     const Project& project = m_scene->project;
-    RenderScene layout{.hasGround = project.ground.isOn, .groundHeight = project.ground.height};
+    RenderScene layout{.isOutdoors = true, .hasGround = project.ground.isOn, .groundHeight = project.ground.height};
     if (!project.instances.empty()) layout.origin = project.instances.front().pose.position;
     for (std::size_t k = 0; k < m_scene->assets.size(); ++k) {
         layout.batches.push_back({m_models[k].drawn.geometry, m_models[k].drawn.hulls, {}});
@@ -118,6 +145,52 @@ void MomentBuilder::summarize(std::uint64_t step, RenderScene& moment) {
     if (step == m_lastStep + 1 && !moment.earlier.empty()) summary.bounds.include(m_lastBounds);
     moment.summary = summary;
     m_lastBounds = now;
+}
+
+std::vector<BodyTint> MomentBuilder::tintsOf(const Session& session) const {
+    std::vector<BodyTint> tints;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground) continue;
+        tints.push_back({sceneBodyOf(body), body.number, body.body, session.world().state(body.body).asleep});
+    }
+    return tints;
+}
+
+/// Cools what was hit earlier, and heats what is hit now.
+void MomentBuilder::noteImpacts(const Session& session) {
+    if (session.stepsDone() == m_lastStep && m_last != nullptr) return;
+    const double kept = session.stepsDone() == m_lastStep + 1 ? 1.0 - kCooling * session.stepLength() : 0.0;
+    for (BodyHeat& heat : m_impacts) heat.value *= kept;
+    std::erase_if(m_impacts, [](const BodyHeat& heat) { return heat.value < kCold; });
+    for (const PlayImpact& impact : session.events().impacts) {
+        const auto place = std::ranges::lower_bound(m_impacts, impact.body, {}, &BodyHeat::body);
+        const double value = impact.damage / impact.threshold;
+        if (place == m_impacts.end() || place->body != impact.body)
+            m_impacts.insert(place, {impact.body, value});
+        else
+            place->value = std::max(place->value, value);
+    }
+}
+
+void MomentBuilder::decorate(const Session& session, RenderScene& moment) {
+    moment.strokes.clear();
+    moment.boxes.clear();
+    moment.puffs.clear();
+    addDust(moment, session);
+    noteImpacts(session);
+    if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
+        addContactStrokes(moment, session, m_overlays, m_arrowScale);
+    }
+    if (!m_overlays.hasBoxes && !m_overlays.hasIslands && !m_overlays.hasSleep && !m_overlays.hasHeat) return;
+    const std::vector<BodyTint> tints = tintsOf(session);
+    if (m_overlays.hasBoxes) {
+        for (const BodyTint& body : tints) addBodyBox(moment, session.world().box(body.id), body.body);
+    }
+    for (const BodyTint& body : tints) {
+        moment.looks[body.body].outside = m_layout.looks[body.body].outside;
+        moment.looks[body.body].inside = m_layout.looks[body.body].inside;
+    }
+    tintBodies(moment, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts);
 }
 
 /// Lays the last moment out anew, with what had its place and has one.
@@ -208,6 +281,7 @@ std::shared_ptr<const RenderScene> MomentBuilder::momentOf(const Session& sessio
     RUBBLE_ASSERT(&session.scene() == m_scene.get());
     const std::shared_ptr<RenderScene> moment = writtenMoment(session);
     writeEarlier(session.stepsDone(), *moment);
+    decorate(session, *moment);
     summarize(session.stepsDone(), *moment);
     m_last = moment;
     m_lastStep = session.stepsDone();

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/play/Session.h"
+#include "viewport/scene/MomentColours.h"
+#include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rubble {
@@ -28,6 +31,12 @@ public:
     /// steps, a way back) nothing moves in the scene; asked again for the same moment it says the same.
     std::shared_ptr<const RenderScene> momentOf(const Session& session);
 
+    /// What moments show from now on. With hulls as it was it costs nothing; hulls that come or go are new geometry.
+    void setOverlays(const PlayOverlays& overlays);
+    /// What heat shows from now on: a forecast. Without one, the default, it shows the impacts of the last steps that
+    /// moments were made of, cooling down within a second.
+    void setForecast(std::optional<std::vector<BodyHeat>> heat);
+
 private:
     /// What can be drawn: all of an asset, or something thrown that is none.
     struct Model;
@@ -44,6 +53,10 @@ private:
     std::shared_ptr<RenderScene> writtenMoment(const Session& session);
     std::uint32_t sceneBodyOf(const PlayBody& body) const;
     bool isWritten(const Session& session, RenderScene& moment) const;
+    void decorate(const Session& session, RenderScene& moment);
+    std::vector<BodyTint> tintsOf(const Session& session) const;
+    void noteImpacts(const Session& session);
+    void makeModels();
     void writeEarlier(std::uint64_t step, RenderScene& moment) const;
     void summarize(std::uint64_t step, RenderScene& moment);
     void keepLast(const std::vector<Places>& placesThen);
@@ -55,9 +68,13 @@ private:
 
     std::shared_ptr<const PlayScene> m_scene;
     SceneOptions m_options;
-    std::vector<Model> m_models;   // those of the scene's assets first; one a batch
-    std::vector<Places> m_places;  // one an origin
-    RenderScene m_layout;          // what all moments share, with everything hidden
+    PlayOverlays m_overlays;
+    double m_arrowScale = 1.0;
+    std::optional<std::vector<BodyHeat>> m_forecast;  // ascending number
+    std::vector<BodyHeat> m_impacts;                  // the same
+    std::vector<Model> m_models;                      // those of the scene's assets first; one a batch
+    std::vector<Places> m_places;                     // one an origin
+    RenderScene m_layout;                             // what all moments share, with everything hidden
     std::vector<std::shared_ptr<RenderScene>> m_moments;
     std::shared_ptr<const RenderScene> m_last;  // the last moment, laid out as m_layout is
     std::uint64_t m_lastStep = 0;

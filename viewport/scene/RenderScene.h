@@ -57,6 +57,22 @@ struct SceneBatch {
     bool operator==(const SceneBatch&) const = default;
 };
 
+/// A line in the scene, as wide in the picture wherever it is; seen faintly where something is before it.
+struct SceneStroke {
+    glm::vec4 from{0.0f};    // m, relative to RenderScene::origin; w: its radius, points
+    glm::vec4 to{0.0f};      // the same as `from` for a dot; w: of StrokeEnd
+    glm::vec4 colour{1.0f};  // sRGB and opacity
+    glm::vec4 back{0.0f};    // m: how far off it was a step before
+};
+enum class StrokeEnd { Round, Arrow };
+
+/// A cloud of dust that faces whoever looks at it.
+struct DustPuff {
+    glm::vec4 place{0.0f};   // m, relative to RenderScene::origin; w: its radius, m
+    glm::vec4 back{0.0f};    // m: how far off it was a step before; w: opacity in its middle
+    glm::vec4 colour{1.0f};  // sRGB; w: what its shape is told apart by, in [0, 1)
+};
+
 /// What is asked of a scene as a whole.
 struct SceneSummary {
     Box3 bounds;  // as boundsOf() gives it
@@ -71,14 +87,16 @@ struct RenderScene {
     std::vector<DrawnPose> motions;  // this and the following: one a body
     std::vector<BodyLook> looks;
     std::vector<PickId> picks;
-    std::vector<DrawnPose>
-        earlier;  // motions a step before; those now for what was not there. Empty where nothing moves
-    std::vector<glm::vec4>
-        apart;              // m, where it is moved to at an exploded factor of 1. Empty where nothing is exploded
-    double exploded = 0.0;  // factor of `apart`
+    std::vector<DrawnPose> earlier;  // motions a step before, of what was there then; empty where nothing moves
+    std::vector<glm::vec4> apart;    // m, where to at an exploded factor of 1; empty where nothing is exploded
+    double exploded = 0.0;           // factor of `apart`
+    bool isOutdoors = false;         // under a sky with a horizon and with a scale, as in play
     bool hasGround = true;
+    double groundHeight = 0.0;  // m
+    std::vector<SceneStroke> strokes;
+    std::vector<SceneStroke> boxes;  // along the axes, from one corner to the opposite
+    std::vector<DustPuff> puffs;
     std::optional<SceneSummary> summary;  // of this scene, found where it was made; none: whoever asks finds it
-    double groundHeight = 0.0;            // m
 };
 
 /// Where a body is drawn at a moment in [0, 1] of the step that led to the scene (see PictureView).

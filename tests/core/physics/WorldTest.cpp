@@ -58,6 +58,28 @@ std::string toldInTwoSeconds(const WorldSettings& settings) {
 class WorldTest : public QObject {
     Q_OBJECT
 private slots:
+    void whatHangsTogetherIsOneIslandAwakeOrAsleep() {
+        SceneWorld moved = test::worldOf(boxesAt({{0.0, 0.5, 0.0}, {0.0, 1.5, 0.0}, {5.0, 0.5, 0.0}}));
+        for (const int steps : {10, 200}) {
+            for (int k = 0; k < steps; ++k) moved.world.step(test::kStep);
+            const std::vector<std::uint32_t> islands = moved.world.islands();
+            const auto islandOf = [&](std::size_t body) { return islands[moved.bodies[body].index]; };
+            QCOMPARE(islandOf(0), 0u);  // the ground
+            QCOMPARE(islandOf(1), moved.bodies[1].index);
+            QCOMPARE(islandOf(2), islandOf(1));
+            QCOMPARE(islandOf(3), moved.bodies[3].index);
+            QCOMPARE(moved.world.contactPoints().size(), std::size_t{12});
+        }
+        QVERIFY(moved.world.state(moved.bodies[2]).asleep);
+    }
+    void aBodyIsInItsBox() {
+        SceneWorld moved = test::worldOf(boxesAt({{0.0, 4.0, 0.0}}));
+        for (int k = 0; k < 30; ++k) moved.world.step(test::kStep);
+        const Box3 box = moved.world.box(moved.bodies[1]);
+        const double height = heightOf(moved, 1);
+        QVERIFY(box.min.y <= height - 0.49 && box.max.y >= height + 0.49);
+        QVERIFY(box.min.x <= -0.5 && box.max.x >= 0.5 && box.diagonal() < 4.0);
+    }
     void restoredWorldsGoOnAsBefore_data() {
         QTest::addColumn<bool>("sleeping");
         QTest::newRow("awake") << false;

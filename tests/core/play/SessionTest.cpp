@@ -28,6 +28,18 @@ double relative(Vec3 a, Vec3 b) { return glm::distance(a, b) / glm::length(b); }
 class SessionTest : public QObject {
     Q_OBJECT
 private slots:
+    void breaksAreRememberedForASecond() {
+        Session session = test::sessionOf(test::floatingBlock(5));
+        test::give(session, BreakInput{1});
+        session.step();
+        QCOMPARE(session.recentBreaks().size(), std::size_t{1});
+        const PlayBreak& broken = session.recentBreaks().front();
+        QVERIFY(broken.pose.position == Vec3(0.0, 5.0, 0.0) && broken.asset == session.bodies().back().asset);
+        for (int k = 1; k < 60; ++k) session.step();
+        QCOMPARE(session.recentBreaks().size(), std::size_t{1});
+        session.step();
+        QVERIFY(session.recentBreaks().empty());
+    }
     void anImpactAtTheThresholdBreaks_data() {
         QTest::addColumn<double>("share");
         QTest::addColumn<bool>("breaks");

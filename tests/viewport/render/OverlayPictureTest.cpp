@@ -1,0 +1,99 @@
+#include "core/asset/StarterProject.h"
+#include "tests/support/Pictures.h"
+#include "viewport/render/Picture.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr PictureSize kSize{200, 200};
+constexpr glm::vec4 kRed{1.0f, 0.0f, 0.0f, 1.0f};
+
+/// A wall of 1 x 1 x 0.5 m about its origin.
+RenderScene wallScene() {
+    RenderScene scene = sceneOf(starterProject(), {});
+    const Vec3 middle = boundsOf(scene).centre();
+    for (DrawnPose& motion : scene.motions) motion.position += glm::vec4(glm::vec3(scene.origin - middle), 0.0f);
+    return scene;
+}
+
+/// From the front, without shadows. `scale`: pixels a point.
+QImage picture(const RenderScene& scene, double scale = 1.0) {
+    PictureView view{.size = kSize};
+    view.camera = framing(view.camera, boundsOf(wallScene()), kSize);
+    view.settings.hasShadows = view.settings.hasAxes = false;
+    view.settings.msaa = 1;
+    view.settings.scale = scale;
+    const Image image = pictureOf(std::make_shared<RenderScene>(scene), view, 0).value();
+    return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
+}
+
+bool isRed(const QImage& image, int x, int y) {
+    const QColor colour = image.pixelColor(x, y);
+    return colour.red() > 200 && colour.green() < 60;
+}
+
+}  // namespace
+
+/// What is drawn over bodies, in the pixels.
+class OverlayPictureTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aStrokeIsSeenWhereItLiesAndAsWideAsItIsSaidToBe() {
+        RenderScene scene = wallScene();
+        const float front = 0.6f;  // before the wall, m
+        scene.strokes = {{glm::vec4(-0.3f, 0.0f, front, 4.0f), glm::vec4(0.3f, 0.0f, front, 0.0f), kRed}};
+        for (const int scale : {1, 2}) {
+            const QImage seen = picture(scene, scale);
+            QVERIFY(isRed(seen, 100, 100) && !isRed(seen, 20, 100));
+            int wide = 0;
+            for (int y = 60; y < 140; ++y) wide += isRed(seen, 100, y) ? 1 : 0;
+            QVERIFY2(std::abs(wide - 8 * scale) <= 1, qPrintable(QString::number(wide)));
+        }
+    }
+    void aStrokeBehindSomethingIsFaint() {
+        RenderScene scene = wallScene();
+        const QColor wall = picture(scene).pixelColor(100, 100);
+        scene.strokes = {{glm::vec4(-0.3f, 0.0f, -0.6f, 4.0f), glm::vec4(0.3f, 0.0f, -0.6f, 0.0f), kRed}};
+        const QImage seen = picture(scene);
+        QVERIFY(!isRed(seen, 100, 100));
+        QVERIFY(seen.pixelColor(100, 100).green() < wall.green() - 20);
+    }
+    void aBoxIsSeenAsItsEdges() {
+        RenderScene scene = wallScene();
+        scene.boxes = {{glm::vec4(-0.3f, -0.3f, 0.5f, 2.0f), glm::vec4(0.3f, 0.3f, 0.6f, 0.0f), kRed}};
+        const QImage seen = picture(scene);
+        QVERIFY(!isRed(seen, 100, 100));
+        int edges = 0;
+        for (int x = 1; x < 200; ++x) edges += isRed(seen, x, 100) && !isRed(seen, x - 1, 100) ? 1 : 0;
+        QVERIFY2(edges == 2 || edges == 4, qPrintable(QString::number(edges)));  // near and far ones may be apart
+    }
+    void dustIsSeenBeforeAWallAndNotBehindIt() {
+        RenderScene scene = wallScene();
+        const QImage clear = picture(scene);
+        const auto puffAt = [&](float z) {
+            scene.puffs = {
+                {glm::vec4(0.0f, 0.0f, z, 0.3f), glm::vec4(0.0f, 0.0f, 0.0f, 0.9f), glm::vec4(1.0f, 1.0f, 1.0f, 0.3f)}};
+            return test::meanDifference(picture(scene).copy(80, 80, 40, 40), clear.copy(80, 80, 40, 40));
+        };
+        QVERIFY(puffAt(1.0f) > 8.0);
+        QVERIFY(puffAt(-1.0f) < 0.01);
+        QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades where it meets the wall
+    }
+    void outdoorsThereIsAHorizonAndAScale() {
+        RenderScene scene = wallScene();
+        scene.isOutdoors = true;
+        const QImage seen = picture(scene);
+        QVERIFY(seen.pixelColor(5, 5).blue() > seen.pixelColor(5, 5).red() + 3);   // sky
+        QVERIFY(seen.pixelColor(5, 190).red() >= seen.pixelColor(5, 190).blue());  // ground
+        int dark = 0;  // of the bar, which is 22 points from the corner
+        for (int y = 170; y < 185; ++y) dark += seen.pixelColor(170, y).lightness() < 110 ? 1 : 0;
+        QVERIFY(dark >= 1 && dark <= 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(OverlayPictureTest)
+#include "OverlayPictureTest.moc"

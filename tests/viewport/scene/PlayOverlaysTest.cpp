@@ -1,0 +1,158 @@
+#include "viewport/scene/PlayOverlays.h"
+
+#include "core/asset/PieceColours.h"
+#include "tests/support/Sessions.h"
+#include "viewport/scene/ContactStrokes.h"
+#include "viewport/scene/MomentBuilder.h"
+
+using namespace rubble;
+using test::give;
+
+namespace {
+
+/// Two blocks of 1 m, one upon the other on the ground, and one apart from them.
+Project blocks() {
+    Project project = test::floatingBlock(5);
+    project.gravity = {0.0, -9.81, 0.0};
+    project.instances[0].pose.position = {0.0, 0.5, 0.0};
+    test::addInstance(project, project.assets[0].id, "upper", {.position = {0.0, 1.5, 0.0}});
+    test::addInstance(project, project.assets[0].id, "other", {.position = {5.0, 0.5, 0.0}});
+    return project;
+}
+
+struct Shown {
+    explicit Shown(const Project& project, const PlayOverlays& overlays, int steps = 10)
+        : scene(test::playSceneOf(project)), session(Session::start(scene, {}).value()), builder(scene) {
+        builder.setOverlays(overlays);
+        step(steps);
+    }
+    void step(int steps) {
+        for (int k = 0; k < steps; ++k) session.step();
+        moment = builder.momentOf(session);
+    }
+    /// By the number of a body that is whole: the ground is 0, scene bodies come in sixes.
+    const BodyLook& lookOf(std::uint32_t number) const { return moment->looks[6 * (number - 1)]; }
+
+    std::shared_ptr<const PlayScene> scene;
+    Session session;
+    MomentBuilder builder;
+    std::shared_ptr<const RenderScene> moment;
+};
+
+Vec3 placeOf(const Shown& shown, const glm::vec4& place) { return shown.moment->origin + Vec3(place); }
+
+}  // namespace
+
+class PlayOverlaysTest : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingIsShownThatIsNotAskedFor() {
+        const Shown shown(blocks(), {});
+        QVERIFY(shown.moment->strokes.empty() && shown.moment->boxes.empty());
+    }
+    void contactsAreDotsWhereBodiesTouch() {
+        const Shown shown(blocks(), {.hasContacts = true});
+        QCOMPARE(shown.moment->strokes.size(), std::size_t{12});  // four points each
+        for (const SceneStroke& dot : shown.moment->strokes) {
+            const Vec3 place = placeOf(shown, dot.from);
+            QVERIFY(glm::vec3(dot.from) == glm::vec3(dot.to));
+            QVERIFY(std::abs(place.y) < 0.02 || std::abs(place.y - 1.0) < 0.02);
+            QVERIFY(std::abs(std::abs(place.z) - 0.25) < 0.02);
+        }
+    }
+    void contactsOfBodiesAsleepAreShownToo() {
+        const Shown shown(blocks(), {.hasContacts = true}, 200);
+        QVERIFY(shown.session.world().state(shown.session.bodies()[1].body).asleep);
+        QCOMPARE(shown.moment->strokes.size(), std::size_t{12});
+    }
+    void normalsAndImpulsesGoFromTheFirstBodyToTheSecond() {
+        const Shown shown(blocks(), {.hasNormals = true, .hasImpulses = true});
+        QCOMPARE(shown.moment->strokes.size(), std::size_t{24});
+        for (const SceneStroke& arrow : shown.moment->strokes) {
+            const glm::vec3 way(arrow.to - arrow.from);
+            QVERIFY(arrow.to.w == 1.0f && way.y > 0.99f * glm::length(way));  // upwards: lower bodies came first
+        }
+    }
+    void aStrongerImpulseHasALongerArrowWithinBounds() {
+        QCOMPARE(impulseLength(100.0, 2.0), 2.0);
+        QCOMPARE(impulseLength(400.0, 2.0), 4.0);
+        QCOMPARE(impulseLength(1e9, 2.0), 8.0);
+        QCOMPARE(impulseLength(0.0, 2.0), 0.2);
+    }
+    void boxesAreAroundBodiesAndGoWithThem() {
+        Project project = blocks();
+        project.instances[2].pose.position.y = 8.0;  // it falls
+        Shown shown(project, {.hasBoxes = true}, 30);
+        shown.step(1);
+        QCOMPARE(shown.moment->boxes.size(), std::size_t{3});
+        const SceneStroke& box = shown.moment->boxes[2];
+        const Vec3 position = shown.session.world().state(shown.session.bodies()[3].body).pose.position;
+        const Vec3 low = placeOf(shown, box.from), high = placeOf(shown, box.to);
+        QVERIFY(low.x < position.x - 0.49 && high.y > position.y + 0.49 && high.y < position.y + 1.5);
+        QVERIFY(box.back.y > 0.05f && box.back.y < 0.11f);  // 5 m/s for 1/60 s
+    }
+    void whatHangsTogetherHasOneColour() {
+        const Shown shown(blocks(), {.hasIslands = true});
+        QCOMPARE(shown.lookOf(1).outside, shown.lookOf(2).outside);
+        QVERIFY(shown.lookOf(1).outside != shown.lookOf(3).outside);
+        const Shown asleep(blocks(), {.hasIslands = true}, 200);
+        QCOMPARE(asleep.lookOf(1).outside, shown.lookOf(1).outside);  // it stays
+        QCOMPARE(asleep.lookOf(3).outside, shown.lookOf(3).outside);
+    }
+    void whatSleepsIsBlue() {
+        Shown shown(blocks(), {.hasSleep = true});
+        const std::uint32_t awake = shown.lookOf(1).outside;
+        QCOMPARE(awake, Shown(blocks(), {}).lookOf(1).outside);
+        shown.step(200);
+        const std::uint32_t asleep = shown.lookOf(1).outside;
+        QVERIFY(asleep != awake && (asleep & 255) > (asleep >> 16));
+        shown.builder.setOverlays({});
+        shown.step(0);
+        QCOMPARE(shown.lookOf(1).outside, awake);
+    }
+    void heatIsThatOfAForecastOrOfImpactsThatCoolDown() {
+        Project project = test::floatingBlock(5);
+        Shown shown(project, {.hasHeat = true});
+        QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
+        give(shown.session, ShotInput{"box", test::throwAtBlock(2.0, 8.0)});
+        double hottest = 0.0;
+        for (int k = 0; k < 12; ++k) {
+            shown.step(1);
+            for (const PlayImpact& hit : shown.session.events().impacts) {
+                hottest = std::max(hottest, hit.damage / hit.threshold);
+                QCOMPARE(shown.lookOf(hit.body).outside, packed(heatColour(hottest)));
+            }
+        }
+        QVERIFY(hottest > 0.05 && hottest < 1.0);
+        for (int k = 0; k < 120; ++k) shown.step(1);
+        QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
+        shown.builder.setForecast(std::vector<BodyHeat>{{1, 1.2}});
+        shown.step(1);
+        QCOMPARE(shown.lookOf(1).outside, packed(heatColour(1.0)));
+        shown.builder.setForecast(std::nullopt);
+        shown.step(1);
+        QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
+    }
+    void heatGetsLighterAndEndsInASignal() {
+        const auto lightness = [](double value) {
+            const Colour colour = heatColour(value);
+            return 0.3 * colour.red + 0.59 * colour.green + 0.11 * colour.blue;
+        };
+        for (double value = 0.0; value < 0.9; value += 0.1) QVERIFY(lightness(value + 0.1) > lightness(value));
+        QVERIFY(heatColour(0.999).green > 0.8 && heatColour(1.0).green < 0.2);
+        QVERIFY(heatColour(1e9) == heatColour(1.0));
+    }
+    void hullsComeAndGo() {
+        Shown shown(blocks(), {});
+        QVERIFY(shown.moment->batches[0].hulls == nullptr);
+        shown.builder.setOverlays({.hasHulls = true});
+        shown.step(1);
+        QVERIFY(shown.moment->batches[0].hulls != nullptr);
+        shown.builder.setOverlays({});
+        shown.step(1);
+        QVERIFY(shown.moment->batches[0].hulls == nullptr);
+    }
+};
+
+QTEST_GUILESS_MAIN(PlayOverlaysTest)
+#include "PlayOverlaysTest.moc"
