@@ -29,7 +29,7 @@ Boxes boxes(std::size_t pieces) {
     made.project.nextId = 10;
     made.project.materials = {{.id = 2, .name = "stone"}};
     for (const Asset& asset : boxAssets(pieces)) {
-        AssetBakes bakes{{asset.id, std::make_shared<const Bake>(bake(asset).value())}};
+        AssetBakes bakes{{{asset.id}, std::make_shared<const Bake>(bake(asset).value())}};
         made.bakes.push_back(std::move(bakes));
         made.project.assets = {asset};
         if (made.bakes.size() == 2) break;

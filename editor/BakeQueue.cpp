@@ -14,8 +14,9 @@ constexpr double kProgressStep = 0.01;        // smaller steps are not told
 
 }  // namespace
 
-BakeQueue::BakeQueue(const Document& document, const Selection& selection, Start start, Work work, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_start(start), m_work(std::move(work)) {
+BakeQueue::BakeQueue(const Document& document, const Selection& selection, Start start, Preparation prepare,
+                     QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_start(start), m_prepare(std::move(prepare)) {
     m_thread.setMaxThreadCount(1);
     m_thread.setExpiryTimeout(-1);
     m_rest.setSingleShot(true);
@@ -51,10 +52,9 @@ void BakeQueue::startNext() {
     m_cancel = CancelToken();
     emit progressed(m_running, 0.0);
 
-    auto asset = std::make_shared<const Asset>(*findAsset(m_document.project(), m_running));
-    m_thread.start([this, asset = std::move(asset), task = taskContext()]() mutable {
-        const Id id = asset->id;
-        Delivery deliver = m_work(std::move(asset), task);
+    Work work = m_prepare(std::make_shared<const Asset>(*findAsset(m_document.project(), m_running)));
+    m_thread.start([this, id = m_running, work = std::move(work), task = taskContext()] {
+        Delivery deliver = work(task);
         QMetaObject::invokeMethod(this, [this, id, deliver = std::move(deliver)] { finish(id, deliver); });
     });
 }

@@ -26,14 +26,17 @@ public:
     /// Takes a result over; called in the queue's own thread. Empty where the work was cancelled.
     using Delivery = std::function<void()>;
     /// Called on the thread.
-    using Work = std::function<Delivery(std::shared_ptr<const Asset> asset, const TaskContext& task)>;
+    using Work = std::function<Delivery(const TaskContext& task)>;
+    /// Gives the work on an asset when its turn has come; called in the queue's own thread.
+    using Preparation = std::function<Work(std::shared_ptr<const Asset> asset)>;
     /// When work begins on what is wanted.
     enum class Start {
         AtOnce,
         AfterRest,  // nothing was wanted for as long as the last work took: what keeps changing is left alone
     };
 
-    BakeQueue(const Document& document, const Selection& selection, Start start, Work work, QObject* parent = nullptr);
+    BakeQueue(const Document& document, const Selection& selection, Start start, Preparation prepare,
+              QObject* parent = nullptr);
     ~BakeQueue() override;
 
     bool isBusy() const { return m_running != 0; }
@@ -53,7 +56,7 @@ private:
     const Document& m_document;
     const Selection& m_selection;
     const Start m_start;
-    const Work m_work;
+    const Preparation m_prepare;
     QThreadPool m_thread;
     QTimer m_rest;
     std::set<Id> m_waiting;

@@ -2,6 +2,8 @@
 
 #include "core/fracture/VoronoiPartition.h"
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
@@ -31,17 +33,55 @@ BakeQueue::Delivery patternOf(Bakes& bakes, std::shared_ptr<const Asset> asset, 
     return [&bakes, pattern] { bakes.setPattern(pattern->asset->id, pattern); };
 }
 
-BakeQueue::Delivery fragmentsOf(Bakes& bakes, std::shared_ptr<const Asset> asset, const TaskContext& task) {
+/// What is to be baked of an asset, and what was before.
+struct Wish {
+    std::shared_ptr<const Asset> asset;
+    std::vector<std::uint32_t> variants;  // ascending from 0
+    std::vector<std::shared_ptr<const Bake>> known;
+};
+
+Wish wishFor(std::shared_ptr<const Asset> asset, const Project& project, const Bakes& bakes) {
+    Wish wish{.asset = std::move(asset)};
+    for (const auto& [id, variant] : usedVariants(project)) {
+        if (id == wish.asset->id) wish.variants.push_back(variant);
+    }
+    const auto before = bakes.find(wish.asset->id);
+    if (!before) return wish;
+    if (before->bake) wish.known.push_back(before->bake);
+    for (const auto& [variant, bake] : before->variants) wish.known.push_back(bake);
+    return wish;
+}
+
+/// The bake of a variant: the one before where nothing that it depends on has changed.
+Result<std::shared_ptr<const Bake>> bakeOf(const Asset& variant, const Wish& wish, const TaskContext& task) {
+    const auto isIt = [input = bakeInputHash(variant)](const auto& bake) { return bake->input == input; };
+    if (const auto same = std::ranges::find_if(wish.known, isIt); same != wish.known.end()) return *same;
+    Result<Bake> made = bake(variant, task);
+    if (!made) return made.error();
+    return std::make_shared<const Bake>(std::move(*made));
+}
+
+BakeQueue::Delivery fragmentsOf(Bakes& bakes, const Wish& wish, const TaskContext& task) {
     auto baked = std::make_shared<BakedAsset>();
-    baked->asset = std::move(asset);
-    Result<Bake> bake = rubble::bake(*baked->asset, task);
-    if (!bake && bake.error().code == ErrorCode::Cancelled) return {};
-    if (bake) {
-        baked->bake = std::make_shared<const Bake>(std::move(*bake));
-    } else {
-        baked->fault = bake.error();
+    baked->asset = wish.asset;
+    const auto count = static_cast<double>(wish.variants.size());
+    for (std::size_t k = 0; k < wish.variants.size() && !baked->fault; ++k) {
+        const std::uint32_t variant = wish.variants[k];
+        const TaskContext part = task.stage(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
+        Result<std::shared_ptr<const Bake>> made = bakeOf(variantOf(*wish.asset, variant), wish, part);
+        if (!made && made.error().code == ErrorCode::Cancelled) return {};
+        if (!made) {
+            baked->fault = made.error();
+        } else {
+            (variant == 0 ? baked->bake : baked->variants[variant]) = std::move(*made);
+        }
     }
     return [&bakes, baked] { bakes.set(baked->asset->id, baked); };
+}
+
+bool isBaked(const Instance& instance, const Bakes& bakes) {
+    const auto baked = bakes.find(instance.asset);
+    return instance.variant == 0 || (baked && baked->variants.contains(instance.variant));
 }
 
 }  // namespace
@@ -51,9 +91,13 @@ Baker::Baker(const Document& document, const Selection& selection, Bakes& bakes,
       m_document(document),
       m_bakes(bakes),
       m_patterns(document, selection, BakeQueue::Start::AtOnce,
-                 [&bakes](auto asset, const TaskContext& task) { return patternOf(bakes, std::move(asset), task); }),
-      m_fragments(document, selection, BakeQueue::Start::AfterRest, [&bakes](auto asset, const TaskContext& task) {
-          return fragmentsOf(bakes, std::move(asset), task);
+                 [&bakes](auto asset) {
+                     return [&bakes, asset](const TaskContext& task) { return patternOf(bakes, asset, task); };
+                 }),
+      m_fragments(document, selection, BakeQueue::Start::AfterRest, [&bakes, &document](auto asset) {
+          return [&bakes, wish = wishFor(std::move(asset), document.project(), bakes)](const TaskContext& task) {
+              return fragmentsOf(bakes, wish, task);
+          };
       }) {
     connect(&document, &Document::changed, this, &Baker::take);
     connect(&m_fragments, &BakeQueue::progressed, this, &Baker::progressed);
@@ -79,8 +123,16 @@ void Baker::take(const Changes& changes) {
             wanted.insert(change.id);
         }
     }
-    m_patterns.want(wanted);
-    m_fragments.want(wanted);
+    if (!wanted.empty()) m_patterns.want(wanted);
+    if (changes.touches(Part::Instance)) addUnbaked(wanted);
+    if (!wanted.empty()) m_fragments.want(wanted);
+}
+
+/// Assets in variants that are used from now on.
+void Baker::addUnbaked(std::set<Id>& wanted) const {
+    for (const Instance& instance : m_document.project().instances) {
+        if (!isBaked(instance, m_bakes)) wanted.insert(instance.asset);
+    }
 }
 
 }  // namespace rubble

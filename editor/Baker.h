@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// Bakes a document's assets whenever they change, and puts the results into Bakes. The window never waits for it.
+/// Bakes a document's assets, in all variants that its instances use, whenever they change, and puts the results into Bakes. The window never waits for it.
 ///
 /// Patterns have a thread of their own and are there as soon as they can be; fragments, which take several times as long,
 /// follow when the pattern has come to rest. A result never replaces that of a newer state.
@@ -24,6 +24,7 @@ signals:
 
 private:
     void take(const Changes& changes);
+    void addUnbaked(std::set<Id>& wanted) const;
 
     const Document& m_document;
     Bakes& m_bakes;

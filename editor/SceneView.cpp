@@ -185,7 +185,7 @@ void SceneView::update() {
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
     m_options.marks = marks();
     m_viewport->setScene(std::make_shared<const RenderScene>(
-        m_builder.sceneOf(m_workspace.project(), bakesOf(m_workspace.bakes()), m_options)));
+        m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options)));
 }
 
 SceneMarks SceneView::marks() const {

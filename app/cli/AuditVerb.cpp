@@ -54,7 +54,7 @@ Result<std::vector<NamedAudit>> auditsOf(const Project& project, std::span<const
     for (const Id id : assets) {
         if (task.isCancelled()) return TaskContext::cancelled();
         line.show(static_cast<double>(audits.size()) / static_cast<double>(assets.size()));
-        Result<NamedAudit> audit = auditOf(project, *findAsset(project, id), bakes->at(id), task);
+        Result<NamedAudit> audit = auditOf(project, *findAsset(project, id), bakes->at({id}), task);
         if (!audit) return audit.error();
         audits.push_back(std::move(*audit));
     }

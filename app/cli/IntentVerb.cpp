@@ -36,7 +36,7 @@ Result<std::vector<IntentReport>> reportsOn(const Project& project, std::span<co
     std::vector<IntentReport> reports;
     for (const Id id : assets) {
         const Asset& asset = *findAsset(project, id);
-        const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, bakes->at(id), task);
+        const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, bakes->at({id}), task);
         if (!ready) return ready.error();
         Result<ThresholdInterval> interval = thresholdInterval(project, **ready);
         if (!interval) return interval.error();

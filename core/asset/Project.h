@@ -97,6 +97,9 @@ struct Instance {
     Pose pose;                        // world from the prism's frame
     std::optional<double> threshold;  // N·s, instead of the asset's
     bool isFixed = false;             // held in place, as if part of the ground
+    std::uint32_t variant = 0;        // in which way it breaks: see variantOf()
+    bool isHidden = false;            // left out of the editor's view of the scene; it plays all the same
+    bool isLocked = false;            // in the editor's view it is neither chosen nor moved
     bool operator==(const Instance&) const = default;
 };
 

@@ -1,11 +1,13 @@
 #include "core/io/PackExport.h"
 
+#include "core/asset/Variants.h"
 #include "core/base/Parallel.h"
 #include "core/io/MadeFolders.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -25,13 +27,23 @@ std::string foldedFolderName(const Asset& asset) {
     return name;
 }
 
+/// The assets of the project in all variants that it uses, each as an asset; only those that are named where any are.
+std::vector<Asset> assetsInVariants(const Project& project, std::span<const Id> only = {}) {
+    std::vector<Asset> assets;
+    for (const auto& [id, variant] : usedVariants(project)) {
+        if (!only.empty() && std::ranges::find(only, id) == only.end()) continue;
+        assets.push_back(variantOf(*findAsset(project, id), variant));
+    }
+    return assets;
+}
+
 /// All assets of the project count, so that exporting them one by one is no way around it.
 Status checkFolderNames(const Project& project) {
-    std::map<std::string, const Asset*> owners;
-    for (const Asset& asset : project.assets) {
-        const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), &asset);
+    std::map<std::string, std::string> owners;
+    for (const Asset& asset : assetsInVariants(project)) {
+        const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), asset.name);
         if (isFirst) continue;
-        return Error{ErrorCode::BadInput, "The assets \"" + owner->second->name + "\" and \"" + asset.name +
+        return Error{ErrorCode::BadInput, "The assets \"" + owner->second + "\" and \"" + asset.name +
                                               "\" would both be exported to the folder \"" + safeFileName(asset.name) +
                                               "\"; rename one of them."};
     }
@@ -132,12 +144,13 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
     MadeFolders made;  // here, so that no asset takes away the folder that another is about to write into
     if (const Status status = made.make(folder); !status) return status.error();
-    std::vector<AssetExport> results(assets.size());
-    SharedProgress progress(task, assets.size());
-    const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, assets.size())));
-    forEachIndex(assets.size(), task.threads, [&](std::size_t index) {
-        const Asset& asset = *findAsset(project, assets[index]);
-        results[index] = exported(project, asset, folder, options, progress.contextOf(index, threadsEach));
+    std::vector<Asset> packed;
+    for (const Id id : assets) std::ranges::move(assetsInVariants(project, {&id, 1}), std::back_inserter(packed));
+    std::vector<AssetExport> results(packed.size());
+    SharedProgress progress(task, packed.size());
+    const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
+    forEachIndex(packed.size(), task.threads, [&](std::size_t index) {
+        results[index] = exported(project, packed[index], folder, options, progress.contextOf(index, threadsEach));
     });
     if (task.isCancelled()) return TaskContext::cancelled();
     return results;

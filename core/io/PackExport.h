@@ -13,10 +13,10 @@
 
 namespace rubble {
 
-/// What became of one asset at an export.
+/// What became of one asset, or of one variant of it, at an export.
 struct AssetExport {
     Id asset = 0;
-    std::string name;
+    std::string name;  // "wall"; of a variant "wall~2"
     std::filesystem::path folder;
     Status status = success();
     bool isUnchanged = false;       // its folder was this very export before; then what follows is not known
@@ -28,7 +28,8 @@ struct AssetExport {
 /// The hash of all that an asset's pack depends on: what the manifest of its folder names as its source.
 ContentHash packSource(const Project& project, const Asset& asset, const MeshOptions& options);
 
-/// Writes the packs of `assets`, each into a folder of its name below `folder`: pack.json and meshes. Folders that are
+/// Writes the packs of `assets`, each into a folder of its name below `folder`: pack.json and meshes; and one more for each
+/// variant that instances use ("wall_2"), in the order of their numbers behind their asset's. Folders that are
 /// whole, unaltered exports of the same source stay as they are. A fault of one asset is told in its status and keeps no
 /// other from being written. Up to task.threads assets at once; the bytes are the same at any number of them.
 ///

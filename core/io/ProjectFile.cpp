@@ -13,12 +13,13 @@ namespace {
 
 constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
-/// What a project held from the first version on, with its assets as a version has them.
-Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&)) {
+/// What a project held from the first version on, with its assets and instances as a version has them.
+Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&),
+                   Instance (*readInstanceOfVersion)(const JsonValue&)) {
     return {.nextId = root["nextId"].index(),
             .materials = root["materials"].listOf(readMaterial),
             .assets = root["assets"].listOf(readAssetOfVersion),
-            .instances = root["instances"].listOf(readInstance),
+            .instances = root["instances"].listOf(readInstanceOfVersion),
             .ground = readGround(root["ground"]),
             .gravity = readVector(root["gravity"]),
             .damage = readDamage(root["damage"]),
@@ -29,21 +30,28 @@ Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const Json
 Project readVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
-    return readCommon(root, readAssetVersion1);
+    return readCommon(root, readAssetVersion1, readInstanceVersion2);
 }
 
-/// Knows debris, cuts at impact and intents.
-Project readVersion2(const JsonValue& root) {
+/// With debris; of what else came after the first version its callers tell.
+Project readWithDebris(const JsonValue& root, Instance (*readInstanceOfVersion)(const JsonValue&)) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "debris", "shots", "playTests"});
-    Project project = readCommon(root, readAsset);
+    Project project = readCommon(root, readAsset, readInstanceOfVersion);
     project.debris = readDebris(root["debris"]);
     return project;
 }
 
+/// Knows debris, cuts at impact and intents.
+Project readVersion2(const JsonValue& root) { return readWithDebris(root, readInstanceVersion2); }
+
+/// Knows variants of instances, and which are hidden and locked.
+Project readVersion3(const JsonValue& root) { return readWithDebris(root, readInstance); }
+
 /// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
 /// in what their files did not know.
-constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1, &readVersion2};
+constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1, &readVersion2,
+                                                                              &readVersion3};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
     const Result<std::uint32_t> version = versionOf(document, kFormat);

@@ -11,6 +11,17 @@ constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
 double readNumber(const JsonValue& value) { return value.number(); }
 std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
 
+/// What every version knows of an instance.
+Instance readPlaced(const JsonValue& value) {
+    const auto [w, x, y, z] = value["orientation"].numbers<4>();
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .asset = value["asset"].index(),
+            .pose = {readVector(value["position"]), Quat{w, x, y, z}},
+            .threshold = value["threshold"].orNone(readNumber),
+            .isFixed = value["fixed"].boolean()};
+}
+
 }  // namespace
 
 void writeVector(JsonLayout& json, std::string_view key, Vec3 vector) {
@@ -32,18 +43,25 @@ void writeInstance(JsonLayout& json, const Instance& instance) {
     json.numbers("orientation", {turn.w, turn.x, turn.y, turn.z});
     json.number("threshold", instance.threshold);
     json.boolean("fixed", instance.isFixed);
+    json.wholeNumber("variant", instance.variant);
+    json.boolean("hidden", instance.isHidden);
+    json.boolean("locked", instance.isLocked);
     json.close();
 }
 
-Instance readInstance(const JsonValue& value) {
+Instance readInstanceVersion2(const JsonValue& value) {
     value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
-    const auto [w, x, y, z] = value["orientation"].numbers<4>();
-    return {.id = value["id"].index(),
-            .name = value["name"].text(),
-            .asset = value["asset"].index(),
-            .pose = {readVector(value["position"]), Quat{w, x, y, z}},
-            .threshold = value["threshold"].orNone(readNumber),
-            .isFixed = value["fixed"].boolean()};
+    return readPlaced(value);
+}
+
+Instance readInstance(const JsonValue& value) {
+    value.requireObject(
+        {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"});
+    Instance instance = readPlaced(value);
+    instance.variant = value["variant"].index();
+    instance.isHidden = value["hidden"].boolean();
+    instance.isLocked = value["locked"].boolean();
+    return instance;
 }
 
 void writeGround(JsonLayout& json, const Ground& ground) {

@@ -15,6 +15,8 @@ void writeDebris(JsonLayout& json, const Debris& debris);
 
 /// Read what was written by these. Types only: verifyProject() looks at the values.
 Instance readInstance(const JsonValue& value);
+/// An instance of before there were variants, and before any could be hidden or locked.
+Instance readInstanceVersion2(const JsonValue& value);
 Ground readGround(const JsonValue& value);
 Damage readDamage(const JsonValue& value);
 Debris readDebris(const JsonValue& value);

@@ -18,7 +18,7 @@ Result<ForecastMissile> missileOf(const Session& session, const Throw& thrown) {
     std::shared_ptr<const Shape> shape;
     const Material* material = nullptr;
     if (thrown.kind == ProjectileKind::Asset) {
-        const auto asset = scene.assets.find(thrown.asset);
+        const auto asset = scene.assets.find({thrown.asset});
         if (asset == scene.assets.end()) {
             return Error{ErrorCode::BadInput,
                          "Asset " + std::to_string(thrown.asset) + ", which is thrown, is not there."};

@@ -44,6 +44,8 @@ void takeInstances(Project& played, const Project& now, std::vector<PlayInput>& 
             inputs.push_back(ThresholdInput{.instance = instance.id, .threshold = *instance.threshold});
         }
         instance.name = other.name;
+        instance.isHidden = other.isHidden;
+        instance.isLocked = other.isLocked;
     }
 }
 

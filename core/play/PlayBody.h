@@ -31,8 +31,9 @@ struct PlayBody {
 /// What was there before anything broke: an instance, or something thrown.
 struct PlayOrigin {
     std::string name;
-    Id instance = 0;  // 0: the ground, or thrown
-    Id asset = 0;     // 0: the ground, or a plain missile
+    Id instance = 0;            // 0: the ground, or thrown
+    Id asset = 0;               // 0: the ground, or a plain missile
+    std::uint32_t variant = 0;  // of the asset
 };
 
 /// "front 1.1", or with the id of the piece behind its asset's: "front 1.1/5.17".

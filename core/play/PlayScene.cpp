@@ -12,13 +12,13 @@ Error missing(const std::string& owner, Id asset) {
 /// That every asset which has a part in the scene is there.
 Status allAreThere(const PlayScene& scene) {
     for (const Instance& instance : scene.project.instances) {
-        if (!scene.assets.contains(instance.asset)) {
+        if (!scene.assets.contains(variantOf(instance))) {
             return missing(ownerText("Instance", instance.id, instance.name), instance.asset);
         }
     }
     for (const Shot& shot : scene.project.shots) {
         const Throw* thrown = std::get_if<Throw>(&shot.action);
-        if (thrown != nullptr && thrown->kind == ProjectileKind::Asset && !scene.assets.contains(thrown->asset)) {
+        if (thrown != nullptr && thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
             return missing(ownerText("Shot", shot.id, shot.name), thrown->asset);
         }
     }
@@ -32,15 +32,16 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
     if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
-    for (const Asset& asset : project.assets) {
-        const auto baked = bakes.find(asset.id);
+    for (const AssetVariant& variant : usedVariants(project)) {
+        const auto baked = bakes.find(variant);
         if (baked == bakes.end()) continue;
+        const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
         Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
         if (!ready) return ready.error();
         for (const std::string& notice : (*ready)->notices) {
             scene->notices.push_back(ownerText("Asset", asset.id, asset.name) + ": " + notice);
         }
-        scene->assets[asset.id] = std::move(*ready);
+        scene->assets[variant] = std::move(*ready);
     }
     if (const Status there = allAreThere(*scene); !there) return there.error();
     return std::shared_ptr<const PlayScene>(std::move(scene));

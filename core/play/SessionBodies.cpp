@@ -37,10 +37,10 @@ Status placeGround(const SessionParts& parts) {
 
 Status placeInstance(const SessionParts& parts, const Instance& instance) {
     SessionState& state = parts.state;
-    const std::shared_ptr<const PlayAsset>& asset = parts.scene.assets.at(instance.asset);
+    const std::shared_ptr<const PlayAsset>& asset = parts.scene.assets.at(variantOf(instance));
     const BodyMaterial material = bodyMaterial(parts, *asset, kNone, PlayRole::Instance);
     const auto origin = static_cast<std::uint32_t>(state.origins.size());
-    state.origins.push_back({instance.name, instance.id, instance.asset});
+    state.origins.push_back({instance.name, instance.id, instance.asset, instance.variant});
     if (instance.threshold) state.instanceThresholds[instance.id] = *instance.threshold;
     state.lowest = std::min(state.lowest, instance.pose.position.y - kFallDepth);
     const Result<std::uint32_t> added =

@@ -22,14 +22,14 @@ bool isLiving(const SessionState& state, std::uint32_t number) {
 /// What is thrown, as a body to be.
 Result<BodyDefinition> missileOf(const Throw& thrown, const PlayScene& scene, const SessionState& state) {
     if (thrown.kind != ProjectileKind::Asset) return missile(thrown, nullptr, nullptr);
-    return missile(thrown, scene.assets.at(thrown.asset)->whole.shape, &materialOf(state, scene, thrown.asset));
+    return missile(thrown, scene.assets.at({thrown.asset})->whole.shape, &materialOf(state, scene, thrown.asset));
 }
 
 Sentence inputFault(const ShotInput& shot, const PlayScene& scene, const SessionState& state) {
     if (Sentence fault = rubble::faultOf(Shot{.name = shot.name, .action = shot.action})) return fault;
     const Throw* thrown = std::get_if<Throw>(&shot.action);
     if (thrown == nullptr) return std::nullopt;
-    if (thrown->kind == ProjectileKind::Asset && !scene.assets.contains(thrown->asset)) {
+    if (thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
         return "Shot \"" + shot.name + "\" throws asset " + std::to_string(thrown->asset) + ", which is not there.";
     }
     const Result<BodyDefinition> body = missileOf(*thrown, scene, state);
@@ -39,7 +39,7 @@ Sentence inputFault(const ShotInput& shot, const PlayScene& scene, const Session
 
 Sentence inputFault(const ThresholdInput& input, const PlayScene& scene, const SessionState&) {
     if (!(input.threshold > 0.0 && std::isfinite(input.threshold))) return "A threshold must be positive.";
-    if (input.instance == 0 && !scene.assets.contains(input.asset)) {
+    if (input.instance == 0 && !scene.assets.contains({input.asset})) {
         return "There is no asset " + std::to_string(input.asset) + " whose threshold could be changed.";
     }
     const auto isMeant = [&](const Instance& instance) { return instance.id == input.instance; };
@@ -91,7 +91,7 @@ void act(const SessionParts& parts, const std::string& name, const Throw& thrown
     PlayOrigin origin{.name = name};
     if (thrown.kind == ProjectileKind::Asset) {
         origin.asset = thrown.asset;
-        body.asset = parts.scene.assets.at(thrown.asset);
+        body.asset = parts.scene.assets.at({thrown.asset});
     } else {
         body.hull = std::make_shared<const Polytope>(missileHull(thrown));
     }

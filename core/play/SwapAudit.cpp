@@ -32,7 +32,7 @@ Project alone(const Project& project, Id asset) {
 Result<Session> started(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
-    scene->assets[asset->bake->asset] = asset;
+    scene->assets[{asset->bake->asset}] = asset;
     return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false});
 }
 

@@ -9,6 +9,23 @@ std::shared_ptr<const BakedAsset> Bakes::find(Id asset) const {
     return result == m_results.end() ? nullptr : result->second;
 }
 
+AssetBakes Bakes::assetBakes() const {
+    AssetBakes all;
+    for (const auto& [asset, baked] : m_results) {
+        if (baked->bake) all[{asset}] = baked->bake;
+        for (const auto& [variant, bake] : baked->variants) all[{asset, variant}] = bake;
+    }
+    return all;
+}
+
+bool Bakes::areCurrent(const Project& project) const {
+    return std::ranges::all_of(usedVariants(project), [&](const AssetVariant& used) {
+        const std::shared_ptr<const BakedAsset> baked = find(used.asset);
+        if (!baked || !(*baked->asset == *findAsset(project, used.asset))) return false;
+        return used.variant == 0 || baked->fault || baked->variants.contains(used.variant);
+    });
+}
+
 std::shared_ptr<const BakedPattern> Bakes::findPattern(Id asset) const {
     const auto pattern = m_patterns.find(asset);
     return pattern == m_patterns.end() ? nullptr : pattern->second;
@@ -32,21 +49,6 @@ void Bakes::remove(Id asset) {
 void Bakes::clear() {
     while (!m_patterns.empty()) remove(m_patterns.begin()->first);
     while (!m_results.empty()) remove(m_results.begin()->first);
-}
-
-AssetBakes bakesOf(const Bakes& bakes) {
-    AssetBakes all;
-    for (const auto& [asset, baked] : bakes.all()) {
-        if (baked->bake) all.emplace(asset, baked->bake);
-    }
-    return all;
-}
-
-bool areCurrent(const Bakes& bakes, const Project& project) {
-    return std::ranges::all_of(project.assets, [&](const Asset& asset) {
-        const std::shared_ptr<const BakedAsset> baked = bakes.find(asset.id);
-        return baked && *baked->asset == asset;
-    });
 }
 
 }  // namespace rubble

@@ -26,6 +26,7 @@ struct BakedAsset {
     std::shared_ptr<const Asset> asset;  // the state it was baked from
     std::shared_ptr<const Bake> bake;    // null where it failed
     std::optional<Error> fault;
+    std::map<std::uint32_t, std::shared_ptr<const Bake>> variants;  // others than 0 that instances use
 };
 
 /// The last finished results of every asset of a document. They stay until better ones come: what is shown may be a moment
@@ -38,6 +39,10 @@ public:
     /// Null until the asset was baked once.
     std::shared_ptr<const BakedAsset> find(Id asset) const;
     const std::map<Id, std::shared_ptr<const BakedAsset>>& all() const { return m_results; }
+    /// What there is, by asset and variant.
+    AssetBakes assetBakes() const;
+    /// Whether every asset was baked as the project has it, in all variants that its instances use.
+    bool areCurrent(const Project& project) const;
 
     /// Null until the asset's pattern was made once.
     std::shared_ptr<const BakedPattern> findPattern(Id asset) const;
@@ -55,10 +60,5 @@ private:
     std::map<Id, std::shared_ptr<const BakedAsset>> m_results;
     std::map<Id, std::shared_ptr<const BakedPattern>> m_patterns;
 };
-
-/// All bakes that there are.
-AssetBakes bakesOf(const Bakes& bakes);
-/// Whether the last result of each of a project's assets is of its state.
-bool areCurrent(const Bakes& bakes, const Project& project);
 
 }  // namespace rubble

@@ -163,10 +163,10 @@ void PlayController::prepare(PlayScript script) {
 
 /// Begins as soon as all assets are baked as they are now.
 void PlayController::tryToStart() {
-    if (!m_isWaitingForBakes || !areCurrent(m_bakes, m_document.project())) return;
+    if (!m_isWaitingForBakes || !m_bakes.areCurrent(m_document.project())) return;
     m_isWaitingForBakes = false;
     m_played = m_begunWith = m_document.project();
-    m_thread.start([project = m_played, bakes = bakesOf(m_bakes),
+    m_thread.start([project = m_played, bakes = m_bakes.assetBakes(),
                     script = m_script](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
         if (!scene) return scene.error();

@@ -45,14 +45,14 @@ int PlayTestRunner::failed() const { return static_cast<int>(m_outcomes.size()) 
 /// On copies: the document may change meanwhile.
 void PlayTestRunner::run(std::vector<Id> tests) {
     cancel();
-    if (!areCurrent(m_bakes, m_document.project()))
+    if (!m_bakes.areCurrent(m_document.project()))
         return emit said(tr("Not all is baked yet; try again in a moment."));
     m_cancel = CancelToken();
     m_isBusy = true;
     emit changed();
     emit progressed(0.0);
     m_thread.start([this, run = m_run, tests = std::move(tests), project = m_document.project(),
-                    bakes = bakesOf(m_bakes), cancel = m_cancel] {
+                    bakes = m_bakes.assetBakes(), cancel = m_cancel] {
         const auto inWindow = [this](auto work) { QMetaObject::invokeMethod(this, work); };
         TaskContext task{.cancel = cancel, .threads = std::max(1, QThread::idealThreadCount())};
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);

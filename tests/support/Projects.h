@@ -61,7 +61,10 @@ inline Project fullProject() {
                           .asset = 9,
                           .pose = {{1.5, -2.0, 1e22}, Quat{0.6, -0.0, 0.8, 0.0}},
                           .threshold = 12.5,
-                          .isFixed = true}};
+                          .isFixed = true,
+                          .variant = 3,
+                          .isHidden = true,
+                          .isLocked = true}};
     project.ground = {.isOn = false, .height = -0.5, .friction = 0.7, .restitution = 0.2};
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};

@@ -16,6 +16,7 @@ struct AssetModel {
     Asset asset;                       // it was made from
     std::shared_ptr<const Bake> bake;  // null: of the whole
     std::uint32_t level = kNone;
+    std::uint32_t variant = 0;  // that its instances are of
     std::shared_ptr<const SceneGeometry> geometry;
     std::shared_ptr<const SceneGeometry> hulls;  // null where they were not asked for
     std::vector<ModelPiece> pieces;              // one a piece of the geometry

@@ -239,7 +239,7 @@ void MomentBuilder::layOut(const Session& session) {
     const std::vector<Places> placesThen = std::exchange(m_places, std::vector<Places>(session.origins().size()));
     for (std::uint32_t origin = 0; origin < m_places.size(); ++origin) {
         const PlayOrigin& told = session.origins()[origin];
-        if (told.instance != 0) addPlace(session, origin, {.asset = m_scene->assets.at(told.asset)});
+        if (told.instance != 0) addPlace(session, origin, {.asset = m_scene->assets.at({told.asset, told.variant})});
     }
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground || sceneBodyOf(body) != kNone) continue;

@@ -13,11 +13,12 @@ bool isSameBake(const std::shared_ptr<const Bake>& a, const std::shared_ptr<cons
 }
 
 /// Whether the geometry of a model is that of an asset with a bake.
-bool isModelOf(const AssetModel& model, const Asset& asset, const std::shared_ptr<const Bake>& bake,
-               const SceneOptions& options) {
-    return model.asset.id == asset.id && model.level == options.level && isSameBake(model.bake, bake) &&
-           (bake || model.asset.prism == asset.prism) && model.asset.surface == asset.surface &&
-           model.asset.insideUvScale == asset.insideUvScale && (model.hulls || !options.hasHulls);
+bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t variant,
+               const std::shared_ptr<const Bake>& bake, const SceneOptions& options) {
+    return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
+           isSameBake(model.bake, bake) && (bake || model.asset.prism == asset.prism) &&
+           model.asset.surface == asset.surface && model.asset.insideUvScale == asset.insideUvScale &&
+           (model.hulls || !options.hasHulls);
 }
 
 /// Puts a scene together, body by body.
@@ -33,7 +34,8 @@ public:
         m_models.push_back(&model);
         if (m_options.asset != 0) return addInstance(model, 0, Pose{});
         for (const Instance& instance : m_project.instances) {
-            if (instance.asset == model.asset.id) addInstance(model, instance.id, instance.pose);
+            if (variantOf(instance) == AssetVariant{model.asset.id, model.variant})
+                addInstance(model, instance.id, instance.pose);
         }
     }
 
@@ -83,14 +85,20 @@ private:
 
 RenderScene SceneBuilder::sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options) {
     std::vector<std::shared_ptr<const AssetModel>> models;
-    for (const Asset& asset : project.assets) {
-        if (options.asset != 0 && options.asset != asset.id) continue;
-        const auto found = bakes.find(asset.id);
+    for (const auto& [id, variant] : usedVariants(project)) {
+        if (options.asset != 0 && AssetVariant{options.asset} != AssetVariant{id, variant}) continue;
+        const Asset& asset = *findAsset(project, id);
+        const auto found = bakes.find({id, variant});
         const std::shared_ptr<const Bake> bake = options.isWhole || found == bakes.end() ? nullptr : found->second;
-        const auto known =
-            std::ranges::find_if(m_models, [&](const auto& model) { return isModelOf(*model, asset, bake, options); });
-        models.push_back(known != m_models.end() ? *known
-                                                 : std::make_shared<AssetModel>(modelOf(asset, bake, options)));
+        const auto known = std::ranges::find_if(
+            m_models, [&](const auto& model) { return isModelOf(*model, asset, variant, bake, options); });
+        if (known != m_models.end()) {
+            models.push_back(*known);
+            continue;
+        }
+        const auto made = std::make_shared<AssetModel>(modelOf(asset, bake, options));
+        made->variant = variant;
+        models.push_back(made);
     }
     m_models = std::move(models);
     SceneAssembly assembly(project, options);

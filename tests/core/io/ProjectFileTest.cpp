@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEmptyProject = R"({
   "format": "rubble-project",
-  "version": 2,
+  "version": 3,
   "nextId": 2,
   "materials": [
     {
@@ -63,6 +63,18 @@ nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject
 /// Everything there was in version 1.
 nlohmann::json version1Json() {
     return nlohmann::json::parse(*readFile(RUBBLE_SOURCE_DIR "/tests/corpus/Project/version-1.rubble"));
+}
+
+/// The same as version 2 has it, which knows nothing of variants.
+nlohmann::json version2Json() {
+    nlohmann::json json = version1Json();
+    json["version"] = 2;
+    json["debris"] = {{"lifetime", nullptr}, {"fade", 1}, {"mostPieces", nullptr}};
+    for (nlohmann::json& asset : json["assets"]) {
+        asset["cutAtImpact"] = nullptr;
+        asset["intents"] = nlohmann::json::array();
+    }
+    return json;
 }
 
 /// Where a value of another type is as good: in the places that are there or not.
@@ -128,8 +140,8 @@ private slots:
         };
         row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
         row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
-        row("The project is of version 3, but this program knows none above 2; open it with a newer one.", "/version",
-            "3");
+        row("The project is of version 4, but this program knows none above 3; open it with a newer one.", "/version",
+            "4");
         row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
         row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
         row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
@@ -177,19 +189,28 @@ private slots:
         QVERIFY(project->debris == Debris{});
         for (const Asset& asset : project->assets) QVERIFY(!asset.cutAtImpact && asset.intents.empty());
     }
-    void version1IsSavedAsVersion2ValueForValue() {
-        nlohmann::json expected = version1Json();
-        expected["version"] = 2;
-        expected["debris"] = {{"lifetime", nullptr}, {"fade", 1}, {"mostPieces", nullptr}};
-        for (nlohmann::json& asset : expected["assets"]) {
-            asset["cutAtImpact"] = nullptr;
-            asset["intents"] = nlohmann::json::array();
+    void version2IsReadWithWhatChangesNothing() {
+        const Result<Project> project = readProjectText(version2Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        QVERIFY(!project->instances.empty());
+        for (const Instance& instance : project->instances) {
+            QVERIFY(instance.variant == 0 && !instance.isHidden && !instance.isLocked);
         }
-        QVERIFY(writeFileAtomically(inFolder("old.rubble"), version1Json().dump()));
-        const Result<Project> project = loadProject(inFolder("old.rubble"));
-        QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
-        QVERIFY(nlohmann::json::parse(*readFile(inFolder("old.rubble"))) == expected);
-        QVERIFY(*loadProject(inFolder("old.rubble")) == *project);
+    }
+    void olderVersionsAreSavedAsVersion3ValueForValue() {
+        nlohmann::json expected = version2Json();
+        expected["version"] = 3;
+        for (nlohmann::json& instance : expected["instances"]) {
+            instance["variant"] = 0;
+            instance["hidden"] = instance["locked"] = false;
+        }
+        for (const nlohmann::json& old : {version1Json(), version2Json()}) {
+            QVERIFY(writeFileAtomically(inFolder("old.rubble"), old.dump()));
+            const Result<Project> project = loadProject(inFolder("old.rubble"));
+            QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
+            QVERIFY(nlohmann::json::parse(*readFile(inFolder("old.rubble"))) == expected);
+            QVERIFY(*loadProject(inFolder("old.rubble")) == *project);
+        }
     }
     void versionsTakeTheirOwnKeysOnly() {
         nlohmann::json json = version1Json();
@@ -201,6 +222,12 @@ private slots:
         json = version1Json();
         json["version"] = 2;
         QCOMPARE(faultOf(json.dump()), std::string("The document: the key \"debris\" is missing."));
+        json = version2Json();
+        json["instances"][0]["variant"] = 1;
+        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: unknown key \"variant\"."));
+        json = version2Json();
+        json["version"] = 3;
+        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: the key \"variant\" is missing."));
     }
     void truncatedTextIsRefusedAnywhere() {
         const std::string text = projectText(fullProject());

@@ -51,7 +51,7 @@ struct Desk {
     void bakeAgain() {
         const auto asset = std::make_shared<const Asset>(document.project().assets.front());
         const auto result = std::make_shared<const Bake>(*bake(*asset));
-        bakes.set(asset->id, std::make_shared<const BakedAsset>(BakedAsset{asset, result, {}}));
+        bakes.set(asset->id, std::make_shared<const BakedAsset>(BakedAsset{asset, result, {}, {}}));
     }
     void push(Asset asset) {
         const Id id = asset.id;
@@ -314,7 +314,7 @@ private slots:
         desk.bakes.clear();
         QCOMPARE(desk.totals(), "The fragments are being made.");
         const Error fault{ErrorCode::Crossing, "The outline crosses itself."};
-        desk.bakes.set(2, std::make_shared<const BakedAsset>(BakedAsset{nullptr, nullptr, fault}));
+        desk.bakes.set(2, std::make_shared<const BakedAsset>(BakedAsset{nullptr, nullptr, fault, {}}));
         QCOMPARE(desk.totals(), "The outline crosses itself.");
         QCOMPARE(desk.model.rowCount(), 0);
     }
