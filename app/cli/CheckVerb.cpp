@@ -3,11 +3,13 @@
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
 #include "core/asset/Bake.h"
+#include "core/asset/Variants.h"
 #include "core/base/Parallel.h"
 #include "core/io/AtomicFile.h"
 #include "core/io/ExportFolder.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
+#include "core/play/InstanceOverlaps.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
     R"(A project: every value in its range; then every asset is broken as for an export, and every stage of it verified:
-triangulation, cells, fragments, hulls, meshes. A pack: the folder that export wrote, or its pack.json; every file is
+triangulation, cells, fragments, hulls, meshes, in all variants that instances use; instances that overlap are told and
+are no fault. A pack: the folder that export wrote, or its pack.json; every file is
 compared with the manifest, too. A folder of packs: each of them.
 
 Examples:
@@ -77,15 +80,19 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
     ProgressLine line(context, "Checking");
     std::mutex guard;  // of the line and of what is done
     std::size_t done = 0;
-    const std::vector<Asset>& assets = project->assets;
-    std::vector<Finding> findings(assets.size());
-    forEachIndex(assets.size(), threads, [&](std::size_t index) {
-        findings[index] = findingOn(assets[index], {.cancel = context.cancel});
+    const std::vector<AssetVariant> variants = usedVariants(*project);
+    std::vector<Finding> findings(variants.size());
+    forEachIndex(variants.size(), threads, [&](std::size_t index) {
+        const auto [asset, variant] = variants[index];
+        findings[index] = findingOn(variantOf(*findAsset(*project, asset), variant), {.cancel = context.cancel});
         const std::lock_guard lock(guard);
-        line.show(static_cast<double>(++done) / static_cast<double>(assets.size()));
+        line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
     });
     line.clear();
     std::ranges::move(findings, std::back_inserter(all));
+    for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
+        context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
+    }
 }
 
 /// What pack.json tells, and then that every file beside it is as it was exported.

@@ -1,28 +1,13 @@
 #include "core/asset/Bake.h"
 
 #include "core/asset/Breaking.h"
+#include "core/asset/PrismHulls.h"
 #include "core/base/Parallel.h"
-#include "core/geometry/ConvexParts.h"
 
 #include <algorithm>
 
 namespace rubble {
 namespace {
-
-/// The prism as convex hulls about its centre of mass.
-Result<std::vector<Polytope>> hullsOfWhole(const Prism& prism, const MassProperties& mass) {
-    const Result<IndexLoops> parts = convexParts(prism.outline);
-    if (!parts) return parts.error();
-    Ring corners = prism.outline.outer;
-    for (const Ring& hole : prism.outline.holes) corners.insert(corners.end(), hole.begin(), hole.end());
-    std::vector<Polytope> hulls;
-    for (const std::vector<std::uint32_t>& part : *parts) {
-        Ring ring;
-        for (const std::uint32_t corner : part) ring.push_back(corners[corner] - Vec2{mass.centre});
-        hulls.push_back(extruded(ring, -prism.depth / 2.0, prism.depth / 2.0));
-    }
-    return hulls;
-}
 
 /// Appends what became of a fragment (kNone: of the whole), and places it.
 void append(Breaking&& breaking, std::uint32_t parent, Bake& bake) {
@@ -126,7 +111,7 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     result.asset = asset.id;
     result.input = bakeInputHash(asset);
     result.whole = massOfPrism(first->prism.outline, first->prism.depth);
-    Result<std::vector<Polytope>> hulls = hullsOfWhole(first->prism, result.whole);
+    Result<std::vector<Polytope>> hulls = prismHulls(first->prism, Vec2{result.whole.centre});
     if (!hulls) return ofAsset(asset, hulls.error());
     result.wholeHulls = std::move(*hulls);
     append(std::move(*first), kNone, result);

@@ -48,16 +48,10 @@ bool overlapInYz(const HullBox& a, const HullBox& b) {
     return a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-struct PairDepth {
-    std::uint32_t first = 0;
-    std::uint32_t second = 0;
-    double depth = 0.0;
-};
-
 /// Every two hulls that overlap, by their bodies.
-std::vector<PairDepth> hullDepths(std::span<const PlacedHulls> bodies) {
+std::vector<BodyOverlap> hullDepths(std::span<const PlacedHulls> bodies) {
     const std::vector<HullBox> boxes = boxesOf(bodies);
-    std::vector<PairDepth> depths;
+    std::vector<BodyOverlap> depths;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
             const auto& [a, b] = std::minmax(
@@ -74,19 +68,26 @@ std::vector<PairDepth> hullDepths(std::span<const PlacedHulls> bodies) {
 
 }  // namespace
 
-Penetration penetrationOf(std::span<const PlacedHulls> bodies) {
-    std::vector<PairDepth> depths = hullDepths(bodies);
+std::vector<BodyOverlap> overlapsOf(std::span<const PlacedHulls> bodies) {
+    std::vector<BodyOverlap> depths = hullDepths(bodies);
     // The deepest of each pair of bodies first.
-    std::sort(depths.begin(), depths.end(), [](const PairDepth& a, const PairDepth& b) {
+    std::sort(depths.begin(), depths.end(), [](const BodyOverlap& a, const BodyOverlap& b) {
         return std::tuple(a.first, a.second, -a.depth) < std::tuple(b.first, b.second, -b.depth);
     });
+    const auto isSamePair = [](const BodyOverlap& a, const BodyOverlap& b) {
+        return a.first == b.first && a.second == b.second;
+    };
+    depths.erase(std::unique(depths.begin(), depths.end(), isSamePair), depths.end());
+    return depths;
+}
+
+Penetration penetrationOf(std::span<const PlacedHulls> bodies) {
     Penetration result;
     double sum = 0.0;
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-        if (k > 0 && depths[k].first == depths[k - 1].first && depths[k].second == depths[k - 1].second) continue;
+    for (const BodyOverlap& overlap : overlapsOf(bodies)) {
         ++result.pairs;
-        sum += depths[k].depth;
-        result.largest = std::max(result.largest, depths[k].depth);
+        sum += overlap.depth;
+        result.largest = std::max(result.largest, overlap.depth);
     }
     if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
     return result;

@@ -82,6 +82,32 @@ private slots:
             QVERIFY(hullOverlap(unitCube(), first, unitCube(), second).depth <= -0.5 + 1e-14);
         }
     }
+    void onesWayEndsWhereItTouches() {
+        const Pose above{.position = {0.2, 5.0, 0.3}};
+        const auto fall = distanceAlong({0, -1, 0}, unitCube(), above, unitCube(), {}, 1e-4);
+        QVERIFY(fall && std::abs(*fall - 4.0) < 1e-14);
+        QVERIFY(!distanceAlong({0, 1, 0}, unitCube(), above, unitCube(), {}, 1e-4));
+    }
+    /// A corner that points down meets the face at its own height: half the cube's diagonal.
+    void turnedCubesMeetCornerFirst() {
+        const Pose tilted{{0.0, 5.0, 0.0}, turned(std::numbers::pi / 4.0, {0, 0, 1})};
+        const auto fall = distanceAlong({0, -1, 0}, unitCube(), tilted, unitCube(), {}, 1e-4);
+        QVERIFY(fall && std::abs(*fall - (4.5 - std::sqrt(0.5))) < 1e-14);
+    }
+    void whatLiesInTheOtherHasToGoBack() {
+        const Pose sunk{.position = {0.0, 0.9, 0.0}};
+        const auto fall = distanceAlong({0, -1, 0}, unitCube(), sunk, unitCube(), {}, 1e-4);
+        QVERIFY(fall && std::abs(*fall + 0.1) < 1e-14);
+    }
+    /// Walls in a row touch, up to rounding, and one can be let down between two.
+    void neighboursPassAlongEachOther() {
+        const Vec3 down{0, -1, 0};
+        for (const double between : {1.0, 1.0 - 1e-12, 1.0 - 5e-5}) {
+            const Pose beside{.position = {between, 5.0, 0.0}};
+            QVERIFY(!distanceAlong(down, unitCube(), beside, unitCube(), {}, 1e-4));
+        }
+        QVERIFY(distanceAlong(down, unitCube(), {.position = {0.99, 5.0, 0.0}}, unitCube(), {}, 1e-4));
+    }
 };
 
 QTEST_APPLESS_MAIN(HullOverlapTest)
