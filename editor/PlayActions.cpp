@@ -32,6 +32,7 @@ PlayActions::PlayActions(MainWindow& window)
     addRun();
     m_menu->addSeparator();
     addSpeeds();
+    addOverlays();
     m_menu->addSeparator();
     addShots();
     m_menu->addSeparator();
@@ -86,6 +87,32 @@ void PlayActions::addSpeeds() {
     m_destruction->setCheckable(true);
     m_menu->addAction(m_destruction);
     connect(m_destruction, &QAction::toggled, &controller(), &PlayController::setDestruction);
+}
+
+void PlayActions::addOverlays() {
+    QMenu* menu = m_menu->addMenu(iconNamed("play-overlays"), tr("S&how"));
+    const std::tuple<bool PlayOverlays::*, QString, QString> overlays[] = {
+        {&PlayOverlays::hasHeat, tr("Threshold &Heat"),
+         tr("Colour each body by impact ÷ threshold: of what is aimed, wherever it would hit; else of the last "
+            "impacts")},
+        {&PlayOverlays::hasContacts, tr("&Contacts"), tr("Show where bodies touch, red where they overlap")},
+        {&PlayOverlays::hasNormals, tr("&Normals"), tr("Show the directions in which contacts push")},
+        {&PlayOverlays::hasImpulses, tr("&Impulses"), tr("Show how hard contacts push, as arrows")},
+        {&PlayOverlays::hasHulls, tr("H&ulls"), tr("Show the convex hulls that collide")},
+        {&PlayOverlays::hasBoxes, tr("&Bounding Boxes"), tr("Show the boxes by which neighbours are found")},
+        {&PlayOverlays::hasIslands, tr("I&slands"), tr("Colour what hangs together by contacts")},
+        {&PlayOverlays::hasSleep, tr("S&leep"), tr("Colour what sleeps blue")}};
+    for (const auto& [member, text, tip] : overlays) {
+        QAction* action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setStatusTip(tip);
+        action->setToolTip(tip);
+        connect(action, &QAction::toggled, this, [this, flag = member](bool isOn) {
+            PlayOverlays shown = controller().overlays();
+            shown.*flag = isOn;
+            controller().setOverlays(shown);
+        });
+    }
 }
 
 void PlayActions::addShots() {

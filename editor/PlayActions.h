@@ -26,6 +26,7 @@ public:
 private:
     void addRun();
     void addSpeeds();
+    void addOverlays();
     void addShots();
     void addReplays();
     void toggle();

@@ -1,5 +1,7 @@
 #include "editor/PlayHud.h"
 
+#include "viewport/scene/MomentColours.h"
+
 #include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -18,6 +20,7 @@ constexpr int kMargin = 12;
 constexpr int kPadding = 7;
 constexpr int kAxes = 92;  // the cross of axes stands in the corner
 constexpr int kChargeWidth = 220;
+constexpr int kHeatWidth = 120;
 constexpr int kChargeHeight = 12;
 
 /// A line of text on a dark plate, which can be read over anything.
@@ -57,6 +60,7 @@ void PlayHud::paintEvent(QPaintEvent*) {
     paintFlight(painter);
     paintTexts(painter);
     paintCharge(painter);
+    paintHeat(painter);
     paintFrame(painter);
 }
 
@@ -124,6 +128,37 @@ void PlayHud::paintCharge(QPainter& painter) const {
     painter.setPen(kInk);
     painter.drawText(inside.adjusted(0, kChargeHeight + 2, 0, 0), Qt::AlignHCenter | Qt::AlignBottom,
                      m_content.chargeText);
+}
+
+/// In the upper right corner: impact ÷ threshold from 0 to 1, and what breaks.
+void PlayHud::paintHeat(QPainter& painter) const {
+    if (!m_content.hasHeat) return;
+    const QFontMetrics lines(font());
+    const QString breaks = tr("breaks"), title = tr("impact ÷ threshold");
+    const int square = kChargeHeight;
+    const int width =
+        std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));
+    const int height = 2 * lines.height() + kChargeHeight + 2 * kPadding;
+    const QRect inside = paintPlate(
+        painter, QRect(this->width() - kMargin - width - 2 * kPadding, kMargin, width + 2 * kPadding, height));
+    const auto colourOf = [](double value) {
+        const Colour colour = heatColour(value);
+        return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
+                                static_cast<float>(colour.blue));
+    };
+    painter.setPen(kInk);
+    painter.drawText(inside, Qt::AlignTop, title);
+    const int top = inside.top() + lines.height() + 2;
+    for (int x = 0; x < kHeatWidth; ++x) {
+        painter.fillRect(QRect(inside.left() + x, top, 1, square), colourOf(0.999 * x / (kHeatWidth - 1)));
+    }
+    const int signal = inside.left() + kHeatWidth + 4;
+    painter.fillRect(QRect(signal, top, square, square), colourOf(1.0));
+    painter.setPen(kFaintInk);
+    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignLeft, "0");
+    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignRight, "1");
+    painter.drawText(QRect(signal + square + 3, top + (square - lines.height()) / 2, 200, lines.height()),
+                     Qt::AlignLeft, breaks);
 }
 
 }  // namespace rubble

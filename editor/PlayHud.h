@@ -24,6 +24,7 @@ public:
         QString hint;
         std::optional<double> charge;  // in (0, 1]: of a throw about to be let go
         QString chargeText;
+        bool hasHeat = false;  // a legend of its colours
         std::vector<QPointF> flight;
         bool isMet = false;  // the flight ends where it meets something
         bool operator==(const Content&) const = default;
@@ -39,6 +40,7 @@ private:
     void paintFlight(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
     void paintCharge(QPainter& painter) const;
+    void paintHeat(QPainter& painter) const;
 
     Content m_content;
 };

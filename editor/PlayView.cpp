@@ -112,6 +112,7 @@ PlayHud::Content PlayView::content() const {
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;
     content.figures = figures();
+    content.hasHeat = m_controller.overlays().hasHeat;
     content.charge = m_hands.charge();
     if (content.charge) {
         content.chargeText = tr("%1 m/s").arg(number(*content.charge * m_controller.tools().thrown.speed, 1));

@@ -9,6 +9,7 @@
 #include "editor/panels/FragmentTable.h"
 #include "editor/panels/HistoryPanel.h"
 #include "editor/panels/Inspector.h"
+#include "editor/panels/IntentPanel.h"
 #include "editor/panels/MessagesPanel.h"
 #include "editor/panels/PlayPanel.h"
 #include "editor/panels/PlayTestPanel.h"
@@ -101,7 +102,10 @@ void Views::makeDocks() {
     connect(tests, &PlayTestPanel::refused, this, &Views::said);
     connect(tests, &PlayTestPanel::showRequested, this, [this] { showScene(true); });
     addDock("dock-tools", tr("Throw"), m_tools, Qt::RightDockWidgetArea);
+    auto* intent = new IntentPanel(workspace.document(), workspace.selection(), workspace.bakes(), workspace.trials());
+    connect(intent, &IntentPanel::refused, this, &Views::said);
     addDock("dock-tests", tr("Tests"), tests, Qt::BottomDockWidgetArea);
+    addDock("dock-intent", tr("Strength"), intent, Qt::RightDockWidgetArea);
     connect(&workspace.play(), &PlayController::stateChanged, this, &Views::takePlayState);
     arrange();
 }
@@ -120,12 +124,14 @@ QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* con
 /// The layout that everybody begins with.
 void Views::arrange() {
     QDockWidget *tree = m_docks[0], *inspector = m_docks[1], *fragments = m_docks[2], *messages = m_docks[3],
-                *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6], *tests = m_docks[7];
+                *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6], *tests = m_docks[7],
+                *intent = m_docks[8];
     const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
         {tree, Qt::LeftDockWidgetArea},       {history, Qt::LeftDockWidgetArea},
         {inspector, Qt::RightDockWidgetArea}, {fragments, Qt::BottomDockWidgetArea},
         {messages, Qt::BottomDockWidgetArea}, {play, Qt::BottomDockWidgetArea},
-        {tools, Qt::RightDockWidgetArea},     {tests, Qt::BottomDockWidgetArea}};
+        {tools, Qt::RightDockWidgetArea},     {tests, Qt::BottomDockWidgetArea},
+        {intent, Qt::RightDockWidgetArea}};
     for (const auto& [dock, area] : places) {
         dock->setFloating(false);
         m_window.addDockWidget(area, dock);
@@ -136,7 +142,8 @@ void Views::arrange() {
     m_window.tabifyDockWidget(fragments, messages);
     m_window.tabifyDockWidget(messages, play);
     m_window.tabifyDockWidget(play, tests);
-    m_window.tabifyDockWidget(inspector, tools);
+    m_window.tabifyDockWidget(inspector, intent);
+    m_window.tabifyDockWidget(intent, tools);
     fragments->raise();
     inspector->raise();
     m_window.resizeDocks({tree, inspector}, {kTreeWidth, kInspectorWidth}, Qt::Horizontal);

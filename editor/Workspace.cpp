@@ -9,7 +9,8 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_autosave(m_document, backups),
       m_baker(m_document, m_selection, m_bakes),
       m_play(m_document, m_bakes),
-      m_playTests(m_document, m_bakes) {
+      m_playTests(m_document, m_bakes),
+      m_trials(m_document, m_bakes) {
     m_selection.prune(m_document.project());
     connect(&m_document, &Document::changed, &m_selection, [this] { m_selection.prune(m_document.project()); });
     connect(&m_file, &DocumentFile::pathChanged, &m_autosave, &Autosave::setProjectPath);

@@ -3,6 +3,7 @@
 #include "editor/Baker.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
+#include "editor/play/AssetTrials.h"
 #include "editor/play/PlayController.h"
 #include "editor/play/PlayTestRunner.h"
 
@@ -24,6 +25,7 @@ public:
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
     PlayTestRunner& playTests() { return m_playTests; }
+    AssetTrials& trials() { return m_trials; }
 
     /// The asset at hand; null where there is none.
     const Asset* asset() const { return findAsset(project(), m_selection.asset()); }
@@ -37,6 +39,7 @@ private:
     Baker m_baker;
     PlayController m_play;
     PlayTestRunner m_playTests;
+    AssetTrials m_trials;
 };
 
 }  // namespace rubble

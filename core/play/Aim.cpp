@@ -11,24 +11,24 @@ constexpr double kNothingMet = 30.0;     // m: where a throw goes that is aimed 
 
 }  // namespace
 
-std::optional<RayHit> metBy(const World& world, const Ray& ray) {
+std::optional<CastHit> metBy(const World& world, const Ray& ray) {
     return world.castRay(ray.from, ray.at(kFarthestAim));
 }
 
 Throw thrownAlong(const Session& session, Throw thrown, const Ray& ray) {
-    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    const std::optional<CastHit> hit = metBy(session.world(), ray);
     thrown.from = ray.from;
     return aimedAt(thrown, hit ? hit->point : ray.at(kNothingMet), session.world().gravity());
 }
 
 std::optional<Hammer> blowAlong(const Session& session, double impulse, const Ray& ray) {
-    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    const std::optional<CastHit> hit = metBy(session.world(), ray);
     if (!hit) return std::nullopt;
     return Hammer{hit->point, impulse * ray.direction};
 }
 
 std::optional<Explosion> blastAlong(const Session& session, Explosion explosion, const Ray& ray) {
-    const std::optional<RayHit> hit = metBy(session.world(), ray);
+    const std::optional<CastHit> hit = metBy(session.world(), ray);
     if (!hit) return std::nullopt;
     explosion.at = hit->point;
     return explosion;

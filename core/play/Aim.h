@@ -9,7 +9,7 @@
 namespace rubble {
 
 /// What a ray meets first within 1 km.
-std::optional<RayHit> metBy(const World& world, const Ray& ray);
+std::optional<CastHit> metBy(const World& world, const Ray& ray);
 
 /// A throw from where a ray begins at what it meets first, or far along it where that is nothing: see aimedAt().
 Throw thrownAlong(const Session& session, Throw thrown, const Ray& ray);
@@ -24,8 +24,8 @@ Throw aimedAt(Throw thrown, Vec3 target, Vec3 gravity);
 
 /// Where the middle of something thrown will fly.
 struct Flight {
-    std::vector<Vec3> points;   // m, one a step, the start first; the last where it is met
-    std::optional<RayHit> hit;  // by what its middle meets first, of what is there now
+    std::vector<Vec3> points;    // m, one a step, the start first; the last where it is met
+    std::optional<CastHit> hit;  // by what its middle meets first, of what is there now
 };
 
 /// Of a throw in the session as it is: until it meets something, at most for so many seconds.

@@ -90,6 +90,13 @@ void PlayController::setDestruction(bool isOn) {
     emit rulesChanged();
 }
 
+void PlayController::setOverlays(const PlayOverlays& overlays) {
+    if (m_overlays == overlays) return;
+    m_overlays = overlays;
+    m_thread.post([overlays](PlayEngine& engine) { engine.setOverlays(overlays); });
+    emit rulesChanged();
+}
+
 void PlayController::setTools(const PlayTools& tools) {
     if (m_tools == tools) return;
     m_tools = tools;
@@ -166,11 +173,13 @@ void PlayController::tryToStart() {
     if (!m_isWaitingForBakes || !m_bakes.areCurrent(m_document.project())) return;
     m_isWaitingForBakes = false;
     m_played = m_begunWith = m_document.project();
-    m_thread.start([project = m_played, bakes = m_bakes.assetBakes(),
-                    script = m_script](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
+    m_thread.start([project = m_played, bakes = m_bakes.assetBakes(), script = m_script,
+                    overlays = m_overlays](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
         if (!scene) return scene.error();
-        return PlayEngine::started(*scene, script, task);
+        Result<std::unique_ptr<PlayEngine>> engine = PlayEngine::started(*scene, script, task);
+        if (engine) (*engine)->setOverlays(overlays);
+        return engine;
     });
 }
 

@@ -43,6 +43,8 @@ public:
     void setTimeScale(double scale);
     bool hasDestruction() const { return m_hasDestruction; }
     void setDestruction(bool isOn);
+    const PlayOverlays& overlays() const { return m_overlays; }
+    void setOverlays(const PlayOverlays& overlays);
     const PlayTools& tools() const { return m_tools; }
     void setTools(const PlayTools& tools);
 
@@ -83,7 +85,7 @@ signals:
     void framed();
     void breaksChanged();
     void toolsChanged();
-    /// Time scale or destruction changed.
+    /// Time scale, destruction or overlays changed.
     void rulesChanged();
     void said(const QString& sentence);
 
@@ -103,6 +105,7 @@ private:
     bool m_isWaitingForBakes = false;
     double m_timeScale = 1.0;
     bool m_hasDestruction = true;
+    PlayOverlays m_overlays;
     PlayTools m_tools;
     Project m_played;  // what the play follows now
     Project m_begunWith;

@@ -1,5 +1,7 @@
 #include "editor/play/PlayEngine.h"
 
+#include "core/play/Forecast.h"
+
 #include <algorithm>
 
 namespace rubble {
@@ -137,7 +139,7 @@ void PlayEngine::blastAlong(const Explosion& explosion, const Ray& ray) {
 }
 
 void PlayEngine::grabAlong(double force, const Ray& ray) {
-    const std::optional<RayHit> hit = metBy(session().world(), ray);
+    const std::optional<CastHit> hit = metBy(session().world(), ray);
     if (!hit || session().world().kind(hit->body) != BodyKind::Dynamic) return;
     m_held = glm::dot(hit->point - ray.from, ray.direction);
     add(GrabInput{static_cast<std::uint32_t>(session().world().tag(hit->body)), hit->point, force});
@@ -157,7 +159,26 @@ void PlayEngine::aim(std::optional<Throw> thrown, const Ray& ray) {
     if (thrown) m_aim = Aim{*thrown, ray};
 }
 
+void PlayEngine::setOverlays(const PlayOverlays& overlays) {
+    m_isForecast = overlays.hasHeat;
+    m_builder.setOverlays(overlays);
+}
+
+/// Of what is aimed, wherever on a body it would hit.
+void PlayEngine::forecast() {
+    std::optional<std::vector<BodyHeat>> heat;
+    if (m_isForecast && m_aim) {
+        const Throw thrown = rubble::thrownAlong(session(), m_aim->thrown, m_aim->ray);
+        if (const Result<std::vector<BodyForecast>> bodies = breakForecast(session(), thrown)) {
+            heat.emplace();
+            for (const BodyForecast& body : *bodies) heat->push_back({body.body, body.largest});
+        }
+    }
+    m_builder.setForecast(std::move(heat));
+}
+
 PlayFrame PlayEngine::frame() {
+    forecast();
     PlayFrame frame{.played = m_scene,
                     .scene = m_builder.momentOf(session()),
                     .step = session().stepsDone(),

@@ -45,6 +45,10 @@ public:
     /// What would be thrown now; nothing: nobody aims.
     void aim(std::optional<Throw> thrown, const Ray& ray);
 
+    /// What moments show beside bodies. Heat is the break forecast of what is aimed, where something is; else that of the last
+    /// impacts.
+    void setOverlays(const PlayOverlays& overlays);
+
     /// Takes what happened since it was asked last, with the moment as it is.
     PlayNews takeNews();
 
@@ -52,6 +56,7 @@ private:
     PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline, std::vector<std::uint64_t> hashes);
     void tell();
     PlayFrame frame();
+    void forecast();
 
     struct Aim {
         Throw thrown;
@@ -64,6 +69,7 @@ private:
     std::vector<std::uint64_t> m_hashes;  // of the steps of a script
     std::uint64_t m_told = 0;             // how many steps were told of
     std::optional<Aim> m_aim;
+    bool m_isForecast = false;     // heat is that of the aim
     std::optional<double> m_held;  // how far from the eye what is grabbed is, m
     PlayNews m_news;
 };

@@ -45,8 +45,7 @@ int PlayTestRunner::failed() const { return static_cast<int>(m_outcomes.size()) 
 /// On copies: the document may change meanwhile.
 void PlayTestRunner::run(std::vector<Id> tests) {
     cancel();
-    if (!m_bakes.areCurrent(m_document.project()))
-        return emit said(tr("Not all is baked yet; try again in a moment."));
+    if (!m_bakes.areCurrent(m_document.project())) return emit said(tr("Not all is baked yet; try again in a moment."));
     m_cancel = CancelToken();
     m_isBusy = true;
     emit changed();

@@ -1,9 +1,8 @@
 #include "editor/play/PlayController.h"
 
-#include "core/asset/Bake.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/House.h"
-#include "tests/support/Sessions.h"
+#include "tests/support/PlayStage.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -12,50 +11,7 @@ using namespace rubble;
 
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
-
-/// A document in play by a clock that the test moves on.
-class Stage {
-public:
-    explicit Stage(const Project& project = test::floatingBlock()) : document(project), controller(document, bakes) {
-        controller.thread().useSteppedClock();
-        bake();
-    }
-    /// Bakes all that is there, as the editor does in the background.
-    void bake() {
-        for (const Asset& asset : document.project().assets) {
-            const Result<Bake> made = rubble::bake(asset);
-            if (!made) qFatal("%s", made.error().message.c_str());
-            const auto shared = std::make_shared<const Asset>(asset);
-            bakes.set(asset.id, std::make_shared<const BakedAsset>(
-                                    BakedAsset{shared, std::make_shared<const Bake>(*made), std::nullopt}));
-        }
-    }
-    void settle() {
-        controller.thread().settle();
-        controller.takeNews();
-    }
-    void start() {
-        controller.play();
-        settle();
-        if (!controller.isPlaying()) qFatal("it does not play");
-    }
-    void advance(int steps) {
-        for (int k = 0; k < steps; ++k) controller.thread().advance(kStep);
-        controller.takeNews();
-    }
-    std::uint64_t step() const { return controller.frame()->step; }
-    ContentHash hash() {
-        ContentHash hash;
-        controller.thread().post([&](PlayEngine& engine) { hash = engine.session().hash(); });
-        controller.thread().settle();
-        return hash;
-    }
-
-    Document document;
-    Bakes bakes;
-    PlayController controller;
-};
+constexpr double kStep = test::Stage::kStep;
 
 const Ray kAtBlock{{0.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
 
@@ -71,7 +27,7 @@ class PlayControllerTest : public QObject {
     Q_OBJECT
 private slots:
     void playsAtThePaceOfTheClock() {
-        Stage stage;
+        test::Stage stage;
         QCOMPARE(stage.controller.state(), PlayState::Stopped);
         stage.start();
         QCOMPARE(stage.step(), 0u);
@@ -87,7 +43,7 @@ private slots:
         QCOMPARE(stage.step(), 35u);
     }
     void slowScenesDoNotJump() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.controller.thread().advance(1.0);  // as if the last step had taken that long
         stage.controller.takeNews();
@@ -96,7 +52,7 @@ private slots:
         QCOMPARE(stage.step(), 3u);
     }
     void pausesStepsAndGoesOn() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.advance(3);
         stage.controller.pause();
@@ -114,7 +70,7 @@ private slots:
         QCOMPARE(stage.document.project(), test::floatingBlock());
     }
     void aThrowIsSeenWithinTwoFrames() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.advance(5);
         const std::size_t before = visibleBodies(stage);
@@ -124,7 +80,7 @@ private slots:
         QVERIFY(stage.controller.lastShot().has_value());
     }
     void tellsWhatBroke() {
-        Stage stage;
+        test::Stage stage;
         stage.controller.setTools(heavyBox());
         stage.start();
         const QSignalSpy told(&stage.controller, &PlayController::breaksChanged);
@@ -139,7 +95,7 @@ private slots:
         QCOMPARE(stage.controller.costs().size(), 20u);
     }
     void withoutDestructionNothingBreaks() {
-        Stage stage;
+        test::Stage stage;
         stage.controller.setTools(heavyBox());
         stage.start();
         stage.controller.setDestruction(false);
@@ -149,7 +105,7 @@ private slots:
         QVERIFY(stage.controller.frame()->figures.cost.step == 30);
     }
     void goesBackAndPlaysAnotherWay() {
-        Stage stage;
+        test::Stage stage;
         stage.controller.setTools(heavyBox());
         stage.start();
         stage.controller.throwAlong(kAtBlock, 1.0);
@@ -175,7 +131,7 @@ private slots:
         QCOMPARE(stage.controller.breaks().size(), 0u);
     }
     void aThresholdIsFollowedAtOnceAndCanBeUndone() {
-        Stage stage;
+        test::Stage stage;
         stage.controller.setTools(heavyBox());
         stage.start();
         stage.advance(5);
@@ -192,7 +148,7 @@ private slots:
         QVERIFY(!stage.controller.breaks().empty());
     }
     void anotherPlaceBeginsAnewAsSoonAsItIsBaked() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.advance(5);
         Instance instance = stage.document.project().instances[0];
@@ -213,7 +169,7 @@ private slots:
         QCOMPARE(stage.controller.state(), PlayState::Paused);
     }
     void theHouseBeginsAnewInAMoment() {
-        Stage stage(test::house());
+        test::Stage stage(test::house());
         stage.start();
         stage.advance(3);
         QElapsedTimer timer;
@@ -227,7 +183,7 @@ private slots:
     }
     void whatCannotBePlayedIsSaid() {
         Project project = test::floatingBlock();
-        Stage stage(project);
+        test::Stage stage(project);
         const Id asset = project.assets[0].id;
         stage.bakes.set(asset, std::make_shared<const BakedAsset>(
                                    BakedAsset{std::make_shared<const Asset>(project.assets[0]), nullptr,
@@ -239,7 +195,7 @@ private slots:
         QVERIFY2(said[0][0].toString().contains("block"), qPrintable(said[0][0].toString()));
     }
     void aRecordedScriptPlaysAgain() {
-        Stage stage;
+        test::Stage stage;
         stage.controller.setTools(heavyBox());
         stage.start();
         stage.advance(3);
@@ -257,7 +213,7 @@ private slots:
         QCOMPARE(stage.controller.breaks().size(), 1u);
     }
     void whatIsGrabbedFollowsTheRay() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.controller.grabAlong(kAtBlock);
         stage.advance(1);
@@ -270,7 +226,7 @@ private slots:
         QVERIFY(!stage.controller.frame()->isHolding);
     }
     void aimingShowsTheFlight() {
-        Stage stage;
+        test::Stage stage;
         stage.start();
         stage.controller.pause();
         stage.controller.aim(kAtBlock, 0.5);
@@ -284,12 +240,12 @@ private slots:
     }
 
 private:
-    static std::size_t visibleBodies(Stage& stage) {
+    static std::size_t visibleBodies(test::Stage& stage) {
         const RenderScene& scene = *stage.controller.frame()->scene;
         return static_cast<std::size_t>(
             std::ranges::count_if(scene.looks, [](const BodyLook& look) { return (look.marks & kHidden) == 0; }));
     }
-    static Vec3 heightlessPlace(Stage& stage) {
+    static Vec3 heightlessPlace(test::Stage& stage) {
         Vec3 place(0.0);
         stage.controller.thread().post([&](PlayEngine& engine) {
             for (const PlayBody& body : engine.session().bodies()) {
