@@ -50,6 +50,8 @@ public:
 
     /// Where the camera is, or flies to.
     const Camera& camera() const { return m_goal; }
+    /// From where the picture is seen now.
+    const Camera& shownCamera() const { return m_camera; }
     /// Moves the camera at once.
     void setCamera(const Camera& camera);
     /// These fly.
