@@ -1,6 +1,8 @@
 #include "editor/panels/ProjectModel.h"
 
+#include "editor/commands/InstanceEdits.h"
 #include "editor/commands/Renaming.h"
+#include "editor/document/DraggedAsset.h"
 #include "editor/panels/ColourButton.h"
 #include "editor/panels/Icons.h"
 #include "editor/panels/LayerText.h"
@@ -68,9 +70,10 @@ int rowOf(const List& ids, Id id) {
     return place == ids.end() ? -1 : static_cast<int>(place - ids.begin());
 }
 
-const Instance* findInstance(const Project& project, Id id) {
-    const auto place = std::ranges::find(project.instances, id, &Instance::id);
-    return place == project.instances.end() ? nullptr : &*place;
+QVariant markOf(const Project& project, Node node, int role) {
+    const Instance* instance = node.kind == Kind::Instance ? findInstance(project, node.id) : nullptr;
+    if (!instance) return {};
+    return role == ProjectModel::kHiddenRole ? instance->isHidden : instance->isLocked;
 }
 
 }  // namespace
@@ -297,11 +300,27 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
         case Qt::EditRole: return text(node);
         case Qt::ToolTipRole: return hint(node);
         case Qt::DecorationRole: return icon(node);
+        case kHiddenRole:
+        case kLockedRole: return markOf(m_document.project(), node, role);
         default: return {};
     }
 }
 
+bool ProjectModel::mark(Node node, int role, bool isOn) {
+    const Instance* instance = node.kind == Kind::Instance ? findInstance(m_document.project(), node.id) : nullptr;
+    if (!instance) return false;
+    Instance marked = *instance;
+    (role == kHiddenRole ? marked.isHidden : marked.isLocked) = isOn;
+    const QString text = role == kHiddenRole ? (isOn ? tr("Hide instance") : tr("Show instance"))
+                                             : (isOn ? tr("Lock instance") : tr("Unlock instance"));
+    m_document.push(altered(text, std::move(marked)));
+    return true;
+}
+
 bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (index.isValid() && (role == kHiddenRole || role == kLockedRole)) {
+        return mark(nodeAt(index), role, value.toBool());
+    }
     if (role != Qt::EditRole || !index.isValid()) return false;
     const Node node = nodeAt(index);
     const QString fault = nameFault(m_document.project(), partOf(node.kind), node.id, value.toString());
@@ -315,8 +334,19 @@ bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int 
 
 Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::NoItemFlags;
-    const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    usual.setFlag(Qt::ItemIsDragEnabled, nodeAt(index).kind == Kind::Asset);
     return isNamed(nodeAt(index).kind) ? usual | Qt::ItemIsEditable : usual;
 }
+
+QMimeData* ProjectModel::mimeData(const QModelIndexList& indexes) const {
+    for (const QModelIndex& index : indexes) {
+        const Node node = nodeAt(index);
+        if (node.kind == Kind::Asset) return mimeDataOf(node.id);
+    }
+    return nullptr;
+}
+
+QStringList ProjectModel::mimeTypes() const { return {kAssetMimeType}; }
 
 }  // namespace rubble

@@ -22,6 +22,9 @@ public:
         bool operator==(const Node&) const = default;
     };
 
+    /// Marks of an instance: true, false, or not valid for other rows. Setting one alters the instance.
+    enum Role { kHiddenRole = Qt::UserRole, kLockedRole };
+
     explicit ProjectModel(Document& document, QObject* parent = nullptr);
 
     Node nodeAt(const QModelIndex& index) const;
@@ -37,9 +40,12 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    /// Renames, unless the name is refused.
+    /// Renames, unless the name is refused; or marks.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// The first asset among them, which can be dragged into the 3D view.
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    QStringList mimeTypes() const override;
 
 signals:
     /// A name was not taken.
@@ -54,6 +60,7 @@ private:
     void followLayers(Id asset);
     std::vector<Id>& idsOf(Kind group);
     const std::vector<Id>& idsOf(Kind group) const;
+    bool mark(Node node, int role, bool isOn);
     QString text(Node node) const;
     QString hint(Node node) const;
     QIcon icon(Node node) const;

@@ -1,0 +1,118 @@
+#include "core/io/ProjectFile.h"
+#include "editor/commands/InstanceEdits.h"
+#include "editor/document/Document.h"
+#include "tests/support/Projects.h"
+
+#include <QTest>
+
+#include <numbers>
+
+using namespace rubble;
+
+namespace {
+
+Project boxes(int count) {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, UniformScatter{.count = 4})};
+    for (int k = 0; k < count; ++k) {
+        const Id id = 10 + static_cast<Id>(k);
+        project.instances.push_back({.id = id, .name = "box " + std::to_string(k), .asset = 2});
+        project.instances.back().pose.position = {2.0 * k, 0.0, 0.0};
+    }
+    return project;
+}
+
+/// What an edit makes of a project. Undone, it gives the same bytes again.
+Project after(const Project& project, Edit edit) {
+    Document document(project);
+    document.push(std::move(edit));
+    const Project changed = document.project();
+    const auto fault = verifyProject(changed);
+    if (fault) qWarning("%s", fault->c_str());
+    document.undoStack().undo();
+    if (fault || projectText(document.project()) != projectText(project)) return {};
+    return changed;
+}
+
+constexpr Id kFirst[] = {10};
+constexpr Id kBoth[] = {10, 11};
+
+}  // namespace
+
+class InstanceEditsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aGridHasACopyAtEveryPlaceButTheFirst() {
+        const Project changed = after(boxes(1), gridOf(boxes(1), kFirst, {{3, 2, 1}, {1.5, 1.0, 9.0}}));
+        QCOMPARE(changed.instances.size(), std::size_t{6});
+        QCOMPARE(changed.instances[0].pose.position, Vec3(0.0));
+        QCOMPARE(changed.instances[1].pose.position, Vec3(1.5, 0.0, 0.0));
+        QCOMPARE(changed.instances[5].pose.position, Vec3(3.0, 1.0, 0.0));
+        QCOMPARE(changed.instances[1].name, std::string("box 0 2"));
+    }
+    void aRingTurnsItsCopiesWithIt() {
+        const RingArray ring{.count = 4, .middle = {-1.0, 0.0}, .turn = std::numbers::pi / 2.0};
+        const Project changed = after(boxes(1), ringOf(boxes(1), kFirst, ring));
+        QCOMPARE(changed.instances.size(), std::size_t{4});
+        // A quarter turn about y takes x to -z.
+        const Pose& quarter = changed.instances[1].pose;
+        QVERIFY(glm::distance(quarter.position, Vec3(-1.0, 0.0, -1.0)) < 1e-12);
+        QVERIFY(glm::distance(quarter.orientation * Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, -1.0)) < 1e-12);
+        QVERIFY(glm::distance(changed.instances[2].pose.position, Vec3(-2.0, 0.0, 0.0)) < 1e-12);
+    }
+    void theLowerOfTwoFallsFirst() {
+        Project project = boxes(2);
+        project.instances[0].pose.position = {0.0, 5.0, 0.0};
+        project.instances[1].pose.position = {0.25, 3.0, 0.0};
+        const Project changed = after(project, dropInstances(project, kBoth));
+        QCOMPARE(changed.instances[1].pose.position.y, 0.0);
+        QCOMPARE(changed.instances[0].pose.position.y, 1.0);
+        QVERIFY(dropInstances(changed, kBoth).isEmpty());
+    }
+    void variantsAreThoseThatNobodyElseHas() {
+        Project project = boxes(4);
+        project.instances[3].variant = 1;
+        const std::vector<Id> three{10, 11, 12};
+        const Project changed = after(project, spreadVariants(project, three));
+        std::vector<std::uint32_t> variants;
+        for (const Instance& instance : changed.instances) variants.push_back(instance.variant);
+        QCOMPARE(variants, (std::vector<std::uint32_t>{0, 2, 3, 1}));
+    }
+    void hiddenAndLockedComeBack() {
+        const Project project = boxes(3);
+        const Project hidden = after(project, hideInstances(project, kFirst));
+        QVERIFY(hidden.instances[0].isHidden && !hidden.instances[1].isHidden);
+        QVERIFY(after(hidden, showAllInstances(hidden)) == project);
+        const Project alone = after(hidden, isolateInstances(hidden, kFirst));
+        QVERIFY(!alone.instances[0].isHidden && alone.instances[1].isHidden && alone.instances[2].isHidden);
+        const Project locked = after(project, lockInstances(project, kBoth));
+        QVERIFY(locked.instances[1].isLocked && !locked.instances[2].isLocked);
+        QVERIFY(after(locked, unlockAllInstances(locked)) == project);
+    }
+    void anAssetIsPlacedWhereItIsWanted() {
+        const Pose pose{.position = {1.0, 2.0, 3.0}};
+        Addition added = placeInstance(boxes(1), 2, pose);
+        const Project changed = after(boxes(1), std::move(added.edit));
+        QVERIFY(findInstance(changed, added.id)->pose == pose);
+        QVERIFY(findInstance(changed, 99) == nullptr);
+    }
+    void aDragIsOneStepAndNoneWhereItComesBack() {
+        Document document(boxes(2));
+        const quint64 stroke = document.newStroke();
+        const auto moveTo = [&](double x) {
+            const std::vector<Pose> poses{{.position = {x, 0.0, 0.0}}, {.position = {x + 2.0, 0.0, 0.0}}};
+            document.push(movedInstances("Move", document.project(), kBoth, poses, stroke));
+        };
+        for (const double x : {0.25, 0.5, 0.75}) moveTo(x);
+        QCOMPARE(document.undoStack().count(), 1);
+        QCOMPARE(document.project().instances[1].pose.position.x, 2.75);
+        moveTo(0.0);
+        QCOMPARE(document.undoStack().count(), 0);
+        QVERIFY(document.project() == boxes(2));
+    }
+};
+
+QTEST_GUILESS_MAIN(InstanceEditsTest)
+#include "InstanceEditsTest.moc"
