@@ -5,6 +5,7 @@
 #include "editor/EditActions.h"
 #include "editor/FileActions.h"
 #include "editor/HelpActions.h"
+#include "editor/InstanceActions.h"
 #include "editor/PlayActions.h"
 #include "editor/Program.h"
 #include "editor/StartPage.h"
@@ -52,11 +53,12 @@ MainWindow::MainWindow(Program& program, Project project)
     m_fileActions = new FileActions(*this);
     m_editActions = new EditActions(*this);
     m_assetActions = new AssetActions(*this);
+    m_instanceActions = new InstanceActions(*this);
     m_viewActions = new ViewActions(*this);
     m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
     for (QMenu* menu : {m_fileActions->menu(), m_editActions->menu(), m_viewActions->menu(), m_assetActions->menu(),
-                        m_playActions->menu(), m_helpActions->menu()}) {
+                        m_instanceActions->menu(), m_playActions->menu(), m_helpActions->menu()}) {
         menuBar()->addMenu(menu);
     }
     auto* start = new StartPage(program.recentFiles());

@@ -15,6 +15,7 @@ class AssetActions;
 class EditActions;
 class FileActions;
 class HelpActions;
+class InstanceActions;
 class PlayActions;
 class Program;
 class ViewActions;
@@ -61,6 +62,7 @@ private:
     FileActions* m_fileActions = nullptr;
     EditActions* m_editActions = nullptr;
     AssetActions* m_assetActions = nullptr;
+    InstanceActions* m_instanceActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     PlayActions* m_playActions = nullptr;
     HelpActions* m_helpActions = nullptr;

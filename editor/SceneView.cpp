@@ -2,12 +2,16 @@
 
 #include "editor/Action.h"
 #include "editor/ChoiceBox.h"
+#include "editor/InstanceGizmo.h"
+#include "editor/InstancePlacing.h"
 #include "editor/PlayView.h"
 #include "editor/TimelineBar.h"
 #include "editor/ViewportLook.h"
+#include "editor/commands/InstanceEdits.h"
 #include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,6 +35,8 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     : QWidget(parent),
       m_workspace(workspace),
       m_viewport(new ViewportWidget),
+      m_gizmo(new InstanceGizmo(workspace, *m_viewport)),
+      m_placing(new InstancePlacing(workspace, *m_viewport, m_gizmo->overlay())),
       m_playView(new PlayView(workspace.play(), *m_viewport)),
       m_timeline(new TimelineBar(workspace.play())) {
     setFocusProxy(m_viewport);
@@ -63,6 +69,22 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
 void SceneView::frameAll() {
     update();
     m_viewport->frameAll();
+}
+
+void SceneView::frameChosen() {
+    m_scope->setCurrentIndex(0);
+    update();
+    m_viewport->frameSelected();
+}
+
+void SceneView::setEditable(bool isEditable) {
+    m_isEditable = isEditable;
+    updateEditing();
+}
+
+void SceneView::updateEditing() {
+    m_gizmo->setOn(isEditable());
+    m_placing->setOn(isEditable());
 }
 
 void SceneView::takePreferences(const Preferences& preferences) { rubble::takePreferences(*m_viewport, preferences); }
@@ -129,11 +151,12 @@ void SceneView::addToggles() {
 QWidget* SceneView::makeBar() {
     auto* bar = new QToolBar(tr("3D view"));
     bar->setIconSize(kBarIcon);
-    auto* scope = choiceBox({tr("Whole scene"), tr("Asset at hand")},
-                            tr("Show every instance where it stands, or the asset at hand by itself"));
-    scope->setAccessibleName(tr("What is shown"));
-    connect(scope, &QComboBox::currentIndexChanged, this, [this](int index) {
+    m_scope = choiceBox({tr("Whole scene"), tr("Asset at hand")},
+                        tr("Show every instance where it stands, or the asset at hand by itself"));
+    m_scope->setAccessibleName(tr("What is shown"));
+    connect(m_scope, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_isAssetOnly = index == 1;
+        updateEditing();
         frameAll();
     });
     auto* colouring = choiceBox({tr("By material"), tr("By piece"), tr("By volume")}, tr("What colours mean"));
@@ -142,7 +165,7 @@ QWidget* SceneView::makeBar() {
         m_options.colouring = static_cast<SceneColouring>(index);
         invalidate();
     });
-    m_notInPlay = {scope, colouring, makeExploded()};
+    m_notInPlay = {m_scope, colouring, makeExploded()};
     for (QWidget* control : m_notInPlay) bar->addWidget(control);
     for (QAction* action : actions()) {
         if (action->isCheckable() || action->objectName() == "view-home") bar->addAction(action);
@@ -176,6 +199,7 @@ void SceneView::takePlayState() {
     const bool isOn = m_workspace.play().isOn();
     m_timeline->setVisible(isOn);
     for (QWidget* control : m_notInPlay) control->setEnabled(!isOn);
+    setEditable(!isOn);
     if (!isOn) invalidate();
 }
 
@@ -193,20 +217,29 @@ SceneMarks SceneView::marks() const {
     SceneMarks marks;
     addMarks(selection.seeds(), marks.selected);
     addMarks(selection.hiddenSeeds(), marks.hidden);
-    if (!selection.seeds().empty()) return marks;
     for (const Instance& instance : m_workspace.project().instances) {
-        if (selection.instances().contains(instance.id)) marks.selected.push_back({instance.asset, instance.id, kNone});
+        const bool isChosen = selection.seeds().empty() && selection.instances().contains(instance.id);
+        if (isChosen) marks.selected.push_back({instance.asset, instance.id, kNone});
+        if (instance.isHidden) marks.hidden.push_back({instance.asset, instance.id, kNone});
     }
     return marks;
 }
 
-/// Marks for the fragments that come from seeds of the asset at hand, in all its instances.
+/// Marks for the fragments that come from seeds of the asset at hand, in all its instances that break as the asset itself does.
 void SceneView::addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const {
     const Id asset = m_workspace.selection().asset();
     if (seeds.empty()) return;
+    std::vector<Id> instances;
+    bool areAll = true;
+    for (const Instance& instance : m_workspace.project().instances) {
+        if (instance.asset != asset) continue;
+        instance.variant == 0 ? instances.push_back(instance.id) : void(areAll = false);
+    }
+    if (areAll || m_isAssetOnly) instances = {0};
     const std::vector<SeedId> all = seedsOf(asset);
     for (std::uint32_t fragment = 0; fragment < all.size(); ++fragment) {
-        if (seeds.contains(all[fragment])) picks.push_back({asset, 0, fragment});
+        if (!seeds.contains(all[fragment])) continue;
+        for (const Id instance : instances) picks.push_back({asset, instance, fragment});
     }
 }
 
@@ -220,15 +253,35 @@ void SceneView::chooseNothing() {
     m_workspace.selection().setInstances(m_workspace.project(), {});
 }
 
-/// A click chooses the fragment's seed and its instance; with Ctrl or Shift one more.
+void SceneView::chooseInstance(Id instance, bool isMore) {
+    Selection& selection = m_workspace.selection();
+    std::set<Id> instances;
+    if (isMore) instances = selection.instances();
+    if (!instances.insert(instance).second) instances.erase(instance);
+    selection.setSeeds({});
+    selection.setInstances(m_workspace.project(), std::move(instances));
+}
+
+void SceneView::chooseAt(QPoint point) {
+    const Project& project = m_workspace.project();
+    const auto hit = sceneHit(project, assetHulls(project), m_viewport->rayAt(point));
+    if (!hit || hit->instance == 0 || findInstance(project, hit->instance)->isLocked) return;
+    if (!m_workspace.selection().instances().contains(hit->instance)) chooseInstance(hit->instance, false);
+}
+
+/// A click chooses the instance; in one that is chosen alone already, the seed of the fragment. With Ctrl or Shift one more.
+/// Fragments of variants have no seeds in the pattern that the canvas shows, and locked instances are as good as not there.
 void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers) {
     Selection& selection = m_workspace.selection();
     const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
-    if (!id) {
+    const Instance* instance = id ? findInstance(m_workspace.project(), id->instance) : nullptr;
+    if (!id || (instance && instance->isLocked)) {
         if (!isMore) chooseNothing();
         return;
     }
-    if (id->instance != 0) selection.setInstances(m_workspace.project(), {id->instance});
+    if (instance && (instance->variant != 0 || selection.instances() != std::set<Id>{instance->id})) {
+        return chooseInstance(instance->id, isMore);
+    }
     selection.setAsset(id->asset);
     const std::vector<SeedId> all = seedsOf(id->asset);
     if (id->fragment >= all.size()) return selection.setSeeds({});
@@ -236,27 +289,27 @@ void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modi
     isMore ? selection.toggleSeed(seed) : selection.setSeeds({seed});
 }
 
-/// Chooses the instances in a box, and of one asset the fragments: of the one at hand, or else of the first.
+/// Chooses the instances in a box, or the fragments where it is drawn in the asset by itself.
 void SceneView::pickAll(const std::vector<PickId>& ids, Qt::KeyboardModifiers modifiers) {
     Selection& selection = m_workspace.selection();
     const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
-    if (!isMore) chooseNothing();
-    if (ids.empty()) return;
-    const bool hasAssetAtHand = std::ranges::find(ids, selection.asset(), &PickId::asset) != ids.end();
-    const Id asset = hasAssetAtHand ? selection.asset() : ids.front().asset;
     std::set<Id> instances;
-    if (isMore) instances = selection.instances();
-    for (const PickId& id : ids) {
-        if (id.instance != 0) instances.insert(id.instance);
+    Selection::Seeds seeds;
+    if (isMore) {
+        instances = selection.instances();
+        seeds = selection.seeds();
     }
-    if (!instances.empty()) selection.setInstances(m_workspace.project(), instances);
-    selection.setAsset(asset);
-    const std::vector<SeedId> all = seedsOf(asset);
-    Selection::Seeds seeds = selection.seeds();
+    if (!isMore) chooseNothing();
+    const std::vector<SeedId> all = m_isAssetOnly ? seedsOf(selection.asset()) : std::vector<SeedId>();
     for (const PickId& id : ids) {
-        if (id.asset == asset && id.fragment < all.size()) seeds.insert(all[id.fragment]);
+        const Instance* instance = findInstance(m_workspace.project(), id.instance);
+        if (instance && !instance->isLocked) instances.insert(instance->id);
+        if (id.fragment < all.size()) seeds.insert(all[id.fragment]);
     }
-    selection.setSeeds(std::move(seeds));
+    if (m_isAssetOnly) return selection.setSeeds(std::move(seeds));
+    if (instances.empty()) return;
+    selection.setSeeds({});
+    selection.setInstances(m_workspace.project(), std::move(instances));
 }
 
 }  // namespace rubble

@@ -14,6 +14,8 @@ class QSlider;
 
 namespace rubble {
 
+class InstanceGizmo;
+class InstancePlacing;
 class PlayView;
 class ViewportWidget;
 
@@ -25,7 +27,16 @@ public:
     explicit SceneView(Workspace& workspace, QWidget* parent = nullptr);
 
     ViewportWidget& viewport() { return *m_viewport; }
+    InstanceGizmo& gizmo() { return *m_gizmo; }
+    InstancePlacing& placing() { return *m_placing; }
     void frameAll();
+    /// Brings the chosen instances close, as they are now.
+    void frameChosen();
+    /// Whether instances may be moved and placed: they may where the whole scene is shown.
+    void setEditable(bool isEditable);
+    bool isEditable() const { return m_isEditable && !m_isAssetOnly; }
+    /// Chooses the instance at a point, unless it is chosen.
+    void chooseAt(QPoint point);
     void takePreferences(const Preferences& preferences);
     /// What is played is shown by it.
     PlayView& playView() { return *m_playView; }
@@ -49,12 +60,18 @@ private:
     std::vector<SeedId> seedsOf(Id asset) const;
     void chooseNothing();
     void takePlayState();
+    void chooseInstance(Id instance, bool isMore);
+    void updateEditing();
     void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
 
     Workspace& m_workspace;
     ViewportWidget* m_viewport;
+    InstanceGizmo* m_gizmo;
+    InstancePlacing* m_placing;
+    bool m_isEditable = true;
     SceneBuilder m_builder;
     SceneOptions m_options;
+    QComboBox* m_scope = nullptr;
     bool m_isAssetOnly = false;
     QTimer m_timer;
     PlayView* m_playView;

@@ -1,10 +1,14 @@
 #include "editor/Views.h"
 
 #include "editor/Action.h"
+#include "editor/InstanceGizmo.h"
+#include "editor/InstancePlacing.h"
 #include "editor/MainWindow.h"
+#include "editor/OverlapWatch.h"
 #include "editor/SceneView.h"
 #include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/PatternCanvas.h"
+#include "editor/commands/InstanceEdits.h"
 #include "editor/icons/Icon.h"
 #include "editor/panels/FragmentTable.h"
 #include "editor/panels/HistoryPanel.h"
@@ -22,6 +26,7 @@
 #include <QSettings>
 #include <QSplitter>
 
+#include <set>
 #include <utility>
 
 namespace rubble {
@@ -48,8 +53,11 @@ Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(
     m_centre->setStretchFactor(1, 1);
     m_centre->setChildrenCollapsible(false);
     makeDocks();
+    new OverlapWatch(workspace.document(), m_messages, this);
     connect(m_canvas, &PatternCanvas::said, this, &Views::said);
     connect(m_canvas, &PatternCanvas::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->gizmo(), &InstanceGizmo::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->placing(), &InstancePlacing::said, this, &Views::said);
     connect(m_canvas, &PatternCanvas::pointed, this, [this](double x, double y) {
         const QLocale locale;
         emit placeChanged(tr("%1, %2 m").arg(locale.toString(x, 'f', 3), locale.toString(y, 'f', 3)));
@@ -224,13 +232,29 @@ void Views::takePreferences(const Preferences& preferences) {
     m_tools->setUnits(units);
 }
 
+void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
+
 /// Brings what a message is about into view.
-void Views::jump(Id asset, std::optional<SeedId> seed) {
-    if (!findAsset(m_window.workspace().project(), asset)) return;
-    m_window.workspace().selection().setAsset(asset);
-    m_window.workspace().selection().setSeeds(seed ? Selection::Seeds{*seed} : Selection::Seeds{});
+void Views::jump(const Message& message) {
+    if (!message.instances.empty()) return jumpTo(message.instances);
+    if (!findAsset(m_window.workspace().project(), message.asset)) return;
+    m_window.workspace().selection().setAsset(message.asset);
+    m_window.workspace().selection().setSeeds(message.seed ? Selection::Seeds{*message.seed} : Selection::Seeds{});
     m_canvas->fit();
     m_canvas->setFocus();
+}
+
+void Views::jumpTo(const std::vector<Id>& instances) {
+    Workspace& workspace = m_window.workspace();
+    std::set<Id> there;
+    for (const Id id : instances) {
+        if (findInstance(workspace.project(), id) != nullptr) there.insert(id);
+    }
+    workspace.selection().setSeeds({});
+    workspace.selection().setInstances(workspace.project(), std::move(there));
+    m_scene->show();
+    m_scene->frameChosen();
+    m_scene->setFocus();
 }
 
 }  // namespace rubble

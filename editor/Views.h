@@ -48,6 +48,8 @@ public:
     /// Lets the canvas take the corners of a new prism.
     void drawNewOutline();
     void takePreferences(const Preferences& preferences);
+    /// What the tree offers for chosen instances.
+    void setInstanceActions(const QList<QAction*>& actions);
 
 signals:
     /// What the tool at hand does.
@@ -61,7 +63,8 @@ private:
     void makeDocks();
     void arrange();
     void takePlayState();
-    void jump(Id asset, std::optional<SeedId> seed);
+    void jump(const Message& message);
+    void jumpTo(const std::vector<Id>& instances);
 
     MainWindow& m_window;
     Messages m_messages;

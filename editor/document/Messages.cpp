@@ -6,6 +6,8 @@ namespace rubble {
 
 namespace {
 
+constexpr Id kSceneTopic = ~Id{0};  // no asset's
+
 Severity severityOf(ReportCode code) {
     switch (code) {
         case ReportCode::SplitCell: return Severity::Note;
@@ -31,33 +33,37 @@ std::optional<SeedId> seedOf(const Report& report, const Seeds& seeds) {
 
 void Messages::add(Message message) {
     m_list.push_back(std::move(message));
-    m_bakeOf.push_back(0);
+    m_topics.push_back(0);
     emit changed();
 }
 
-void Messages::setOfBake(Id asset, std::vector<Message> messages) {
+void Messages::setOfBake(Id asset, std::vector<Message> messages) { replace(asset, std::move(messages)); }
+
+void Messages::setOfScene(std::vector<Message> messages) { replace(kSceneTopic, std::move(messages)); }
+
+void Messages::replace(Id topic, std::vector<Message> messages) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < m_list.size(); ++k) {
-        if (m_bakeOf[k] == asset) continue;
+        if (m_topics[k] == topic) continue;
         if (kept != k) {
             m_list[kept] = std::move(m_list[k]);
-            m_bakeOf[kept] = m_bakeOf[k];
+            m_topics[kept] = m_topics[k];
         }
         ++kept;
     }
     if (kept == m_list.size() && messages.empty()) return;
     m_list.resize(kept);
-    m_bakeOf.resize(kept);
+    m_topics.resize(kept);
     for (Message& message : messages) {
         m_list.push_back(std::move(message));
-        m_bakeOf.push_back(asset);
+        m_topics.push_back(topic);
     }
     emit changed();
 }
 
 void Messages::clear() {
     m_list.clear();
-    m_bakeOf.clear();
+    m_topics.clear();
     emit changed();
 }
 

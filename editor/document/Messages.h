@@ -19,11 +19,15 @@ struct Message {
     QString text;  // one sentence
     Id asset = 0;  // 0: none
     std::optional<SeedId> seed;
+    std::vector<Id> instances;  // that it is about
     QDateTime time = QDateTime::currentDateTime();
+
+    /// There is something to show it by.
+    bool hasPlace() const { return asset != 0 || !instances.empty(); }
 };
 
-/// What was told about a document in one window: the reports of every asset's last bake, and what imports and exports had
-/// to say, in the order it was told.
+/// What was told about a document in one window: the reports of every asset's last bake, what is wrong in the scene, and what
+/// imports and exports had to say, in the order it was told.
 class Messages : public QObject {
     Q_OBJECT
 public:
@@ -33,14 +37,18 @@ public:
     void add(Message message);
     /// Takes the place of what was told of this asset's bake before.
     void setOfBake(Id asset, std::vector<Message> messages);
+    /// Takes the place of what was told of the scene before.
+    void setOfScene(std::vector<Message> messages);
     void clear();
 
 signals:
     void changed();
 
 private:
+    void replace(Id topic, std::vector<Message> messages);
+
     std::vector<Message> m_list;
-    std::vector<Id> m_bakeOf;  // of which asset's bake each message is; 0: of none
+    std::vector<Id> m_topics;  // of which asset's bake each message is, or of kSceneTopic; 0: it stays
 };
 
 /// The reports of a bake as messages.

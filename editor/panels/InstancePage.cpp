@@ -7,12 +7,15 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace rubble {
 
 namespace {
 
 constexpr double kLeastUsualThreshold = 1.0;  // N·s, the slider's ends
 constexpr double kMostUsualThreshold = 1e5;
+constexpr double kMostVariant = 9999.0;  // enough for any scene
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
@@ -62,10 +65,22 @@ void InstancePage::buildInstance(Section& section) {
         [](Instance& instance, const QString& entered) { instance.name = entered.trimmed().toStdString(); });
     m_asset = section.addRow(tr("Asset"), new QComboBox, tr("Which asset stands here"));
     m_form.bind(m_asset, tr("Set asset"), &Instance::asset);
+    auto* variant = section.addRow(tr("Variant"), new NumberField,
+                                   tr("In which way it breaks: 0 as its asset says, others with other random seeds"));
+    variant->setRange(FieldRange::whole(0.0, kMostVariant));
+    m_form.bind(
+        variant, tr("Set variant"), [](const Instance& instance) { return static_cast<double>(instance.variant); },
+        [](Instance& instance, double entered) {
+            instance.variant = static_cast<std::uint32_t>(std::lround(entered));
+        });
     m_editAsset = new QPushButton(tr("Edit asset"));
     m_editAsset->setToolTip(tr("Show the asset's shape and pattern"));
     m_editAsset->setAutoDefault(false);
     section.addWide(m_editAsset);
+    addSwitch(section, tr("Hidden"), tr("Left out of the 3D view; it plays all the same"), tr("Switch hidden"),
+              &Instance::isHidden);
+    addSwitch(section, tr("Locked"), tr("Neither clicked nor moved in the 3D view"), tr("Switch locked"),
+              &Instance::isLocked);
     connect(m_editAsset, &QPushButton::clicked, this, [this] { m_selection.setAsset(m_selection.asset()); });
 }
 
@@ -113,10 +128,16 @@ void InstancePage::buildStrength(Section& section) {
             return instance.threshold.value_or(assetThreshold(m_document.project(), instance));
         },
         [](Instance& instance, double entered) { instance.threshold = entered; });
-    auto* isFixed = new QCheckBox(tr("Fixed"));
-    isFixed->setToolTip(tr("Held in place as if part of the ground, until it breaks"));
-    section.addWide(isFixed);
-    m_form.bind(isFixed, tr("Switch fixed"), &Instance::isFixed);
+    addSwitch(section, tr("Fixed"), tr("Held in place as if part of the ground, until it breaks"), tr("Switch fixed"),
+              &Instance::isFixed);
+}
+
+void InstancePage::addSwitch(Section& section, const QString& label, const QString& hint, const QString& step,
+                             bool Instance::*member) {
+    auto* box = new QCheckBox(label);
+    box->setToolTip(hint);
+    section.addWide(box);
+    m_form.bind(box, step, member);
 }
 
 Vec3 InstancePage::degreesOf(const Instance& instance) const {

@@ -26,6 +26,8 @@ private:
     void buildInstance(Section& section);
     void buildPlace(Section& section);
     void buildStrength(Section& section);
+    void addSwitch(Section& section, const QString& label, const QString& hint, const QString& step,
+                   bool Instance::*member);
     Vec3 degreesOf(const Instance& instance) const;
     void turn(Instance& instance, int axis, double degrees);
 

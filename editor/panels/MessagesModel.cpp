@@ -46,7 +46,7 @@ QVariant MessagesModel::data(const QModelIndex& index, int role) const {
     const Message& told = message(index.row());
     if (role == Qt::DecorationRole && index.column() == kText) return iconOf(told.severity);
     if (role == Qt::ToolTipRole) {
-        return told.asset == 0 ? told.text : tr("%1\nDouble click or Enter: show where").arg(told.text);
+        return !told.hasPlace() ? told.text : tr("%1\nDouble click or Enter: show where").arg(told.text);
     }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {

@@ -28,7 +28,7 @@ MessagesPanel::MessagesPanel(Messages& messages, const Document& document, QWidg
     m_view->header()->setSectionResizeMode(MessagesModel::kAsset, QHeaderView::ResizeToContents);
     connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
         const Message& message = m_model->message(index.row());
-        if (message.asset != 0) emit jumpRequested(message.asset, message.seed);
+        if (message.hasPlace()) emit jumpRequested(message);
     });
     auto* copyAction = new QAction(iconNamed("edit-copy"), tr("&Copy"), this);
     copyAction->setShortcut(QKeySequence::Copy);

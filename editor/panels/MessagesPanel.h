@@ -16,7 +16,7 @@ public:
     MessagesPanel(Messages& messages, const Document& document, QWidget* parent = nullptr);
 
 signals:
-    void jumpRequested(rubble::Id asset, std::optional<rubble::SeedId> seed);
+    void jumpRequested(const rubble::Message& message);
 
 private:
     QToolButton* addFilter(Severity severity, const QString& icon, const QString& tip);

@@ -3,6 +3,7 @@
 #include "core/geometry/OutlineShapes.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/Icons.h"
+#include "editor/panels/InstanceMarks.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -44,6 +45,8 @@ ProjectTree::ProjectTree(Document& document, Selection& selection, QWidget* pare
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_view->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_view->setDragDropMode(QAbstractItemView::DragOnly);
+    m_view->setItemDelegate(new InstanceMarks(*m_view));
     m_view->setAccessibleName(tr("Project"));
     m_view->installEventFilter(this);
 
@@ -120,6 +123,9 @@ void ProjectTree::showMenu(const QPoint& position) {
     for (QAction* action : {rename, duplicate, remove}) {
         action->setShortcutVisibleInContextMenu(true);
         action->setEnabled(isAnyChosen());
+    }
+    if (!chosen(Kind::Instance).empty() && !m_instanceActions.isEmpty()) {
+        menu.addMenu(iconNamed("instance"), tr("Instance"))->addActions(m_instanceActions);
     }
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }

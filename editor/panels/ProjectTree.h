@@ -3,8 +3,10 @@
 #include "editor/document/Selection.h"
 #include "editor/panels/ProjectModel.h"
 
+#include <QList>
 #include <QWidget>
 
+class QAction;
 class QMenu;
 class QToolButton;
 class QTreeView;
@@ -20,6 +22,8 @@ public:
 
     QTreeView& view() { return *m_view; }
     void setUnits(const Units& units) { m_model->setUnits(units); }
+    /// What the context menu offers where instances are chosen.
+    void setInstanceActions(const QList<QAction*>& actions) { m_instanceActions = actions; }
 
     /// Begins to edit the name of the current row.
     void renameCurrent();
@@ -59,6 +63,7 @@ private:
     Selection& m_selection;
     ProjectModel* m_model;
     QTreeView* m_view;
+    QList<QAction*> m_instanceActions;
     bool m_isTaking = false;
 };
 

@@ -1,0 +1,91 @@
+#include "editor/panels/InstanceMarks.h"
+
+#include "editor/icons/Icon.h"
+#include "editor/panels/ProjectModel.h"
+
+#include <QAbstractItemView>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kSize = 16;  // pixels
+constexpr int kGap = 4;    // pixels, beside each
+constexpr double kPale = 0.35;
+
+QString iconOf(int role, bool isOn) {
+    if (role == ProjectModel::kHiddenRole) return isOn ? QStringLiteral("hide") : QStringLiteral("show");
+    return isOn ? QStringLiteral("instance-lock") : QStringLiteral("instance-unlock");
+}
+
+QString tipOf(int role, bool isOn) {
+    if (role == ProjectModel::kHiddenRole) {
+        return isOn ? InstanceMarks::tr("Hidden in the 3D view; click to show it")
+                    : InstanceMarks::tr("Click to hide it in the 3D view; it plays all the same");
+    }
+    return isOn ? InstanceMarks::tr("Locked: neither clicked nor moved in the 3D view; click to unlock it")
+                : InstanceMarks::tr("Click to lock it: neither clicked nor moved in the 3D view");
+}
+
+}  // namespace
+
+InstanceMarks::InstanceMarks(QAbstractItemView& view) : QStyledItemDelegate(&view), m_view(view) {
+    view.viewport()->installEventFilter(this);
+    view.viewport()->setMouseTracking(true);
+}
+
+QRect InstanceMarks::placeOf(const QModelIndex& index, int role) const {
+    const QRect row = m_view.visualRect(index);
+    const int fromEnd = role == ProjectModel::kLockedRole ? 1 : 2;
+    const int left = m_view.viewport()->width() - fromEnd * (kSize + kGap);
+    return {left, row.center().y() - kSize / 2, kSize, kSize};
+}
+
+void InstanceMarks::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QStyleOptionViewItem room = option;
+    const bool hasMarks = index.data(ProjectModel::kHiddenRole).isValid();
+    if (hasMarks) room.rect.setRight(placeOf(index, ProjectModel::kHiddenRole).left() - kGap);
+    QStyledItemDelegate::paint(painter, room, index);
+    if (!hasMarks) return;
+    for (const int role : {ProjectModel::kHiddenRole, ProjectModel::kLockedRole}) {
+        const bool isOn = index.data(role).toBool();
+        if (!isOn && !option.state.testFlag(QStyle::State_MouseOver)) continue;
+        painter->setOpacity(isOn ? 1.0 : kPale);
+        iconNamed(iconOf(role, isOn)).paint(painter, placeOf(index, role));
+        painter->setOpacity(1.0);
+    }
+}
+
+std::optional<int> InstanceMarks::markAt(QPoint point) const {
+    const QModelIndex index = m_view.indexAt({0, point.y()});
+    if (!index.data(ProjectModel::kHiddenRole).isValid()) return std::nullopt;
+    for (const int role : {ProjectModel::kHiddenRole, ProjectModel::kLockedRole}) {
+        if (placeOf(index, role).adjusted(-kGap / 2, -kGap / 2, kGap / 2, kGap / 2).contains(point)) return role;
+    }
+    return std::nullopt;
+}
+
+bool InstanceMarks::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) {
+    const std::optional<int> role = markAt(event->pos());
+    if (!role) return QStyledItemDelegate::helpEvent(event, view, option, index);
+    QToolTip::showText(event->globalPos(), tipOf(*role, index.data(*role).toBool()), view);
+    return true;
+}
+
+bool InstanceMarks::eventFilter(QObject* watched, QEvent* event) {
+    const bool isPress = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (watched != m_view.viewport() || !isPress) return QStyledItemDelegate::eventFilter(watched, event);
+    const auto& mouse = static_cast<QMouseEvent&>(*event);
+    const std::optional<int> role = markAt(mouse.position().toPoint());
+    if (!role || mouse.button() != Qt::LeftButton) return false;
+    const QModelIndex index = m_view.indexAt({0, mouse.position().toPoint().y()});
+    m_view.model()->setData(index, !index.data(*role).toBool(), *role);
+    return true;
+}
+
+}  // namespace rubble

@@ -1,0 +1,234 @@
+#include "core/io/ProjectFile.h"
+#include "editor/InstanceGizmo.h"
+#include "editor/MainWindow.h"
+#include "editor/Program.h"
+#include "editor/SceneView.h"
+#include "editor/Views.h"
+#include "editor/commands/InstanceEdits.h"
+#include "editor/document/DraggedAsset.h"
+#include "tests/support/Projects.h"
+#include "tests/support/TestSettings.h"
+#include "viewport/ViewportWidget.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMouseEvent>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kPatience = 20000;  // ms, for baking on a busy machine
+
+Project threeBoxes() {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, UniformScatter{.count = 6})};
+    for (int k = 0; k < 3; ++k) {
+        const Id id = 10 + static_cast<Id>(k);
+        project.instances.push_back({.id = id, .name = "box " + std::to_string(k + 1), .asset = 2});
+        project.instances.back().pose.position = {2.0 * k, 0.0, 0.0};
+    }
+    return project;
+}
+
+}  // namespace
+
+/// What is done to instances in the 3D view, by mouse and keys.
+class InstancesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_folder.path());
+        QApplication::setQuitOnLastWindowClosed(false);
+        m_program = std::make_unique<Program>();
+        m_window = m_program->showNew(threeBoxes(), true);
+        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        viewport().setFlights(false);
+        viewport().frameAll();
+    }
+    void init() {
+        m_window->workspace().document().replace(threeBoxes());
+        choose({11});
+        viewport().setFocus();
+        m_before = projectText(project());
+    }
+    void cleanupTestCase() { delete m_window; }
+
+    void anArrowIsDraggedAlongItsAxisAsOneStep() {
+        const QPoint tip = gripOf(GizmoHandle::MoveX);
+        drag(tip, tip + QPoint(60, 0), {});
+        const Vec3 place = placeOf(11);
+        QVERIFY(place.x > 2.05);
+        QVERIFY(place.y == 0.0 && place.z == 0.0);
+        QVERIFY(placeOf(10) == Vec3(0.0));
+        QCOMPARE(stack().count(), 1);
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(projectText(project()), m_before);
+    }
+    void withCtrlItGoesByTenthsOfAMetre() {
+        const QPoint tip = gripOf(GizmoHandle::MoveX);
+        drag(tip, tip + QPoint(60, 0), Qt::ControlModifier);
+        const double tenths = (placeOf(11).x - 2.0) / InstanceGizmo::kStep;
+        QVERIFY(tenths > 0.5 && std::abs(tenths - std::round(tenths)) < 1e-9);
+    }
+    void escapePutsBackWhatIsBeingDragged() {
+        const QPoint tip = gripOf(GizmoHandle::MoveY);
+        press(tip);
+        moveTo(tip - QPoint(0, 40), {}, Qt::LeftButton);
+        QVERIFY(placeOf(11).y > 0.0);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(stack().count(), 0);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, tip);
+        QVERIFY(!gizmo().isDragging());
+    }
+    void aRingIsTurnedByStepsOf15Degrees() {
+        QTest::keyClick(&viewport(), Qt::Key_E);
+        QCOMPARE(gizmo().mode(), GizmoMode::Turn);
+        const QPoint grip = gripOf(GizmoHandle::TurnY, 5);
+        drag(grip, grip + QPoint(40, 20), Qt::ControlModifier);
+        const Quat turn = findInstance(project(), 11)->pose.orientation;
+        QVERIFY(std::abs(turn.x) < 1e-12 && std::abs(turn.z) < 1e-12);
+        const double steps = glm::degrees(2.0 * std::atan2(turn.y, turn.w)) / InstanceGizmo::kStepDegrees;
+        QVERIFY(std::abs(steps) > 0.5 && std::abs(steps - std::round(steps)) < 1e-9);
+        QTest::keyClick(&viewport(), Qt::Key_W);
+        QCOMPARE(gizmo().mode(), GizmoMode::Move);
+    }
+    void theBlenderWayMovesAlongAnAxisUntilAClick() {
+        const QPoint at = viewport().rect().center();
+        moveTo(at);
+        QTest::keyClick(&viewport(), Qt::Key_G);
+        QVERIFY(gizmo().isDragging());
+        QTest::keyClick(&viewport(), Qt::Key_X);
+        moveTo(at + QPoint(50, 10));
+        QVERIFY(placeOf(11).x > 2.05);
+        QVERIFY(placeOf(11).y == 0.0 && placeOf(11).z == 0.0);
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, at + QPoint(50, 10));
+        QVERIFY(!gizmo().isDragging());
+        QCOMPARE(stack().count(), 1);
+    }
+    void whatIsLockedOrHiddenIsNotMoved() {
+        QTest::keyClick(&viewport(), Qt::Key_L);
+        QVERIFY(findInstance(project(), 11)->isLocked);
+        QVERIFY(gizmo().movable().empty() && !gizmo().overlay().view());
+        QTest::keyClick(&viewport(), Qt::Key_L, Qt::AltModifier);
+        QVERIFY(!findInstance(project(), 11)->isLocked);
+        QTest::keyClick(&viewport(), Qt::Key_H);
+        QVERIFY(findInstance(project(), 11)->isHidden && gizmo().movable().empty());
+        QTRY_VERIFY(isMarkedHidden(11));
+        QTest::keyClick(&viewport(), Qt::Key_H, Qt::AltModifier);
+        QTRY_VERIFY(!isMarkedHidden(11));
+    }
+    void copiesFollowThePointerAndDeleteTakesThemAway() {
+        moveTo(viewport().rect().center());
+        QTest::keyClick(&viewport(), Qt::Key_D, Qt::ShiftModifier);
+        QCOMPARE(project().instances.size(), std::size_t{4});
+        QVERIFY(gizmo().isDragging());
+        QTest::keyClick(&viewport(), Qt::Key_Return);
+        QTest::keyClick(&viewport(), Qt::Key_Delete);
+        QCOMPARE(project().instances.size(), std::size_t{3});
+    }
+    void endLetsThemDown() {
+        Instance raised = *findInstance(project(), 11);
+        raised.pose.position.y = 3.0;
+        m_window->workspace().document().push(altered("Raise", raised));
+        QTest::keyClick(&viewport(), Qt::Key_End);
+        QCOMPARE(placeOf(11).y, 0.0);
+    }
+    void variantsAreBakedAndShown() {
+        choose({10, 11, 12});
+        QTest::keyClick(&viewport(), Qt::Key_V);
+        QCOMPARE(findInstance(project(), 12)->variant, 2u);
+        const Bakes& bakes = m_window->workspace().bakes();
+        QTRY_VERIFY_WITH_TIMEOUT(bakes.areCurrent(project()), kPatience);
+        QTRY_COMPARE(viewport().scene().batches.size(), std::size_t{3});
+        QVERIFY(viewport().scene().batches[0].geometry != viewport().scene().batches[2].geometry);
+    }
+    void anAssetIsDroppedOntoTheBoxUnderThePointer() {
+        const Vec3 top = placeOf(10) + Vec3(0.5, 1.0, 0.0);
+        drop(*viewport().pointOf(top));
+        QCOMPARE(project().instances.size(), std::size_t{4});
+        const Vec3 place = project().instances.back().pose.position;
+        QVERIFY(std::abs(place.y - 1.0) < 1e-9);
+        QVERIFY(glm::distance(place, Vec3(0.0, 1.0, 0.0)) < 0.05);  // the middle over the point, up to a pixel
+        QVERIFY(m_window->workspace().selection().instances().contains(project().instances.back().id));
+    }
+    void anOverlapIsToldAndLeadsToThePlace() {
+        Instance moved = *findInstance(project(), 11);
+        moved.pose.position.x = 0.75;
+        m_window->workspace().document().push(altered("Move", moved));
+        const std::vector<Message>& list = m_window->views().messages().list();
+        const auto told = [&] {
+            return std::ranges::find(list, QString("\"box 1\" and \"box 2\" overlap by 250 mm."), &Message::text);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(told() != list.end(), kPatience);
+        QVERIFY((told()->instances == std::vector<Id>{10, 11}));
+        stack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(told() == list.end(), kPatience);
+    }
+
+private:
+    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
+    InstanceGizmo& gizmo() { return m_window->views().scene().gizmo(); }
+    const Project& project() { return m_window->workspace().project(); }
+    QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
+    Vec3 placeOf(Id id) { return findInstance(project(), id)->pose.position; }
+    void choose(std::set<Id> instances) {
+        m_window->workspace().selection().setSeeds({});
+        m_window->workspace().selection().setInstances(project(), std::move(instances));
+    }
+    bool isMarkedHidden(Id instance) {
+        const RenderScene& scene = viewport().scene();
+        for (std::size_t k = 0; k < scene.picks.size(); ++k) {
+            if (scene.picks[k].instance == instance) return (scene.looks[k].marks & kHidden) != 0;
+        }
+        return true;
+    }
+
+    /// A place of the widget where a handle is drawn: near the end of its line, or at one of its points.
+    QPoint gripOf(GizmoHandle handle, int point = -1) {
+        const std::vector<Vec2> line = lineOf(handle, *gizmo().overlay().view());
+        const Vec2 grip = point < 0 ? 0.1 * line.front() + 0.9 * line.back() : line[static_cast<std::size_t>(point)];
+        return {static_cast<int>(grip.x), static_cast<int>(grip.y)};
+    }
+    void press(QPoint at) {
+        moveTo(at);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at);
+        QVERIFY(gizmo().isDragging());
+    }
+    void moveTo(QPoint at, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButtons buttons = Qt::NoButton) {
+        QMouseEvent event(QEvent::MouseMove, at, viewport().mapToGlobal(at), Qt::NoButton, buttons, modifiers);
+        QCoreApplication::sendEvent(&viewport(), &event);
+    }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
+        press(from);
+        moveTo((from + to) / 2, modifiers, Qt::LeftButton);
+        moveTo(to, modifiers, Qt::LeftButton);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, modifiers, to);
+    }
+    void drop(QPointF at) {
+        const std::unique_ptr<QMimeData> data(mimeDataOf(2));
+        QDragEnterEvent enter(at.toPoint(), Qt::CopyAction, data.get(), Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&viewport(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&viewport(), &event);
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Program> m_program;
+    MainWindow* m_window = nullptr;
+    std::string m_before;
+};
+
+QTEST_MAIN(InstancesTest)
+#include "InstancesTest.moc"
