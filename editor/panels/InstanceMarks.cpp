@@ -7,6 +7,7 @@
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QStyle>
 #include <QToolTip>
 
 namespace rubble {
@@ -48,7 +49,13 @@ QRect InstanceMarks::placeOf(const QModelIndex& index, int role) const {
 void InstanceMarks::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     QStyleOptionViewItem room = option;
     const bool hasMarks = index.data(ProjectModel::kHiddenRole).isValid();
-    if (hasMarks) room.rect.setRight(placeOf(index, ProjectModel::kHiddenRole).left() - kGap);
+    if (hasMarks) {
+        // What marks the row goes on behind the marks; its text ends before them.
+        QStyleOptionViewItem row = option;
+        row.rect.setRight(m_view.viewport()->width());
+        m_view.style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &row, painter, &m_view);
+        room.rect.setRight(placeOf(index, ProjectModel::kHiddenRole).left() - kGap);
+    }
     QStyledItemDelegate::paint(painter, room, index);
     if (!hasMarks) return;
     for (const int role : {ProjectModel::kHiddenRole, ProjectModel::kLockedRole}) {
