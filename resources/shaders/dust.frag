@@ -26,7 +26,7 @@ void main() {
     if (reach >= 1.0) discard;
     vec2 p = 1.7 * corner + 31.0 * puffTurn;
     float cloud = 0.65 * noise(p) + 0.35 * noise(2.3 * p + 5.0);
-    float thick = (1.0 - smoothstep(0.0, 1.0, reach)) * smoothstep(0.1, 0.8, cloud + 0.35 * (1.0 - reach));
+    float thick = (1.0 - smoothstep(0.15, 1.0, reach)) * smoothstep(0.1, 0.7, cloud + 0.35 * (1.0 - reach));
     float thickness = max(puffRadius * sqrt(1.0 - reach * reach), 1e-4);  // as if it were a ball, of which some may be seen
     float soft = clamp(0.5 + 0.5 * (solidDistance() - eyeDistance) / thickness, 0.0, 1.0);
     float low = clamp(0.5 + height / puffRadius, 0.0, 1.0);

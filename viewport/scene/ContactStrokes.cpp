@@ -7,6 +7,7 @@ namespace rubble {
 namespace {
 
 constexpr double kArrowShare = 1.0 / 3.0;  // of an instance's size
+constexpr double kNormalShare = 0.5;       // of the scale
 constexpr double kImpulseOfScale = 100.0;  // N s
 constexpr double kShortest = 0.1, kLongest = 4.0;
 
@@ -44,7 +45,8 @@ void addContactStrokes(RenderScene& scene, const Session& session, const PlayOve
     };
     for (const ContactPoint& contact : session.world().contactPoints()) {
         const Vec3 point = contact.point;
-        if (overlays.hasNormals) add(point, point + scale * contact.normal, kNormal, kThin, StrokeEnd::Arrow);
+        if (overlays.hasNormals)
+            add(point, point + kNormalShare * scale * contact.normal, kNormal, kThin, StrokeEnd::Arrow);
         if (overlays.hasImpulses && contact.impulse > 0.0) {
             const Vec3 way = impulseLength(contact.impulse, scale) * contact.normal;
             add(point, point + way, kImpulse, kThick, StrokeEnd::Arrow);

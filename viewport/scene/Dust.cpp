@@ -13,9 +13,10 @@ constexpr int kPuffs = 14;                 // of a break
 constexpr std::size_t kMostPuffs = 1200;   // of a scene, the last breaks' first: they cover each other
 constexpr double kLife = 0.8;              // s
 constexpr double kRise = 0.04;             // s, until a puff is as thick as it gets
-constexpr double kOpacity = 0.62;          // then
+constexpr double kOpacity = 0.75;          // then
 constexpr double kSlowing = 2.2;           // 1/s: air stops dust
-constexpr Colour kPale{0.84, 0.82, 0.79};  // what any dust is half of
+constexpr Colour kPale{0.90, 0.88, 0.85};  // what any dust is most of
+constexpr double kPaleShare = 0.7;
 constexpr std::uint64_t kStream = 0xd057;
 
 /// A puff as it begins. Lengths are in sizes of what broke.
@@ -58,16 +59,16 @@ Puff puffOf(const PlayBreak& broken, const PlayBreaking& breaking, Random& rando
     const Vec3 away = glm::dot(arm, arm) > 1e-12 ? glm::normalize(arm) : broken.normal;
     const Vec3 onwards = random.between(-0.9, 0.9) * broken.normal, up(0.0, random.between(0.1, 0.7), 0.0);
     return {.from = from,
-            .velocity = size * (random.between(0.3, 1.2) * away + onwards + up),
-            .radius = size * random.between(0.16, 0.30),
+            .velocity = size * (random.between(0.4, 1.6) * away + onwards + up),
+            .radius = size * random.between(0.22, 0.42),
             .life = kLife * random.between(0.65, 1.1),
             .turn = random.unit()};
 }
 
 glm::vec3 colourOf(const PlayBreak& broken, const Project& project) {
     const Material* material = findMaterial(project, findAsset(project, broken.asset->bake->asset)->material);
-    return 0.5f * glm::vec3(Vec3(material->inside.red + kPale.red, material->inside.green + kPale.green,
-                                 material->inside.blue + kPale.blue));
+    const Vec3 inside(material->inside.red, material->inside.green, material->inside.blue);
+    return glm::vec3(glm::mix(inside, Vec3(kPale.red, kPale.green, kPale.blue), kPaleShare));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr Colour kBreaks{0.93, 0.08, 0.30};
+constexpr double kColdest = 0.2;  // of the ramp: below, bodies are hardly seen before a dark ground
 constexpr Colour kAsleep{0.30, 0.44, 0.68};
 constexpr Colour kStands{0.62, 0.62, 0.64};  // never moves: of no island
 
@@ -33,7 +34,9 @@ Colour islandColour(std::uint32_t root, const std::vector<std::uint32_t>& number
 
 }  // namespace
 
-Colour heatColour(double value) { return value >= 1.0 ? kBreaks : rampColour(std::max(value, 0.0)); }
+Colour heatColour(double value) {
+    return value >= 1.0 ? kBreaks : rampColour(kColdest + (1.0 - kColdest) * std::max(value, 0.0));
+}
 
 void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
                 const PlayOverlays& overlays, std::span<const BodyHeat> heat) {
