@@ -38,8 +38,8 @@ struct Puff {
 /// Where two pieces of a broken whole parted, in the frame of its asset.
 Vec3 cutAt(const PlayBreak& broken, const PlayBreaking& breaking, Random& random) {
     if (breaking.neighbours.empty()) return broken.asset->pieces[breaking.first + random.below(breaking.count)].offset;
-    const auto& [first, second] = breaking.neighbours[random.below(breaking.neighbours.size())];
-    return 0.5 * (broken.asset->pieces[first].offset + broken.asset->pieces[second].offset);
+    const PlayNeighbours& parted = breaking.neighbours[random.below(breaking.neighbours.size())];
+    return 0.5 * (broken.asset->pieces[parted.first].offset + broken.asset->pieces[parted.second].offset);
 }
 
 /// How far its pieces lie from its middle, at most.
