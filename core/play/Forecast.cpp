@@ -35,8 +35,10 @@ Result<ForecastMissile> missileOf(const Session& session, const Throw& thrown) {
                            .gravity = scene.project.gravity};
 }
 
+/// On the surface, too, wherever rounding puts it.
 bool isWithin(const Polytope& hull, Vec3 point) {
-    const auto isBehind = [&](const Plane& plane) { return glm::dot(plane.normal, point) <= plane.offset; };
+    constexpr double kRounding = 1e-9;  // m
+    const auto isBehind = [&](const Plane& plane) { return glm::dot(plane.normal, point) <= plane.offset + kRounding; };
     return std::ranges::all_of(hull.planes, isBehind);
 }
 
@@ -45,8 +47,10 @@ bool isWithin(const Polytope& hull, Vec3 point) {
 template <class Visit>
 void visitSurface(const std::vector<Polytope>& hulls, Vec3 centre, const Visit& visit) {
     constexpr double kOutside = 1e-6;  // m: there another hull begins where two touch
-    const auto visitFree = [&](Vec3 point, Vec3 normal) {
-        const auto covers = [&](const Polytope& hull) { return isWithin(hull, point + kOutside * normal); };
+    constexpr double kInwards = 1e-4;  // of the way to a face's middle: at its very corners other faces begin
+    const auto visitFree = [&](Vec3 point, Vec3 normal, Vec3 middle) {
+        const Vec3 beyond = point + kInwards * (middle - point) + kOutside * normal;
+        const auto covers = [&](const Polytope& hull) { return isWithin(hull, beyond); };
         if (std::ranges::none_of(hulls, covers)) visit(point, normal);
     };
     for (const Polytope& hull : hulls) {
@@ -54,15 +58,15 @@ void visitSurface(const std::vector<Polytope>& hulls, Vec3 centre, const Visit& 
             const Plane& plane = hull.planes[face];
             const std::vector<std::uint32_t>& loop = hull.faces[face];
             Vec3 middle(0.0);
+            for (const std::uint32_t corner : loop) middle += hull.vertices[corner] / static_cast<double>(loop.size());
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const Vec3 corner = hull.vertices[loop[k]], next = hull.vertices[loop[(k + 1) % loop.size()]];
-                visitFree(corner, plane.normal);
-                visitFree((corner + next) / 2.0, plane.normal);
-                middle += corner / static_cast<double>(loop.size());
+                visitFree(corner, plane.normal, middle);
+                visitFree((corner + next) / 2.0, plane.normal, middle);
             }
-            visitFree(middle, plane.normal);
+            visitFree(middle, plane.normal, middle);
             const Vec3 nearest = centre + (plane.offset - glm::dot(plane.normal, centre)) * plane.normal;
-            if (isWithin(hull, nearest - kOutside * plane.normal)) visitFree(nearest, plane.normal);
+            if (isWithin(hull, nearest - kOutside * plane.normal)) visitFree(nearest, plane.normal, middle);
         }
     }
 }
