@@ -51,7 +51,7 @@ private slots:
     }
 
     void playsAgainToTheLastStep() {
-        for (const int threads : {1, 2}) {
+        for (const int threads : {1, 2, 16}) {
             ReplayPlayer player = playerOf(m_scene, m_replay, threads);
             QVERIFY(player.seek(kSteps).hasValue());
             QVERIFY(!player.divergence());

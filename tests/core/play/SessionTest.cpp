@@ -313,7 +313,7 @@ private slots:
     void sessionsAreTheSameOnAnyThreadsAndLanes() {
         const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::house());
         std::optional<ContentHash> hash;
-        for (const int threads : {1, 2, 3}) {
+        for (const int threads : {1, 2, 3, 16}) {
             for (const LaneWidth lanes : {LaneWidth::Scalar, LaneWidth::Four, widestLanes()}) {
                 Result<Session> session = Session::start(scene, {.threads = threads, .lanes = lanes});
                 give(*session, ShotInput{"box", Throw{.size = Vec3(0.6),

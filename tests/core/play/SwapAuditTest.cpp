@@ -1,6 +1,7 @@
 #include "core/play/SwapAudit.h"
 
 #include "tests/support/House.h"
+#include "tests/support/Hulls.h"
 #include "tests/support/Pane.h"
 #include "tests/support/RandomAssets.h"
 #include "tests/support/Sessions.h"
@@ -29,6 +30,13 @@ void tell(const SwapAudit& audit) {
         audit.pieces, audit.contacts, 1e3 * audit.deepestOverlap, 1e3 * audit.resting.speed,
         audit.resting.piece.c_str(), audit.restingEnergy, 1e3 * audit.lying.speed, audit.lying.piece.c_str(),
         audit.massDrift, audit.momentumDrift, audit.angularDrift, audit.energyGain);
+}
+
+/// A floating block in a piece of 0.6 m and one of 0.4 m.
+Project twoPieces() {
+    Project project = test::floatingBlock();
+    project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.2, 0.0}}, {1, {0.4, 0.0}}}}});
+    return project;
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -80,7 +88,51 @@ private slots:
         Project project = test::floatingBlock(3);
         project.assets[0].levels = {{test::patternOf(project, {UniformScatter{.count = 4}}), 0.0}};
         const SwapAudit audit = auditsOf(project)[0];
-        QVERIFY(audit.pieces > 3 + 3 * 2);
+        const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
+        QVERIFY(scene->assets.begin()->second->pieces.size() > 3 + 3 * 2);
+        QCOMPARE(std::size_t{audit.pieces}, scene->assets.begin()->second->pieces.size());
+        const int contacts = audit.contacts;
+        project.assets[0].levels.clear();
+        QCOMPARE(contacts, auditsOf(project)[0].contacts);  // of the whole's swap alone
+    }
+    /// A piece that is put in 1 cm beside its place.
+    void piecesInEachOtherAreTold() {
+        const Project project = twoPieces();
+        PlayAsset spoilt = *test::playSceneOf(project)->assets.begin()->second;
+        spoilt.pieces[0].offset.x += 0.01;
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(spoilt)));
+        QVERIFY(audit.hasValue());
+        const std::string faults = joined(audit->faults);
+        QVERIFY2(std::abs(audit->deepestOverlap - 0.01) < 1e-4, QByteArray::number(audit->deepestOverlap));
+        QVERIFY2(faults.find("Two pieces overlap by 10 mm when they are swapped in.") != std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the momentum by ") != std::string::npos, faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the angular momentum by ") != std::string::npos,
+                 faults.c_str());
+    }
+    /// A piece that collides as a box 2 cm wider than it is: both are pushed, the lighter one faster.
+    void theFastestPieceIsNamed() {
+        const Project project = twoPieces();
+        PlayAsset spoilt = *test::playSceneOf(project)->assets.begin()->second;
+        spoilt.pieces[0].shape = *makeShape(std::vector{test::boxOf({0.62, 1.0, 0.5})}, spoilt.pieces[0].shape->mass);
+        for (PlayNeighbours& pair : spoilt.breakings[0].neighbours) pair.seeds.clear();
+        const std::string lighter = spoilt.bake->fragmentId(1), wider = spoilt.bake->fragmentId(0);
+        spoilt.notices = {"Piece " + wider + ": It collides as a box."};
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(spoilt));
+        QVERIFY(audit.hasValue());
+        tell(*audit);
+        const std::string faults = joined(audit->faults);
+        QCOMPARE(audit->resting.piece, lighter);
+        QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
+        QVERIFY2(faults.find("solids than they are: move their seeds") != std::string::npos, faults.c_str());
+        QVERIFY(!audit->lying.piece.empty());
+        QVERIFY2(faults.find("In flight the swap adds to the kinetic energy by ") != std::string::npos, faults.c_str());
+        // The lighter one is the one to mend where it is it that collides as another.
+        spoilt.notices = {"Piece " + lighter + ": It collides as a box."};
+        const Result<SwapAudit> other = swapAudit(project, std::make_shared<const PlayAsset>(spoilt));
+        QVERIFY2(
+            joined(other->faults).find("It collides as a simpler solid than it is: move its seed") != std::string::npos,
+            joined(other->faults).c_str());
     }
     /// A piece that collides as the whole does, and weighs as much.
     void whatIsNotCleanIsToldWithWhatToChange() {
