@@ -69,6 +69,39 @@ private slots:
         QCOMPARE(test::countOf(session, PlayRole::Piece), 9u);
         QCOMPARE(test::countOf(session, PlayRole::Missile), 1u);  // smaller than all, but awake
     }
+    /// The time of a piece runs from when it came, not from the start.
+    void lateDebrisLivesAsLong() {
+        Project project = test::floatingBlock(10);
+        project.debris = {.lifetime = 1.0, .fade = 0.5};
+        Session session = test::sessionOf(project);
+        while (session.stepsDone() < 90) session.step();
+        test::give(session, BreakInput{session.bodies()[1].number});
+        while (session.stepsDone() < 149) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+    }
+    /// What has faded counts no more among those that are too many.
+    void whatFadesMakesRoom() {
+        Session session = brokenBlock({.lifetime = 1.0, .mostPieces = 10});
+        while (session.stepsDone() < 59) session.step();
+        const Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {9.0, 41.0, 0.0}};
+        test::give(session, ShotInput{"box", thrown});
+        session.step();
+        QCOMPARE(session.events().removed.size(), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Missile), 1u);
+    }
+    void whatFliesFarAwayGoes() {
+        Session session = test::sessionOf(test::floatingBlock());
+        const Throw thrown{
+            .size = Vec3(0.2), .mass = 10.0, .from = {0.0, 9.0, 9.0}, .to = {9.0, 9.0, 9.0}, .speed = 500.0};
+        test::give(session, ShotInput{"box", thrown});
+        for (int step = 0; step < 200; ++step) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Missile), 1u);
+        for (int step = 0; step < 100; ++step) session.step();  // 2 km after 4 s
+        QCOMPARE(test::countOf(session, PlayRole::Missile), 0u);
+        QCOMPARE(test::countOf(session, PlayRole::Instance), 1u);
+    }
     void whatFallsOutOfTheWorldGoes() {
         Project project = test::floatingBlock();
         project.gravity = {0.0, -9.81, 0.0};
