@@ -112,7 +112,7 @@ inline void addShots(Project& project) {
                 Throw{.size = Vec3(0.6), .mass = 200.0, .from = {3.5, 2.4, 9.0}, .to = {1.0, 1.6, 3.0}, .speed = 22.0});
     const Id block = addShot(
         project, "block under the roof", kTime,
-        Throw{.size = Vec3(1.4), .mass = 1500.0, .from = {-8.0, 2.2, 0.5}, .to = {-2.5, 1.9, 0.5}, .speed = 35.0});
+        Throw{.size = Vec3(1.4), .mass = 1500.0, .from = {-8.0, 2.2, 0.5}, .to = {-2.5, 1.9, 0.5}, .speed = 38.0});
     const Id ball = addShot(project, "ball at the gable", kTime,
                             Throw{.kind = ProjectileKind::Ball,
                                   .size = Vec3(0.4),
