@@ -65,6 +65,11 @@ bool PlayHands::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonPress: return pressButton(*static_cast<QMouseEvent*>(event));
         case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
         case QEvent::MouseButtonRelease: return releaseButton(*static_cast<QMouseEvent*>(event));
+        case QEvent::Enter:
+            m_pointer = static_cast<QEnterEvent*>(event)->position();
+            m_isPointing = true;
+            aimAgain();
+            break;
         case QEvent::Leave:
             m_isPointing = false;
             aimAgain();

@@ -1,5 +1,6 @@
 #include "editor/panels/IntentPanel.h"
 
+#include "core/fracture/SeedEdits.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/icons/Icon.h"
 #include "editor/panels/IntervalBar.h"

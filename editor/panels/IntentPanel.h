@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/play/Intent.h"
 #include "editor/document/Selection.h"
 #include "editor/play/AssetTrials.h"
 

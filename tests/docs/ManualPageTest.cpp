@@ -54,7 +54,7 @@ private slots:
             ++tables;
             QVERIFY(table->format().cellPadding() > 0.0);
         }
-        QCOMPARE(tables, 6);
+        QCOMPARE(tables, 7);
     }
     void everyPageIsShownFromItsHeadingOn_data() {
         QTest::addColumn<QString>("name");

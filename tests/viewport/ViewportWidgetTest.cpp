@@ -22,7 +22,7 @@ const QPoint kMiddle(240, 180), kCorner(5, 5);
 std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
     const Project project = starterProject();
     AssetBakes bakes;
-    bakes[project.assets[0].id] = std::make_shared<const Bake>(bake(project.assets[0]).value());
+    bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
     return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
 }
 

@@ -88,7 +88,7 @@ private slots:
         ReplayPlayer other = playerOf(test::playSceneOf(altered), m_replay);
         QVERIFY(other.seek(step - 1).hasValue());
         QVERIFY(same.session().hash() == other.session().hash());  // until then nothing differed
-        QVERIFY2(player.divergence()->sentence().starts_with("At step 39 "), player.divergence()->sentence().c_str());
+        QVERIFY2(player.divergence()->sentence().starts_with("At step 38 "), player.divergence()->sentence().c_str());
         QVERIFY(player.divergence()->distance.has_value());
         QCOMPARE(player.divergence()->distance->step, 60u);
     }

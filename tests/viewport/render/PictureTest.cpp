@@ -20,7 +20,7 @@ constexpr double kTolerance = 1.0;
 std::shared_ptr<const RenderScene> houseScene(const SceneOptions& options) {
     const Project house = loadProject(RUBBLE_SOURCE_DIR "/projects/house.rubble").value();
     AssetBakes bakes;
-    for (const Asset& asset : house.assets) bakes[asset.id] = std::make_shared<const Bake>(bake(asset).value());
+    for (const Asset& asset : house.assets) bakes[{asset.id}] = std::make_shared<const Bake>(bake(asset).value());
     return std::make_shared<const RenderScene>(sceneOf(house, bakes, options));
 }
 
