@@ -38,6 +38,9 @@ void* operator new(std::size_t size) { return allocated(size, __STDCPP_DEFAULT_N
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return allocated(size, static_cast<std::size_t>(alignment));
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocated(size, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+}
 void operator delete(void* memory) noexcept { freed(memory); }
 void operator delete(void* memory, std::size_t) noexcept { freed(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { freed(memory); }
