@@ -159,13 +159,14 @@ void IntentPanel::fill() {
     showAudit();
 }
 
-/// The rows are made anew: they are few.
+/// Two rows a sentence, made anew: they are few.
 void IntentPanel::fillRows(const Asset& asset, const ThresholdInterval* interval) {
     while (QLayoutItem* item = m_grid->takeAt(0)) {
         if (item->widget() != nullptr) item->widget()->deleteLater();
         delete item;
     }
     for (std::size_t k = 0; k < asset.intents.size(); ++k) addRow(static_cast<int>(k), asset, k, interval);
+    m_grid->setColumnStretch(2, 1);
     m_rows->setVisible(!asset.intents.empty());
 }
 
@@ -179,7 +180,7 @@ void IntentPanel::addRow(int row, const Asset& asset, std::size_t index, const T
         change(tr("Change sentence"),
                [=](Asset& changed) { changed.intents[index].outcome = static_cast<IntentOutcome>(chosen); });
     });
-    m_grid->addWidget(outcome, row, 0);
+    m_grid->addWidget(outcome, 2 * row, 0);
     const auto addField = [&](int column, double value, const QString& unit, const QString& name, auto set) {
         auto* field = new NumberField;
         field->setRange(FieldRange::aboveZero());
@@ -194,24 +195,25 @@ void IntentPanel::addRow(int row, const Asset& asset, std::size_t index, const T
                 change(tr("Change sentence"), [=](Asset& changed) { set(changed.intents[index], entered); });
             },
             Qt::QueuedConnection);  // the row is made anew by it
-        m_grid->addWidget(field, row, column);
+        m_grid->addWidget(field, 2 * row + 1, column);
     };
     if (const auto* drop = std::get_if<DropIntent>(&intent.event)) {
-        m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
-        addField(2, drop->height, tr("m"), tr("Height"),
+        m_grid->addWidget(new QLabel(tr("a drop of")), 2 * row, 1);
+        addField(0, drop->height, tr("m"), tr("Height"),
                  [](Intent& changed, double value) { std::get<DropIntent>(changed.event).height = value; });
     } else {
         const auto& hit = std::get<HitIntent>(intent.event);
-        m_grid->addWidget(new QLabel(tr("a hit by")), row, 1);
-        addField(2, hit.mass, tr("kg"), tr("Mass"),
+        m_grid->addWidget(new QLabel(tr("a hit by")), 2 * row, 1);
+        addField(0, hit.mass, tr("kg"), tr("Mass"),
                  [](Intent& changed, double value) { std::get<HitIntent>(changed.event).mass = value; });
-        addField(3, hit.speed, tr("m/s"), tr("Speed"),
+        addField(1, hit.speed, tr("m/s"), tr("Speed"),
                  [](Intent& changed, double value) { std::get<HitIntent>(changed.event).speed = value; });
     }
     if (interval != nullptr) {
         auto* impulse = new QLabel(textOf(impulseText(interval->impulses[index])));
         impulse->setToolTip(tr("How hard that hits it"));
-        m_grid->addWidget(impulse, row, 4);
+        impulse->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_grid->addWidget(impulse, 2 * row + 1, 2, 1, 2);
     }
     auto* remove = new QToolButton;
     remove->setIcon(iconNamed("remove"));
@@ -226,7 +228,7 @@ void IntentPanel::addRow(int row, const Asset& asset, std::size_t index, const T
             });
         },
         Qt::QueuedConnection);
-    m_grid->addWidget(remove, row, 5);
+    m_grid->addWidget(remove, 2 * row, 3);
 }
 
 void IntentPanel::change(const QString& text, const std::function<void(Asset&)>& change) {
