@@ -68,6 +68,7 @@ bool PlayHands::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Enter:
             m_pointer = static_cast<QEnterEvent*>(event)->position();
             m_isPointing = true;
+            m_viewport.setFocus();  // who points into the play wants its keys
             aimAgain();
             break;
         case QEvent::Leave:

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Drives the built editor as a user does, from outside: from the start page to a broken house in at most twelve actions, then a
+# changed threshold and another throw in three more. An action is a click, a key, a word typed, or a key held.
+#
+#   play-outside.sh RUBBLE HOUSE      (run by ctest under xvfb-run, with a window manager)
+set -euo pipefail
+rubble=$1
+house=$2
+folder=$(mktemp -d)
+export HOME=$folder XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data LIBGL_ALWAYS_SOFTWARE=1
+mkdir -p "$folder/config/Rubble"
+printf '[preferences]\ntheme=light\n' >"$folder/config/Rubble/Rubble.conf"
+
+openbox >/dev/null 2>&1 &
+manager=$!
+"$rubble" &
+editor=$!
+trap 'kill $manager $editor 2>/dev/null || true; rm -rf "$folder"' EXIT
+
+actions=0
+act() {
+  actions=$((actions + 1))
+  "$@"
+}
+fail() {
+  import -window root "${RUBBLE_FAILURE_PICTURE:-$folder/failure.png}" 2>/dev/null || true
+  printf 'play-outside.sh: %s\n' "$*" >&2
+  exit 1
+}
+until_true() {
+  local end=$((SECONDS + $1))
+  shift
+  while ! "$@" >/dev/null 2>&1; do
+    [ $SECONDS -lt $end ] || return 1
+    sleep 0.3
+  done
+}
+has_title() { xdotool search --onlyvisible --name "$1" | grep -q .; }
+# part <file>: the middle of the window, where the house stands while it is played.
+part() { import -window "$window" -crop "${half}x${half}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" "rgb:$1"; }
+# differs <before> <share in percent>: the middle of the window looks other than it did.
+differs() {
+  part "$folder/now.rgb"
+  local other all
+  other=$(cmp -l "$1" "$folder/now.rgb" | wc -l) || true
+  all=$(stat -c %s "$1")
+  [ $((100 * other)) -gt $(($2 * all)) ]
+}
+throw() {
+  xdotool keydown f
+  sleep 1.5
+  xdotool keyup f
+}
+
+until_true 60 has_title 'Rubble' || fail 'no window came up'
+sleep 3
+window=$(xdotool search --onlyvisible --name 'Rubble' | tail -1)
+xdotool windowactivate --sync "$window" || fail 'the window does not take the focus'
+# 1, 2: a file is opened by its name.
+act xdotool key ctrl+o
+sleep 2
+cp "$house" "$folder/house.rubble"
+act xdotool type --delay 20 "$folder/house.rubble"
+xdotool key Return
+until_true 60 has_title 'house\.rubble' || fail 'the house was not opened'
+sleep 4
+window=$(xdotool search --onlyvisible --name 'house\.rubble' | tail -1)
+eval "$(xdotool getwindowgeometry --shell "$window")"
+half=$((HEIGHT * 35 / 100))
+# 3: play. 4: point at the house. 5: throw.
+act xdotool key ctrl+p
+sleep 4
+act xdotool mousemove $((X + WIDTH * 47 / 100)) $((Y + HEIGHT * 45 / 100))
+sleep 1
+part "$folder/whole.rgb"
+act throw
+until_true 30 differs "$folder/whole.rgb" 10 || fail 'the house looks as before the throw'
+[ $actions -le 12 ] || fail "it took $actions actions"
+
+# 1, 2: another threshold, typed into the inspector. 3: another throw, at another place.
+actions=0
+cp "$folder/now.rgb" "$folder/broken.rgb"
+act xdotool mousemove $((X + WIDTH - 70)) $((Y + 141)) click --repeat 3 --delay 50 1
+sleep 0.5
+act xdotool type --delay 40 '2500'
+xdotool key Return
+until_true 20 has_title 'house\.rubble\*' || fail 'the threshold was not changed'
+xdotool mousemove $((X + WIDTH * 42 / 100)) $((Y + HEIGHT * 42 / 100))
+sleep 1
+act throw
+until_true 30 differs "$folder/broken.rgb" 2 || fail 'the second throw is not seen'
+[ $actions -le 3 ] || fail "it took $actions actions"
+kill -0 $editor || fail 'the editor is gone'
