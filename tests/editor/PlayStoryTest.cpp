@@ -143,10 +143,11 @@ private slots:
         QVERIFY(play().isPlaying());
     }
     void whatWasThrownIsKept() {
-        QTest::qWait(50);
-        QVERIFY(action("play-keep")->isEnabled());
-        QTest::keyClick(m_window, Qt::Key_K, Qt::ControlModifier);
-        QCOMPARE(m_window->workspace().project().shots.back().name, "throw");
+        QApplication::setActiveWindow(m_window);
+        viewport().setFocus();
+        QTRY_VERIFY(action("play-keep")->isEnabled());
+        QTest::keyClick(&viewport(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_COMPARE(QString::fromStdString(m_window->workspace().project().shots.back().name), QString("throw"));
         m_window->workspace().document().undoStack().undo();
     }
     void theProjectIsWhatItWas() {
