@@ -4,27 +4,12 @@
 #include "editor/panels/InstancePage.h"
 #include "editor/panels/MaterialPage.h"
 #include "editor/panels/ScenePage.h"
+#include "editor/panels/Scrolled.h"
 
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace rubble {
-
-namespace {
-
-/// A page in a scroll area of its own, so that each keeps where it was scrolled to.
-QScrollArea* scrolled(QWidget* page) {
-    auto* area = new QScrollArea;
-    area->setWidget(page);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    return area;
-}
-
-}  // namespace
 
 Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent),

@@ -5,6 +5,7 @@
 #include "editor/icons/Icon.h"
 #include "editor/panels/IntervalBar.h"
 #include "editor/panels/NumberField.h"
+#include "editor/panels/Scrolled.h"
 #include "editor/panels/Section.h"
 
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -53,13 +53,9 @@ IntentPanel::IntentPanel(Document& document, const Selection& selection, const B
     rows->addWidget(makeIntents());
     rows->addWidget(makeAudit());
     rows->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(scroll);
+    whole->addWidget(scrolled(content));
     connect(&document, &Document::changed, this, &IntentPanel::fill);
     connect(&selection, &Selection::assetChanged, this, &IntentPanel::fill);
     connect(&bakes, &Bakes::changed, this, &IntentPanel::fill);

@@ -4,6 +4,7 @@
 #include "editor/commands/Renaming.h"
 #include "editor/icons/Icon.h"
 #include "editor/panels/NumberField.h"
+#include "editor/panels/Scrolled.h"
 #include "editor/panels/Section.h"
 
 #include <QComboBox>
@@ -14,7 +15,6 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QScopedValueRollback>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -30,6 +30,7 @@ namespace {
 enum Column { kWhat, kSeen };
 constexpr int kIdRole = Qt::UserRole;       // of a test
 constexpr int kRowRole = Qt::UserRole + 1;  // of an expectation in it; -1: the test itself
+constexpr int kFormWidth = 260;             // at least
 constexpr int kShotRows = 4;                // that are seen at once
 
 /// What an expectation says, and the unit of its number; without one it has none.
@@ -186,12 +187,9 @@ QWidget* PlayTestPanel::makeForm() {
         connect(field, &NumberField::refused, this, &PlayTestPanel::refused);
     rows->addWidget(m_expectationForm);
     rows->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setMinimumWidth(220);
-    return scroll;
+    QScrollArea* form = scrolled(content);
+    form->setMinimumWidth(kFormWidth);
+    return form;
 }
 
 const PlayTest* PlayTestPanel::test() const {

@@ -1,10 +1,10 @@
 #include "editor/panels/ToolsPanel.h"
 
 #include "editor/panels/NumberField.h"
+#include "editor/panels/Scrolled.h"
 #include "editor/panels/Section.h"
 
 #include <QComboBox>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace rubble {
@@ -51,13 +51,9 @@ ToolsPanel::ToolsPanel(const Document& document, PlayController& controller, QWi
              [](PlayTools& tools) -> double& { return tools.grip; });
     rows->addWidget(grip);
     rows->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(scroll);
+    whole->addWidget(scrolled(content));
     connect(&document, &Document::changed, this, &ToolsPanel::offerAssets);
     connect(&controller, &PlayController::toolsChanged, this, &ToolsPanel::show);
     offerAssets();

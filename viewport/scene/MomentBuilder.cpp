@@ -7,6 +7,7 @@
 #include "viewport/scene/Dust.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace rubble {
 namespace {
@@ -260,7 +261,10 @@ void MomentBuilder::paint() {
 /// A scene that nobody looks at, like all moments but for what isWritten() writes.
 std::shared_ptr<RenderScene> MomentBuilder::freeMoment() {
     const auto free = std::ranges::find(m_moments, 1, &std::shared_ptr<RenderScene>::use_count);
-    if (free != m_moments.end()) return *free;
+    if (free != m_moments.end()) {
+        std::atomic_thread_fence(std::memory_order_acquire);  // after what the thread that let go of it read
+        return *free;
+    }
     if (m_moments.size() == kKeptMoments) m_moments.erase(m_moments.begin());
     return m_moments.emplace_back(std::make_shared<RenderScene>(m_layout));
 }

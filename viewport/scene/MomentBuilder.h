@@ -25,7 +25,7 @@ public:
 
     /// The bodies of a session over the scene where they are now; the ground is drawn as any scene's. A few numbers a body, or
     /// for the first moment with something new in it, a few times as much. A scene that nobody holds any more is used
-    /// again: let go of them in the thread that calls this.
+    /// again; any thread may hold it and let go of it.
     ///
     /// Called after each step, it says where bodies were a step before. After anything but one step (a start, several
     /// steps, a way back) nothing moves in the scene; asked again for the same moment it says the same.
