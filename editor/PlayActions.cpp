@@ -41,7 +41,7 @@ PlayActions::PlayActions(MainWindow& window)
     connect(&controller(), &PlayController::rulesChanged, this, &PlayActions::update);
     connect(&controller(), &PlayController::framed, this, [this] {
         m_keep->setEnabled(controller().lastShot().has_value());
-        m_saveReplay->setEnabled(controller().frame()->length > 0);
+        m_saveReplay->setEnabled(controller().isUnderWay() && controller().frame()->length > 0);
     });
     connect(&controller(), &PlayController::said, &window, &MainWindow::say);
     update();
@@ -216,7 +216,8 @@ void PlayActions::update() {
     for (QAction* action : m_speeds->actions())
         action->setChecked(action->data().toDouble() == controller().timeScale());
     m_keep->setEnabled(m_isWorking && isOn && controller().lastShot());
-    m_saveReplay->setEnabled(m_isWorking && isOn && controller().frame() && controller().frame()->length > 0);
+    const bool isUnderWay = controller().isUnderWay() && controller().frame();
+    m_saveReplay->setEnabled(m_isWorking && isUnderWay && controller().frame()->length > 0);
 }
 
 }  // namespace rubble

@@ -36,9 +36,9 @@ Result<std::vector<IntentReport>> reportsOn(const Project& project, std::span<co
     std::vector<IntentReport> reports;
     for (const Id id : assets) {
         const Asset& asset = *findAsset(project, id);
-        const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, bakes->at({id}), task);
-        if (!ready) return ready.error();
-        Result<ThresholdInterval> interval = thresholdInterval(project, **ready);
+        const Result<PlayAsset> whole = playWhole(asset, bakes->at({id}));
+        if (!whole) return whole.error();
+        Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
         if (!interval) return interval.error();
         reports.push_back({asset, std::move(*interval)});
     }

@@ -69,15 +69,20 @@ const PlayBreaking* PlayAsset::breakingOf(std::uint32_t fragment) const {
     return breaking == kNone ? nullptr : &breakings[breaking];
 }
 
+Result<PlayAsset> playWhole(const Asset& asset, std::shared_ptr<const Bake> bake) {
+    PlayAsset ready{.bake = std::move(bake)};
+    Result<std::shared_ptr<const Shape>> whole =
+        toldShape("The whole", wholeHullsInPrism(*ready.bake), ready.bake->whole, ready.notices);
+    if (!whole) return ofAsset(asset, whole.error());
+    ready.whole.shape = std::move(*whole);
+    return ready;
+}
+
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
                                                    const TaskContext& task, FindContacts when) {
-    auto ready = std::make_shared<PlayAsset>();
-    ready->bake = std::move(bake);
-    const MassProperties& mass = ready->bake->whole;
-    Result<std::shared_ptr<const Shape>> whole =
-        toldShape("The whole", wholeHullsInPrism(*ready->bake), mass, ready->notices);
-    if (!whole) return ofAsset(asset, whole.error());
-    ready->whole.shape = std::move(*whole);
+    Result<PlayAsset> whole = playWhole(asset, std::move(bake));
+    if (!whole) return whole.error();
+    const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
     for (const BakedBreaking& baked : ready->bake->breakings) {
         if (const Status appended = appendPieces(baked, task, *ready); !appended) {
             return appended.error().code == ErrorCode::Cancelled ? appended.error() : ofAsset(asset, appended.error());
@@ -88,7 +93,7 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
         ready->breakings.push_back(breakingWith(baked));
         if (when == FindContacts::Beforehand) findContacts(*ready, ready->breakings.back());
     }
-    return std::shared_ptr<const PlayAsset>(std::move(ready));
+    return std::shared_ptr<const PlayAsset>(ready);
 }
 
 }  // namespace rubble

@@ -54,6 +54,9 @@ std::vector<Polytope> wholeHullsInPrism(const Bake& bake);
 /// When it is found out how the pieces of an asset touch: it takes about as long as their first collision.
 enum class FindContacts : std::uint8_t { Beforehand, WhenItBreaks };
 
+/// The whole of a baked asset alone, as if it never broke: what its intents ask of it needs no more. The same as below.
+Result<PlayAsset> playWhole(const Asset& asset, std::shared_ptr<const Bake> bake);
+
 /// Makes a baked asset ready. A solid with more corners than simulation takes moves as the hull of its farthest ones, one too
 /// thin as a box around it, each with the mass of the exact piece; a notice tells of either. A fragment is as tough as its
 /// share of the whole's volume to the power of 2/3: what breaks is an area.

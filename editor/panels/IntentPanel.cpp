@@ -129,8 +129,8 @@ void IntentPanel::fill() {
     std::optional<ThresholdInterval> interval;
     const auto baked = m_bakes.find(at->id);
     if (baked && baked->bake && baked->asset->prism == at->prism) {
-        if (const auto ready = playAsset(*at, baked->bake, {})) {
-            const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), **ready);
+        if (const Result<PlayAsset> whole = playWhole(*at, baked->bake)) {
+            const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), *whole);
             if (found) interval = *found;
             m_verdict->setText(found ? QString() : textOf(found.error().message));
         }
@@ -155,8 +155,11 @@ void IntentPanel::fill() {
     showAudit();
 }
 
-/// Two rows a sentence, made anew: they are few.
+/// Two rows a sentence, made anew where they say something else: they are few.
 void IntentPanel::fillRows(const Asset& asset, const ThresholdInterval* interval) {
+    Shown shown{asset.id, asset.intents, interval != nullptr ? interval->impulses : std::vector<double>{}};
+    if (shown == m_shown) return;
+    m_shown = std::move(shown);
     while (QLayoutItem* item = m_grid->takeAt(0)) {
         if (item->widget() != nullptr) item->widget()->deleteLater();
         delete item;

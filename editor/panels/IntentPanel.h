@@ -54,6 +54,14 @@ private:
     QPushButton* m_fix = nullptr;
     QLabel* m_auditText;
     std::optional<double> m_suggested;  // N s
+    /// What the rows say.
+    struct Shown {
+        Id asset = 0;
+        std::vector<Intent> intents;
+        std::vector<double> impulses;  // N s
+        bool operator==(const Shown&) const = default;
+    };
+    Shown m_shown;
 };
 
 }  // namespace rubble

@@ -91,7 +91,10 @@ PlayTestPanel::PlayTestPanel(Document& document, PlayController& controller, Pla
         update();
     });
     connect(m_tree, &QTreeWidget::itemActivated, this, &PlayTestPanel::showFailure);
-    connect(&document, &Document::changed, this, &PlayTestPanel::fill);
+    connect(&document, &Document::changed, this, [this](const Changes& changes) {
+        const auto isOfIt = [&](Part part) { return changes.isEverything || changes.touches(part); };
+        if (isOfIt(Part::PlayTest) || isOfIt(Part::Shot) || isOfIt(Part::Instance)) fill();
+    });
     connect(&runner, &PlayTestRunner::changed, this, &PlayTestPanel::fill);
     connect(&runner, &PlayTestRunner::said, this, &PlayTestPanel::refused);
     connect(&runner, &PlayTestRunner::progressed, this,

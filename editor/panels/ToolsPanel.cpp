@@ -97,11 +97,13 @@ void ToolsPanel::setUnits(const Units& units) {
 
 /// The three plain kinds, then the project's assets.
 void ToolsPanel::offerAssets() {
+    std::vector<std::pair<Id, std::string>> assets;
+    for (const Asset& asset : m_document.project().assets) assets.emplace_back(asset.id, asset.name);
+    if (m_kind->count() > 0 && assets == m_offered) return;
+    m_offered = std::move(assets);
     m_kind->clear();
     m_kind->addItems({tr("Box"), tr("Ball"), tr("Plank")});
-    for (const Asset& asset : m_document.project().assets) {
-        m_kind->addItem(QString::fromStdString(asset.name), asset.id);
-    }
+    for (const auto& [id, name] : m_offered) m_kind->addItem(QString::fromStdString(name), id);
     PlayTools tools = m_controller.tools();
     if (tools.thrown.kind == ProjectileKind::Asset && !findAsset(m_document.project(), tools.thrown.asset)) {
         tools.thrown.kind = ProjectileKind::Box;

@@ -44,6 +44,7 @@ private:
     QList<NumberField*> m_sizes;
     NumberField* m_mass = nullptr;
     std::vector<Bound> m_fields;
+    std::vector<std::pair<Id, std::string>> m_offered;  // the project's assets
 };
 
 }  // namespace rubble

@@ -71,7 +71,7 @@ void PlayController::stepOnce() {
 }
 
 void PlayController::seek(std::uint64_t step) {
-    if (!isOn()) return;
+    if (!isUnderWay()) return;
     pause();
     m_thread.seek(step);
 }
@@ -148,7 +148,7 @@ void PlayController::fire(const Shot& shot) {
 }
 
 PlayScript PlayController::script() {
-    if (!m_scene) return {};
+    if (!isUnderWay()) return {};  // then nobody would answer
     std::promise<PlayScript> told;
     m_thread.post([&told, settings = m_script.settings](PlayEngine& engine) {
         told.set_value(

@@ -26,6 +26,8 @@ public:
     PlayState state() const { return m_state; }
     bool isOn() const { return m_state != PlayState::Stopped; }
     bool isPlaying() const { return m_state == PlayState::Playing; }
+    /// There are moments to be seen and gone back to: it plays or stands still.
+    bool isUnderWay() const { return m_state == PlayState::Playing || m_state == PlayState::Paused; }
     /// Begins from the start, or goes on.
     void play();
     void pause();

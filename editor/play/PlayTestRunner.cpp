@@ -20,6 +20,7 @@ PlayTestRunner::~PlayTestRunner() {
 
 void PlayTestRunner::forget() {
     cancel();
+    if (m_outcomes.empty()) return;
     m_outcomes.clear();
     emit changed();
 }

@@ -34,45 +34,49 @@ PlayThread::~PlayThread() {
     {
         const std::lock_guard lock(m_mutex);
         m_isQuitting = true;
-        m_cancel.cancel();
+        cancelAll();
     }
     m_woken.notify_all();
     m_thread.join();
 }
 
-void PlayThread::start(Maker maker) {
+void PlayThread::cancelAll() {
+    m_cancelMaking.cancel();
+    m_cancelSeek.cancel();
+}
+
+/// Lets go of what is played for another, or for nothing.
+void PlayThread::replaceBy(Maker maker) {
     const std::lock_guard lock(m_mutex);
-    m_cancel.cancel();
-    m_maker = std::move(maker);
+    cancelAll();
     m_isStopping = true;
+    m_isWanted = maker != nullptr;
+    m_maker = std::move(maker);
     m_tasks.clear();
     m_seek.reset();
     m_news = {};
     m_woken.notify_all();
 }
 
+void PlayThread::start(Maker maker) { replaceBy(std::move(maker)); }
+
 void PlayThread::stop() {
-    const std::lock_guard lock(m_mutex);
-    m_cancel.cancel();
-    m_maker = nullptr;
-    m_isStopping = true;
-    m_isPlaying = false;
-    m_tasks.clear();
-    m_seek.reset();
-    m_news = {};
-    m_woken.notify_all();
+    setPlaying(false);
+    replaceBy(nullptr);
 }
 
 void PlayThread::post(Task task) {
     const std::lock_guard lock(m_mutex);
+    if (!m_isWanted) return;
     m_tasks.push_back(std::move(task));
     m_woken.notify_all();
 }
 
 void PlayThread::seek(std::uint64_t step) {
     const std::lock_guard lock(m_mutex);
+    if (!m_isWanted) return;
     m_seek = step;
-    m_cancel.cancel();  // of the way to where one wanted to go before
+    m_cancelSeek.cancel();  // of the way to where one wanted to go before
     m_woken.notify_all();
 }
 
@@ -168,9 +172,9 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
         return;
     }
     if (m_seek) {
-        m_cancel = CancelToken();
+        m_cancelSeek = CancelToken();
         const std::uint64_t step = *std::exchange(m_seek, std::nullopt);
-        const TaskContext task{.cancel = m_cancel};
+        const TaskContext task{.cancel = m_cancelSeek};
         lock.unlock();
         m_engine->seek(step, task);
         lock.lock();
@@ -184,8 +188,8 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
 void PlayThread::make(std::unique_lock<std::mutex>& lock) {
     const Maker maker = std::exchange(m_maker, nullptr);
     m_isStopping = m_hasEngine = false;
-    m_cancel = CancelToken();
-    const TaskContext task{.cancel = m_cancel};
+    m_cancelMaking = CancelToken();
+    const TaskContext task{.cancel = m_cancelMaking};
     lock.unlock();
     m_engine.reset();
     if (!maker) return lock.lock();
@@ -193,6 +197,9 @@ void PlayThread::make(std::unique_lock<std::mutex>& lock) {
     lock.lock();
     if (m_isQuitting || m_isStopping || m_maker) return;  // something else is wanted by now
     if (!made) {
+        m_isWanted = false;
+        m_tasks.clear();
+        m_seek.reset();
         emit failed(QString::fromStdString(made.error().message));
         return;
     }

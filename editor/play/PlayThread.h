@@ -56,6 +56,8 @@ signals:
     void failed(const QString& sentence);
 
 private:
+    void cancelAll();
+    void replaceBy(Maker maker);
     void run();
     bool isWorkWaiting() const;
     void work(std::unique_lock<std::mutex>& lock);
@@ -73,6 +75,7 @@ private:
     bool m_isQuitting = false;
     bool m_isBusy = false;
     bool m_isPlaying = false;
+    bool m_isWanted = false;  // something is played, or about to be
     bool m_hasEngine = false;
     double m_timeScale = 1.0;
     double m_stepLength = 1.0 / 60.0;
@@ -81,7 +84,8 @@ private:
     bool m_isStopping = false;
     std::deque<Task> m_tasks;
     std::optional<std::uint64_t> m_seek;
-    CancelToken m_cancel;  // of a maker or of a way to another moment
+    CancelToken m_cancelMaking;
+    CancelToken m_cancelSeek;  // of the way to another moment
     PlayNews m_news;
     bool m_isAnnounced = false;
 
