@@ -4,40 +4,19 @@
 #
 #   play-outside.sh RUBBLE HOUSE      (run by ctest under xvfb-run, with a window manager)
 set -euo pipefail
-rubble=$1
-house=$2
-folder=$(mktemp -d)
-export HOME=$folder XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data LIBGL_ALWAYS_SOFTWARE=1
-mkdir -p "$folder/config/Rubble"
-printf '[preferences]\ntheme=light\n' >"$folder/config/Rubble/Rubble.conf"
-
-openbox >/dev/null 2>&1 &
-manager=$!
-"$rubble" &
-editor=$!
-trap 'kill $manager $editor 2>/dev/null || true; rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/desktop.sh"
+cp "$2" "$folder/house.rubble"
 
 actions=0
 act() {
   actions=$((actions + 1))
   "$@"
 }
-fail() {
-  import -window root "${RUBBLE_FAILURE_PICTURE:-$folder/failure.png}" 2>/dev/null || true
-  printf 'play-outside.sh: %s\n' "$*" >&2
-  exit 1
-}
-until_true() {
-  local end=$((SECONDS + $1))
-  shift
-  while ! "$@" >/dev/null 2>&1; do
-    [ $SECONDS -lt $end ] || return 1
-    sleep 0.3
-  done
-}
-has_title() { xdotool search --onlyvisible --name "$1" | grep -q .; }
 # part <file>: the middle of the window, where the house stands while it is played.
-part() { import -window "$window" -crop "${half}x${half}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" "rgb:$1"; }
+part() {
+  local side=$((HEIGHT * 35 / 100))
+  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" "rgb:$1"
+}
 # differs <before> <share in percent>: the middle of the window looks other than it did.
 differs() {
   part "$folder/now.rgb"
@@ -52,21 +31,15 @@ throw() {
   xdotool keyup f
 }
 
-until_true 60 has_title 'Rubble' || fail 'no window came up'
-sleep 3
-window=$(xdotool search --onlyvisible --name 'Rubble' | tail -1)
-xdotool windowactivate --sync "$window" || fail 'the window does not take the focus'
+start_editor "$1"
+take_window 'Rubble'
 # 1, 2: a file is opened by its name.
 act xdotool key ctrl+o
 sleep 2
-cp "$house" "$folder/house.rubble"
 act xdotool type --delay 20 "$folder/house.rubble"
 xdotool key Return
-until_true 60 has_title 'house\.rubble' || fail 'the house was not opened'
-sleep 4
-window=$(xdotool search --onlyvisible --name 'house\.rubble' | tail -1)
-eval "$(xdotool getwindowgeometry --shell "$window")"
-half=$((HEIGHT * 35 / 100))
+take_window '^house\.rubble'
+sleep 3
 # 3: play. 4: point at the house. 5: throw.
 act xdotool key ctrl+p
 sleep 4
@@ -84,7 +57,7 @@ act xdotool mousemove $((X + WIDTH - 70)) $((Y + 141)) click --repeat 3 --delay 
 sleep 0.5
 act xdotool type --delay 40 '2500'
 xdotool key Return
-until_true 20 has_title 'house\.rubble\*' || fail 'the threshold was not changed'
+until_true 20 has_title '^house\.rubble\*' || fail 'the threshold was not changed'
 xdotool mousemove $((X + WIDTH * 42 / 100)) $((Y + HEIGHT * 42 / 100))
 sleep 1
 act throw

@@ -130,6 +130,23 @@ private slots:
         QCOMPARE(stage.controller.frame()->length, 0u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
     }
+    void aSeekWhileThePlayIsPreparedLetsItBegin() {
+        test::Stage stage;
+        QSignalSpy said(&stage.controller, &PlayController::said);
+        stage.controller.play();
+        stage.controller.seek(7);
+        stage.controller.thread().seek(7);  // as one that was under way does
+        stage.settle();
+        QCOMPARE(said.size(), 0);
+        QVERIFY(stage.controller.isPlaying());
+        QCOMPARE(stage.step(), 0u);
+    }
+    void withoutAPlayThereIsNoScript() {
+        test::Stage stage;
+        QVERIFY(stage.controller.script().inputs.empty());
+        stage.controller.play();  // the play is not there yet: nobody would answer
+        QVERIFY(stage.controller.script().inputs.empty());
+    }
     void aThresholdIsFollowedAtOnceAndCanBeUndone() {
         test::Stage stage;
         stage.controller.setTools(heavyBox());
