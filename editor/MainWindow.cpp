@@ -4,6 +4,7 @@
 #include "editor/AssetActions.h"
 #include "editor/EditActions.h"
 #include "editor/FileActions.h"
+#include "editor/FilmExport.h"
 #include "editor/HelpActions.h"
 #include "editor/InstanceActions.h"
 #include "editor/PlayActions.h"
@@ -115,7 +116,7 @@ void MainWindow::showWork() {
 void MainWindow::say(const QString& sentence) { statusBar()->showMessage(sentence, kSayMilliseconds); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_fileActions->mayBeClosed()) return event->ignore();
+    if (!m_playActions->film().mayBeClosed() || !m_fileActions->mayBeClosed()) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (m_isShowingWork) m_views->keepLayout();
     event->accept();

@@ -3,6 +3,7 @@
 #include "core/base/Version.h"
 #include "core/io/ReplayFile.h"
 #include "editor/Action.h"
+#include "editor/FilmExport.h"
 #include "editor/MainWindow.h"
 #include "editor/SceneView.h"
 #include "editor/TaskDialog.h"
@@ -28,7 +29,7 @@ QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 }  // namespace
 
 PlayActions::PlayActions(MainWindow& window)
-    : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Play"), &window)) {
+    : QObject(&window), m_window(window), m_film(new FilmExport(window)), m_menu(new QMenu(tr("&Play"), &window)) {
     addRun();
     m_menu->addSeparator();
     addSpeeds();
@@ -39,10 +40,7 @@ PlayActions::PlayActions(MainWindow& window)
     addReplays();
     connect(&controller(), &PlayController::stateChanged, this, &PlayActions::update);
     connect(&controller(), &PlayController::rulesChanged, this, &PlayActions::update);
-    connect(&controller(), &PlayController::framed, this, [this] {
-        m_keep->setEnabled(controller().lastShot().has_value());
-        m_saveReplay->setEnabled(controller().isUnderWay() && controller().frame()->length > 0);
-    });
+    connect(&controller(), &PlayController::framed, this, &PlayActions::updateRecorded);
     connect(&controller(), &PlayController::said, &window, &MainWindow::say);
     update();
 }
@@ -131,6 +129,7 @@ void PlayActions::addReplays() {
             &PlayActions::saveReplay);
     add({"play-open", tr("&Open Replay…"), tr("Play what was written down, on the project as it is")},
         &PlayActions::openReplay);
+    m_menu->addAction(m_film->action());
 }
 
 void PlayActions::toggle() {
@@ -215,9 +214,15 @@ void PlayActions::update() {
     m_destruction->setChecked(controller().hasDestruction());
     for (QAction* action : m_speeds->actions())
         action->setChecked(action->data().toDouble() == controller().timeScale());
-    m_keep->setEnabled(m_isWorking && isOn && controller().lastShot());
-    const bool isUnderWay = controller().isUnderWay() && controller().frame();
-    m_saveReplay->setEnabled(m_isWorking && isUnderWay && controller().frame()->length > 0);
+    updateRecorded();
+}
+
+/// What is there to be kept or written down.
+void PlayActions::updateRecorded() {
+    m_keep->setEnabled(m_isWorking && controller().isOn() && controller().lastShot());
+    const bool isRecorded =
+        m_isWorking && controller().isUnderWay() && controller().frame() && controller().frame()->length > 0;
+    for (QAction* action : {m_saveReplay, m_film->action()}) action->setEnabled(isRecorded);
 }
 
 }  // namespace rubble

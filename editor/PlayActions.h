@@ -9,6 +9,7 @@ class QMenu;
 
 namespace rubble {
 
+class FilmExport;
 class MainWindow;
 class PlayController;
 
@@ -20,6 +21,7 @@ public:
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
+    FilmExport& film() const { return *m_film; }
     /// On the start page there is nothing to play.
     void setWorking(bool isWorking);
 
@@ -36,9 +38,11 @@ private:
     void saveReplay();
     void openReplay();
     void update();
+    void updateRecorded();
     PlayController& controller() const;
 
     MainWindow& m_window;
+    FilmExport* m_film;
     QMenu* m_menu;
     QAction* m_play = nullptr;
     QAction* m_pause = nullptr;

@@ -4,6 +4,7 @@
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
 #include "editor/play/AssetTrials.h"
+#include "editor/play/FilmMaker.h"
 #include "editor/play/PlayController.h"
 #include "editor/play/PlayTestRunner.h"
 
@@ -25,6 +26,7 @@ public:
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
     PlayTestRunner& playTests() { return m_playTests; }
+    FilmMaker& films() { return m_films; }
     AssetTrials& trials() { return m_trials; }
 
     /// The asset at hand; null where there is none.
@@ -40,6 +42,7 @@ private:
     PlayController m_play;
     PlayTestRunner m_playTests;
     AssetTrials m_trials;
+    FilmMaker m_films;
 };
 
 }  // namespace rubble

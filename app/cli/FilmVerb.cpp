@@ -3,59 +3,46 @@
 #include "app/cli/PlayOptions.h"
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
-#include "core/io/AtomicFile.h"
-#include "core/io/MadeFolders.h"
+#include "core/io/FilmFile.h"
+#include "core/io/PictureSequence.h"
 #include "core/io/ProjectFile.h"
-#include "viewport/render/Picture.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/film/Film.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 #include <optional>
-#include <ostream>
 
 namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Plays a project and draws it at step 0 and every so many steps after it, seen from one place. Pictures are named
-FOLDER/frame-0000.png and so on; each is written whole or not at all, and a film that is stopped keeps those it has. A
-folder that holds such pictures is refused. With --compare each picture shows the same moment twice, side by side:
-without destruction on the left, with it on the right, each in --size.
+    R"(Plays a project and draws it at a step and every so many steps after it, seen from one place. Pictures are named
+FOLDER/frame-0000.png and so on; each is written whole or not at all, and a sequence that is stopped keeps those it has. A
+folder that holds such pictures is refused. Where ffmpeg is installed, FILM.mp4 (or .mkv, .mov, .webm) makes a film of
+them, whole or not at all. With --compare each picture shows the same moment twice, side by side: without destruction on
+the left, with it on the right, each in --size.
 
 Examples:
-  rubble-cli film house.rubble film --steps 300 --every 2 --shot "block under the roof"
-  rubble-cli film house.rubble both --steps 120 --compare --size 640x480 --shot "box at the door"
-  ffmpeg -framerate 30 -i film/frame-%04d.png -pix_fmt yuv420p film.mp4)";
+  rubble-cli film house.rubble hit.mp4 --steps 300 --shot "block under the roof"
+  rubble-cli film house.rubble slow.mp4 --from 40 --steps 120 --rate 12 --shot "block under the roof"
+  rubble-cli film house.rubble both --steps 120 --every 2 --compare --size 640x480 --shot "box at the door")";
 
-constexpr int kMostFrames = 10'000;  // four digits
-constexpr int kGap = 8;              // pixels between two pictures that are compared
+constexpr double kMostPicturesASecond = 240.0;  // pictures a second; no screen shows more
 
 struct FilmOptions {
     std::string file;
-    std::string folder;
+    std::string place;
     PictureOptions picture{.samples = 8};
     PlayOptions play;
+    int first = 0;
     int steps = 0;
     int every = 1;
+    std::optional<double> rate;  // pictures a second; else as fast as it was played
     bool isCompared = false;
     int threads = 1;
 };
-
-/// A session, and what draws it.
-struct Take {
-    Session session;
-    std::unique_ptr<MomentBuilder> builder;
-};
-
-std::filesystem::path frameFile(const FilmOptions& options, int frame) {
-    char name[32];
-    std::snprintf(name, sizeof name, "frame-%04d.png", frame);
-    return std::filesystem::path(options.folder) / name;
-}
 
 /// Without destruction and with it, where the two are compared; else one.
 Result<std::vector<Take>> takesOf(const ProjectInPlay& play, const FilmOptions& options) {
@@ -68,63 +55,37 @@ Result<std::vector<Take>> takesOf(const ProjectInPlay& play, const FilmOptions& 
     for (const PlayOptions& one : plays) {
         Result<Session> session = startedSession(play, one, options.threads);
         if (!session) return session.error();
-        takes.push_back(
-            {std::move(*session), std::make_unique<MomentBuilder>(play.scene, sceneOptions(options.picture))});
-        takes.back().builder->setOverlays(playOverlays(options.picture));
+        takes.emplace_back(play.scene, std::move(*session), std::vector<TimedInput>(), sceneOptions(options.picture),
+                           playOverlays(options.picture));
     }
     return takes;
 }
 
-/// The moment of all takes after so many steps, side by side.
-Result<Image> frameOf(std::vector<Take>& takes, PictureMaker& maker, const PictureView& view, int samples,
-                      std::uint64_t step, const CliContext& context, const TaskContext& task) {
-    std::optional<Image> frame;
-    for (Take& take : takes) {
-        const auto moment = momentAfter(*take.builder, take.session, step, context, task);
-        if (!moment) return moment.error();
-        Result<Image> image = maker.pictureOf(*moment, view, samples, task);
-        if (!image) return image.error();
-        frame = frame ? besideEachOther(*frame, *image, kGap) : std::move(*image);
+Result<FilmPlan> planOf(const FilmOptions& options) {
+    if (options.first > options.steps) {
+        return Error{ErrorCode::BadInput, "The film would begin at step " + std::to_string(options.first) +
+                                              " and end at step " + std::to_string(options.steps) + "."};
     }
-    return std::move(*frame);
-}
-
-/// Refuses a folder in which the pictures of two films would be mixed.
-Status unusedFolder(const FilmOptions& options) {
-    std::error_code ignored;  // a folder that is not there has nothing in it
-    for (const auto& entry : std::filesystem::directory_iterator(options.folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
-        return Error{ErrorCode::BadInput, options.folder + " holds a film already: " + name +
-                                              ". Give another folder, or remove its pictures."};
+    const int pictures = picturesBetween(options.first, options.steps, options.every);
+    if (pictures > kMostPictures) {
+        return Error{ErrorCode::BadInput, "These are " + std::to_string(pictures) + " pictures; a film can have " +
+                                              std::to_string(kMostPictures) + ". --every takes fewer."};
     }
-    return success();
-}
-
-Status shoot(std::vector<Take>& takes, const FilmOptions& options, const CliContext& context, const TaskContext& task) {
-    Result<PictureMaker> maker = PictureMaker::made();
-    if (!maker) return maker.error();
-    const Box3 framed = withRoomToFall(boundsOf(*takes.front().builder->momentOf(takes.front().session)));
-    const PictureView view = pictureView(options.picture, framed);
-    const int frames = options.steps / options.every + 1;
-    const TaskContext part{.cancel = task.cancel};
-    for (int frame = 0; frame < frames; ++frame) {
-        const auto step = static_cast<std::uint64_t>(frame) * static_cast<std::uint64_t>(options.every);
-        const Result<Image> image = frameOf(takes, *maker, view, options.picture.samples, step, context, part);
-        if (!image) return image.error();
-        const Result<std::string> png = pngOf(*image);
-        if (!png) return png.error();
-        if (const Status written = writeFileAtomically(frameFile(options, frame), *png); !written) return written;
-        task.report(static_cast<double>(frame + 1) / frames);
-    }
-    return success();
+    const double asPlayed = 1.0 / (options.play.stepLength * options.every);
+    return FilmPlan{.samples = options.picture.samples,
+                    .first = static_cast<double>(options.first),
+                    .every = static_cast<double>(options.every),
+                    .pictures = pictures,
+                    .rate = options.rate.value_or(std::min(asPlayed, kMostPicturesASecond))};
 }
 
 Status film(const FilmOptions& options, const CliContext& context) {
-    const int frames = options.steps / options.every + 1;
-    if (frames > kMostFrames) {
-        return Error{ErrorCode::BadInput, "These are " + std::to_string(frames) + " pictures; a film can have " +
-                                              std::to_string(kMostFrames) + ". --every takes fewer."};
+    Result<FilmPlan> plan = planOf(options);
+    if (!plan) return plan.error();
+    const bool isFilm = isFilmPath(options.place);
+    if (isFilm && !ffmpegProgram()) {
+        return Error{ErrorCode::NotFound,
+                     "There is no ffmpeg on this machine to make a film with; give a folder to get its pictures."};
     }
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<Project> project = loadProject(options.file);
@@ -136,27 +97,32 @@ Status film(const FilmOptions& options, const CliContext& context) {
     }
     Result<std::vector<Take>> takes = takesOf(*play, options);
     if (!takes) return takes.error();
-    if (const Status unused = unusedFolder(options); !unused) return unused;
-    MadeFolders folders;
-    if (const Status made = folders.make(options.folder); !made) return made;
+    plan->view = pictureView(options.picture, withRoomToFall(boundsOf(*takes->front().moment())));
     ProgressLine line(context, "Filming");
     task.progress = [&line](double fraction) { line.show(fraction); };
-    const Status shot = shoot(*takes, options, context, task);
+    const Status shot = isFilm ? filmFile(*takes, *plan, options.place, task)
+                               : filmPictures(*takes, *plan, options.place, Unfinished::Kept, task);
     line.clear();
+    for (Take& take : *takes) tellNotices(take, context);
     if (!shot) return shot;
-    return writeOutput("-", std::to_string(frames) + " pictures in " + options.folder + "\n", context);
+    return writeOutput("-", std::to_string(plan->pictures) + " pictures in " + options.place + "\n", context);
 }
 
 }  // namespace
 
 Verb addFilm(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("film", "Draw a project in play as a sequence of PNG pictures");
+    CLI::App* command =
+        program.add_subcommand("film", "Draw a project in play as a sequence of PNG pictures, or a film");
     const auto options = std::make_shared<FilmOptions>();
     command->footer(kFooter);
     command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    command->add_option("FOLDER", options->folder, "Where to write the pictures; made where it is not there")
+    command
+        ->add_option("FOLDER", options->place, "Where to write the pictures, made where it is not there; or FILM.mp4")
         ->required()
         ->type_name("");
+    command->add_option("--from", options->first, "The step of the first picture: 0 if not given")
+        ->check(numberBetween(0, kMostSteps))
+        ->option_text("STEP");
     command->add_option("--steps", options->steps, "How many steps to play")
         ->required()
         ->check(numberBetween(0, kMostSteps))
@@ -164,6 +130,9 @@ Verb addFilm(CLI::App& program) {
     command->add_option("--every", options->every, "Steps from picture to picture: 1 if not given")
         ->check(numberBetween(1, kMostSteps))
         ->option_text("K");
+    command->add_option("--rate", options->rate, "Pictures a second, of a film: as fast as it was played if not given")
+        ->check(numberBetween(1.0, kMostPicturesASecond))
+        ->option_text("N");
     addPlayOptions(*command, options->play);
     command->add_flag("--compare", options->isCompared, "Without destruction and with it, side by side")
         ->option_text(" ");  // or CLI11 tells of --no-destruction there

@@ -2,7 +2,6 @@
 
 #include "app/cli/CommonOptions.h"
 #include "app/cli/PictureWords.h"
-#include "app/cli/PlayOptions.h"
 #include "viewport/render/Picture.h"
 
 #include <CLI/CLI.hpp>
@@ -89,23 +88,6 @@ PlayOverlays playOverlays(const PictureOptions& options) {
         if (std::ranges::find(options.overlays, overlay.word) != options.overlays.end()) overlays.*overlay.flag = true;
     }
     return overlays;
-}
-
-Result<std::shared_ptr<const RenderScene>> momentAfter(MomentBuilder& builder, Session& session, std::uint64_t step,
-                                                       const CliContext& context, const TaskContext& task) {
-    const auto second = static_cast<std::uint64_t>(1.0 / session.stepLength());
-    if (step > second) {
-        if (const Status played = playTo(session, step - second, context, task); !played) return played.error();
-    }
-    const TaskContext quiet{.cancel = task.cancel};
-    std::shared_ptr<const RenderScene> moment = builder.momentOf(session);
-    while (session.stepsDone() < step) {
-        if (const Status played = playTo(session, session.stepsDone() + 1, context, quiet); !played) {
-            return played.error();
-        }
-        moment = builder.momentOf(session);
-    }
-    return moment;
 }
 
 Box3 withRoomToFall(Box3 box) {

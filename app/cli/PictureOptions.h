@@ -39,13 +39,6 @@ SceneOptions sceneOptions(const PictureOptions& options);
 
 PlayOverlays playOverlays(const PictureOptions& options);
 
-/// Takes a session to a step as playTo() does, and draws it then. Of the second before it every moment is made: heat cools
-/// down from step to step.
-///
-/// Errors: Cancelled.
-Result<std::shared_ptr<const RenderScene>> momentAfter(MomentBuilder& builder, Session& session, std::uint64_t step,
-                                                       const CliContext& context, const TaskContext& task);
-
 /// A box with room around it for what falls off it and is flung from it.
 Box3 withRoomToFall(Box3 box);
 

@@ -38,6 +38,10 @@ Result<Session> startedSession(const ProjectInPlay& play, const PlayOptions& opt
     return session;
 }
 
+void tellNotices(Take& take, const CliContext& context) {
+    for (const std::string& notice : take.takeNotices()) context.err << notice << '\n';
+}
+
 Status playTo(Session& session, std::uint64_t step, const CliContext& context, const TaskContext& task) {
     const std::uint64_t first = session.stepsDone();
     while (session.stepsDone() < step) {

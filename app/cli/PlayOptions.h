@@ -2,7 +2,7 @@
 
 #include "app/cli/ChosenShots.h"
 #include "core/base/TaskContext.h"
-#include "core/play/Session.h"
+#include "viewport/scene/Take.h"
 
 namespace rubble {
 
@@ -35,6 +35,9 @@ Result<ProjectInPlay> projectInPlay(const Project& project, const PlayOptions& o
 ///
 /// Errors: those of Session::start() and Session::add().
 Result<Session> startedSession(const ProjectInPlay& play, const PlayOptions& options, int threads);
+
+/// Hands what a take has to tell on to `context.err`.
+void tellNotices(Take& take, const CliContext& context);
 
 /// Takes a session to a step. Sentences that it has to tell go to `context.err`.
 ///

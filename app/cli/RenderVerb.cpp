@@ -87,13 +87,13 @@ Result<Subject> momentAt(const RenderOptions& options, const CliContext& context
     if (play->scene->project.instances.empty()) return nothingToDraw();
     Result<Session> session = startedSession(*play, options.play, options.threads);
     if (!session) return session.error();
-    MomentBuilder builder(play->scene, sceneOptions(options.picture));
-    builder.setOverlays(playOverlays(options.picture));
-    const Box3 framed = withRoomToFall(boundsOf(*builder.momentOf(*session)));
+    Take take(play->scene, std::move(*session), {}, sceneOptions(options.picture), playOverlays(options.picture));
+    const Box3 framed = withRoomToFall(boundsOf(*take.moment()));
     ProgressLine line(context, "Simulating");
     task.progress = [&line](double fraction) { line.show(fraction); };
-    const auto moment = momentAfter(builder, *session, static_cast<std::uint64_t>(*options.step), context, task);
+    const auto moment = take.momentAfter(static_cast<std::uint64_t>(*options.step), task);
     line.clear();
+    tellNotices(take, context);
     if (!moment) return moment.error();
     return Subject{*moment, framed};
 }

@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 namespace rubble {
@@ -162,6 +164,17 @@ Result<ChildOutcome> runChild(const std::filesystem::path& program, const std::v
     if (listening == Listening::Cancelled) return TaskContext::cancelled();
     tellEnd(outcome, listening, status);
     return outcome;
+}
+
+std::optional<std::filesystem::path> programInPath(const std::string& name) {
+    const char* folders = std::getenv("PATH");
+    std::istringstream list(folders != nullptr ? folders : "");
+    for (std::string folder; std::getline(list, folder, ':');) {
+        std::error_code ignored;
+        const std::filesystem::path path = std::filesystem::path(folder) / name;
+        if (std::filesystem::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0) return path;
+    }
+    return std::nullopt;
 }
 
 }  // namespace rubble

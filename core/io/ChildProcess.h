@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,8 @@ struct ChildOutcome {
 /// Errors: Io where it cannot be started, with the path and the system's reason; Cancelled.
 Result<ChildOutcome> runChild(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                               const ChildLimits& limits, const TaskContext& context);
+
+/// Where a program of this name lies that the user may run: in the first such folder of PATH; nothing where there is none.
+std::optional<std::filesystem::path> programInPath(const std::string& name);
 
 }  // namespace rubble

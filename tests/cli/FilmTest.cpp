@@ -1,3 +1,4 @@
+#include "tests/support/Ffmpeg.h"
 #include "tests/support/Pictures.h"
 
 #include <QDir>
@@ -10,6 +11,7 @@
 #include <csignal>
 
 using rubble::test::meanDifference;
+namespace test = rubble::test;
 
 namespace {
 
@@ -27,6 +29,13 @@ struct Outcome {
 Outcome film(const QTemporaryDir& place, const QStringList& options) {
     QProcess program;
     startFilm(program, place, options);
+    program.waitForFinished(120000);
+    return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
+}
+
+Outcome run(const QStringList& arguments) {
+    QProcess program;
+    program.start(RUBBLE_CLI, arguments);
     program.waitForFinished(120000);
     return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
 }
@@ -75,6 +84,38 @@ private slots:
         QCOMPARE(outcome.err, place.filePath("film").toUtf8() +
                                   " holds a film already: frame-0000.png. Give another folder, or remove its "
                                   "pictures.\n");
+    }
+    void aFilmIsMadeWhereThereIsFfmpeg() {
+        const QTemporaryDir place;
+        const QString path = place.filePath("hit.mp4");
+        const QStringList options{"film", RUBBLE_SOURCE_DIR "/projects/house.rubble",
+                                  path,   "--samples",
+                                  "0",    "--from",
+                                  "10",   "--steps",
+                                  "30",   "--every",
+                                  "10",   "--size",
+                                  "18x12"};
+        {
+            const test::Ffmpeg none;
+            const Outcome outcome = run(options);
+            QCOMPARE(outcome.exit, 1);
+            QCOMPARE(outcome.err,
+                     QByteArray("There is no ffmpeg on this machine to make a film with; give a folder to get its "
+                                "pictures.\n"));
+        }
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        const Outcome outcome = run(options);
+        QCOMPARE(outcome.err, QByteArray());
+        QCOMPARE(outcome.out, "3 pictures in " + path.toUtf8() + "\n");
+        QFile film(path);
+        QVERIFY(film.open(QIODevice::ReadOnly));
+        QVERIFY(film.readAll().contains("-framerate\n6\n"));  // as fast as it was played
+    }
+    void itBeginsBeforeItEnds() {
+        const QTemporaryDir place;
+        const Outcome outcome = film(place, {"--from", "20", "--steps", "10"});
+        QCOMPARE(outcome.exit, 1);
+        QCOMPARE(outcome.err, QByteArray("The film would begin at step 20 and end at step 10.\n"));
     }
     void controlCKeepsWholePicturesOnly() {
         const QTemporaryDir place;

@@ -56,6 +56,11 @@ private slots:
         QCOMPARE(outcome.error().message,
                  std::string("Cannot start \"/nowhere/rubble-importer\": No such file or directory."));
     }
+    void programsAreFoundInPath() {
+        QVERIFY(programInPath("sh").has_value());
+        QVERIFY(!programInPath("no-such-program"));
+        QVERIFY(!programInPath("."));  // a folder is none
+    }
     void theCallerCanStopIt() {
         const TaskContext context;
         std::thread canceller([&] {

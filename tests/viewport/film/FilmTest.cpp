@@ -1,0 +1,140 @@
+#include "viewport/film/Film.h"
+
+#include "core/io/FilmFile.h"
+#include "tests/support/Ffmpeg.h"
+#include "tests/support/FileLimits.h"
+#include "tests/support/Pictures.h"
+#include "tests/support/Sessions.h"
+
+#include <QDir>
+#include <QImage>
+
+using namespace rubble;
+
+namespace {
+
+/// A box that flies across the picture, 1 m each ten steps.
+std::vector<Take> flights(int count = 1) {
+    const auto scene = test::playSceneOf(test::floatingBlock());
+    std::vector<Take> takes;
+    for (int k = 0; k < count; ++k) {
+        Throw thrown{.size = Vec3(0.5), .mass = 1.0, .from = {-3.0, 7.0, 0.0}, .to = {3.0, 7.0, 0.0}, .speed = 6.0};
+        takes.emplace_back(scene, Session::start(scene).value(),
+                           std::vector<TimedInput>{{0, ShotInput{"throw", thrown}}});
+    }
+    return takes;
+}
+
+FilmPlan plan(int pictures, double first = 0.0, double every = 1.0) {
+    PictureView view{.camera = {.target = {0.0, 6.0, 0.0}, .distance = 14.0}, .size = {160, 90}};
+    return {.view = view, .samples = 0, .first = first, .every = every, .pictures = pictures, .rate = 30.0};
+}
+
+}  // namespace
+
+class FilmTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { m_place = std::make_unique<QTemporaryDir>(); }
+
+    void picturesAreCounted() {
+        QCOMPARE(picturesBetween(0.0, 10.0, 1.0), 11);
+        QCOMPARE(picturesBetween(0.0, 10.0, 3.0), 4);
+        QCOMPARE(picturesBetween(5.0, 5.0, 2.0), 1);
+        QCOMPARE(picturesBetween(0.0, 3.0, 0.1), 31);
+        QVERIFY(picturesBetween(0.0, 1e9, 1e-9) > 0);
+    }
+    void momentsBecomePictures() {
+        QVERIFY(film(flights(), plan(3, 4.0, 8.0)));
+        QCOMPARE(names(), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
+        QVERIFY(boxAt(0) > 0 && boxAt(0) < boxAt(1) && boxAt(1) < boxAt(2));
+    }
+    void betweenTwoStepsThingsAreOnTheirWay() {
+        QVERIFY(film(flights(), plan(5, 10.0, 0.25)));
+        for (int k = 0; k < 4; ++k) QVERIFY(test::meanDifference(picture(k), picture(k + 1)) > 0.0);
+        QVERIFY(boxAt(0) <= boxAt(2) && boxAt(2) <= boxAt(4) && boxAt(0) < boxAt(4));
+    }
+    void takesAreSideBySide() {
+        QVERIFY(film(flights(2), plan(1, 20.0)));
+        const QImage both = picture(0);
+        QCOMPARE(both.size(), QSize(160 + 8 + 160, 90));
+        QVERIFY(test::meanDifference(both.copy(0, 0, 160, 90), both.copy(168, 0, 160, 90)) == 0.0);
+    }
+    void aCancelledFilmLeavesNothing() {
+        QCOMPARE(cancelled(Unfinished::Removed).error().code, ErrorCode::Cancelled);
+        QVERIFY(QDir(m_place->path()).isEmpty());
+        QCOMPARE(cancelled(Unfinished::Kept).error().code, ErrorCode::Cancelled);
+        QCOMPARE(names(), (QStringList{"frame-0000.png", "frame-0001.png"}));
+    }
+    void aFullDiskIsToldAndNothingIsLeft() {
+        const FileSizeLimit full(1000);
+        std::vector<Take> takes = flights();
+        const Status shot = filmPictures(takes, plan(3), folder(), Unfinished::Removed);
+        QCOMPARE(shot.error().code, ErrorCode::Io);
+        QVERIFY2(shot.error().message.ends_with("File too large."), shot.error().message.c_str());
+        QVERIFY(QDir(m_place->path()).isEmpty());
+    }
+    void ffmpegMakesAFilmOfThem() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        std::vector<Take> takes = flights();
+        double last = 0.0;
+        TaskContext task;
+        task.progress = [&](double fraction) { last = fraction; };
+        const Status shot = filmFile(takes, plan(2), m_place->filePath("a.mp4").toStdString(), task);
+        QVERIFY2(shot.hasValue(), shot ? "" : shot.error().message.c_str());
+        QVERIFY(last > 0.5 && last < 1.0);  // when the pictures are there
+        QCOMPARE(QDir(m_place->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                 QStringList{"a.mp4"});
+    }
+    void whereFfmpegFailsNothingIsLeft() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kFails);
+        std::vector<Take> takes = flights();
+        QCOMPARE(filmFile(takes, plan(2), m_place->filePath("a.mp4").toStdString()).error().code, ErrorCode::Io);
+        QVERIFY(QDir(m_place->path()).isEmpty());
+    }
+
+private:
+    std::string folder() const { return m_place->filePath("film").toStdString(); }
+    QStringList names() const { return QDir(m_place->filePath("film")).entryList(QDir::Files, QDir::Name); }
+    bool film(std::vector<Take> takes, const FilmPlan& plan) {
+        const Status shot = filmPictures(takes, plan, folder(), Unfinished::Removed);
+        if (!shot) qWarning("%s", shot.error().message.c_str());
+        return shot.hasValue();
+    }
+    Status cancelled(Unfinished unfinished) {
+        std::vector<Take> takes = flights();
+        TaskContext task;
+        task.progress = [&task](double fraction) {
+            if (fraction >= 0.5) task.cancel.cancel();
+        };
+        return filmPictures(takes, plan(4), folder(), unfinished, task);
+    }
+    QImage picture(int k) const {
+        return QImage(m_place->filePath(QString("film/frame-000%1.png").arg(k))).convertToFormat(QImage::Format_RGB888);
+    }
+    /// The column of the thrown box's middle, by where the picture is not as without it: 0 where it is not seen.
+    int boxAt(int k) {
+        if (m_empty.isNull()) {
+            std::vector<Take> takes = flights();
+            const auto empty = m_place->filePath("empty");
+            if (!filmPictures(takes, plan(1), empty.toStdString(), Unfinished::Removed)) qFatal("no picture");
+            m_empty = QImage(empty + "/frame-0000.png").convertToFormat(QImage::Format_RGB888);
+        }
+        const QImage now = picture(k);
+        int sum = 0, count = 0;
+        for (int y = 0; y < 40; ++y) {  // above the block
+            for (int x = 0; x < now.width(); ++x) {
+                if (std::abs(qGray(now.pixel(x, y)) - qGray(m_empty.pixel(x, y))) < 12) continue;
+                sum += x;
+                ++count;
+            }
+        }
+        return count == 0 ? 0 : sum / count;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_place;
+    QImage m_empty;
+};
+
+QTEST_GUILESS_MAIN(FilmTest)
+#include "FilmTest.moc"
