@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <future>
+#include <utility>
 
 namespace rubble {
 
@@ -41,6 +42,7 @@ void PlayController::pause() {
 void PlayController::stop() {
     m_thread.stop();
     m_isWaitingForBakes = false;
+    m_waiting.clear();
     m_scene.reset();
     m_frame.reset();
     m_breaks.clear();
@@ -64,10 +66,16 @@ void PlayController::replay(PlayScript script) {
     prepare(std::move(script));
 }
 
+/// Has something done in the play, or in the one that will begin.
+void PlayController::post(PlayThread::Task task) {
+    if (m_isWaitingForBakes) return m_waiting.push_back(std::move(task));
+    m_thread.post(std::move(task));
+}
+
 void PlayController::stepOnce() {
     if (!isOn()) return;
     pause();
-    m_thread.post([](PlayEngine& engine) { engine.step(); });
+    post([](PlayEngine& engine) { engine.step(); });
 }
 
 void PlayController::seek(std::uint64_t step) {
@@ -86,14 +94,15 @@ void PlayController::setTimeScale(double scale) {
 void PlayController::setDestruction(bool isOn) {
     if (m_hasDestruction == isOn) return;
     m_hasDestruction = isOn;
-    m_thread.post([isOn](PlayEngine& engine) { engine.add(DestructionInput{isOn}); });
+    if (this->isOn()) m_askedDestruction = isOn;
+    post([isOn](PlayEngine& engine) { engine.add(DestructionInput{isOn}); });
     emit rulesChanged();
 }
 
 void PlayController::setOverlays(const PlayOverlays& overlays) {
     if (m_overlays == overlays) return;
     m_overlays = overlays;
-    m_thread.post([overlays](PlayEngine& engine) { engine.setOverlays(overlays); });
+    post([overlays](PlayEngine& engine) { engine.setOverlays(overlays); });
     emit rulesChanged();
 }
 
@@ -115,36 +124,35 @@ Throw charged(Throw thrown, double charge) {
 void PlayController::aim(const std::optional<Ray>& ray, double charge) {
     std::optional<Throw> thrown;
     if (ray) thrown = charged(m_tools.thrown, charge);
-    m_thread.post([thrown, ray](PlayEngine& engine) { engine.aim(thrown, ray.value_or(Ray{})); });
+    post([thrown, ray](PlayEngine& engine) { engine.aim(thrown, ray.value_or(Ray{})); });
 }
 
 void PlayController::throwAlong(const Ray& ray, double charge) {
-    m_thread.post(
-        [thrown = charged(m_tools.thrown, charge), ray](PlayEngine& engine) { engine.throwAlong(thrown, ray); });
+    post([thrown = charged(m_tools.thrown, charge), ray](PlayEngine& engine) { engine.throwAlong(thrown, ray); });
 }
 
 void PlayController::strikeAlong(const Ray& ray) {
-    m_thread.post([blow = m_tools.blow, ray](PlayEngine& engine) { engine.strikeAlong(blow, ray); });
+    post([blow = m_tools.blow, ray](PlayEngine& engine) { engine.strikeAlong(blow, ray); });
 }
 
 void PlayController::blastAlong(const Ray& ray) {
-    m_thread.post([blast = m_tools.blast, ray](PlayEngine& engine) { engine.blastAlong(blast, ray); });
+    post([blast = m_tools.blast, ray](PlayEngine& engine) { engine.blastAlong(blast, ray); });
 }
 
 void PlayController::grabAlong(const Ray& ray) {
-    m_thread.post([grip = m_tools.grip, ray](PlayEngine& engine) { engine.grabAlong(grip, ray); });
+    post([grip = m_tools.grip, ray](PlayEngine& engine) { engine.grabAlong(grip, ray); });
 }
 
 void PlayController::dragAlong(const Ray& ray) {
-    m_thread.post([ray](PlayEngine& engine) { engine.dragAlong(ray); });
+    post([ray](PlayEngine& engine) { engine.dragAlong(ray); });
 }
 
 void PlayController::letGo() {
-    m_thread.post([](PlayEngine& engine) { engine.letGo(); });
+    post([](PlayEngine& engine) { engine.letGo(); });
 }
 
 void PlayController::fire(const Shot& shot) {
-    m_thread.post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
+    post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
 }
 
 PlayScript PlayController::script() {
@@ -163,6 +171,8 @@ void PlayController::prepareAnew() {
 
 void PlayController::prepare(PlayScript script) {
     m_script = std::move(script);
+    m_waiting.clear();
+    m_askedDestruction.reset();
     setState(PlayState::Preparing);
     m_isWaitingForBakes = true;
     tryToStart();
@@ -181,6 +191,8 @@ void PlayController::tryToStart() {
         if (engine) (*engine)->setOverlays(overlays);
         return engine;
     });
+    for (PlayThread::Task& task : m_waiting) m_thread.post(std::move(task));
+    m_waiting.clear();
 }
 
 void PlayController::follow() {
@@ -189,12 +201,19 @@ void PlayController::follow() {
     const std::optional<std::vector<PlayInput>> inputs = liveInputs(m_played, m_document.project());
     if (!inputs) return prepareAnew();
     m_played = m_document.project();
-    for (const PlayInput& input : *inputs) m_thread.post([input](PlayEngine& engine) { engine.add(input); });
+    for (const PlayInput& input : *inputs) post([input](PlayEngine& engine) { engine.add(input); });
 }
 
 double PlayController::share() const {
     if (!m_frame || m_frame->shownFor <= 0.0) return 1.0;
     return std::clamp((m_thread.now() - m_frame->shownFrom) / m_frame->shownFor, 0.0, 1.0);
+}
+
+/// What the user has asked for is so, though older moments that are still to come do not know of it.
+void PlayController::takeDestruction(const PlayFrame& frame) {
+    if (m_isWaitingForBakes || (m_askedDestruction && *m_askedDestruction != frame.hasDestruction)) return;
+    m_askedDestruction.reset();
+    if (std::exchange(m_hasDestruction, frame.hasDestruction) != frame.hasDestruction) emit rulesChanged();
 }
 
 void PlayController::takeNews() {
@@ -218,6 +237,7 @@ void PlayController::takeNews() {
     if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
     if (news.shot) m_lastShot = news.shot;
     m_frame = std::move(news.frame);
+    takeDestruction(*m_frame);
     for (const std::string& notice : news.notices) emit said(QString::fromStdString(notice));
     if (areBreaksOther) emit breaksChanged();
     emit framed();

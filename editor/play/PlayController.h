@@ -17,7 +17,7 @@ enum class PlayState {
 /// Plays a window's document: keeps a play thread to what the user wants and the document says, and holds what came of it. The
 /// document is never touched.
 ///
-/// Edits of the document are followed while it plays where liveInputs() knows how; others begin the play anew.
+/// What the user does while it waits for bakes is done as soon as it begins. Edits of the document are followed while it plays where liveInputs() knows how; others begin the play anew.
 class PlayController : public QObject {
     Q_OBJECT
 public:
@@ -43,6 +43,7 @@ public:
 
     double timeScale() const { return m_timeScale; }
     void setTimeScale(double scale);
+    /// As it is at the moment that is shown: a replay, and the way back, may switch it.
     bool hasDestruction() const { return m_hasDestruction; }
     void setDestruction(bool isOn);
     const PlayOverlays& overlays() const { return m_overlays; }
@@ -97,6 +98,8 @@ private:
     void tryToStart();
     void follow();
     void setState(PlayState state);
+    void post(PlayThread::Task task);
+    void takeDestruction(const PlayFrame& frame);
     void finish(const QString& sentence);
 
     const Document& m_document;
@@ -105,8 +108,10 @@ private:
     PlayState m_state = PlayState::Stopped;
     bool m_isGoingOn = true;  // once it is prepared
     bool m_isWaitingForBakes = false;
+    std::vector<PlayThread::Task> m_waiting;  // for the bakes: what the user did meanwhile
     double m_timeScale = 1.0;
     bool m_hasDestruction = true;
+    std::optional<bool> m_askedDestruction;  // that the play has not heard of yet
     PlayOverlays m_overlays;
     PlayTools m_tools;
     Project m_played;  // what the play follows now

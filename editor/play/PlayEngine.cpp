@@ -3,6 +3,7 @@
 #include "core/play/Forecast.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace rubble {
 namespace {
@@ -72,6 +73,7 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::started(const std::shared_ptr<co
     if (!session) return session.error();
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
     std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
+    engine->m_beganWithDestruction = script.settings.hasDestruction;
     const Status begun = engine->m_timeline.seek(script.begin, task, [&engine] { engine->tell(); });
     if (!begun) return begun.error();
     return engine;
@@ -80,6 +82,14 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::started(const std::shared_ptr<co
 PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline,
                        std::vector<std::uint64_t> hashes)
     : m_scene(scene), m_timeline(std::move(timeline)), m_builder(scene), m_hashes(std::move(hashes)) {}
+
+bool PlayEngine::hasDestruction() const {
+    for (const TimedInput& one : std::views::reverse(m_timeline.inputs())) {
+        const auto* input = std::get_if<DestructionInput>(&one.input);
+        if (input != nullptr && one.step <= session().stepsDone()) return input->isOn;
+    }
+    return m_beganWithDestruction;
+}
 
 void PlayEngine::step() {
     if (const Status played = m_timeline.step(); !played) m_news.notices.push_back(played.error().message);
@@ -184,7 +194,8 @@ PlayFrame PlayEngine::frame() {
                     .step = session().stepsDone(),
                     .length = m_timeline.length(),
                     .figures = figuresOf(session()),
-                    .isHolding = m_held.has_value()};
+                    .isHolding = m_held.has_value(),
+                    .hasDestruction = hasDestruction()};
     if (m_aim) frame.flight = flightOf(session(), thrownAlong(session(), m_aim->thrown, m_aim->ray), kSecondsOfFlight);
     return frame;
 }

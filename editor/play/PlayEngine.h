@@ -28,6 +28,8 @@ public:
 
     const Timeline& timeline() const { return m_timeline; }
     const Session& session() const { return m_timeline.session(); }
+    /// Whether things break from this moment on: as it began, unless an input says otherwise.
+    bool hasDestruction() const;
 
     void step();
     void seek(std::uint64_t step, const TaskContext& task);
@@ -67,7 +69,8 @@ private:
     Timeline m_timeline;
     MomentBuilder m_builder;
     std::vector<std::uint64_t> m_hashes;  // of the steps of a script
-    std::uint64_t m_told = 0;             // how many steps were told of
+    bool m_beganWithDestruction = true;
+    std::uint64_t m_told = 0;  // how many steps were told of
     std::optional<Aim> m_aim;
     bool m_isForecast = false;     // heat is that of the aim
     std::optional<double> m_held;  // how far from the eye what is grabbed is, m

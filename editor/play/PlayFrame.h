@@ -54,6 +54,7 @@ struct PlayFrame {
     PlayFigures figures;
     std::optional<Flight> flight;  // of what is being aimed
     bool isHolding = false;        // something is grabbed
+    bool hasDestruction = true;    // things break from here on
 };
 
 /// What happened since the last news, in order.

@@ -104,6 +104,75 @@ private slots:
         QCOMPARE(stage.controller.breaks().size(), 0u);
         QVERIFY(stage.controller.frame()->figures.cost.step == 30);
     }
+    void whatIsThrownBeforeAllIsBakedIsThrownAsSoonAsItBegins() {
+        test::Stage stage;
+        Asset asset = stage.document.project().assets[0];
+        asset.prism.depth = 0.3;
+        stage.document.push(altered("Make it thinner", asset));
+        stage.controller.play();
+        stage.controller.fire({.name = "kept", .action = test::throwAtBlock(3.0, 80.0)});
+        stage.settle();
+        QCOMPARE(stage.controller.state(), PlayState::Preparing);
+        stage.bake();
+        stage.settle();
+        QCOMPARE(stage.controller.state(), PlayState::Playing);
+        stage.advance(1);
+        QCOMPARE(stage.controller.lastShot().value().name, std::string("kept"));
+        stage.advance(20);
+        QCOMPARE(stage.controller.breaks().size(), 1u);
+        QCOMPARE(stage.controller.script().inputs.front().step, 0u);
+    }
+    void whatWasThrownBeforeAResetIsNot() {
+        test::Stage stage;
+        Asset asset = stage.document.project().assets[0];
+        asset.prism.depth = 0.3;
+        stage.document.push(altered("Make it thinner", asset));
+        stage.controller.play();
+        stage.controller.fire({.name = "given up", .action = test::throwAtBlock(3.0, 80.0)});
+        stage.controller.reset();
+        stage.bake();
+        stage.settle();
+        stage.advance(2);
+        QVERIFY(!stage.controller.lastShot());
+    }
+    void theSwitchSaysWhetherThingsBreakAtTheMomentThatIsShown() {
+        test::Stage stage;
+        stage.start();
+        stage.advance(5);
+        stage.controller.pause();
+        stage.controller.setDestruction(false);
+        stage.settle();
+        QVERIFY(!stage.controller.hasDestruction());
+        stage.controller.play();
+        stage.advance(5);
+        QVERIFY(!stage.controller.hasDestruction());
+        stage.controller.seek(3);
+        stage.settle();
+        QVERIFY(stage.controller.hasDestruction());
+        stage.controller.seek(8);
+        stage.settle();
+        QVERIFY(!stage.controller.hasDestruction());
+    }
+    void aReplayWithoutDestructionSetsTheSwitch() {
+        test::Stage stage;
+        const QSignalSpy told(&stage.controller, &PlayController::rulesChanged);
+        stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
+        stage.settle();
+        QVERIFY(!stage.controller.hasDestruction());
+        QCOMPARE(told.size(), 1);
+        stage.controller.setDestruction(true);
+        stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
+        stage.advance(20);
+        QVERIFY(stage.controller.hasDestruction());
+        QCOMPARE(stage.controller.breaks().size(), 1u);
+        stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
+        stage.settle();
+        stage.controller.reset();  // as the switch says
+        stage.settle();
+        stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
+        stage.advance(20);
+        QCOMPARE(stage.controller.breaks().size(), 0u);
+    }
     void goesBackAndPlaysAnotherWay() {
         test::Stage stage;
         stage.controller.setTools(heavyBox());
