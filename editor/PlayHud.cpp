@@ -134,7 +134,8 @@ void PlayHud::paintCharge(QPainter& painter) const {
 void PlayHud::paintHeat(QPainter& painter) const {
     if (!m_content.hasHeat) return;
     const QFontMetrics lines(font());
-    const QString breaks = tr("breaks"), title = tr("impact ÷ threshold");
+    const QString breaks = tr("breaks"),
+                  title = m_content.isForecast ? tr("forecast: impact ÷ threshold") : tr("impact ÷ threshold");
     const int square = kChargeHeight;
     const int width =
         std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));

@@ -24,7 +24,8 @@ public:
         QString hint;
         std::optional<double> charge;  // in (0, 1]: of a throw about to be let go
         QString chargeText;
-        bool hasHeat = false;  // a legend of its colours
+        bool hasHeat = false;     // a legend of its colours
+        bool isForecast = false;  // heat is what the throw that is aimed would do
         std::vector<QPointF> flight;
         bool isMet = false;  // the flight ends where it meets something
         bool operator==(const Content&) const = default;

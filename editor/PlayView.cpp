@@ -113,6 +113,7 @@ PlayHud::Content PlayView::content() const {
     if (!frame) return content;
     content.figures = figures();
     content.hasHeat = m_controller.overlays().hasHeat;
+    content.isForecast = frame->flight.has_value();
     content.charge = m_hands.charge();
     if (content.charge) {
         content.chargeText = tr("%1 m/s").arg(number(*content.charge * m_controller.tools().thrown.speed, 1));

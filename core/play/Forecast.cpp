@@ -86,6 +86,11 @@ void findWeakest(const Session& session, const PlayBody& body, BodyForecast& for
 
 }  // namespace
 
+double BodyForecast::ownMomentum() const {
+    if (mass.inverseMass <= 0.0) return 0.0;
+    return std::sqrt(glm::dot(mass.velocity, mass.velocity)) * (1.0 - restitution) / mass.inverseMass;
+}
+
 double BodyForecast::at(Vec3 point, Vec3 normal) const {
     const Vec3 way = point - missile.from;
     const double length = std::sqrt(glm::dot(way, way));
@@ -94,12 +99,7 @@ double BodyForecast::at(Vec3 point, Vec3 normal) const {
     const double speed = std::sqrt(squared);
     const double approach = glm::dot(mass.velocityAt(point) - way * (speed / length), normal);
     if (approach <= kImpactSpeed) return 0.0;
-    if (rule == DamageRule::Momentum) {
-        const double own = mass.inverseMass > 0.0 ? std::sqrt(glm::dot(mass.velocity, mass.velocity)) *
-                                                        (1.0 - restitution) / mass.inverseMass
-                                                  : 0.0;
-        return std::max(own, missile.mass * speed) / threshold;
-    }
+    if (rule == DamageRule::Momentum) return std::max(ownMomentum(), missile.mass * speed) / threshold;
     const double pair = approach > kRestitutionSpeed ? std::max(restitution, missile.restitution) : 0.0;
     return (1.0 + pair) * approach / (1.0 / missile.mass + mass.mobility(point, normal)) / threshold;
 }

@@ -25,6 +25,8 @@ struct BodyForecast {
     double largest = 0.0;         // of its surface: the largest impact ÷ threshold, at 1 and above it breaks
     Vec3 weakest{0.0, 0.0, 0.0};  // the place of it, in the world
 
+    /// What its own motion does to it by the momentum rule, N s.
+    double ownMomentum() const;
     /// Impact ÷ threshold at a point of its surface, in the world, with the outward normal there: what a viewport colours.
     double at(Vec3 point, Vec3 normal) const;
 };

@@ -176,15 +176,13 @@ void PlayEngine::setOverlays(const PlayOverlays& overlays) {
 
 /// Of what is aimed, wherever on a body it would hit.
 void PlayEngine::forecast() {
-    std::optional<std::vector<BodyHeat>> heat;
+    std::optional<std::vector<BodyForecast>> bodies;
     if (m_isForecast && m_aim) {
         const Throw thrown = rubble::thrownAlong(session(), m_aim->thrown, m_aim->ray);
-        if (const Result<std::vector<BodyForecast>> bodies = breakForecast(session(), thrown)) {
-            heat.emplace();
-            for (const BodyForecast& body : *bodies) heat->push_back({body.body, body.largest});
-        }
+        if (Result<std::vector<BodyForecast>> forecast = breakForecast(session(), thrown))
+            bodies = std::move(*forecast);
     }
-    m_builder.setForecast(std::move(heat));
+    m_builder.setForecast(std::move(bodies));
 }
 
 PlayFrame PlayEngine::frame() {

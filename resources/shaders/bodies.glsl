@@ -2,7 +2,7 @@
 uniform samplerBuffer motions;  // two texels a body: position and shrinking, orientation (x, y, z, w)
 uniform samplerBuffer earlier;  // the same, a step before; read only where edges.w < 1
 uniform samplerBuffer apart;    // one: the way apart; read only where edges.z > 0
-uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks
+uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks, row of heat
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

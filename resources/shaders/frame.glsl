@@ -25,6 +25,10 @@ layout(std140) uniform Frame {
     vec4 horizon;        // sRGB
     vec4 soil;           // sRGB
     vec4 picture;        // width and height, pixels; w: pixels of the display a point
+    vec4 missile;        // see HeatSource, as is the next
+    vec4 missileWay;
+    vec4 strike;         // m/s: x: slower hits hurt nothing; y: slower ones throw nothing back
+    vec4 heatRamp[6];    // sRGB of 0, 1/4, 1/2, 3/4, 1 and of what breaks
     uvec4 hovered;       // x: index of the body under the pointer, and one; 0 where there is none
 };
 

@@ -3,6 +3,7 @@ in vec3 sceneNormal;
 in vec2 placeAcross;
 flat in vec3 colour;
 flat in uint marks;
+flat in uint heat;
 out vec4 pixel;
 
 vec3 lit(vec3 albedo, vec3 n) {
@@ -15,12 +16,13 @@ vec3 lit(vec3 albedo, vec3 n) {
 }
 
 void main() {
-    vec3 albedo = linearOf(colour);
+    vec3 normal = normalize(sceneNormal);
+    vec3 albedo = linearOf(surfaceColour(colour, heat, scenePoint, normal));
     bool isSelected = (marks & 2u) != 0u, isHovered = (marks & 4u) != 0u;
     vec3 accentLinear = linearOf(accent.rgb);
     if (isSelected) albedo = mix(albedo, accentLinear, 0.45);
     if (isHovered) albedo = mix(albedo, vec3(1.0), 0.25);
-    vec3 shaded = lit(albedo, normalize(sceneNormal));
+    vec3 shaded = lit(albedo, normal);
 
     float pixels = pixelsToEdge(placeAcross);
     float fade = smoothstep(2.0, 12.0, pixelsAcross(placeAcross));

@@ -1,6 +1,8 @@
 #include "viewport/render/FrameBlock.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/physics/ImpactSpeeds.h"
+#include "viewport/scene/MomentColours.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -35,6 +37,17 @@ glm::vec2 gridStep(const Camera& camera) {
     const double power = std::log10(kFineStep * camera.distance);
     const double whole = std::floor(power);
     return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
+}
+
+/// The colours of 0, 1/4, 1/2, 3/4, just below 1, and of what breaks: between them they are even.
+std::array<glm::vec4, 6> heatRamp() {
+    constexpr double kBelowOne = 1.0 - 1e-9;
+    std::array<glm::vec4, 6> ramp;
+    for (std::size_t stop = 0; stop < ramp.size(); ++stop) {
+        const Colour colour = heatColour(stop < 4 ? 0.25 * static_cast<double>(stop) : stop == 4 ? kBelowOne : 1.0);
+        ramp[stop] = glm::vec4(colour.red, colour.green, colour.blue, 1.0);
+    }
+    return ramp;
 }
 
 }  // namespace
@@ -85,6 +98,10 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.horizon = glm::vec4(around.horizon, 1.0f);
     frame.soil = glm::vec4(around.soil, 1.0f);
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
+    frame.missile = scene.heatSource.from;
+    frame.missileWay = scene.heatSource.gravity;
+    frame.strike = {kImpactSpeed, kRestitutionSpeed, 0.0f, 0.0f};
+    frame.heatRamp = heatRamp();
     frame.picture = {view.size.width, view.size.height, 0.0f, scale};
     return frame;
 }

@@ -5,6 +5,8 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
+
 namespace rubble {
 
 /// The block Frame of frame.glsl, where each field is explained.
@@ -13,6 +15,8 @@ struct FrameBlock {
     glm::vec4 eye, back, keyDirection, skyDirection, skyLight, groundLight;
     glm::vec4 backgroundTop, backgroundBottom, grid, ground, shaded, spacing, accent, edges;
     glm::vec4 right, up, depth, zenith, horizon, soil, picture;
+    glm::vec4 missile, missileWay, strike;
+    std::array<glm::vec4, 6> heatRamp;
     glm::uvec4 hovered;
 };
 

@@ -87,7 +87,7 @@ void PicturePainter::drawBackground() {
 void PicturePainter::drawSolid() {
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
-    lit(programs.solid).use();
+    lit(scene.scene()->heats.empty() ? programs.solid : programs.heated).use();
     scene.draw(SceneBuffers::Part::Bodies);
     glDisable(GL_CULL_FACE);
 }

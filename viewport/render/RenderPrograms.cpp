@@ -31,7 +31,8 @@ private:
 Result<RenderPrograms> madePrograms() {
     ProgramMaker maker;
     RenderPrograms programs{
-        .solid = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "solid.frag"}),
+        .solid = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "plain.glsl", "solid.frag"}),
+        .heated = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "heat.glsl", "solid.frag"}),
         .shade = maker.madeLit({"shade.vert"}, {"shadow.glsl", "shade.frag"}),
         .lines = maker.made({"bodies.glsl", "solid.vert"}, {"edge.glsl", "lines.frag"}),
         .depth = maker.made({"bodies.glsl", "depth.vert"}, {"depth.frag"}),

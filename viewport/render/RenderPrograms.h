@@ -13,7 +13,7 @@ struct LitPrograms {
 
 /// All programs of resources/shaders.
 struct RenderPrograms {
-    LitPrograms solid, shade;
+    LitPrograms solid, heated, shade;
     ShaderProgram lines, depth, pick, sky, grid, strokes, spans, dust, mean;
 };
 

@@ -10,7 +10,8 @@
 namespace rubble {
 namespace {
 
-static_assert(sizeof(DrawnPose) == 32 && sizeof(BodyLook) == 16, "texels of buffer textures");
+static_assert(sizeof(DrawnPose) == 32 && sizeof(BodyLook) == 16 && sizeof(SurfaceHeat) == 80,
+              "texels of buffer textures");
 
 template <class T>
 GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
@@ -44,7 +45,8 @@ SceneBuffers::SceneBuffers()
     : m_motions(TextureUnit::Motions, GL_RGBA32F),
       m_earlier(TextureUnit::Earlier, GL_RGBA32F),
       m_apart(TextureUnit::Apart, GL_RGBA32F),
-      m_looks(TextureUnit::Looks, GL_RGBA32UI) {}
+      m_looks(TextureUnit::Looks, GL_RGBA32UI),
+      m_heats(TextureUnit::Heats, GL_RGBA32F) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
     const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
@@ -96,10 +98,11 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     write(m_earlier, m_scene->earlier);
     write(m_apart, m_scene->apart);
     write(m_looks, m_scene->looks);
+    write(m_heats, m_scene->heats);
 }
 
 void SceneBuffers::draw(Part part) const {
-    for (const TexelBuffer* texels : {&m_motions, &m_earlier, &m_apart, &m_looks}) texels->bind();
+    for (const TexelBuffer* texels : {&m_motions, &m_earlier, &m_apart, &m_looks, &m_heats}) texels->bind();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];
         const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();

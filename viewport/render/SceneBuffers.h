@@ -41,7 +41,7 @@ private:
     std::shared_ptr<const RenderScene> m_scene;
     std::vector<Geometry> m_geometries;
     std::vector<Batch> m_batches;
-    TexelBuffer m_motions, m_earlier, m_apart, m_looks;
+    TexelBuffer m_motions, m_earlier, m_apart, m_looks, m_heats;
     mutable RenderCounts m_counts;
 };
 

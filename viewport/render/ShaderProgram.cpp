@@ -13,10 +13,10 @@ struct Sampler {
     const char* name;
     TextureUnit unit;
 };
-constexpr Sampler kSamplers[] = {{"motions", TextureUnit::Motions},     {"earlier", TextureUnit::Earlier},
-                                 {"apart", TextureUnit::Apart},         {"looks", TextureUnit::Looks},
-                                 {"keyShadow", TextureUnit::KeyShadow}, {"skyShadow", TextureUnit::SkyShadow},
-                                 {"source", TextureUnit::Source},       {"depths", TextureUnit::Depths}};
+constexpr Sampler kSamplers[] = {
+    {"motions", TextureUnit::Motions}, {"earlier", TextureUnit::Earlier},     {"apart", TextureUnit::Apart},
+    {"looks", TextureUnit::Looks},     {"keyShadow", TextureUnit::KeyShadow}, {"skyShadow", TextureUnit::SkyShadow},
+    {"source", TextureUnit::Source},   {"depths", TextureUnit::Depths},       {"heats", TextureUnit::Heats}};
 
 /// A driver's words as one line.
 std::string oneLine(std::string text) {

@@ -41,6 +41,6 @@ private:
 };
 
 /// The texture units that samplers read.
-enum class TextureUnit : std::uint32_t { Motions, Earlier, Apart, Looks, KeyShadow, SkyShadow, Source, Depths };
+enum class TextureUnit : std::uint32_t { Motions, Earlier, Apart, Looks, KeyShadow, SkyShadow, Source, Depths, Heats };
 
 }  // namespace rubble

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace rubble {
 namespace {
@@ -70,9 +71,15 @@ void MomentBuilder::setOverlays(const PlayOverlays& overlays) {
     makeModels();
 }
 
-void MomentBuilder::setForecast(std::optional<std::vector<BodyHeat>> heat) {
-    m_forecast = std::move(heat);
-    if (m_forecast) std::ranges::sort(*m_forecast, {}, &BodyHeat::body);
+void MomentBuilder::setForecast(std::optional<std::vector<BodyForecast>> bodies) {
+    m_forecast.reset();
+    m_surfaces.clear();
+    if (!bodies) return;
+    m_surfaces = std::move(*bodies);
+    std::erase_if(m_surfaces, [](const BodyForecast& body) { return !std::isfinite(body.threshold); });
+    std::ranges::sort(m_surfaces, {}, &BodyForecast::body);
+    m_forecast.emplace();
+    for (const BodyForecast& body : m_surfaces) m_forecast->push_back({body.body, body.largest});
 }
 
 /// With a batch for each of the scene's assets, and nothing in it.
@@ -115,7 +122,10 @@ std::uint32_t MomentBuilder::sceneBodyOf(const PlayBody& body) const {
 
 /// Writes where bodies are; false where one has no place yet.
 bool MomentBuilder::isWritten(const Session& session, RenderScene& moment) const {
-    for (BodyLook& look : moment.looks) look.marks = kHidden;
+    for (BodyLook& look : moment.looks) {
+        look.marks = kHidden;
+        look.heat = 0;
+    }
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
         const std::uint32_t place = sceneBodyOf(body);
@@ -177,6 +187,7 @@ void MomentBuilder::decorate(const Session& session, RenderScene& moment) {
     moment.strokes.clear();
     moment.boxes.clear();
     moment.puffs.clear();
+    moment.heats.clear();
     addDust(moment, session);
     noteImpacts(session);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
@@ -192,6 +203,19 @@ void MomentBuilder::decorate(const Session& session, RenderScene& moment) {
         moment.looks[body.body].inside = m_layout.looks[body.body].inside;
     }
     tintBodies(moment, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts);
+    if (m_overlays.hasHeat) heatSurfaces(tints, moment);
+}
+
+/// Only bodies that can break have a row: the many pieces that cannot cost nothing.
+void MomentBuilder::heatSurfaces(std::span<const BodyTint> bodies, RenderScene& moment) const {
+    if (m_surfaces.empty()) return;
+    moment.heatSource = heatSource(m_surfaces.front().missile, moment.origin);
+    for (const BodyTint& body : bodies) {
+        const auto found = std::ranges::lower_bound(m_surfaces, body.number, {}, &BodyForecast::body);
+        if (found == m_surfaces.end() || found->body != body.number) continue;
+        moment.heats.push_back(surfaceHeat(*found, moment.origin));
+        moment.looks[body.body].heat = static_cast<std::uint32_t>(moment.heats.size());
+    }
 }
 
 /// Lays the last moment out anew, with what had its place and has one.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/Session.h"
+#include "core/play/Forecast.h"
 #include "viewport/scene/MomentColours.h"
 #include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/SceneBuilder.h"
@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rubble {
@@ -33,9 +34,9 @@ public:
 
     /// What moments show from now on. With hulls as it was it costs nothing; hulls that come or go are new geometry.
     void setOverlays(const PlayOverlays& overlays);
-    /// What heat shows from now on: a forecast. Without one, the default, it shows the impacts of the last steps that
+    /// What heat shows from now on: a forecast, place by place on surfaces. Without one, the default, it shows the impacts of the last steps that
     /// moments were made of, cooling down within a second.
-    void setForecast(std::optional<std::vector<BodyHeat>> heat);
+    void setForecast(std::optional<std::vector<BodyForecast>> bodies);
 
 private:
     /// What can be drawn: all of an asset, or something thrown that is none.
@@ -53,6 +54,7 @@ private:
     std::shared_ptr<RenderScene> writtenMoment(const Session& session);
     std::uint32_t sceneBodyOf(const PlayBody& body) const;
     bool isWritten(const Session& session, RenderScene& moment) const;
+    void heatSurfaces(std::span<const BodyTint> bodies, RenderScene& moment) const;
     void decorate(const Session& session, RenderScene& moment);
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void noteImpacts(const Session& session);
@@ -71,6 +73,7 @@ private:
     PlayOverlays m_overlays;
     double m_arrowScale = 1.0;
     std::optional<std::vector<BodyHeat>> m_forecast;  // ascending number
+    std::vector<BodyForecast> m_surfaces;             // the same, of those that may break
     std::vector<BodyHeat> m_impacts;                  // the same
     std::vector<Model> m_models;                      // those of the scene's assets first; one a batch
     std::vector<Places> m_places;                     // one an origin

@@ -2,6 +2,7 @@
 
 #include "core/asset/Project.h"
 #include "viewport/scene/SceneGeometry.h"
+#include "viewport/scene/SurfaceHeat.h"
 
 #include <glm/vec4.hpp>
 
@@ -43,7 +44,7 @@ struct BodyLook {
     std::uint32_t outside = 0xcccccc;
     std::uint32_t inside = 0x999999;
     std::uint32_t marks = 0;  // of kHidden, kSelected, kHovered
-    std::uint32_t unused = 0;
+    std::uint32_t heat = 0;   // its row in RenderScene::heats, and one; 0: it has the same colour all over
 };
 inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
@@ -96,6 +97,8 @@ struct RenderScene {
     std::vector<SceneStroke> strokes;
     std::vector<SceneStroke> boxes;  // along the axes, from one corner to the opposite
     std::vector<DustPuff> puffs;
+    std::vector<SurfaceHeat> heats;  // of bodies that are coloured by heat, place by place
+    HeatSource heatSource;
     std::optional<SceneSummary> summary;  // of this scene, found where it was made; none: whoever asks finds it
 };
 

@@ -1,9 +1,14 @@
+#include "core/asset/PieceColours.h"
 #include "core/asset/StarterProject.h"
+#include "core/play/Forecast.h"
 #include "tests/support/Pictures.h"
 #include "viewport/render/Picture.h"
+#include "viewport/scene/MomentColours.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
+
+#include <set>
 
 using namespace rubble;
 
@@ -82,6 +87,35 @@ private slots:
         QVERIFY(puffAt(1.0f) > 8.0);
         QVERIFY(puffAt(-1.0f) < 0.01);
         QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades where it meets the wall
+    }
+    void heatIsSeenPlaceByPlace() {
+        RenderScene scene = wallScene(), heated = scene;
+        const Vec3 middle = boundsOf(scene).centre();
+        BodyForecast forecast{.threshold = 120.0,
+                              .missile = {.mass = 10.0, .from = middle + Vec3(0.0, 0.0, 4.0), .speed = 8.0}};
+        forecast.mass.inverseMass = 1.0 / 500.0;
+        forecast.mass.inverseInertia = Mat3(6.0 / 500.0);
+        forecast.mass.centre = middle;
+        heated.heatSource = heatSource(forecast.missile, heated.origin);
+        heated.heats = {surfaceHeat(forecast, heated.origin)};
+        for (BodyLook& look : heated.looks) look.heat = 1;
+        const QImage seen = picture(heated);
+        const Camera camera = framing({}, boundsOf(scene), kSize);
+        std::set<QRgb> colours;
+        for (const Vec3& away : {Vec3(0.1, 0.15, 0.25), Vec3(0.4, -0.3, 0.25), Vec3(-0.44, 0.42, 0.25)}) {
+            const std::uint32_t flat = packed(heatColour(forecast.at(middle + away, {0.0, 0.0, 1.0})));
+            for (BodyLook& look : scene.looks) look.outside = flat;
+            const Vec2 pixel = pixelOf(camera, middle + away, kSize).value();
+            const auto colourIn = [&](const QImage& image) {
+                return image.pixelColor(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+            };
+            const QColor expected = colourIn(picture(scene)), told = colourIn(seen);
+            QVERIFY2(std::abs(expected.red() - told.red()) <= 4 && std::abs(expected.green() - told.green()) <= 4 &&
+                         std::abs(expected.blue() - told.blue()) <= 4,
+                     qPrintable(expected.name() + ' ' + told.name()));
+            colours.insert(told.rgb());
+        }
+        QCOMPARE(colours.size(), std::size_t{3});  // the middle gives way least
     }
     void outdoorsThereIsAHorizonAndAScale() {
         RenderScene scene = wallScene();
