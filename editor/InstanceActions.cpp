@@ -3,10 +3,12 @@
 #include "editor/Action.h"
 #include "editor/ArrayDialogs.h"
 #include "editor/InstanceGizmo.h"
+#include "editor/InstancePlacing.h"
 #include "editor/MainWindow.h"
 #include "editor/SceneView.h"
 #include "editor/Views.h"
 #include "editor/commands/InstanceEdits.h"
+#include "editor/icons/Icon.h"
 #include "viewport/ViewportWidget.h"
 
 #include <QActionGroup>
@@ -16,6 +18,8 @@ namespace rubble {
 
 InstanceActions::InstanceActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Instance"), &window)) {
+    addPlacing();
+    m_menu->addSeparator();
     addTools();
     m_menu->addSeparator();
     addCopies();
@@ -50,6 +54,13 @@ QAction* InstanceActions::addMode(const ActionLook& look) {
     QAction* action = add(look, nullptr);
     action->setCheckable(true);
     return action;
+}
+
+void InstanceActions::addPlacing() {
+    m_place = add({"instance-place", tr("&Place by Clicks…"),
+                   tr("An asset follows the pointer over ground and faces; each click places one, Esc ends"),
+                   QKeySequence("Shift+A")},
+                  &InstanceActions::choosePlaced);
 }
 
 void InstanceActions::addTools() {
@@ -139,6 +150,26 @@ std::vector<Id> InstanceActions::chosen() const {
 }
 
 InstanceGizmo& InstanceActions::gizmo() const { return m_window.views().scene().gizmo(); }
+
+/// Asks which asset where there are several.
+void InstanceActions::choosePlaced() {
+    const std::vector<Asset>& assets = m_window.workspace().project().assets;
+    if (assets.size() == 1) return place(assets.front().id);
+    auto* menu = new QMenu(&m_window);
+    menu->setObjectName("placed-assets");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const Asset& asset : assets) {
+        QAction* action = menu->addAction(iconNamed("asset"), QString::fromStdString(asset.name));
+        connect(action, &QAction::triggered, this, [this, id = asset.id] { place(id); });
+    }
+    menu->popup(QCursor::pos());
+}
+
+void InstanceActions::place(Id asset) {
+    m_window.views().showScene(true);
+    m_window.views().scene().showWholeScene();
+    m_window.views().scene().placing().begin(asset);
+}
 
 void InstanceActions::move() {
     gizmo().beginMoving();
@@ -232,6 +263,7 @@ void InstanceActions::update() {
     const std::vector<Instance>& all = m_window.workspace().project().instances;
     for (QAction* action : m_forChosen) action->setEnabled(!chosen().empty());
     for (QAction* action : m_forMovable) action->setEnabled(!gizmo().movable().empty());
+    m_place->setEnabled(!m_window.workspace().project().assets.empty());
     m_showAll->setEnabled(std::ranges::any_of(all, &Instance::isHidden));
     m_unlockAll->setEnabled(std::ranges::any_of(all, &Instance::isLocked));
 }

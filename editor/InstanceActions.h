@@ -29,10 +29,13 @@ protected:
 private:
     QAction* add(const ActionLook& look, void (InstanceActions::*slot)());
     QAction* addMode(const ActionLook& look);
+    void addPlacing();
     void addTools();
     void addCopies();
     void addMarks();
     void addContextMenus();
+    void choosePlaced();
+    void place(Id asset);
     void move();
     void turn();
     void drop();
@@ -54,6 +57,7 @@ private:
 
     MainWindow& m_window;
     QMenu* m_menu;
+    QAction* m_place = nullptr;
     QAction* m_showAll = nullptr;
     QAction* m_unlockAll = nullptr;
     QList<QAction*> m_forChosen;   // those that need instances

@@ -71,8 +71,10 @@ void SceneView::frameAll() {
     m_viewport->frameAll();
 }
 
+void SceneView::showWholeScene() { m_scope->setCurrentIndex(0); }
+
 void SceneView::frameChosen() {
-    m_scope->setCurrentIndex(0);
+    showWholeScene();
     update();
     m_viewport->frameSelected();
 }

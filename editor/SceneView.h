@@ -30,6 +30,7 @@ public:
     InstanceGizmo& gizmo() { return *m_gizmo; }
     InstancePlacing& placing() { return *m_placing; }
     void frameAll();
+    void showWholeScene();
     /// Brings the chosen instances close, as they are now.
     void frameChosen();
     /// Whether instances may be moved and placed: they may where the whole scene is shown.

@@ -58,6 +58,7 @@ Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(
     connect(m_canvas, &PatternCanvas::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->gizmo(), &InstanceGizmo::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->placing(), &InstancePlacing::said, this, &Views::said);
+    connect(&m_scene->placing(), &InstancePlacing::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointed, this, [this](double x, double y) {
         const QLocale locale;
         emit placeChanged(tr("%1, %2 m").arg(locale.toString(x, 'f', 3), locale.toString(y, 'f', 3)));

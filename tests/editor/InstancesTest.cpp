@@ -1,5 +1,6 @@
 #include "core/io/ProjectFile.h"
 #include "editor/InstanceGizmo.h"
+#include "editor/InstancePlacing.h"
 #include "editor/MainWindow.h"
 #include "editor/Program.h"
 #include "editor/SceneView.h"
@@ -162,6 +163,52 @@ private slots:
         QVERIFY(glm::distance(place, Vec3(0.0, 1.0, 0.0)) < 0.05);  // the middle over the point, up to a pixel
         QVERIFY(m_window->workspace().selection().instances().contains(project().instances.back().id));
     }
+    void anAssetIsPlacedByClicksUntilEscape() {
+        beginPlacing();
+        const QPoint top = viewport().pointOf(placeOf(10) + Vec3(0.5, 1.0, 0.0))->toPoint();
+        moveTo(top);
+        QVERIFY(!gizmo().overlay().content().edges.empty());  // where it will stand
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, top);
+        QCOMPARE(project().instances.size(), std::size_t{4});
+        QVERIFY(std::abs(project().instances.back().pose.position.y - 1.0) < 1e-9);
+        const QPoint ground = viewport().pointOf(Vec3(1.0, 0.0, 2.0))->toPoint();
+        moveTo(ground, Qt::ControlModifier);
+        QTest::mouseClick(&viewport(), Qt::LeftButton, Qt::ControlModifier, ground);
+        const Vec3 place = project().instances.back().pose.position;
+        QCOMPARE(place.y, 0.0);
+        QCOMPARE(place, Vec3(0.1 * std::round(10.0 * place.x), 0.0, 0.1 * std::round(10.0 * place.z)));
+        QCOMPARE(stack().count(), 2);  // a step each
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QVERIFY(!placing().isClicking() && gizmo().overlay().content().edges.empty());
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, top);
+        QCOMPARE(project().instances.size(), std::size_t{5});
+        stack().undo();
+        stack().undo();
+        QCOMPARE(projectText(project()), m_before);
+    }
+    void whatIsPlacedIsTurnedAndTheRightButtonEndsIt() {
+        beginPlacing();
+        for (int k = 0; k < 3; ++k) QTest::keyClick(&viewport(), Qt::Key_R);
+        QTest::keyClick(&viewport(), Qt::Key_R, Qt::ShiftModifier);
+        const QPoint ground = viewport().pointOf(Vec3(1.0, 0.0, 2.0))->toPoint();
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, ground);
+        const Quat turn = project().instances.back().pose.orientation;
+        QVERIFY(std::abs(glm::degrees(2.0 * std::atan2(turn.y, turn.w)) - 30.0) < 1e-9);
+        QTest::mouseClick(&viewport(), Qt::RightButton, {}, ground);
+        QVERIFY(!placing().isClicking());
+        QCOMPARE(stack().count(), 1);
+    }
+    void whereNothingIsNothingIsPlaced() {
+        Project floating = threeBoxes();
+        floating.ground.isOn = false;
+        m_window->workspace().document().replace(floating);
+        beginPlacing();
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(3, 3));
+        QCOMPARE(project().instances.size(), std::size_t{3});
+        QVERIFY(placing().isClicking());
+        m_window->workspace().document().replace(Project());  // nor is there anything to place
+        QVERIFY(!placing().isClicking());
+    }
     void anOverlapIsToldAndLeadsToThePlace() {
         Instance moved = *findInstance(project(), 11);
         moved.pose.position.x = 0.75;
@@ -178,6 +225,11 @@ private slots:
 
 private:
     ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
+    InstancePlacing& placing() { return m_window->views().scene().placing(); }
+    void beginPlacing() {
+        QTest::keyClick(&viewport(), Qt::Key_A, Qt::ShiftModifier);
+        QVERIFY(placing().isClicking());
+    }
     InstanceGizmo& gizmo() { return m_window->views().scene().gizmo(); }
     const Project& project() { return m_window->workspace().project(); }
     QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
