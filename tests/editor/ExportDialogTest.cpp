@@ -2,7 +2,7 @@
 
 #include "core/asset/StarterProject.h"
 #include "core/geometry/OutlineShapes.h"
-#include "editor/commands/ProjectEdits.h"
+#include "editor/commands/InstanceEdits.h"
 #include "tests/support/TestSettings.h"
 
 #include <QCheckBox>
@@ -61,6 +61,25 @@ private slots:
         m_workspace->document().push(removeAssets(m_workspace->project(), std::vector{gable}));
         QVERIFY(lastExport(*m_workspace)->assets->empty());
     }
+    void variantsAreExportedWithTheirAsset() {
+        const Id wall = m_workspace->project().assets.front().id;
+        std::vector<Id> walls;
+        for (int k = 0; k < 3; ++k) {
+            Addition added = placeInstance(m_workspace->project(), wall, {.position = {3.0 * k, 0.0, 5.0}});
+            walls.push_back(added.id);
+            m_workspace->document().push(std::move(added.edit));
+        }
+        m_workspace->document().push(spreadVariants(m_workspace->project(), walls));
+        exportBy([](QListWidget& assets) { untick(assets, "gable"); });
+        QStringList expected{"wall"};
+        for (const Instance& instance : m_workspace->project().instances) {
+            if (instance.variant != 0) expected.append(QString("wall_%1").arg(instance.variant));
+        }
+        expected.removeDuplicates();
+        QVERIFY(expected.size() >= 3);
+        QCOMPARE(folders(), expected);
+        QVERIFY(packOf("wall") != packOf(expected[1]) && packOf(expected[1]) != packOf(expected[2]));
+    }
     void withoutAnAssetNothingIsExported() {
         ExportDialog dialog(*m_workspace, nullptr);
         dialog.show();
@@ -105,6 +124,11 @@ private:
     void exportAgain() { exported(*m_workspace, *lastExport(*m_workspace), m_messages, nullptr); }
     QStringList folders() const {
         return QDir(m_folder->filePath("packs")).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    }
+
+    QByteArray packOf(const QString& folder) const {
+        QFile file(m_folder->filePath("packs/" + folder + "/pack.json"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

@@ -1,4 +1,5 @@
 #include "core/io/ProjectFile.h"
+#include "editor/ArrayDialogs.h"
 #include "editor/InstanceGizmo.h"
 #include "editor/InstancePlacing.h"
 #include "editor/MainWindow.h"
@@ -7,13 +8,17 @@
 #include "editor/Views.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/DraggedAsset.h"
+#include "tests/support/Dialogs.h"
 #include "tests/support/Projects.h"
 #include "tests/support/TestSettings.h"
 #include "viewport/ViewportWidget.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QMouseEvent>
+#include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -209,6 +214,48 @@ private slots:
         m_window->workspace().document().replace(Project());  // nor is there anything to place
         QVERIFY(!placing().isClicking());
     }
+    void rowsAreCopiedFromTheirDialogAsOneStep() {
+        test::whenAsked<GridArrayDialog>([](GridArrayDialog& dialog) {
+            QCOMPARE(dialog.array().steps, Vec3(1.0, 1.0, 0.5));  // side by side
+            const QList<QSpinBox*> counts = dialog.findChildren<QSpinBox*>();
+            QCOMPARE(counts.size(), 3);
+            counts[0]->setValue(2);
+            counts[2]->setValue(3);
+            dialog.findChildren<QDoubleSpinBox*>()[2]->setValue(1.5);
+            QTest::keyClick(&dialog, Qt::Key_Return);
+        });
+        action("instance-rows")->trigger();
+        QCOMPARE(project().instances.size(), std::size_t{3 + 5});
+        std::set<std::uint32_t> variants;
+        for (std::size_t k = 3; k < 8; ++k) {
+            variants.insert(project().instances[k].variant);
+            const Vec3 place = project().instances[k].pose.position;
+            QVERIFY((place.x == 2.0 || place.x == 3.0) && (place.z == 0.0 || place.z == 1.5 || place.z == 3.0));
+        }
+        QCOMPARE(variants.size(), std::size_t{5});
+        QCOMPARE(stack().count(), 1);
+        stack().undo();
+        QCOMPARE(projectText(project()), m_before);
+    }
+    void aRingIsCopiedFromItsDialogWithoutVariants() {
+        test::whenAsked<RingArrayDialog>([](RingArrayDialog& dialog) {
+            dialog.findChild<QSpinBox*>()->setValue(4);
+            QVERIFY(std::abs(glm::degrees(dialog.array().turn) - 90.0) < 1e-9);  // all around
+            dialog.findChild<QCheckBox*>()->setChecked(false);
+            QTest::keyClick(&dialog, Qt::Key_Return);
+        });
+        action("instance-ring")->trigger();
+        QCOMPARE(project().instances.size(), std::size_t{3 + 3});
+        QVERIFY(glm::distance(project().instances[4].pose.position, Vec3(-2.0, 0.0, 0.0)) < 1e-9);
+        for (const Instance& instance : project().instances) QCOMPARE(instance.variant, 0u);
+        QCOMPARE(stack().count(), 1);
+    }
+    void aCancelledArrayCopiesNothing() {
+        test::whenAsked<GridArrayDialog>([](GridArrayDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
+        action("instance-rows")->trigger();
+        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(stack().count(), 0);
+    }
     void anOverlapIsToldAndLeadsToThePlace() {
         Instance moved = *findInstance(project(), 11);
         moved.pose.position.x = 0.75;
@@ -232,6 +279,7 @@ private:
     }
     InstanceGizmo& gizmo() { return m_window->views().scene().gizmo(); }
     const Project& project() { return m_window->workspace().project(); }
+    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
     QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
     Vec3 placeOf(Id id) { return findInstance(project(), id)->pose.position; }
     void choose(std::set<Id> instances) {

@@ -1,6 +1,7 @@
 #include "core/asset/StarterProject.h"
 #include "core/io/ProjectFile.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/panels/InstanceMarks.h"
 #include "editor/panels/ProjectTree.h"
 #include "tests/support/Projects.h"
 #include "tests/support/RandomEdits.h"
@@ -38,6 +39,12 @@ struct Desk {
     void click(Kind kind, Id id, Qt::KeyboardModifiers modifiers = {}) {
         const QRect place = view.visualRect(model.indexOf({kind, id}));
         QTest::mouseClick(view.viewport(), Qt::LeftButton, modifiers, place.center());
+    }
+    /// `role`: of the mark at the end of an instance's row.
+    void clickMark(Id instance, int role, Qt::MouseButton button = Qt::LeftButton) {
+        const auto* marks = qobject_cast<InstanceMarks*>(view.itemDelegate());
+        const QRect place = marks->placeOf(model.indexOf({Kind::Instance, instance}), role);
+        QTest::mouseClick(view.viewport(), button, {}, place.center());
     }
     void rename(const QString& name) {
         QTest::keyClick(&view, Qt::Key_F2);
@@ -82,6 +89,39 @@ private slots:
         QCOMPARE(desk.selection.subject(), Part::Instance);
         desk.click(Kind::Scene, 0);
         QCOMPARE(desk.selection.subject(), Part::Scene);
+    }
+    void marksAreSwitchedByTheMouseAndChooseNothing() {
+        Project project = fullProject();
+        for (Instance& instance : project.instances) instance.isHidden = instance.isLocked = false;
+        Desk desk(project);
+        desk.click(Kind::Asset, 9);
+        const auto instance = [&desk] {
+            return *std::ranges::find(desk.document.project().instances, 21u, &Instance::id);
+        };
+        desk.clickMark(21, ProjectModel::kHiddenRole);
+        QVERIFY(instance().isHidden && !instance().isLocked);
+        desk.clickMark(21, ProjectModel::kLockedRole);
+        QVERIFY(instance().isHidden && instance().isLocked);
+        desk.clickMark(21, ProjectModel::kHiddenRole);
+        QVERIFY(!instance().isHidden && instance().isLocked);
+        QCOMPARE(desk.selection.asset(), 9u);
+        QCOMPARE(desk.selection.subject(), Part::Asset);
+        QCOMPARE(desk.document.undoStack().count(), 3);  // a step each
+        while (desk.document.undoStack().canUndo()) desk.document.undoStack().undo();
+        QCOMPARE(projectText(desk.document.project()), projectText(project));
+    }
+    void onlyInstancesHaveMarks() {
+        Desk desk;
+        const int end = desk.view.viewport()->width() - 6;
+        const QRect row = desk.view.visualRect(desk.model.indexOf({Kind::Asset, 9}));
+        QTest::mouseClick(desk.view.viewport(), Qt::LeftButton, {}, {end, row.center().y()});
+        QCOMPARE(desk.document.undoStack().count(), 0);
+        QCOMPARE(desk.selection.asset(), 9u);
+    }
+    void aRightClickOnAMarkSwitchesNothing() {
+        Desk desk;
+        desk.clickMark(21, ProjectModel::kHiddenRole, Qt::RightButton);
+        QCOMPARE(desk.document.undoStack().count(), 0);
     }
     void whatIsChosenElsewhereIsShown() {
         Desk desk;
