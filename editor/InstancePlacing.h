@@ -55,7 +55,7 @@ private:
     bool m_isClicking = false;
     bool m_isMenuDue = false;  // of the right button that ended it
     Id m_asset = 0;            // that is being dragged or placed
-    int m_turns = 0;           // by kTurnDegrees
+    int m_turns = 0;           // by InstanceGizmo::kStepDegrees
     QPointF m_pointer;
     AssetHulls m_hulls;
 };

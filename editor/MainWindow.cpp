@@ -15,6 +15,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMenuBar>
@@ -98,7 +99,11 @@ MainWindow::MainWindow(Program& program, Project project)
     updateCounts();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // What is shown looks at the workspace to its last event.
+    delete m_pages;
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+}
 
 bool MainWindow::isPristine() const { return !m_isShowingWork; }
 

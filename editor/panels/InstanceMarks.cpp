@@ -86,7 +86,8 @@ bool InstanceMarks::helpEvent(QHelpEvent* event, QAbstractItemView* view, const 
 
 bool InstanceMarks::eventFilter(QObject* watched, QEvent* event) {
     const bool isPress = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
-    if (watched != m_view.viewport() || !isPress) return QStyledItemDelegate::eventFilter(watched, event);
+    // A view that is being destroyed has no viewport any more, and presses nothing.
+    if (!isPress || watched != m_view.viewport()) return QStyledItemDelegate::eventFilter(watched, event);
     const auto& mouse = static_cast<QMouseEvent&>(*event);
     const std::optional<int> role = markAt(mouse.position().toPoint());
     if (!role || mouse.button() != Qt::LeftButton) return false;

@@ -17,7 +17,8 @@ enum class PlayState {
 /// Plays a window's document: keeps a play thread to what the user wants and the document says, and holds what came of it. The
 /// document is never touched.
 ///
-/// What the user does while it waits for bakes is done as soon as it begins. Edits of the document are followed while it plays where liveInputs() knows how; others begin the play anew.
+/// What the user does while it waits for bakes is done as soon as it begins. Edits of the document are followed while it plays
+/// where liveInputs() knows how; others begin the play anew.
 class PlayController : public QObject {
     Q_OBJECT
 public:

@@ -34,8 +34,8 @@ public:
 
     /// What moments show from now on. With hulls as it was it costs nothing; hulls that come or go are new geometry.
     void setOverlays(const PlayOverlays& overlays);
-    /// What heat shows from now on: a forecast, place by place on surfaces. Without one, the default, it shows the impacts of the last steps that
-    /// moments were made of, cooling down within a second.
+    /// What heat shows from now on: a forecast, place by place on surfaces. Without one, the default, it shows the impacts of
+    /// the last steps that moments were made of, cooling down within a second.
     void setForecast(std::optional<std::vector<BodyForecast>> bodies);
 
 private:

@@ -22,8 +22,7 @@ struct SurfaceHeat {
     glm::vec4 velocity{0.0f};  // m/s; w: 1 / its threshold
     glm::vec4 spin{0.0f};      // rad/s; w: 1 + the restitution between it and what is thrown
     glm::vec4 inertia{0.0f};   // of the inverse: xx, yy, zz; w: nothing
-    glm::vec4 products{
-        0.0f};  // of the inverse: xy, xz, yz; w: by the momentum rule what its own motion does, N s; else -1
+    glm::vec4 products{0.0f};  // of the inverse: xy, xz, yz; w: by the momentum rule its own momentum, N s; else -1
 };
 
 HeatSource heatSource(const ForecastMissile& missile, Vec3 origin);
