@@ -5,7 +5,9 @@
 #include "editor/MainWindow.h"
 #include "editor/ShapeDialog.h"
 #include "editor/Views.h"
+#include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/panels/LayerText.h"
 
 #include <QMenu>
 
@@ -13,7 +15,13 @@ namespace rubble {
 
 namespace {
 
-constexpr double kDistanceShare = 0.15;  // of the outline's diameter: how far a new blue noise keeps its seeds apart
+/// "Blue Noise" of "Blue noise".
+QString inTitleCase(QString text) {
+    for (qsizetype k = 1; k < text.size(); ++k) {
+        if (text[k - 1] == ' ') text[k] = text[k].toUpper();
+    }
+    return text;
+}
 
 }  // namespace
 
@@ -30,14 +38,7 @@ AssetActions::AssetActions(MainWindow& window)
                  &AssetActions::drawOutline);
     m_menu->addSeparator();
     QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
-    const auto addToLayers = addingTo(*layers, this);
-    addToLayers({"layer-uniform", tr("&Uniform"), tr("Add seeds thrown evenly at random")}, &AssetActions::scatter);
-    addToLayers({"layer-blue-noise", tr("&Blue Noise"), tr("Add random seeds that keep a distance")},
-                &AssetActions::blueNoise);
-    addToLayers({"layer-placed", tr("&Placed Seeds"), tr("Add a layer for seeds placed by hand")},
-                &AssetActions::placed);
-    addToLayers({"layer-lloyd", tr("&Lloyd Relaxation"), tr("Even out the scattered seeds of the layers above")},
-                &AssetActions::relax);
+    for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind);
     m_forAsset = layers->actions();
     m_forAsset +=
         {add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),
@@ -87,20 +88,16 @@ void AssetActions::addShape(const QString& name, const Polygon& outline, double 
     m_window.views().fit();
 }
 
-void AssetActions::scatter() { addLayerOf(UniformScatter{}); }
-
-void AssetActions::blueNoise() {
-    const double diameter = boundsOf(m_window.workspace().asset()->prism.outline.outer).diagonal();
-    addLayerOf(BlueNoise{.minimumDistance = kDistanceShare * diameter});
-}
-
-void AssetActions::placed() { addLayerOf(PlacedSeeds{}); }
-
-void AssetActions::relax() { addLayerOf(LloydRelaxation{}); }
-
-void AssetActions::addLayerOf(const LayerParameters& parameters) {
-    Workspace& workspace = m_window.workspace();
-    workspace.document().push(addLayer(workspace.project(), workspace.selection().asset(), parameters).edit);
+void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind) {
+    const LayerParameters usual = kind.suitedTo({{0.0, 0.0}, {1.0, 1.0}});
+    QAction* action =
+        makeAction(this, {kindIconName(usual), '&' + inTitleCase(kindText(usual)), patternText(kind.hint)});
+    menu.addAction(action);
+    connect(action, &QAction::triggered, this, [this, &kind] {
+        Workspace& workspace = m_window.workspace();
+        const Asset& asset = *workspace.asset();
+        workspace.document().push(addLayer(workspace.project(), asset.id, kind.suitedTo(boundsToFill(asset))).edit);
+    });
 }
 
 void AssetActions::shuffle() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fracture/Pattern.h"
+#include "core/fracture/PatternKind.h"
 
 #include <QObject>
 
@@ -26,11 +26,7 @@ private:
     void addPolygon();
     void drawOutline();
     void addShape(const QString& name, const Polygon& outline, double depth);
-    void addLayerOf(const LayerParameters& parameters);
-    void scatter();
-    void blueNoise();
-    void placed();
-    void relax();
+    void addLayerAction(QMenu& menu, const PatternKind& kind);
     void shuffle();
     void duplicate();
     void remove();

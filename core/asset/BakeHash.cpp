@@ -1,4 +1,5 @@
 #include "core/asset/Bake.h"
+#include "core/fracture/PatternKind.h"
 
 #include <algorithm>
 #include <array>
@@ -28,17 +29,28 @@ void add(Hasher& hasher, const Prism& prism) {
     hasher.add(prism.depth);
 }
 
-// One a kind of layer.
-void add(Hasher& hasher, const UniformScatter& scatter) {
-    hasher.add(std::uint64_t{scatter.count});
-    hasher.add(static_cast<std::uint64_t>(scatter.domain));
+/// The number alone, as it always was; of another count what no number can be before it.
+void add(Hasher& hasher, const SeedCount& count) {
+    if (count.by == CountBy::Number) return hasher.add(static_cast<std::uint64_t>(count.amount));
+    hasher.add((std::uint64_t{1} << 63) + static_cast<std::uint64_t>(count.by));
+    hasher.add(count.amount);
 }
-void add(Hasher& hasher, const BlueNoise& noise) {
-    hasher.add(noise.minimumDistance);
-    hasher.add(std::uint64_t{noise.count});
-    hasher.add(static_cast<std::uint64_t>(noise.domain));
+
+void add(Hasher& hasher, const LayerParameter& parameter, const LayerParameters& of) {
+    const ParameterValue value = parameter.read(of);
+    switch (parameter.type) {
+        case ParameterType::Whole:
+        case ParameterType::Choice: return hasher.add(static_cast<std::uint64_t>(std::get<double>(value)));
+        case ParameterType::Real: return hasher.add(std::get<double>(value));
+        case ParameterType::Point: return add(hasher, std::get<Vec2>(value));
+        case ParameterType::Count: return add(hasher, std::get<SeedCount>(value));
+    }
 }
-void add(Hasher& hasher, const PlacedSeeds& placed) {
+
+// What a kind holds besides its parameters.
+template <class Parameters>
+void addHeld(Hasher&, const Parameters&) {}
+void addHeld(Hasher& hasher, const PlacedSeeds& placed) {
     hasher.add(std::uint64_t{placed.seeds.size()});
     // Many at once: a call costs more than what is hashed.
     std::array<std::uint64_t, 3 * 256> words;
@@ -52,13 +64,14 @@ void add(Hasher& hasher, const PlacedSeeds& placed) {
         count = 0;
     }
 }
-void add(Hasher& hasher, const LloydRelaxation& relaxation) { hasher.add(std::uint64_t{relaxation.rounds}); }
 
 void add(Hasher& hasher, const PatternLayer& layer) {
     hasher.add(std::uint64_t{layer.id});
     hasher.add(layer.randomSeed);
     hasher.add(std::uint64_t{layer.parameters.index()});
-    std::visit([&](const auto& parameters) { add(hasher, parameters); }, layer.parameters);
+    for (const LayerParameter& parameter : kindOf(layer.parameters).parameters)
+        add(hasher, parameter, layer.parameters);
+    std::visit([&](const auto& parameters) { addHeld(hasher, parameters); }, layer.parameters);
     hasher.add(std::uint64_t{layer.overrides.size()});
     for (const SeedOverride& change : layer.overrides) {
         hasher.add(std::uint64_t{change.index});

@@ -10,6 +10,22 @@
 namespace rubble {
 namespace {
 
+constexpr double kUsualShare = 0.15;  // of the outline's diameter: how far a new layer keeps its seeds apart
+
+constexpr std::array kParameters{
+    parameter<&BlueNoise::minimumDistance>({.name = "minimumDistance",
+                                            .caption = "Distance",
+                                            .hint = "No two seeds are nearer to each other than this",
+                                            .quantity = Quantity::Length,
+                                            .range = kAboveZero,
+                                            .usual = {0.005, 2.0, true}}),
+    parameter<&BlueNoise::count>({.name = "count",
+                                  .caption = "At most",
+                                  .hint = "How many seeds; 0: as many as find room",
+                                  .range = {0.0, kMostSeeds}}),
+    parameter<&BlueNoise::domain>(kDomainParameter),
+};
+
 /// After this many darts in a row without a hit about a hundredth of the area is free: time to search for it.
 constexpr int kMostMisses = 100;
 /// Squares are quartered until they are this small against the minimum distance; a gap so small counts as no room.
@@ -24,11 +40,11 @@ double leastStep(const Box2& box) {
 /// Throws darts until enough have hit. The darts never depend on how many are wanted, so that more only go on.
 class DartThrower {
 public:
-    DartThrower(const BlueNoise& noise, const LayerContext& context, const Polygon& domain, std::size_t room)
+    DartThrower(const BlueNoise& noise, const LayerContext& context, const Polygon& domain, std::size_t wanted)
         : m_noise(noise),
           m_context(context),
           m_domain(domain),
-          m_wanted(noise.count == 0 ? room + 1 : noise.count),
+          m_wanted(wanted),
           m_random(context.random()),
           m_seeds(boundsOf(domain.outer), noise.minimumDistance) {}
 
@@ -72,30 +88,35 @@ private:
     SeedGrid m_seeds;
 };
 
-Report noRoom(const BlueNoise& noise, const LayerContext& context, std::size_t found) {
+Report noRoom(const BlueNoise& noise, const LayerContext& context, std::size_t found, std::size_t wanted) {
     return {ReportCode::NoRoom, kNone, context.layer.id, static_cast<double>(found),
-            context.name() + " found room for " + std::to_string(found) + " of " + std::to_string(noise.count) +
+            context.name() + " found room for " + std::to_string(found) + " of " + std::to_string(wanted) +
                 " seeds at a distance of " + messageText(noise.minimumDistance) + " m."};
 }
 
 }  // namespace
 
-std::optional<std::string> parameterFault(const BlueNoise& noise) {
-    if (std::isfinite(noise.minimumDistance) && noise.minimumDistance > 0.0) return std::nullopt;
-    return "the minimum distance is " + messageText(noise.minimumDistance) + " m, but it must be finite and above zero";
-}
+constinit const PatternKind BlueNoise::kKind{.name = "blueNoise",
+                                             .caption = "Blue noise",
+                                             .hint = "Random seeds that keep their distance",
+                                             .role = LayerRole::Scatters,
+                                             .parameters = kParameters,
+                                             .suitedTo = [](const Box2& bounds) -> LayerParameters {
+                                                 return BlueNoise{.minimumDistance = kUsualShare * bounds.diagonal()};
+                                             }};
 
-Status applyLayer(const BlueNoise& noise, const LayerContext& context, SeedSet& seeds) {
+Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t room = kMostSeeds - seeds.size();
-    if (noise.count > room) return tooManySeeds(context);
-    const Polygon domain = ScatterArea::domain(context.outline, noise.domain);
-    const Result<ScatterArea> area = ScatterArea::of(domain);
+    const Polygon filled = ScatterArea::domain(context.outline, domain);
+    const Result<std::uint32_t> wanted = seedsToAdd(count, filled, context, seeds);
+    if (!wanted) return wanted.error();
+    const Result<ScatterArea> area = ScatterArea::of(filled);
     if (!area) return area.error();
     // However they are placed, discs of the minimum distance around all seeds cover the area once no more find room.
-    const double leastToFill = area->area() / (4.0 * noise.minimumDistance * noise.minimumDistance);
-    if (noise.count == 0 && leastToFill > static_cast<double>(room)) return tooManySeeds(context);
+    const double leastToFill = area->area() / (4.0 * minimumDistance * minimumDistance);
+    if (*wanted == 0 && leastToFill > static_cast<double>(room)) return tooManySeeds(context);
 
-    DartThrower thrower(noise, context, domain, room);
+    DartThrower thrower(*this, context, filled, *wanted == 0 ? room + 1 : *wanted);
     if (const Status thrown = thrower.throwAnywhere(*area); !thrown) return thrown;
     if (const Status thrown = thrower.throwIntoGaps(); !thrown) return thrown;
     const std::vector<Vec2>& found = thrower.seeds();
@@ -103,7 +124,7 @@ Status applyLayer(const BlueNoise& noise, const LayerContext& context, SeedSet& 
     for (std::uint32_t index = 0; index < found.size(); ++index) {
         seeds.add({context.layer.id, index}, found[index], false);
     }
-    if (found.size() < noise.count) seeds.reports.push_back(noRoom(noise, context, found.size()));
+    if (found.size() < *wanted) seeds.reports.push_back(noRoom(*this, context, found.size(), *wanted));
     return success();
 }
 

@@ -7,6 +7,15 @@ namespace {
 /// More rounds move seeds by less than anybody sees, and a slip of the finger must not cost an hour.
 constexpr std::uint32_t kMostRounds = 1000;
 
+constexpr std::array kParameters{
+    parameter<&LloydRelaxation::rounds>(
+        {.name = "rounds",
+         .caption = "Rounds",
+         .hint = "How often the seeds above move to the middle of their cells: more make cells even",
+         .range = {0.0, kMostRounds},
+         .usual = {0.0, 20.0}}),
+};
+
 /// The centre of area of all pieces of one seed, which begin at `piece`.
 Vec2 centreOfCell(const Partition& partition, std::uint32_t piece) {
     const std::uint32_t seed = partition.seedOfPiece[piece];
@@ -23,14 +32,17 @@ Vec2 centreOfCell(const Partition& partition, std::uint32_t piece) {
 
 }  // namespace
 
-std::optional<std::string> parameterFault(const LloydRelaxation& relaxation) {
-    if (relaxation.rounds <= kMostRounds) return std::nullopt;
-    return "there are " + std::to_string(relaxation.rounds) + " rounds of relaxation, but " +
-           std::to_string(kMostRounds) + " is the most";
-}
+constinit const PatternKind LloydRelaxation::kKind{
+    .name = "lloyd",
+    .caption = "Lloyd relaxation",
+    .hint = "Evens out the layers above",
+    .role = LayerRole::Moves,
+    .parameters = kParameters,
+    .suitedTo = [](const Box2&) -> LayerParameters { return LloydRelaxation{}; }};
 
-Status applyLayer(const LloydRelaxation& relaxation, const LayerContext& context, SeedSet& seeds) {
-    for (std::uint32_t round = 0; round < relaxation.rounds; ++round) {
+Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const {
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+        if (context.task.isCancelled()) return TaskContext::cancelled();
         const Result<Partition> partition = voronoiPartition(context.outline, seeds.positions, context.task);
         if (!partition) return partition.error();
         for (std::size_t seed = 0; seed < seeds.size(); ++seed) {

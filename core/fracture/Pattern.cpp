@@ -55,7 +55,30 @@ void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& see
     seeds.isHeld.resize(kept);
 }
 
+template <class Parameters>
+std::optional<std::string> faultOfAll(const Parameters& parameters) {
+    for (const LayerParameter& parameter : Parameters::kKind.parameters) {
+        if (std::optional<std::string> fault = parameterFault(parameter, parameters)) return fault;
+    }
+    if constexpr (requires { parameters.fault(); }) {
+        return parameters.fault();
+    } else {
+        return std::nullopt;
+    }
+}
+
+/// The kinds of a variant's alternatives.
+template <class... Parameters>
+constexpr auto kindsOf(const std::variant<Parameters...>*) {
+    return std::array{&Parameters::kKind...};
+}
+constexpr auto kKinds = kindsOf(static_cast<const LayerParameters*>(nullptr));
+
 }  // namespace
+
+const PatternKind& kindOf(const LayerParameters& parameters) { return *kKinds[parameters.index()]; }
+
+std::span<const PatternKind* const> patternKinds() { return kKinds; }
 
 void SeedSet::add(SeedId id, Vec2 position, bool held) {
     positions.push_back(position);
@@ -69,12 +92,19 @@ Error tooManySeeds(const LayerContext& context) {
     return {ErrorCode::Limit, context.name() + " brings the pattern above " + std::to_string(kMostSeeds) + " seeds."};
 }
 
+Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, const LayerContext& context,
+                                 const SeedSet& seeds) {
+    const double wanted = count.in(area(filled));
+    if (!(wanted <= static_cast<double>(kMostSeeds - seeds.size()))) return tooManySeeds(context);
+    return static_cast<std::uint32_t>(wanted);
+}
+
 std::string SeedId::text() const { return std::to_string(layer) + "." + std::to_string(index); }
 
 std::optional<std::string> verifyPattern(const Pattern& pattern) {
     for (const PatternLayer& layer : pattern.layers) {
         std::optional<std::string> fault =
-            std::visit([](const auto& parameters) { return parameterFault(parameters); }, layer.parameters);
+            std::visit([](const auto& parameters) { return faultOfAll(parameters); }, layer.parameters);
         if (!fault) fault = overrideFault(layer.overrides);
         if (fault) return "Layer " + std::to_string(layer.id) + ": " + *fault + ".";
     }
@@ -89,8 +119,8 @@ Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const Task
         if (task.isCancelled()) return TaskContext::cancelled();
         const LayerContext context{layer, outline, task};
         const std::size_t first = seeds.size();
-        const Status applied = std::visit(
-            [&](const auto& parameters) { return applyLayer(parameters, context, seeds); }, layer.parameters);
+        const Status applied =
+            std::visit([&](const auto& parameters) { return parameters.apply(context, seeds); }, layer.parameters);
         if (!applied) return applied.error();
         applyOverrides(context, first, seeds);
     }

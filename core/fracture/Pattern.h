@@ -2,7 +2,11 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
+#include "core/fracture/BlueNoise.h"
+#include "core/fracture/LloydRelaxation.h"
+#include "core/fracture/PlacedSeeds.h"
 #include "core/fracture/Report.h"
+#include "core/fracture/UniformScatter.h"
 #include "core/geometry/Polygon.h"
 
 #include <compare>
@@ -14,46 +18,8 @@
 
 namespace rubble {
 
-/// Where a scatter throws its seeds.
-enum class ScatterDomain {
-    Outline,      // inside the outline
-    BoundingBox,  // inside its bounding box, as the thesis does; seeds outside the outline compete like any other
-};
-
-/// `count` seeds, uniformly at random. The first n of a greater count are the same n.
-struct UniformScatter {
-    std::uint32_t count = 20;
-    ScatterDomain domain = ScatterDomain::Outline;
-    bool operator==(const UniformScatter&) const = default;
-};
-
-/// Random seeds of which no two are nearer than `minimumDistance`; `count` of them, or as many as find room.
-/// Earlier seeds are the same at a greater count.
-struct BlueNoise {
-    double minimumDistance = 0.1;  // m
-    std::uint32_t count = 0;       // 0: as many as find room
-    ScatterDomain domain = ScatterDomain::Outline;
-    bool operator==(const BlueNoise&) const = default;
-};
-
-/// Seeds placed by hand. Their indices are kept when others are deleted.
-struct PlacedSeeds {
-    struct Seed {
-        std::uint32_t index = 0;
-        Vec2 position{0.0, 0.0};
-        bool operator==(const Seed&) const = default;
-    };
-    std::vector<Seed> seeds;  // ascending index
-    bool operator==(const PlacedSeeds&) const = default;
-};
-
-/// Moves the scattered seeds of the layers before it to the centres of their cells, `rounds` times. Seeds placed
-/// by hand or moved by an override stay where they are.
-struct LloydRelaxation {
-    std::uint32_t rounds = 3;
-    bool operator==(const LloydRelaxation&) const = default;
-};
-
+/// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
+/// ones go to the end.
 using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation>;
 
 /// A change made by hand to one scattered seed of a layer.

@@ -1,13 +1,39 @@
 #pragma once
 
 #include "core/base/Random.h"
-#include "core/fracture/Pattern.h"
+#include "core/fracture/LayerParameter.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rubble {
+
+// A kind of layer is a struct with its parameters, `apply()` and `kKind` in a header and a .cpp of its own; a place at the
+// end of LayerParameters; and a test. What is told of it there is all that files, hashes and the editor need to know, but
+// for an icon. A kind that holds more than parameters, as seeds placed by hand, has a fault(), too.
+
+enum class LayerRole {
+    Scatters,  // adds seeds that follow from a random seed and may be overridden
+    Places,    // adds seeds that it holds itself
+    Moves,     // adds none; moves those of the layers before
+};
+
+/// What is told of a kind of layer. Texts for users are English, and the keys of their translations.
+struct PatternKind {
+    std::string_view name;  // in files: "blueNoise"
+    const char* caption;    // "Blue noise"
+    const char* hint;       // what it adds, in a few words
+    LayerRole role;
+    std::span<const LayerParameter> parameters;  // in the order of files
+    /// The parameters with which a new layer begins, given the box around what it is to fill.
+    LayerParameters (*suitedTo)(const Box2& bounds);
+};
+
+/// The kind of a layer.
+const PatternKind& kindOf(const LayerParameters& parameters);
+/// All kinds, in the order of LayerParameters.
+std::span<const PatternKind* const> patternKinds();
 
 /// The seeds while a recipe is carried out.
 struct SeedSet {
@@ -20,7 +46,7 @@ struct SeedSet {
     void add(SeedId id, Vec2 position, bool held);
 };
 
-/// What a layer works with.
+/// What a layer works with. Its apply() adds seeds with ascending indices to those of the layers before, or moves those.
 struct LayerContext {
     const PatternLayer& layer;
     const Polygon& outline;  // validated
@@ -28,6 +54,10 @@ struct LayerContext {
 
     /// The layer's own stream of random numbers, always from its start.
     Random random() const { return Random(mixedWith(layer.randomSeed, layer.id)); }
+    /// A stream for one of its seeds or of what else it counts.
+    Random randomOf(std::uint64_t index) const {
+        return Random(mixedWith(mixedWith(layer.randomSeed, layer.id), index));
+    }
     /// "Layer 4", as sentences begin.
     std::string name() const;
     /// True now and then where the task was cancelled; made for a call in every round of a loop.
@@ -37,19 +67,8 @@ struct LayerContext {
 /// The fault of a pattern that gives too many seeds.
 Error tooManySeeds(const LayerContext& context);
 
-// A kind of layer is its parameters in LayerParameters, these two functions in a file of its own, and a test:
-//   parameterFault  what is wrong with the parameters, as the end of a sentence that begins with the layer's name
-//   applyLayer      adds seeds with ascending indices to those of the layers before, or moves those
-std::optional<std::string> parameterFault(const UniformScatter& scatter);
-Status applyLayer(const UniformScatter& scatter, const LayerContext& context, SeedSet& seeds);
-
-std::optional<std::string> parameterFault(const BlueNoise& noise);
-Status applyLayer(const BlueNoise& noise, const LayerContext& context, SeedSet& seeds);
-
-std::optional<std::string> parameterFault(const PlacedSeeds& placed);
-Status applyLayer(const PlacedSeeds& placed, const LayerContext& context, SeedSet& seeds);
-
-std::optional<std::string> parameterFault(const LloydRelaxation& relaxation);
-Status applyLayer(const LloydRelaxation& relaxation, const LayerContext& context, SeedSet& seeds);
+/// How many seeds a count means in an area that is filled. Errors: Limit where there are too many with those before.
+Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, const LayerContext& context,
+                                 const SeedSet& seeds);
 
 }  // namespace rubble

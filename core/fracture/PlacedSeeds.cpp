@@ -5,12 +5,19 @@
 
 namespace rubble {
 
-std::optional<std::string> parameterFault(const PlacedSeeds& placed) {
-    for (std::size_t k = 0; k < placed.seeds.size(); ++k) {
-        const PlacedSeeds::Seed& seed = placed.seeds[k];
+constinit const PatternKind PlacedSeeds::kKind{
+    .name = "placed",
+    .caption = "Placed seeds",
+    .hint = "Seeds placed by hand",
+    .role = LayerRole::Places,
+    .suitedTo = [](const Box2&) -> LayerParameters { return PlacedSeeds{}; }};
+
+std::optional<std::string> PlacedSeeds::fault() const {
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+        const Seed& seed = seeds[k];
         const auto name = [&] { return "seed " + std::to_string(seed.index); };
-        if (k > 0 && seed.index <= placed.seeds[k - 1].index) {
-            return name() + " does not come after seed " + std::to_string(placed.seeds[k - 1].index);
+        if (k > 0 && seed.index <= seeds[k - 1].index) {
+            return name() + " does not come after seed " + std::to_string(seeds[k - 1].index);
         }
         if (!std::isfinite(seed.position.x) || !std::isfinite(seed.position.y)) {
             return name() + " stands at (" + messageText(seed.position.x) + ", " + messageText(seed.position.y) +
@@ -20,11 +27,11 @@ std::optional<std::string> parameterFault(const PlacedSeeds& placed) {
     return std::nullopt;
 }
 
-Status applyLayer(const PlacedSeeds& placed, const LayerContext& context, SeedSet& seeds) {
-    if (placed.seeds.size() > kMostSeeds - seeds.size()) return tooManySeeds(context);
-    seeds.positions.reserve(seeds.size() + placed.seeds.size());
-    seeds.ids.reserve(seeds.positions.capacity());
-    for (const PlacedSeeds::Seed& seed : placed.seeds) seeds.add({context.layer.id, seed.index}, seed.position, true);
+Status PlacedSeeds::apply(const LayerContext& context, SeedSet& all) const {
+    if (seeds.size() > kMostSeeds - all.size()) return tooManySeeds(context);
+    all.positions.reserve(all.size() + seeds.size());
+    all.ids.reserve(all.positions.capacity());
+    for (const Seed& seed : seeds) all.add({context.layer.id, seed.index}, seed.position, true);
     return success();
 }
 

@@ -2,15 +2,31 @@
 #include "core/fracture/ScatterArea.h"
 
 namespace rubble {
+namespace {
 
-std::optional<std::string> parameterFault(const UniformScatter&) { return std::nullopt; }
+constexpr std::array kParameters{
+    parameter<&UniformScatter::count>(kCountParameter),
+    parameter<&UniformScatter::domain>(kDomainParameter),
+};
 
-Status applyLayer(const UniformScatter& scatter, const LayerContext& context, SeedSet& seeds) {
-    if (scatter.count > kMostSeeds - seeds.size()) return tooManySeeds(context);
-    const Result<ScatterArea> area = ScatterArea::of(ScatterArea::domain(context.outline, scatter.domain));
+}  // namespace
+
+constinit const PatternKind UniformScatter::kKind{
+    .name = "uniform",
+    .caption = "Uniform",
+    .hint = "Seeds anywhere, at random",
+    .role = LayerRole::Scatters,
+    .parameters = kParameters,
+    .suitedTo = [](const Box2&) -> LayerParameters { return UniformScatter{}; }};
+
+Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const {
+    const Polygon filled = ScatterArea::domain(context.outline, domain);
+    const Result<std::uint32_t> wanted = seedsToAdd(count, filled, context, seeds);
+    if (!wanted) return wanted.error();
+    const Result<ScatterArea> area = ScatterArea::of(filled);
     if (!area) return area.error();
     Random random = context.random();
-    for (std::uint32_t index = 0; index < scatter.count; ++index) {
+    for (std::uint32_t index = 0; index < *wanted; ++index) {
         if (context.isCancelledAt(index)) return TaskContext::cancelled();
         seeds.add({context.layer.id, index}, area->point(random), false);
     }

@@ -117,6 +117,11 @@ void JsonValue::expected(const std::string& what) const {
 
 void JsonValue::requireObject(std::initializer_list<std::string_view> required,
                               std::initializer_list<std::string_view> optional) const {
+    requireObject(std::span(required.begin(), required.size()), std::span(optional.begin(), optional.size()));
+}
+
+void JsonValue::requireObject(std::span<const std::string_view> required,
+                              std::span<const std::string_view> optional) const {
     const JsonDocument::Node* node = readable();
     if (!node) return;
     if (node->kind != JsonDocument::Kind::Object) return expected("an object");

@@ -96,6 +96,8 @@ public:
     /// An object with all the required keys and none but these and the optional ones.
     void requireObject(std::initializer_list<std::string_view> required,
                        std::initializer_list<std::string_view> optional = {}) const;
+    void requireObject(std::span<const std::string_view> required,
+                       std::span<const std::string_view> optional = {}) const;
     /// The value of a key; not present where the object does not have it.
     JsonValue operator[](std::string_view key) const;
     /// The elements of an array, in order.

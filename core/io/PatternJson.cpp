@@ -1,42 +1,70 @@
 #include "core/io/PatternJson.h"
 
-#include <array>
+#include "core/fracture/PatternKind.h"
+
+#include <vector>
 
 namespace rubble {
 namespace {
 
-// In the order of their enumerators and of the alternatives of LayerParameters.
-constexpr std::array<std::string_view, 2> kDomains{"outline", "boundingBox"};
-constexpr std::array<std::string_view, 4> kKinds{"uniform", "blueNoise", "placed", "lloyd"};
-static_assert(kKinds.size() == std::variant_size_v<LayerParameters>);
+constexpr std::string_view kPerSquareMetre = "perSquareMetre";
+constexpr std::string_view kPieceSize = "pieceSize";
 
-void writeDomain(JsonLayout& json, ScatterDomain domain) {
-    json.text("domain", kDomains[static_cast<std::size_t>(domain)]);
+/// What files call the kinds, in the order of LayerParameters.
+std::vector<std::string_view> kindNames() {
+    std::vector<std::string_view> names;
+    for (const PatternKind* kind : patternKinds()) names.push_back(kind->name);
+    return names;
 }
 
-ScatterDomain readDomain(const JsonValue& domain) { return static_cast<ScatterDomain>(domain.oneOf(kDomains)); }
-
-void writeParameters(JsonLayout& json, const UniformScatter& scatter) {
-    json.wholeNumber("count", scatter.count);
-    writeDomain(json, scatter.domain);
+std::vector<std::string_view> namesOf(std::span<const ParameterChoice> choices) {
+    std::vector<std::string_view> names;
+    for (const ParameterChoice& choice : choices) names.push_back(choice.name);
+    return names;
 }
 
-UniformScatter readUniform(const JsonValue& value) {
-    value.requireObject({"count", "domain"});
-    return {.count = value["count"].index(), .domain = readDomain(value["domain"])};
+/// A count by number stands there as it is; another one in an object that names by what.
+void writeCount(JsonLayout& json, std::string_view key, const SeedCount& count) {
+    if (count.by == CountBy::Number) return json.wholeNumber(key, static_cast<std::uint32_t>(count.amount));
+    json.openObject(key, JsonLines::One);
+    json.number(count.by == CountBy::Density ? kPerSquareMetre : kPieceSize, count.amount);
+    json.close();
 }
 
-void writeParameters(JsonLayout& json, const BlueNoise& noise) {
-    json.number("minimumDistance", noise.minimumDistance);
-    json.wholeNumber("count", noise.count);
-    writeDomain(json, noise.domain);
+SeedCount readCount(const JsonValue& value) {
+    if (!value.isObject()) return value.index();
+    if (value[kPieceSize].isPresent()) {
+        value.requireObject({kPieceSize});
+        return {CountBy::PieceSize, value[kPieceSize].number()};
+    }
+    value.requireObject({kPerSquareMetre});
+    return {CountBy::Density, value[kPerSquareMetre].number()};
 }
 
-BlueNoise readBlueNoise(const JsonValue& value) {
-    value.requireObject({"minimumDistance", "count", "domain"});
-    return {.minimumDistance = value["minimumDistance"].number(),
-            .count = value["count"].index(),
-            .domain = readDomain(value["domain"])};
+void writeParameter(JsonLayout& json, const LayerParameter& parameter, const LayerParameters& of) {
+    const ParameterValue value = parameter.read(of);
+    const auto whole = [&] { return static_cast<std::uint32_t>(std::get<double>(value)); };
+    switch (parameter.type) {
+        case ParameterType::Whole: return json.wholeNumber(parameter.name, whole());
+        case ParameterType::Real: return json.number(parameter.name, std::get<double>(value));
+        case ParameterType::Choice: return json.text(parameter.name, parameter.choices[whole()].name);
+        case ParameterType::Count: return writeCount(json, parameter.name, std::get<SeedCount>(value));
+        case ParameterType::Point: {
+            const Vec2 point = std::get<Vec2>(value);
+            return json.numbers(parameter.name, {point.x, point.y});
+        }
+    }
+}
+
+ParameterValue readParameter(const JsonValue& value, const LayerParameter& parameter) {
+    switch (parameter.type) {
+        case ParameterType::Whole: return static_cast<double>(value.index());
+        case ParameterType::Choice: return static_cast<double>(value.oneOf(namesOf(parameter.choices)));
+        case ParameterType::Point: return value.point();
+        case ParameterType::Count: return readCount(value);
+        case ParameterType::Real: break;
+    }
+    return value.number();
 }
 
 void writeSeed(JsonLayout& json, const PlacedSeeds::Seed& seed) {
@@ -51,29 +79,35 @@ PlacedSeeds::Seed readSeed(const JsonValue& value) {
     return {.index = value["index"].index(), .position = value["position"].point()};
 }
 
-void writeParameters(JsonLayout& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
+// What a kind holds besides its parameters: the key it stands at, if there is any, and how it is written and read.
+template <class Parameters>
+std::string_view heldKey(const Parameters&) {
+    return {};
+}
+template <class Parameters>
+void writeHeld(JsonLayout&, const Parameters&) {}
+template <class Parameters>
+void readHeld(const JsonValue&, Parameters&) {}
 
-PlacedSeeds readPlaced(const JsonValue& value) {
-    value.requireObject({"seeds"});
-    return {.seeds = value["seeds"].listOf(readSeed)};
+std::string_view heldKey(const PlacedSeeds&) { return "seeds"; }
+void writeHeld(JsonLayout& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
+void readHeld(const JsonValue& value, PlacedSeeds& placed) { placed.seeds = value.listOf(readSeed); }
+
+void writeParameters(JsonLayout& json, const LayerParameters& parameters) {
+    for (const LayerParameter& each : kindOf(parameters).parameters) writeParameter(json, each, parameters);
+    std::visit([&](const auto& kind) { writeHeld(json, kind); }, parameters);
 }
 
-void writeParameters(JsonLayout& json, const LloydRelaxation& relaxation) {
-    json.wholeNumber("rounds", relaxation.rounds);
-}
-
-LloydRelaxation readLloyd(const JsonValue& value) {
-    value.requireObject({"rounds"});
-    return {.rounds = value["rounds"].index()};
-}
-
-LayerParameters readParameters(std::size_t kind, const JsonValue& value) {
-    switch (kind) {
-        case 0: return readUniform(value);
-        case 1: return readBlueNoise(value);
-        case 2: return readPlaced(value);
-        default: return readLloyd(value);
-    }
+LayerParameters readParameters(const PatternKind& kind, const JsonValue& value) {
+    LayerParameters read = kind.suitedTo({{0.0, 0.0}, {1.0, 1.0}});  // all of it is overwritten
+    const std::string_view held = std::visit([](const auto& parameters) { return heldKey(parameters); }, read);
+    std::vector<std::string_view> keys;
+    for (const LayerParameter& parameter : kind.parameters) keys.push_back(parameter.name);
+    if (!held.empty()) keys.push_back(held);
+    value.requireObject(keys);
+    for (const LayerParameter& each : kind.parameters) each.write(read, readParameter(value[each.name], each));
+    if (!held.empty()) std::visit([&](auto& parameters) { readHeld(value[held], parameters); }, read);
+    return read;
 }
 
 void writeOverride(JsonLayout& json, const SeedOverride& change) {
@@ -96,9 +130,9 @@ void writeLayer(JsonLayout& json, const PatternLayer& layer) {
     json.wholeNumber("id", layer.id);
     json.boolean("on", layer.isOn);
     json.wholeNumber("randomSeed", layer.randomSeed);
-    json.text("kind", kKinds[layer.parameters.index()]);
+    json.text("kind", kindOf(layer.parameters).name);
     json.openObject("parameters");
-    std::visit([&](const auto& parameters) { writeParameters(json, parameters); }, layer.parameters);
+    writeParameters(json, layer.parameters);
     json.close();
     json.list("overrides", layer.overrides, writeOverride);
     json.close();
@@ -109,7 +143,7 @@ PatternLayer readLayer(const JsonValue& value) {
     return {.id = value["id"].index(),
             .isOn = value["on"].boolean(),
             .randomSeed = value["randomSeed"].wholeNumber(),
-            .parameters = readParameters(value["kind"].oneOf(kKinds), value["parameters"]),
+            .parameters = readParameters(*patternKinds()[value["kind"].oneOf(kindNames())], value["parameters"]),
             .overrides = value["overrides"].listOf(readOverride)};
 }
 

@@ -99,8 +99,7 @@ private:
         addSign(SeedOrigin::Moved, counts.moved, tr("moved by hand"));
         addSign(SeedOrigin::Placed, counts.placed, tr("placed by hand"));
         for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers) && layers.size() > 1; ++k) {
-            if (layers[k].isOn && !std::holds_alternative<LloydRelaxation>(layers[k].parameters))
-                addLayer(k, layers[k]);
+            if (layers[k].isOn && kindOf(layers[k].parameters).role != LayerRole::Moves) addLayer(k, layers[k]);
         }
         if (counts.duplicates > 0) addDuplicates(counts.duplicates);
         if (counts.withoutCell > 0) addWithoutCell(counts.withoutCell);

@@ -1,5 +1,6 @@
 #include "editor/canvas/MovedCells.h"
 
+#include "core/fracture/PatternKind.h"
 #include "core/fracture/Prism.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ private:
         if (now.id != old.id || now.isOn != old.isOn || now.randomSeed != old.randomSeed) return false;
         if (!now.isOn) return true;
         // It moves scattered seeds when others move.
-        if (std::holds_alternative<LloydRelaxation>(now.parameters)) return false;
+        if (kindOf(now.parameters).role == LayerRole::Moves) return false;
         const auto* placedOld = std::get_if<PlacedSeeds>(&old.parameters);
         const auto* placed = std::get_if<PlacedSeeds>(&now.parameters);
         const bool isAlike = placed && placedOld ? takePlaced(now.id, placedOld->seeds, placed->seeds)

@@ -2,16 +2,25 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace rubble {
 
-QString kindText(const LayerParameters& parameters) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("LayerKind", text); };
-    switch (parameters.index()) {
-        case 0: return tr("Uniform");
-        case 1: return tr("Blue noise");
-        case 2: return tr("Placed seeds");
-        default: return tr("Lloyd relaxation");
-    }
+namespace {
+
+constexpr double kShareOfFragment = 0.25;  // how long a fragment usually is against what it is broken from
+
+}  // namespace
+
+QString patternText(const char* text) { return QCoreApplication::translate("Pattern", text); }
+
+QString kindText(const LayerParameters& parameters) { return patternText(kindOf(parameters).caption); }
+
+Box2 boundsToFill(const Asset& asset, std::size_t level) {
+    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    if (level == 0) return bounds;
+    const Vec2 half = bounds.size() / 2.0 * std::pow(kShareOfFragment, static_cast<double>(level));
+    return {-half, half};
 }
 
 }  // namespace rubble

@@ -1,5 +1,7 @@
 #include "editor/commands/Resizing.h"
 
+#include "core/fracture/PatternKind.h"
+
 namespace rubble {
 
 namespace {
@@ -30,6 +32,10 @@ void stretch(Pattern& pattern, const Stretch& map) {
     for (PatternLayer& layer : pattern.layers) {
         for (SeedOverride& seed : layer.overrides) {
             if (!seed.isDeleted) seed.position = map(seed.position);
+        }
+        for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+            if (parameter.type != ParameterType::Point) continue;
+            parameter.write(layer.parameters, map(std::get<Vec2>(parameter.read(layer.parameters))));
         }
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);

@@ -4,19 +4,24 @@
 #include "editor/panels/LayerModel.h"
 #include "editor/panels/Section.h"
 
+#include <memory>
+
 class QLabel;
 class QPushButton;
 
 namespace rubble {
+
+class LayerRows;
 
 /// The parameters of one layer of a pattern.
 class LayerPage : public QWidget {
     Q_OBJECT
 public:
     explicit LayerPage(Document& document, QWidget* parent = nullptr);
+    ~LayerPage() override;
 
     void setLayer(PatternPlace place, Id layer);
-    void setUnits(const Units& units) { m_distance->setFormat(units.lengths()); }
+    void setUnits(const Units& units);
     void refresh();
 
 signals:
@@ -25,20 +30,19 @@ signals:
 private:
     std::vector<PatternLayer> chosen() const;
     void push(std::vector<PatternLayer> layers, const QString& text, quint64 stroke);
-    void buildScatters();
+    void buildRandomSeed();
     void buildOverrides();
+    double areaToFill() const;
+    LayerRows& rowsOf(const PatternLayer& layer);
     void showOverrides(const PatternLayer& layer);
 
     Document& m_document;
+    Units m_units;
     PatternPlace m_place;
     Id m_layer = 0;
     Form<PatternLayer> m_form;
-    Section* m_rows;
-    SliderField* m_count = nullptr;
-    SliderField* m_distance = nullptr;
-    NumberField* m_most = nullptr;
-    QComboBox* m_domain = nullptr;
-    SliderField* m_rounds = nullptr;
+    std::unique_ptr<LayerRows> m_rows;  // of the layer's kind
+    Section* m_common;                  // rows that several kinds have
     RandomSeedField* m_randomSeed = nullptr;
     QLabel* m_placed = nullptr;
     QWidget* m_overrides = nullptr;

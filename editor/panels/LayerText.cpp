@@ -4,11 +4,17 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace rubble {
 
 namespace {
 
 constexpr int kDigits = 4;
+
+// In the order of LayerParameters.
+constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd"};
+static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
 
@@ -26,29 +32,32 @@ struct Describing {
     const Units& units;
     const QLocale& locale;
 
-    QString operator()(const UniformScatter& scatter) const { return seedsText(scatter.count, locale); }
-    QString operator()(const BlueNoise& noise) const {
-        const NumberFormat format = units.lengths();
-        return tr("%1 apart").arg(withUnit(roundedText(noise.minimumDistance, kDigits, format, locale), format));
-    }
+    QString operator()(const UniformScatter& scatter) const { return countText(scatter.count); }
+    QString operator()(const BlueNoise& noise) const { return tr("%1 apart").arg(length(noise.minimumDistance)); }
     QString operator()(const PlacedSeeds& placed) const {
         return locale.toString(static_cast<qulonglong>(placed.seeds.size()));
     }
     QString operator()(const LloydRelaxation& relaxation) const {
         return counted(relaxation.rounds, tr("1 round"), tr("%1 rounds"), locale);
     }
+
+    QString length(double value) const {
+        const NumberFormat format = units.lengths();
+        return withUnit(roundedText(value, kDigits, format, locale), format);
+    }
+    QString countText(const SeedCount& count) const {
+        switch (count.by) {
+            case CountBy::Number: break;
+            case CountBy::Density: return tr("%1 per m²").arg(roundedText(count.amount, kDigits, {}, locale));
+            case CountBy::PieceSize: return tr("pieces of %1").arg(length(count.amount));
+        }
+        return seedsText(static_cast<std::size_t>(count.amount), locale);
+    }
 };
 
 }  // namespace
 
-QString kindIconName(const LayerParameters& parameters) {
-    switch (parameters.index()) {
-        case 0: return QStringLiteral("layer-uniform");
-        case 1: return QStringLiteral("layer-blue-noise");
-        case 2: return QStringLiteral("layer-placed");
-        default: return QStringLiteral("layer-lloyd");
-    }
-}
+const char* kindIconName(const LayerParameters& parameters) { return kIcons[parameters.index()]; }
 
 QString layerText(const PatternLayer& layer, const Units& units, const QLocale& locale) {
     return tr("%1, %2").arg(kindText(layer.parameters), std::visit(Describing{units, locale}, layer.parameters));

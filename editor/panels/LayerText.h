@@ -8,7 +8,7 @@
 namespace rubble {
 
 /// The name of a kind's icon: "layer-blue-noise".
-QString kindIconName(const LayerParameters& parameters);
+const char* kindIconName(const LayerParameters& parameters);
 /// A layer in a few words: "Blue noise, 0.1 m apart".
 QString layerText(const PatternLayer& layer, const Units& units, const QLocale& locale);
 

@@ -101,13 +101,13 @@ QWidget* PatternEditor::buttonRow() {
     auto* add = panelButton("layer-add", tr("Add layer"), tr("Add a layer of seeds"), row);
     auto* menu = new QMenu(add);
     menu->setToolTipsVisible(true);
-    const auto addKind = [&](const LayerParameters& kind, const QString& hint) {
-        menuAction(*menu, kindIconName(kind), kindText(kind), hint, [this, kind] { addLayer(kind); });
-    };
-    addKind(UniformScatter{}, tr("Seeds anywhere, at random"));
-    addKind(BlueNoise{}, tr("Random seeds that keep their distance"));
-    addKind(PlacedSeeds{}, tr("Seeds placed by hand"));
-    addKind(LloydRelaxation{}, tr("Evens out the layers above"));
+    for (const PatternKind* kind : patternKinds()) {
+        const LayerParameters usual = kind->suitedTo({{0.0, 0.0}, {1.0, 1.0}});
+        menuAction(*menu, kindIconName(usual), patternText(kind->caption), patternText(kind->hint), [this, kind] {
+            const std::vector<Asset> assets = chosen();
+            if (!assets.empty()) addLayer(kind->suitedTo(boundsToFill(assets[0], m_place.level)));
+        });
+    }
     add->setMenu(menu);
     add->setPopupMode(QToolButton::InstantPopup);
     auto* duplicate = panelButton("edit-copy", tr("Duplicate"), tr("Add a copy with another random seed"), row);

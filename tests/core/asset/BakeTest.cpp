@@ -149,7 +149,7 @@ private slots:
     }
     void faultsOfALevelNameTheFragment() {
         Asset asset = layeredBox();
-        asset.levels[0].pattern.layers[0].parameters = UniformScatter{.count = kMostSeeds + 1};
+        asset.levels[0].pattern.layers[0].parameters = UniformScatter{.count = {CountBy::Density, 1e12}};
         const Result<Bake> result = bake(asset);
         QCOMPARE(result.error().code, ErrorCode::Limit);
         QVERIFY(result.error().message.starts_with("Asset \"box\": Fragment 3/5.0: "));

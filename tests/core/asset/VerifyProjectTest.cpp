@@ -104,7 +104,7 @@ private slots:
             [](Project& p) { p.assets[0].threshold = std::numeric_limits<double>::infinity(); });
         row("Asset 2 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
             [](Project& p) { p.assets[0].levels[0].minimumVolume = -1.0; });
-        row("Asset 2 \"wall\": Layer 4: the minimum distance is 0 m, but it must be finite and above zero.",
+        row("Asset 2 \"wall\": Layer 4: \"Distance\" is 0 m, but must be finite and above zero.",
             [](Project& p) { p.assets[0].levels[0].pattern.layers[0].parameters = BlueNoise{.minimumDistance = 0.0}; });
         row("Asset 2 \"wall\": triangle 0 of the surface has a coordinate that is not finite.", [](Project& p) {
             const auto surface = copyOfSurface(p);

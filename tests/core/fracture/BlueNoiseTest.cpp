@@ -109,7 +109,7 @@ private slots:
             QCOMPARE(seeds.error().code, ErrorCode::BadInput);
         }
         QCOMPARE(tried({.minimumDistance = -1.0}, kSquare).error().message,
-                 std::string("Layer 1: the minimum distance is -1 m, but it must be finite and above zero."));
+                 std::string("Layer 1: \"Distance\" is -1 m, but must be finite and above zero."));
     }
     void moreSeedsThanTheLimitAreRefusedBeforeTheyAreThrown() {
         const Result<Seeds> seeds = tried({.minimumDistance = 1e-5}, kSquare);

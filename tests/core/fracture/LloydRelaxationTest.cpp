@@ -53,8 +53,7 @@ private slots:
     void roundsWithoutEndAreRefused() {
         const Result<Seeds> seeds = seedsOf({{{.id = 3, .parameters = LloydRelaxation{4000}}}}, kBar);
         QVERIFY(!seeds);
-        QCOMPARE(seeds.error().message,
-                 std::string("Layer 3: there are 4000 rounds of relaxation, but 1000 is the most."));
+        QCOMPARE(seeds.error().message, std::string("Layer 3: \"Rounds\" is 4000, but must be from 0 to 1000."));
     }
 };
 

@@ -152,6 +152,12 @@ private slots:
             "\"bricks\".",
             "/assets/0/pattern/0/kind", "\"bricks\"");
         row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
+        row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
+            "{\"each\": 5}");
+        row("assets[0].pattern[0].parameters.count: unknown key \"perSquareMetre\".",
+            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": 5, \"pieceSize\": 1}");
+        row("Asset 3 \"wall\": Layer 4: \"Count\" is -5 a square metre, but must be finite and above zero.",
+            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": -5}");
         row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
             "[[0, 1], [1, 0]]");
         row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");

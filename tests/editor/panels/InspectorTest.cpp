@@ -2,6 +2,7 @@
 
 #include "core/base/Random.h"
 #include "core/io/ProjectFile.h"
+#include "editor/commands/LayerKind.h"
 #include "editor/commands/Resizing.h"
 #include "editor/panels/EulerAngles.h"
 #include "editor/panels/OutlineEditor.h"
@@ -13,8 +14,10 @@
 #include <QSignalSpy>
 #include <QStyle>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 
 using namespace rubble;
@@ -204,6 +207,48 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void everyKindOfLayerIsEditedByItsOwnRows() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        for (const PatternKind* kind : patternKinds()) {
+            editor.addLayer(kind->suitedTo(boundsToFill(desk.asset())));
+            const PatternLayer added = desk.asset().pattern.layers.back();
+            for (const LayerParameter& parameter : kind->parameters) {
+                if (parameter.type != ParameterType::Real || (parameter.isUsed && !parameter.isUsed(added.parameters)))
+                    continue;
+                auto& field = desk.control<NumberField>(parameter.caption);
+                QVERIFY2(field.isVisible(), parameter.caption);
+                desk.type(parameter.caption, "0.75");
+                const double factor = parameter.quantity == Quantity::Angle ? 0x1.1df46a2529d39p-6 : 1.0;
+                const auto typed = std::get<double>(parameter.read(desk.asset().pattern.layers.back().parameters));
+                QVERIFY2(std::abs(typed - 0.75 * factor) < 1e-15, parameter.caption);
+            }
+        }
+        QCOMPARE(desk.refusals.count(), 0);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void countsAreToldInThreeWays() {
+        Desk desk;
+        desk.selection.setAsset(9);  // a square metre
+        const auto count = [&] { return std::get<UniformScatter>(desk.asset().pattern.layers[0].parameters).count; };
+        const auto choose = [&](int way) {
+            auto& box = desk.control<QComboBox>("Count by");
+            box.setCurrentIndex(way);
+            emit box.activated(way);
+        };
+        desk.type("Count", "25");
+        choose(1);
+        QVERIFY(count() == SeedCount(CountBy::Density, 25.0));
+        choose(2);
+        QVERIFY(count() == SeedCount(CountBy::PieceSize, 0.2));
+        desk.type("Size of pieces", "0.1");
+        choose(0);
+        QVERIFY(count() == SeedCount(100));
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void layersAreMovedByKeysAndByDragging() {
         Desk desk;
         desk.selection.setAsset(3);
@@ -252,7 +297,7 @@ private slots:
         desk.type("From volume", "0.001");
         QCOMPARE(desk.asset().levels[0].minimumVolume, 0.001);
         desk.type("Count", "6");
-        QCOMPARE(std::get<UniformScatter>(desk.asset().levels[0].pattern.layers[0].parameters).count, 6u);
+        QCOMPARE(std::get<UniformScatter>(desk.asset().levels[0].pattern.layers[0].parameters).count, SeedCount(6));
         QVERIFY(!verifyProject(desk.document.project()));
         QTest::mouseClick(&desk.control<QToolButton>("Delete level"), Qt::LeftButton);
         QVERIFY(desk.asset().levels.empty());
@@ -265,10 +310,11 @@ private slots:
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         editor.showLayer(4);
         const auto buttons = editor.findChildren<QPushButton*>();
-        QCOMPARE(buttons.size(), 1);
-        QTest::mouseClick(buttons[0], Qt::LeftButton);
+        const auto restore = std::ranges::find(buttons, "Restore", &QPushButton::text);
+        QVERIFY(restore != buttons.end());
+        QTest::mouseClick(*restore, Qt::LeftButton);
         QVERIFY(desk.asset(3).pattern.layers[0].overrides.empty());
-        QVERIFY(!buttons[0]->isEnabled());
+        QVERIFY(!(*restore)->isEnabled());
         auto& seed = *editor.findChild<RandomSeedField*>();
         QCOMPARE(seed.value(), ~quint64{0});
         QTest::mouseClick(&seed.dice(), Qt::LeftButton);

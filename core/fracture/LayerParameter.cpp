@@ -1,0 +1,60 @@
+#include "core/fracture/LayerParameter.h"
+
+#include "core/base/MessageText.h"
+
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+std::string unitText(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::Length: return " m";
+        case Quantity::Angle: return " rad";
+        case Quantity::Number: break;
+    }
+    return {};
+}
+
+/// What a value must be: "finite and above zero".
+std::string demand(const LayerParameter& parameter) {
+    constexpr double kAll = std::numeric_limits<double>::max();
+    const auto& [min, max, isMinOut] = parameter.range;
+    const std::string least = min == 0.0 ? "zero" : messageText(min);
+    if (max < kAll && isMinOut) return "above " + least + " and at most " + messageText(max);
+    if (max < kAll) return "from " + messageText(min) + " to " + messageText(max);
+    if (isMinOut) return "finite and above " + least;
+    return min > -kAll ? "finite and not below " + least : "finite";
+}
+
+std::optional<std::string> countFault(const SeedCount& count, const LayerParameter& parameter) {
+    if (count.by == CountBy::Number && parameter.range.contains(count.amount)) return std::nullopt;
+    if (count.by != CountBy::Number && kAboveZero.contains(count.amount)) return std::nullopt;
+    const std::string found = '"' + std::string(parameter.caption) + "\" is " + messageText(count.amount);
+    switch (count.by) {
+        case CountBy::Number: break;
+        case CountBy::Density: return found + " a square metre, but must be finite and above zero";
+        case CountBy::PieceSize: return found + " m a piece, but must be finite and above zero";
+    }
+    return found + ", but must be " + demand(parameter);
+}
+
+}  // namespace
+
+std::optional<std::string> parameterFault(const LayerParameter& parameter, const LayerParameters& of) {
+    const ParameterValue value = parameter.read(of);
+    const auto fault = [&](const std::string& found) {
+        return '"' + std::string(parameter.caption) + "\" is " + found + unitText(parameter.quantity) +
+               ", but must be " + demand(parameter);
+    };
+    if (const auto* point = std::get_if<Vec2>(&value)) {
+        if (std::isfinite(point->x) && std::isfinite(point->y)) return std::nullopt;
+        return fault("(" + messageText(point->x) + ", " + messageText(point->y) + ")");
+    }
+    if (const auto* count = std::get_if<SeedCount>(&value)) return countFault(*count, parameter);
+    const double number = std::get<double>(value);
+    if (parameter.type == ParameterType::Choice || parameter.range.contains(number)) return std::nullopt;
+    return fault(messageText(number));
+}
+
+}  // namespace rubble

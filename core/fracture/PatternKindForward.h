@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <cstdint>
+
+namespace rubble {
+
+// What the struct of every kind of layer names. See PatternKind.h.
+struct LayerContext;
+struct PatternKind;
+struct SeedSet;
+
+}  // namespace rubble
