@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/BlueNoise.h"
+#include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
 #include "core/fracture/PlacedSeeds.h"
 #include "core/fracture/Report.h"
@@ -20,7 +21,7 @@ namespace rubble {
 
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
-using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation>;
+using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {

@@ -13,7 +13,7 @@ namespace {
 constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
-constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd"};
+constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd", "layer-grid"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -39,6 +39,10 @@ struct Describing {
     }
     QString operator()(const LloydRelaxation& relaxation) const {
         return counted(relaxation.rounds, tr("1 round"), tr("%1 rounds"), locale);
+    }
+    QString operator()(const JitteredGrid& grid) const {
+        if (grid.cells == GridCells::Size) return tr("%1 × %2").arg(length(grid.cellWidth), length(grid.cellHeight));
+        return tr("%1 × %2").arg(locale.toString(grid.columns), locale.toString(grid.rows));
     }
 
     QString length(double value) const {
