@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/BlueNoise.h"
+#include "core/fracture/Clusters.h"
 #include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
 #include "core/fracture/PlacedSeeds.h"
@@ -21,7 +22,7 @@ namespace rubble {
 
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
-using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid>;
+using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {

@@ -2,27 +2,18 @@
 
 #include "core/base/Assert.h"
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
-
-#include <numbers>
+#include "core/fracture/PointNear.h"
 
 namespace rubble {
 namespace {
 
-constexpr int kTries = 50;  // of a seed near the point, before it may lie anywhere
-
-/// Seeds at a density that falls with the distance from a point: as many within a half of the reach as beyond it.
+/// Seeds at a density that falls with the distance from a point, as pointNear() throws them.
 std::vector<PlacedSeeds::Seed> nearSeeds(const Polygon& outline, Vec2 point, double reach, std::uint32_t count,
                                          Random& random) {
     std::vector<PlacedSeeds::Seed> seeds;
     for (std::uint32_t k = 0; k < count; ++k) {
-        for (int round = 0; round < kTries; ++round) {
-            const double distance = reach * random.unit(), angle = 2.0 * std::numbers::pi * random.unit();
-            const Vec2 position = point + distance * Vec2(cosine(angle), sine(angle));
-            if (containment(outline, position) == Containment::Outside) continue;
-            seeds.push_back({static_cast<std::uint32_t>(seeds.size()), position});
-            break;
-        }
+        const std::optional<Vec2> position = pointNear(outline, point, reach, random);
+        if (position) seeds.push_back({static_cast<std::uint32_t>(seeds.size()), *position});
     }
     return seeds;
 }

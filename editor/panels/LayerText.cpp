@@ -13,7 +13,8 @@ namespace {
 constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
-constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd", "layer-grid"};
+constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed",
+                            "layer-lloyd",   "layer-grid",       "layer-clusters"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -43,6 +44,9 @@ struct Describing {
     QString operator()(const JitteredGrid& grid) const {
         if (grid.cells == GridCells::Size) return tr("%1 × %2").arg(length(grid.cellWidth), length(grid.cellHeight));
         return tr("%1 × %2").arg(locale.toString(grid.columns), locale.toString(grid.rows));
+    }
+    QString operator()(const Clusters& layer) const {
+        return tr("%1 of %2").arg(locale.toString(layer.clusters), seedsText(layer.seedsPerCluster, locale));
     }
 
     QString length(double value) const {

@@ -1,0 +1,59 @@
+#include "core/fracture/PairIndex.h"
+#include "core/fracture/Pattern.h"
+#include "tests/support/Outlines.h"
+
+#include <QTest>
+
+#include <map>
+
+using namespace rubble;
+
+namespace {
+
+Seeds scattered(const Clusters& clusters, const Polygon& outline) {
+    return seedsOf({{{.id = 1, .randomSeed = 8, .parameters = clusters}}}, outline).value();
+}
+
+std::map<std::uint32_t, Vec2> byIndex(const Clusters& clusters) {
+    std::map<std::uint32_t, Vec2> seeds;
+    const Seeds all = scattered(clusters, squareRing());
+    for (std::size_t k = 0; k < all.ids.size(); ++k) seeds[all.ids[k].index] = all.positions[k];
+    return seeds;
+}
+
+}  // namespace
+
+class ClustersTest : public QObject {
+    Q_OBJECT
+private slots:
+    void seedsOfAClusterAreNoFartherApartThanItIsWide() {
+        const auto seeds = byIndex({.clusters = 5, .seedsPerCluster = 30, .radius = 0.1});
+        QCOMPARE(seeds.size(), std::size_t{150});
+        for (std::uint32_t cluster = 0; cluster < 5; ++cluster) {
+            for (std::uint32_t k = 1; k < 30; ++k) {
+                const Vec2 off = seeds.at(pairIndex(cluster, k)) - seeds.at(pairIndex(cluster, 0));
+                QVERIFY(off.x * off.x + off.y * off.y <= 0.2 * 0.2);
+            }
+        }
+    }
+    void addedClustersAndSeedsLeaveTheEarlierOnes() {
+        const auto few = byIndex({.clusters = 3, .seedsPerCluster = 4});
+        const auto many = byIndex({.clusters = 7, .seedsPerCluster = 9});
+        QCOMPARE(many.size(), std::size_t{63});
+        for (const auto& [index, seed] : few) QCOMPARE(many.at(index), seed);
+    }
+    void missingRoomIsReported() {
+        // A plank a micrometre wide: hardly a throw within half a metre meets it.
+        const Seeds seeds =
+            scattered({.clusters = 2, .seedsPerCluster = 10, .radius = 0.5}, {rectangle({0.0, 0.0}, {1.0, 1e-6}), {}});
+        QCOMPARE(seeds.reports.size(), std::size_t{1});
+        QCOMPARE(seeds.reports[0].code, ReportCode::NoRoom);
+        QCOMPARE(seeds.reports[0].of, 1u);
+        const std::string found = std::to_string(seeds.positions.size());
+        QCOMPARE(seeds.reports[0].message,
+                 "Layer 1 found room for " + found + " of 20 seeds: the outline is thin where its clusters are.");
+    }
+};
+
+QTEST_APPLESS_MAIN(ClustersTest)
+#include "ClustersTest.moc"
