@@ -7,6 +7,7 @@
 #include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
 #include "core/fracture/PlacedSeeds.h"
+#include "core/fracture/RadialPattern.h"
 #include "core/fracture/Report.h"
 #include "core/fracture/UniformScatter.h"
 #include "core/geometry/Polygon.h"
@@ -22,7 +23,8 @@ namespace rubble {
 
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
-using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters>;
+using LayerParameters =
+    std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters, RadialPattern>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {

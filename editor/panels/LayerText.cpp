@@ -13,8 +13,8 @@ namespace {
 constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
-constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed",
-                            "layer-lloyd",   "layer-grid",       "layer-clusters"};
+constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd",
+                            "layer-grid",    "layer-clusters",   "layer-radial"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -47,6 +47,10 @@ struct Describing {
     }
     QString operator()(const Clusters& layer) const {
         return tr("%1 of %2").arg(locale.toString(layer.clusters), seedsText(layer.seedsPerCluster, locale));
+    }
+    QString operator()(const RadialPattern& radial) const {
+        const QString rings = counted(radial.rings, tr("1 ring"), tr("%1 rings"), locale);
+        return tr("%1 of %2").arg(rings, locale.toString(radial.spokes));
     }
 
     QString length(double value) const {

@@ -148,8 +148,8 @@ private slots:
         row("assets[0].prism.depth: expected a number, found \"two\".", "/assets/0/prism/depth", "\"two\"");
         row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
             "/assets/0/prism/outline/2", "[1, 2, 3]");
-        row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\" "
-            "or \"clusters\", found \"bricks\".",
+        row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
+            "\"clusters\" or \"radial\", found \"bricks\".",
             "/assets/0/pattern/0/kind", "\"bricks\"");
         row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
         row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
