@@ -4,6 +4,7 @@
 #include "core/base/TaskContext.h"
 #include "core/fracture/BlueNoise.h"
 #include "core/fracture/Clusters.h"
+#include "core/fracture/ImpactScatter.h"
 #include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
 #include "core/fracture/PlacedSeeds.h"
@@ -23,8 +24,8 @@ namespace rubble {
 
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
-using LayerParameters =
-    std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters, RadialPattern>;
+using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters,
+                                     RadialPattern, ImpactScatter>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {

@@ -14,7 +14,7 @@ constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
 constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd",
-                            "layer-grid",    "layer-clusters",   "layer-radial"};
+                            "layer-grid",    "layer-clusters",   "layer-radial", "layer-impact"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -52,6 +52,7 @@ struct Describing {
         const QString rings = counted(radial.rings, tr("1 ring"), tr("%1 rings"), locale);
         return tr("%1 of %2").arg(rings, locale.toString(radial.spokes));
     }
+    QString operator()(const ImpactScatter& scatter) const { return countText(scatter.count); }
 
     QString length(double value) const {
         const NumberFormat format = units.lengths();
