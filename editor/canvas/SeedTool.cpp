@@ -56,6 +56,7 @@ void SeedTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_hasMoved = false;
     if (!m_state.asset()) return;
+    if (m_handles.press(pointer)) return emit changed();
     const std::uint32_t seed = seedAt(pointer);
     const bool isAdding = pointer.modifiers.testFlag(Qt::ControlModifier);
     if (seed == kNone) {
@@ -91,6 +92,7 @@ std::map<SeedId, Vec2> SeedTool::chosenPositions() const {
 void SeedTool::move(const CanvasPointer& pointer) {
     m_pointer = pointer;
     if ((pointer.pixels - m_pressed).manhattanLength() >= QApplication::startDragDistance() / 2.0) m_hasMoved = true;
+    m_handles.move(pointer, m_hasMoved);
     if (m_drag && m_hasMoved) {
         CanvasPointer seed = pointer;
         seed.metres = m_drag->grabbed + (pointer.metres - m_state.view.metres(m_pressed));
@@ -124,6 +126,7 @@ void SeedTool::release(const CanvasPointer& pointer) {
     }
     m_catch.reset();
     m_drag.reset();
+    m_handles.letGo();
     emit changed();
 }
 
@@ -156,7 +159,8 @@ void SeedTool::place(Vec2 position) {
 }
 
 bool SeedTool::cancel() {
-    if (!m_drag && !m_catch) return false;
+    if (!m_drag && !m_catch && !m_handles.isHeld()) return false;
+    m_handles.cancel();
     if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) dragBy({0.0, 0.0});
     m_drag.reset();
     m_catch.reset();
@@ -166,6 +170,7 @@ bool SeedTool::cancel() {
 
 void SeedTool::letGo() {
     m_drag.reset();
+    m_handles.letGo();
     emit changed();
 }
 
@@ -265,6 +270,7 @@ void SeedTool::invertChoice() {
 }
 
 void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
+    m_handles.paint(painter, colours);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_catch && m_hasMoved) {
         QColor fill = colours.accent;
@@ -288,12 +294,13 @@ void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
 }
 
 Qt::CursorShape SeedTool::cursor() const {
-    if (m_drag) return Qt::SizeAllCursor;
+    if (m_drag || m_handles.isHeld() || m_handles.isPointedAt()) return Qt::SizeAllCursor;
     return m_hovered != kNone ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
 QString SeedTool::hint() const {
-    if (m_drag) return tr("Release to drop · Shift: without snapping · Esc: put back");
+    if (m_handles.isPointedAt() && !m_handles.isHeld()) return tr("%1: drag to move").arg(m_handles.text());
+    if (m_drag || m_handles.isHeld()) return tr("Release to drop · Shift: without snapping · Esc: put back");
     if (!m_state.selection.seeds().empty()) {
         const std::size_t count = m_state.selection.seeds().size();
         return (count == 1 ? tr("1 seed chosen") : tr("%1 seeds chosen").arg(count)) +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/canvas/CanvasTool.h"
+#include "editor/canvas/PointHandles.h"
 
 #include <QPolygonF>
 
@@ -9,11 +10,11 @@
 
 namespace rubble {
 
-/// Places, drags, deletes and chooses seeds.
+/// Places, drags, deletes and chooses seeds, and drags the points that layers are about.
 class SeedTool : public CanvasTool {
     Q_OBJECT
 public:
-    using CanvasTool::CanvasTool;
+    explicit SeedTool(CanvasState& state) : CanvasTool(state), m_handles(state) {}
 
     void press(const CanvasPointer& pointer) override;
     void move(const CanvasPointer& pointer) override;
@@ -58,6 +59,7 @@ private:
     void chooseNext(int by);
     Selection::Seeds caught() const;
 
+    PointHandles m_handles;
     std::optional<Drag> m_drag;
     std::optional<Catch> m_catch;
     QPointF m_pressed;

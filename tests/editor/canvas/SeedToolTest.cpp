@@ -49,6 +49,31 @@ private slots:
         bench.document.undoStack().undo();
         QVERIFY(placedSeeds(bench) == fourSeeds().seeds);
     }
+    void theCentreOfALayerIsDraggedInOneStep() {
+        CanvasBench bench(projectOf(unitSquare(), RadialPattern{.centre = {0.5, 0.5}, .radius = 0.6}));
+        const Project before = bench.document.project();
+        const auto centre = [&] { return std::get<RadialPattern>(bench.asset().pattern.layers[0].parameters).centre; };
+        bench.drag({0.5, 0.5}, {0.3, 0.4});
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        QVERIFY(centre() == bench.metres({0.3, 0.4}));
+        QVERIFY(bench.selection.seeds().empty());
+        QVERIFY(bench.seedAt(0) == centre());  // the seed in the middle goes along: the pattern was thrown anew
+        bench.press({0.3, 0.4});
+        QVERIFY(bench.canvas.hint().contains("Esc"));
+        bench.moveTo({0.7, 0.7});
+        bench.key(Qt::Key_Escape);
+        bench.release({0.7, 0.7});
+        QVERIFY(centre() == bench.metres({0.3, 0.4}));
+        while (bench.document.undoStack().canUndo()) bench.document.undoStack().undo();
+        QVERIFY(bench.document.project() == before);
+    }
+    void aClickOnACentreDoesNothing() {
+        CanvasBench bench(projectOf(unitSquare(), ImpactScatter{.centre = {0.5, 0.5}, .count = 5}));
+        const Project before = bench.document.project();
+        bench.click({0.5, 0.5});
+        QVERIFY(bench.document.project() == before);
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
     void undoInMidDragEndsTheDrag() {
         CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
         const Project before = bench.document.project();

@@ -1,0 +1,105 @@
+#include "editor/canvas/PointHandles.h"
+
+#include "core/fracture/SeedEdits.h"
+#include "editor/canvas/Snapping.h"
+#include "editor/commands/LayerKind.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QCoreApplication>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kRadius = 7.0;  // pixels, as these: of the ring that is drawn
+constexpr double kReach = 10.0;  // from its middle within which a press takes it
+constexpr double kCross = 11.0;  // how far its cross reaches
+constexpr double kWidth = 1.75;
+constexpr double kHaloWidth = 4.5;
+
+QString tr(const char* text) { return QCoreApplication::translate("PointHandles", text); }
+
+void paintHandle(QPainter& painter, QPointF at, const QColor& colour) {
+    for (const QColor& stroke : {QColor(255, 255, 255, 200), colour}) {
+        painter.setPen(QPen(stroke, stroke == colour ? kWidth : kHaloWidth));
+        painter.drawEllipse(at, kRadius, kRadius);
+        for (const QPointF towards : {QPointF(1.0, 0.0), QPointF(-1.0, 0.0), QPointF(0.0, 1.0), QPointF(0.0, -1.0)}) {
+            painter.drawLine(at + towards * (kRadius - 3.0), at + towards * kCross);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<PointHandle> pointHandles(const Pattern& pattern) {
+    std::vector<PointHandle> handles;
+    for (const PatternLayer& layer : pattern.layers) {
+        for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+            if (!layer.isOn || parameter.type != ParameterType::Point) continue;
+            handles.push_back({layer.id, &parameter, std::get<Vec2>(parameter.read(layer.parameters))});
+        }
+    }
+    return handles;
+}
+
+std::optional<PointHandle> PointHandles::handleAt(QPointF pixels) const {
+    std::optional<PointHandle> nearest;
+    double least = kReach * kReach;
+    if (!m_state.asset()) return nearest;
+    for (const PointHandle& handle : pointHandles(m_state.asset()->pattern)) {
+        const QPointF off = m_state.view.pixels(handle.position) - pixels;
+        const double squared = QPointF::dotProduct(off, off);
+        if (squared > least) continue;
+        least = squared;
+        nearest = handle;
+    }
+    return nearest;
+}
+
+bool PointHandles::press(const CanvasPointer& pointer) {
+    const std::optional<PointHandle> handle = handleAt(pointer.pixels);
+    if (!handle) return false;
+    m_drag = Drag{*m_state.asset(), *handle, m_state.document.newStroke()};
+    return true;
+}
+
+void PointHandles::move(const CanvasPointer& pointer, bool hasMoved) {
+    if (m_drag && hasMoved) push(*m_drag, snapped(m_state, pointer, outlineTargets(m_state)));
+    m_hovered = m_drag ? m_drag->handle : handleAt(pointer.pixels);
+}
+
+void PointHandles::push(const Drag& drag, Vec2 position) {
+    Asset asset = drag.before;
+    if (PatternLayer* layer = findLayer(asset.pattern, drag.handle.layer)) {
+        drag.handle.parameter->write(layer->parameters, position);
+    }
+    const QString text = tr("Move %1").arg(patternText(drag.handle.parameter->caption).toLower());
+    m_state.document.push(altered(text, std::move(asset), drag.stroke));
+}
+
+bool PointHandles::cancel() {
+    if (!m_drag) return false;
+    const Drag drag = *std::exchange(m_drag, std::nullopt);
+    if (m_state.asset() && m_state.asset()->id == drag.before.id) push(drag, drag.handle.position);
+    return true;
+}
+
+void PointHandles::paint(QPainter& painter, const CanvasColours& colours) const {
+    if (!m_state.asset()) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const PointHandle& handle : pointHandles(m_state.asset()->pattern)) {
+        const bool isHovered =
+            m_hovered && m_hovered->layer == handle.layer && m_hovered->parameter == handle.parameter;
+        paintHandle(painter, m_state.view.pixels(handle.position), isHovered ? colours.hover : colours.accent);
+    }
+}
+
+QString PointHandles::text() const {
+    if (!m_hovered || !m_state.asset()) return {};
+    const PatternLayer* layer = findLayer(m_state.asset()->pattern, m_hovered->layer);
+    if (!layer) return {};
+    return tr("%1 of %2").arg(patternText(m_hovered->parameter->caption), kindText(layer->parameters).toLower());
+}
+
+}  // namespace rubble
