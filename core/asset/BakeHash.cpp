@@ -65,6 +65,16 @@ void addHeld(Hasher& hasher, const PlacedSeeds& placed) {
     }
 }
 
+void addHeld(Hasher& hasher, const DensityImage& layer) {
+    if (!layer.image) return hasher.add(std::uint64_t{0});
+    const GreyImage& image = *layer.image;
+    for (const std::uint32_t number : {image.width, image.height, image.bits}) hasher.add(std::uint64_t{number});
+    for (const std::vector<std::uint16_t>* values : {&image.grey, &image.opacity}) {
+        hasher.add(std::uint64_t{values->size()});
+        hasher.add(std::as_bytes(std::span(*values)));
+    }
+}
+
 void add(Hasher& hasher, const PatternLayer& layer) {
     hasher.add(std::uint64_t{layer.id});
     hasher.add(layer.randomSeed);

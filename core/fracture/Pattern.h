@@ -4,6 +4,7 @@
 #include "core/base/TaskContext.h"
 #include "core/fracture/BlueNoise.h"
 #include "core/fracture/Clusters.h"
+#include "core/fracture/DensityImage.h"
 #include "core/fracture/ImpactScatter.h"
 #include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
@@ -25,7 +26,7 @@ namespace rubble {
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
 using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters,
-                                     RadialPattern, ImpactScatter>;
+                                     RadialPattern, ImpactScatter, DensityImage>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {

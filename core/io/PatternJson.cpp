@@ -1,6 +1,7 @@
 #include "core/io/PatternJson.h"
 
 #include "core/fracture/PatternKind.h"
+#include "core/io/GreyImageJson.h"
 
 #include <vector>
 
@@ -92,6 +93,10 @@ void readHeld(const JsonValue&, Parameters&) {}
 std::string_view heldKey(const PlacedSeeds&) { return "seeds"; }
 void writeHeld(JsonLayout& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
 void readHeld(const JsonValue& value, PlacedSeeds& placed) { placed.seeds = value.listOf(readSeed); }
+
+std::string_view heldKey(const DensityImage&) { return "image"; }
+void writeHeld(JsonLayout& json, const DensityImage& layer) { writeGreyImage(json, "image", layer.image.get()); }
+void readHeld(const JsonValue& value, DensityImage& layer) { layer.image = readGreyImage(value); }
 
 void writeParameters(JsonLayout& json, const LayerParameters& parameters) {
     for (const LayerParameter& each : kindOf(parameters).parameters) writeParameter(json, each, parameters);

@@ -3,6 +3,7 @@
 #include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/LayerRows.h"
+#include "editor/panels/PictureField.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -25,12 +26,26 @@ LayerPage::LayerPage(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_common);
+    buildPicture();
     buildRandomSeed();
     m_placed = m_common->addRow(tr("Seeds"), new QLabel, tr("Placed by hand; the canvas adds, moves and deletes them"));
     buildOverrides();
 }
 
 LayerPage::~LayerPage() = default;
+
+void LayerPage::buildPicture() {
+    m_picture = m_common->addRow(tr("Picture"), new PictureField,
+                                 tr("The grey picture that seeds follow, stretched over the outline"));
+    connect(m_picture, &PictureField::refused, this, &LayerPage::refused);
+    connect(m_picture, &PictureField::chosen, this, [this](const PictureField::Picture& picture) {
+        std::vector<PatternLayer> layers = chosen();
+        for (PatternLayer& layer : layers) {
+            if (auto* density = std::get_if<DensityImage>(&layer.parameters)) density->image = picture;
+        }
+        push(std::move(layers), tr("Choose picture"), 0);
+    });
+}
 
 void LayerPage::buildRandomSeed() {
     m_randomSeed = m_common->addRow(tr("Random seed"), new RandomSeedField,
@@ -128,6 +143,9 @@ void LayerPage::refresh() {
     const bool scatters = kindOf(layer.parameters).role == LayerRole::Scatters;
     m_common->setRowVisible(m_randomSeed, scatters);
     m_common->setRowVisible(m_overrides, scatters);
+    const auto* density = std::get_if<DensityImage>(&layer.parameters);
+    m_common->setRowVisible(m_picture, density != nullptr);
+    if (density) m_picture->setPicture(density->image);
     const auto* placed = std::get_if<PlacedSeeds>(&layer.parameters);
     m_common->setRowVisible(m_placed, placed != nullptr);
     if (placed) m_placed->setText(locale().toString(static_cast<qulonglong>(placed->seeds.size())));

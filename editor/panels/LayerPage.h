@@ -12,6 +12,7 @@ class QPushButton;
 namespace rubble {
 
 class LayerRows;
+class PictureField;
 
 /// The parameters of one layer of a pattern.
 class LayerPage : public QWidget {
@@ -31,6 +32,7 @@ private:
     std::vector<PatternLayer> chosen() const;
     void push(std::vector<PatternLayer> layers, const QString& text, quint64 stroke);
     void buildRandomSeed();
+    void buildPicture();
     void buildOverrides();
     double areaToFill() const;
     LayerRows& rowsOf(const PatternLayer& layer);
@@ -44,6 +46,7 @@ private:
     std::unique_ptr<LayerRows> m_rows;  // of the layer's kind
     Section* m_common;                  // rows that several kinds have
     RandomSeedField* m_randomSeed = nullptr;
+    PictureField* m_picture = nullptr;
     QLabel* m_placed = nullptr;
     QWidget* m_overrides = nullptr;
     QLabel* m_overridesText = nullptr;

@@ -13,8 +13,8 @@ namespace {
 constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
-constexpr std::array kIcons{"layer-uniform", "layer-blue-noise", "layer-placed", "layer-lloyd",
-                            "layer-grid",    "layer-clusters",   "layer-radial", "layer-impact"};
+constexpr std::array kIcons{"layer-uniform",  "layer-blue-noise", "layer-placed", "layer-lloyd",        "layer-grid",
+                            "layer-clusters", "layer-radial",     "layer-impact", "layer-density-image"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -53,6 +53,9 @@ struct Describing {
         return tr("%1 of %2").arg(rings, locale.toString(radial.spokes));
     }
     QString operator()(const ImpactScatter& scatter) const { return countText(scatter.count); }
+    QString operator()(const DensityImage& layer) const {
+        return layer.image ? countText(layer.count) : tr("no picture yet");
+    }
 
     QString length(double value) const {
         const NumberFormat format = units.lengths();

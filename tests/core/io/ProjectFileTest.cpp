@@ -149,7 +149,7 @@ private slots:
         row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
             "/assets/0/prism/outline/2", "[1, 2, 3]");
         row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
-            "\"clusters\", \"radial\" or \"impact\", found \"bricks\".",
+            "\"clusters\", \"radial\", \"impact\" or \"densityImage\", found \"bricks\".",
             "/assets/0/pattern/0/kind", "\"bricks\"");
         row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
         row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
