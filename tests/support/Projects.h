@@ -2,6 +2,7 @@
 
 #include "core/asset/Project.h"
 #include "tests/support/Outlines.h"
+#include "tests/support/PatternSamples.h"
 
 #include <limits>
 #include <memory>
@@ -40,6 +41,14 @@ inline Project fullProject() {
         {.id = 6, .randomSeed = 9007199254740993u, .parameters = PlacedSeeds{{{0, {0.1, 0.2}}, {5, {3.5, 3.5}}}}},
         {.id = 7, .parameters = LloydRelaxation{4}}};
     wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}}, .minimumVolume = 1e-3}, {}};
+    wall.levels[1].pattern.layers = {
+        {.id = 13, .parameters = UniformScatter{.count = {CountBy::Density, 8.0}}},
+        {.id = 14, .parameters = BlueNoise{.count = {CountBy::PieceSize, 0.35}}},
+        {.id = 15, .parameters = JitteredGrid{GridCells::Size, 4, 3, 0.5, 0.3, 0.25, ScatterDomain::BoundingBox}},
+        {.id = 16, .parameters = Clusters{3, 5, 0.2}},
+        {.id = 17, .parameters = RadialPattern{{0.05, -0.1}, 0.9, 3, 5, 1.25, -0.5, 0.75}},
+        {.id = 18, .parameters = ImpactScatter{{0.2, 0.1}, 15, 0.05, 3.5}},
+        {.id = 19, .parameters = DensityImage{14, DenseWhere::Bright, fourPixels()}}};
     wall.threshold = 55.5;
     wall.insideUvScale = 2.0;
     wall.cutAtImpact = {.pieces = 17, .reach = 0.45};

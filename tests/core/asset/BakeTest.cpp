@@ -211,6 +211,44 @@ private slots:
         change(asset);
         QVERIFY(bakeInputHash(asset) != before);
     }
+    void theHashIsOfEveryParameterOfEveryKind() {
+        for (const LayerParameters& sample : patternSamples()) {
+            Asset asset = hashedBox();
+            asset.pattern.layers[0] = {.id = 30, .parameters = sample};
+            for (const LayerParameter& parameter : kindOf(sample).parameters) {
+                Asset changed = asset;
+                ParameterValue value = parameter.read(sample);
+                if (auto* number = std::get_if<double>(&value)) *number = *number == 1.0 ? 0.0 : 1.0;
+                if (auto* point = std::get_if<Vec2>(&value)) point->y += 1.0;
+                if (auto* count = std::get_if<SeedCount>(&value)) count->amount += 1.0;
+                parameter.write(changed.pattern.layers[0].parameters, value);
+                QVERIFY2(bakeInputHash(changed) != bakeInputHash(asset), parameter.caption);
+            }
+        }
+        const auto hashOf = [](const SeedCount& count) {
+            Asset asset = hashedBox();
+            asset.pattern.layers[0] = {.id = 30, .parameters = UniformScatter{.count = count}};
+            return bakeInputHash(asset);
+        };
+        QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf(5));
+        QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf({CountBy::PieceSize, 5.0}));
+    }
+    void theHashIsOfThePicture() {
+        const auto hashOf = [](const GreyImage& image) {
+            Asset asset = hashedBox();
+            asset.pattern.layers[0] = {.id = 30,
+                                       .parameters = DensityImage{.image = std::make_shared<GreyImage>(image)}};
+            return bakeInputHash(asset);
+        };
+        GreyImage other = *fourPixels();
+        QVERIFY(hashOf(other) == hashOf(*fourPixels()));
+        other.grey[3] = 1;
+        QVERIFY(hashOf(other) != hashOf(*fourPixels()));
+        other = *fourPixels();
+        other.opacity.clear();
+        QVERIFY(hashOf(other) != hashOf(*fourPixels()));
+        QVERIFY(hashOf(other) != hashOf(*fourPixels()));
+    }
     void theHashIsOfNothingElse_data() {
         QTest::addColumn<Change>("change");
         const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };

@@ -80,6 +80,7 @@ nlohmann::json version2Json() {
 /// Where a value of another type is as good: in the places that are there or not.
 bool fits(const std::string& place, const nlohmann::json& value) {
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
+    if (place.ends_with(".image") || place.ends_with(".opacity")) return value.is_null();
     if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
     const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
     return isOwnThreshold && (value.is_null() || value.is_number());
@@ -99,6 +100,38 @@ private slots:
         project.nextId = 2;
         project.materials = {{.id = 1, .name = "brick"}};
         QCOMPARE(projectText(project), std::string(kEmptyProject));
+    }
+    void countsStandOnALineAndPicturesOnOneARow() {
+        const std::string text = projectText(fullProject());
+        const char* const count = R"(
+                "count": {"perSquareMetre": 8},
+)";
+        QVERIFY(text.find(count) != std::string::npos);
+        const char* const picture = R"(
+                "dense": "bright",
+                "image": {
+                  "width": 2,
+                  "height": 2,
+                  "bits": 8,
+                  "grey": [
+                    "007f",
+                    "ffff"
+                  ],
+                  "opacity": [
+                    "ffff",
+                    "ff80"
+                  ]
+                }
+)";
+        QVERIFY(text.find(picture) != std::string::npos);
+    }
+    void picturesOf16BitsAreReadAsTheyAreWritten() {
+        Project project = fullProject();
+        auto& layer = std::get<DensityImage>(project.assets[0].levels[1].pattern.layers[6].parameters);
+        layer.image =
+            std::make_shared<GreyImage>(GreyImage{.width = 3, .height = 1, .bits = 16, .grey = {0, 0x12ab, 0xffff}});
+        QVERIFY(projectText(project).find("\"000012abffff\"") != std::string::npos);
+        QVERIFY(*readProjectText(projectText(project)) == project);
     }
     void cutsAndIntentsStandOnALineEach() {
         const char* const lines = R"(
@@ -158,6 +191,12 @@ private slots:
             "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": 5, \"pieceSize\": 1}");
         row("Asset 3 \"wall\": Layer 4: \"Count\" is -5 a square metre, but must be finite and above zero.",
             "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": -5}");
+        row("assets[0].levels[1].pattern[6].parameters.image.bits: expected 8 or 16.",
+            "/assets/0/levels/1/pattern/6/parameters/image/bits", "12");
+        row("assets[0].levels[1].pattern[6].parameters.image.grey[1]: expected 4 hexadecimal digits, 0 to f.",
+            "/assets/0/levels/1/pattern/6/parameters/image/grey/1", "\"ffFF\"");
+        row("assets[0].levels[1].pattern[6].parameters.image.opacity: expected 2 rows.",
+            "/assets/0/levels/1/pattern/6/parameters/image/opacity", "[\"ffff\"]");
         row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
             "[[0, 1], [1, 0]]");
         row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");

@@ -7,6 +7,7 @@
 #include "editor/panels/EulerAngles.h"
 #include "editor/panels/OutlineEditor.h"
 #include "editor/panels/PatternEditor.h"
+#include "editor/panels/PictureField.h"
 #include "tests/support/Projects.h"
 
 #include <QListView>
@@ -229,6 +230,26 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void centresAndCellsOfASizeAreTyped() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        editor.addLayer(RadialPattern{});
+        desk.type("Centre y", "0.25");
+        QVERIFY(std::get<RadialPattern>(desk.asset().pattern.layers.back().parameters).centre == Vec2(0.0, 0.25));
+        editor.addLayer(JitteredGrid{});
+        QVERIFY(desk.control<NumberField>("Columns").isVisible() &&
+                !desk.control<NumberField>("Cell width").isVisible());
+        auto& grid = desk.control<QComboBox>("Grid");
+        grid.setCurrentIndex(1);
+        emit grid.activated(1);
+        QVERIFY(!desk.control<NumberField>("Columns").isVisible() &&
+                desk.control<NumberField>("Cell width").isVisible());
+        desk.type("Jitter", "1.5");
+        QCOMPARE(std::get<JitteredGrid>(desk.asset().pattern.layers.back().parameters).jitter, 0.5);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void countsAreToldInThreeWays() {
         Desk desk;
         desk.selection.setAsset(9);  // a square metre
@@ -246,6 +267,24 @@ private slots:
         desk.type("Size of pieces", "0.1");
         choose(0);
         QVERIFY(count() == SeedCount(100));
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void picturesAreChosenAndBadOnesRefused() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        desk.inspector.page().findChild<PatternEditor*>()->addLayer(DensityImage{});
+        auto& picture = *desk.inspector.page().findChild<PictureField*>();
+        QVERIFY(picture.isVisible());
+        QTemporaryDir folder;
+        QImage image(4, 2, QImage::Format_Grayscale8);
+        image.fill(40);
+        QVERIFY(image.save(folder.filePath("grey.png")));
+        picture.load(folder.filePath("grey.png"));
+        const auto& chosen = std::get<DensityImage>(desk.asset().pattern.layers.back().parameters).image;
+        QVERIFY(chosen && chosen->width == 4 && chosen->grey[7] == 40);
+        picture.load(folder.filePath("none.png"));
+        QCOMPARE(desk.refusals.count(), 1);
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }

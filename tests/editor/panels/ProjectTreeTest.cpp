@@ -237,7 +237,8 @@ private slots:
         }
         while (desk.document.undoStack().canUndo()) desk.document.undoStack().undo();
         QCOMPARE(projectText(desk.document.project()), before);
-        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), 5);
+        // Four layers of the whole, one of the first level, seven of the second.
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), 12);
     }
 };
 

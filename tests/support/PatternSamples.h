@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/fracture/PatternKind.h"
+
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+/// A picture of 2 x 2 pixels: black, grey, white, and white that is half transparent.
+inline std::shared_ptr<const GreyImage> fourPixels() {
+    return std::make_shared<GreyImage>(GreyImage{
+        .width = 2, .height = 2, .bits = 8, .grey = {0, 0x7f, 0xff, 0xff}, .opacity = {0xff, 0xff, 0xff, 0x80}});
+}
+
+/// Layers of all kinds with a few seeds each, for outlines of about a metre around the origin: what holds for every kind is tried
+/// with these.
+inline std::vector<LayerParameters> patternSamples() {
+    return {UniformScatter{.count = 12},
+            UniformScatter{.count = {CountBy::Density, 8.0}, .domain = ScatterDomain::BoundingBox},
+            BlueNoise{.minimumDistance = 0.3},
+            BlueNoise{.minimumDistance = 0.2, .count = {CountBy::PieceSize, 0.35}},
+            PlacedSeeds{{{0, {0.1, 0.2}}, {3, {-0.4, 0.3}}, {4, {0.0, -0.5}}}},
+            LloydRelaxation{.rounds = 1},
+            JitteredGrid{.columns = 4, .rows = 3},
+            JitteredGrid{.cells = GridCells::Size,
+                         .cellWidth = 0.5,
+                         .cellHeight = 0.3,
+                         .jitter = 0.0,
+                         .domain = ScatterDomain::BoundingBox},
+            Clusters{.clusters = 3, .seedsPerCluster = 5, .radius = 0.2},
+            RadialPattern{.centre = {0.05, -0.1}, .radius = 0.9, .rings = 3, .spokes = 5},
+            RadialPattern{.centre = {-0.3, 0.2}, .rings = 2, .spokes = 6, .exponent = 1.0, .variation = 0.0},
+            ImpactScatter{.centre = {0.2, 0.1}, .count = 15},
+            ImpactScatter{.centre = {3.0, 0.0}, .count = 10, .radius = 0.01, .falloff = 8.0},
+            DensityImage{.count = 14, .dense = DenseWhere::Bright, .image = fourPixels()},
+            DensityImage{}};
+}
+
+}  // namespace rubble
