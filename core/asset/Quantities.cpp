@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-bool isInRange(const Quantity& quantity) {
+bool isInRange(const NamedNumber& quantity) {
     if (!std::isfinite(quantity.value)) return false;
     switch (quantity.range) {
         case Range::Finite: return true;
@@ -30,8 +30,8 @@ const char* textOf(Range range) {
 
 }  // namespace
 
-std::optional<std::string> quantityFault(const std::string& owner, std::initializer_list<Quantity> quantities) {
-    for (const Quantity& quantity : quantities) {
+std::optional<std::string> quantityFault(const std::string& owner, std::initializer_list<NamedNumber> quantities) {
+    for (const NamedNumber& quantity : quantities) {
         if (isInRange(quantity)) continue;
         return owner + ": the " + quantity.name + " is " + messageText(quantity.value) + ", but it must be " +
                textOf(quantity.range) + ".";

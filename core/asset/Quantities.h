@@ -12,7 +12,7 @@ namespace rubble {
 enum class Range { Finite, AboveZero, ZeroOrAbove, ZeroToOne };
 
 /// A number of a project by what people call it.
-struct Quantity {
+struct NamedNumber {
     const char* name;
     double value;
     Range range;
@@ -20,7 +20,7 @@ struct Quantity {
 
 /// The first of an owner's numbers that is out of its range, as a sentence: `Material 1 "brick": the density is 0, but it
 /// must be finite and above zero.`
-std::optional<std::string> quantityFault(const std::string& owner, std::initializer_list<Quantity> quantities);
+std::optional<std::string> quantityFault(const std::string& owner, std::initializer_list<NamedNumber> quantities);
 
 /// The same for a vector that is not finite.
 std::optional<std::string> vectorFault(const std::string& owner, const char* name, const Vec3& value);

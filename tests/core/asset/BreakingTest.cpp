@@ -17,7 +17,7 @@ Pattern placed(std::vector<Vec2> positions) {
     return {{{.id = 5, .parameters = seeds}}};
 }
 
-Pattern scattered(std::uint32_t count) {
+Pattern scattered(SeedCount count) {
     return {{{.id = 5, .randomSeed = 7, .parameters = UniformScatter{.count = count}}}};
 }
 
@@ -72,7 +72,7 @@ private slots:
         };
         QCOMPARE(codeOf({}, {unitSquare(), 0.0}), ErrorCode::BadInput);
         QCOMPARE(codeOf({}, {{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}, 1.0}), ErrorCode::Crossing);
-        QCOMPARE(codeOf(scattered(kMostSeeds + 1), {unitSquare(), 1.0}), ErrorCode::Limit);
+        QCOMPARE(codeOf(scattered({CountBy::Density, kMostSeeds + 1.0}), {unitSquare(), 1.0}), ErrorCode::Limit);
         TaskContext task;
         task.cancel.cancel();
         QCOMPARE(brokenBy(scattered(5), {unitSquare(), 1.0}, task).error().code, ErrorCode::Cancelled);
