@@ -1,6 +1,5 @@
 #include "core/io/MadeFolders.h"
 
-#include <ranges>
 #include <system_error>
 
 namespace rubble {
@@ -9,7 +8,7 @@ namespace fs = std::filesystem;
 
 MadeFolders::~MadeFolders() {
     std::error_code ignored;  // a folder that something lies in is not removed
-    for (const fs::path& folder : std::views::reverse(m_made)) fs::remove(folder, ignored);
+    for (auto folder = m_made.rbegin(); folder != m_made.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
 Status MadeFolders::make(const fs::path& folder) {
