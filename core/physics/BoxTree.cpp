@@ -119,26 +119,19 @@ void BoxTree::move(std::uint32_t leaf, const Box& box) {
     refitAbove(leaf);
 }
 
-std::uint32_t BoxTree::built(std::size_t begin, std::size_t end) {
-    if (end - begin == 1) return m_leaves[begin];
-    const auto first = m_leaves.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = m_leaves.begin() + static_cast<std::ptrdiff_t>(end);
-    Vec3f start = m_nodes[*first].box.middle();
-    Box middles{start, start};
-    for (auto leaf = first; leaf != last; ++leaf) {
-        const Vec3f middle = m_nodes[*leaf].box.middle();
-        middles = joined(middles, {middle, middle});
-    }
+std::uint32_t BoxTree::built(std::span<PlacedLeaf> leaves) {
+    if (leaves.size() == 1) return leaves.front().leaf;
+    Box middles{leaves.front().middle, leaves.front().middle};
+    for (const PlacedLeaf& leaf : leaves) middles = joined(middles, {leaf.middle, leaf.middle});
     const int side = longestSide(middles);
-    const std::size_t half = begin + (end - begin) / 2;
-    const auto place = [&](std::uint32_t leaf) { return m_nodes[leaf].box.low[side] + m_nodes[leaf].box.high[side]; };
-    std::nth_element(first, m_leaves.begin() + static_cast<std::ptrdiff_t>(half), last,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         const float placeA = place(a), placeB = place(b);
-                         return placeA != placeB ? placeA < placeB : m_nodes[a].number < m_nodes[b].number;
+    const auto half = static_cast<std::ptrdiff_t>(leaves.size() / 2);
+    std::nth_element(leaves.begin(), leaves.begin() + half, leaves.end(),
+                     [&](const PlacedLeaf& a, const PlacedLeaf& b) {
+                         const float placeA = a.middle[side], placeB = b.middle[side];
+                         return placeA != placeB ? placeA < placeB : m_nodes[a.leaf].number < m_nodes[b.leaf].number;
                      });
     const std::uint32_t node = newNode();
-    const std::uint32_t left = built(begin, half), right = built(half, end);
+    const std::uint32_t left = built(leaves.first(leaves.size() / 2)), right = built(leaves.subspan(leaves.size() / 2));
     m_nodes[node].children = {left, right};
     m_nodes[node].box = joined(m_nodes[left].box, m_nodes[right].box);
     m_nodes[left].parent = m_nodes[right].parent = node;
@@ -146,7 +139,11 @@ std::uint32_t BoxTree::built(std::size_t begin, std::size_t end) {
 }
 
 void BoxTree::rebuild() {
-    m_leaves = m_loose;
+    m_leaves.clear();
+    const auto addLeaf = [&](std::uint32_t leaf) {
+        m_leaves.push_back({m_nodes[leaf].box.low + m_nodes[leaf].box.high, leaf});
+    };
+    for (const std::uint32_t leaf : m_loose) addLeaf(leaf);
     std::vector<std::uint32_t>& inner = m_free;  // every inner node is free again
     inner.reserve(m_nodes.size());
     std::vector<std::uint32_t> open;
@@ -155,14 +152,14 @@ void BoxTree::rebuild() {
         const std::uint32_t node = open.back();
         open.pop_back();
         if (m_nodes[node].isLeaf()) {
-            m_leaves.push_back(node);
+            addLeaf(node);
             continue;
         }
         open.push_back(m_nodes[node].children[1]);
         open.push_back(m_nodes[node].children[0]);
         inner.push_back(node);
     }
-    m_root = m_leaves.empty() ? kNone : built(0, m_leaves.size());
+    m_root = m_leaves.empty() ? kNone : built(m_leaves);
     if (m_root != kNone) m_nodes[m_root].parent = kNone;
     m_changes = 0;
 }

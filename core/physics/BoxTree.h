@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rubble {
@@ -29,17 +30,17 @@ public:
     const Box& box(std::uint32_t leaf) const { return m_nodes[leaf].box; }
     std::size_t size() const { return m_leafCount; }
 
-    /// Calls visit(number) for each box that overlaps; in an order that depends on the tree alone.
+    /// Calls visit(number, box) for each box that overlaps; in an order that depends on the tree alone.
     template <class Visit>
     void visitOverlapping(const Box& box, const Visit& visit) const {
         visitWhere([&](const Box& other) { return other.overlaps(box); }, visit);
     }
-    /// Calls visit(number) for each box that `meets` accepts, as it must every box around such a one.
+    /// Calls visit(number, box) for each that `meets` accepts, as it must every box around such a one.
     template <class Meets, class Visit>
     void visitWhere(const Meets& meets, const Visit& visit) const {
         if (m_root != kNone) visitBelow(m_root, meets, visit);
         for (const std::uint32_t leaf : m_loose) {
-            if (meets(m_nodes[leaf].box)) visit(m_nodes[leaf].number);
+            if (meets(m_nodes[leaf].box)) visit(m_nodes[leaf].number, m_nodes[leaf].box);
         }
     }
 
@@ -63,7 +64,7 @@ private:
         while (count > 0) {
             const Node& node = m_nodes[open[--count]];
             if (node.isLeaf()) {
-                visit(node.number);
+                visit(node.number, node.box);
             } else if (count + 2 <= open.size()) {
                 // Written in any case, and kept by counting: a branch that cannot be foreseen costs more than the test.
                 open[count] = node.children[1];
@@ -81,13 +82,17 @@ private:
     std::uint32_t siblingFor(const Box& box) const;
     void place(std::uint32_t leaf);
     void refitAbove(std::uint32_t node);
-    std::uint32_t built(std::size_t begin, std::size_t end);
+    struct PlacedLeaf {
+        Vec3f middle;  // twice that of its box
+        std::uint32_t leaf;
+    };
+    std::uint32_t built(std::span<PlacedLeaf> leaves);
     void rebuild();
 
     std::vector<Node> m_nodes;
     std::vector<std::uint32_t> m_free;
     std::vector<std::uint32_t> m_loose;
-    std::vector<std::uint32_t> m_leaves;  // while it is built anew
+    std::vector<PlacedLeaf> m_leaves;  // while it is built anew
     std::uint32_t m_root = kNone;
     std::size_t m_leafCount = 0;
     std::size_t m_changes = 0;  // leaves put in or grown since it was built

@@ -4,12 +4,11 @@
 #include "core/physics/Sleeping.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rubble {
 namespace {
 
-constexpr float kMostMargin = 0.05f;      // m: of fat boxes, so that what jitters stays in them
-constexpr float kMarginOfReach = 0.125f;  // small bodies have narrower ones
 constexpr std::size_t kLeastBodies = 64;  // a worker's share of a search
 
 /// The most that gravity can add to a way, and a little for what contacts do.
@@ -19,14 +18,10 @@ float foreseenWay(const WorldState& state, std::uint32_t body, float dt) {
     return (speed + length(state.gravity) * dt) * dt;
 }
 
-float marginOf(const WorldState& state, std::uint32_t body) {
-    return std::min(kMostMargin, kMarginOfReach * state.places[body].reach);
-}
-
 void rebox(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
     const BodyPlace& place = state.places[number];
-    const float margin = marginOf(state, number);
+    const float margin = boxMargin(place.reach);
     const Vec3f way = state.motions[number].velocity * dt;
     // What turning adds to the way is in the margin, or it is added to it.
     const float extra = std::max(0.0f, state.ahead[number] - place.travel - length(way));
@@ -76,20 +71,49 @@ void widenBoxes(WorldState& state, WorkerTeam& team, const Regions& regions, Pai
     }
 }
 
-/// The pairs of a body's boxes that have no contact yet; of two bodies that both moved, the lower looks.
-void searchAround(const WorldState& state, const PairScratch& scratch, std::uint32_t number,
+/// The pairs of a body's box that have no contact yet; of two bodies that both moved, the lower looks.
+void pairWithNear(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy, NearBoxes& near,
                   std::vector<std::uint32_t>& found) {
-    const Body& body = state.bodies[number];
-    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
-        state.tree.visitOverlapping(state.tree.box(state.proxies[proxy].leaf), [&](std::uint32_t otherProxy) {
-            const std::uint32_t other = state.proxies[otherProxy].body;
-            if (other == number || (scratch.isMoved[other] != 0 && other < number)) return;
-            if (!body.isDynamic() && !state.bodies[other].isDynamic()) return;
-            if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) return;
-            found.push_back(proxy);
-            found.push_back(otherProxy);
-        });
+    const std::uint32_t number = state.proxies[proxy].body;
+    const bool isDynamic = state.bodies[number].isDynamic();
+    near.visitOverlapping(state.tree.box(state.proxies[proxy].leaf), [&](std::uint32_t otherProxy) {
+        const std::uint32_t other = state.proxies[otherProxy].body;
+        if (other == number || (scratch.isMoved[other] != 0 && other < number)) return;
+        if (!isDynamic && !state.bodies[other].isDynamic()) return;
+        if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) return;
+        found.push_back(proxy);
+        found.push_back(otherProxy);
+    });
+}
+
+/// The pairs of some moved bodies. Boxes in a row that lie close together, as those of the pieces of one body, search the tree
+/// together: as long as a box around them all is no larger than they are themselves.
+void searchAround(const WorldState& state, const PairScratch& scratch, IndexRange range, NearBoxes& near,
+                  std::vector<std::uint32_t>& found) {
+    constexpr std::size_t kMostTogether = 16;
+    std::array<std::uint32_t, kMostTogether> together{};
+    std::size_t count = 0;
+    Box around;
+    const auto search = [&] {
+        if (count > 0) near.gather(state.tree, around);
+        for (std::size_t i = 0; i < count; ++i) pairWithNear(state, scratch, together[i], near, found);
+        count = 0;
+    };
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const Body& body = state.bodies[scratch.moved[i]];
+        for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+            const Box& box = state.tree.box(state.proxies[proxy].leaf);
+            const Box all = count == 0 ? box : joined(around, box);
+            if (count == kMostTogether || (count > 0 && all.area() > around.area() + box.area())) {
+                search();
+                around = box;
+            } else {
+                around = all;
+            }
+            together[count++] = proxy;
+        }
     }
+    search();
 }
 
 bool boxesOverlap(const WorldState& state, const Contact& contact) {
@@ -114,6 +138,12 @@ void removeParted(WorldState& state, PairScratch& scratch) {
 }
 
 }  // namespace
+
+float boxMargin(float reach) {
+    constexpr float kMost = 0.05f;      // m
+    constexpr float kOfReach = 0.125f;  // small bodies have narrower ones
+    return std::min(kMost, kOfReach * reach);
+}
 
 Box tightBox(const Hull& hull, const BodyPlace& place) {
     const Mat3f turn = place.turn.matrix();
@@ -162,11 +192,10 @@ void findPairs(WorldState& state, WorkerTeam& team, const Regions& regions, Pair
     removeParted(state, scratch);
     const std::size_t chunks = regions.count() == 1 ? 1 : team.chunksOf(scratch.moved.size(), kLeastBodies);
     scratch.found.resize(std::max(chunks, scratch.found.size()));
+    scratch.near.resize(scratch.found.size());
     for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
     team.share(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            searchAround(state, scratch, scratch.moved[i], scratch.found[chunk]);
-        }
+        searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
     });
     for (const std::vector<std::uint32_t>& found : scratch.found) {
         for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);

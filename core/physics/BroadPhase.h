@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/physics/NearBoxes.h"
 #include "core/physics/Regions.h"
 
 namespace rubble {
@@ -10,12 +11,16 @@ struct PairScratch {
     std::vector<char> isMoved;                        // by body
     std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
     std::vector<std::vector<std::uint32_t>> found;    // by chunk: proxies, two a pair
+    std::vector<NearBoxes> near;                      // by chunk
     std::vector<std::uint32_t> gone;                  // contacts
 };
 
 /// The box of a hull, or of a proxy's where it is now, without any margin.
 Box tightBox(const Hull& hull, const BodyPlace& place);
 Box tightBox(const WorldState& state, const Proxy& proxy);
+
+/// By how much the box of a body of such a reach is widened, so that what jitters stays in it, m.
+float boxMargin(float reach);
 
 /// Puts a body's hulls in the tree, or takes them out.
 void addProxies(WorldState& state, std::uint32_t body);

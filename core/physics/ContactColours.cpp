@@ -39,8 +39,8 @@ ContactSlot ContactColours::addLane(std::uint32_t number) {
     List& list = m_lists[number];
     const ContactSlot slot{number, list.count++};
     if (blockOf(slot) == list.blocks.size()) {
-        list.blocks.push_back({});
-        list.references.push_back({});
+        list.blocks.emplace_back();
+        list.references.emplace_back();
     }
     return slot;
 }

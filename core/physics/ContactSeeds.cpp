@@ -6,14 +6,7 @@ namespace rubble {
 namespace {
 
 Look lookAlong(const Hull& first, const Hull& second, Vec3f apart) {
-    const RelativePlace place{{}, apart};
-    Look look;
-    look.offset = apart;
-    look.axis = separatingAxis(first, second, place, kSpeculativeDistance, {});
-    if (look.axis.separation <= kSpeculativeDistance) {
-        look.manifold = manifoldAlong(look.axis, first, second, place, kSpeculativeDistance);
-    }
-    return look;
+    return rubble::lookAlong(first, second, {{}, apart}, kSpeculativeDistance, {});
 }
 
 }  // namespace

@@ -86,6 +86,14 @@ void addFaces(Hull& hull, const Polytope& polytope, Vec3 centre) {
     }
 }
 
+/// A merged face's plane may lie in front of some of its corners.
+float innerOf(const Hull& hull) {
+    float inner = hull.reach;
+    for (const HullPlane& plane : hull.planes)
+        inner = std::min(inner, plane.offset - static_cast<float>(kPlanarDistance));
+    return inner > 0.0f ? inner : -hull.reach;
+}
+
 void addSides(Hull& hull) {
     for (int face = 0; face < static_cast<int>(hull.planes.size()); ++face) {
         const std::span<const std::uint16_t> loop = hull.face(face);
@@ -167,6 +175,7 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
     const Result<Polytope> simple = simplified(polytope);
     if (!simple) return simple.error();
     Hull hull;
+    hull.inner = innerOf(hull);
     hull.breadth = static_cast<float>(breadthOf(*simple));
     addCorners(hull, *simple, centre);
     addFaces(hull, *simple, centre);

@@ -47,6 +47,7 @@ struct Hull {
     Vec3f extents{0.0f, 0.0f, 0.0f};  // half of the box's sides
     float breadth = 0.0f;             // m: the least width across a pair of faces
     float reach = 0.0f;               // m: from the centre of mass to the farthest corner
+    float inner = 0.0f;               // m: from the centre of mass to the nearest plane; -reach where it lies outside
 
     Vec3f corner(int index) const { return Vec3f(corners.x[index], corners.y[index], corners.z[index]); }
     std::span<const std::uint16_t> face(int index) const {

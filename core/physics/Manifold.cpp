@@ -32,14 +32,24 @@ int placedFace(const Hull& hull, int face, const RelativePlace& place, const Hul
     return count;
 }
 
-/// Keeps what lies behind a plane through a side of the reference face.
-int clippedBy(const HullPlane& plane, std::uint16_t side, const Clipped* in, int count, Clipped* out) {
+/// How far points lie in front of a plane. True where any does.
+bool heightsOver(const HullPlane& plane, const Clipped* points, int count, float* heights) {
+    float highest = -1.0f;
+    for (int i = 0; i < count; ++i) {
+        heights[i] = dot(plane.normal, points[i].place) - plane.offset;
+        highest = std::max(highest, heights[i]);
+    }
+    return highest > 0.0f;
+}
+
+/// Keeps what lies behind a plane through a side of the reference face; `heights` are those over it.
+int clippedBy(const float* heights, std::uint16_t side, const Clipped* in, int count, Clipped* out) {
     int kept = 0;
-    float before = dot(plane.normal, in[count - 1].place) - plane.offset;
+    float before = heights[count - 1];
     for (int i = 0; i < count; ++i) {
         const Clipped& from = in[i == 0 ? count - 1 : i - 1];
         const Clipped& to = in[i];
-        const float after = dot(plane.normal, to.place) - plane.offset;
+        const float after = heights[i];
         if ((before <= 0.0f) != (after <= 0.0f)) {
             const float share = before / (before - after);
             const std::uint32_t feature =
@@ -113,8 +123,10 @@ Manifold overFace(const Hull& owner, int face, const Hull& other, const Relative
     int count = placedFace(other, facing, place, reference, in);
     const std::span<const std::uint16_t> loop = owner.face(face);
     const std::span<const HullPlane> sides = owner.sidesOf(face);
+    float heights[kMostClipped];
     for (std::size_t i = 0; i < loop.size() && count > 0; ++i) {
-        count = clippedBy(sides[i], loop[i], in, count, out);
+        if (!heightsOver(sides[i], in, count, heights)) continue;
+        count = clippedBy(heights, loop[i], in, count, out);
         std::swap(in, out);
     }
     const Clipped* end = std::remove_if(in, in + count, [&](const Clipped& p) { return p.height > margin; });

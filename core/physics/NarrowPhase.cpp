@@ -83,12 +83,23 @@ void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference,
     contact.features = features;
 }
 
-/// Until when bodies that are apart need no look.
-void noteGap(WorldState& state, std::uint32_t number, const Look& look) {
-    Contact& contact = state.contacts[number];
-    const float travelled = state.places[contact.bodies[0]].travel + state.places[contact.bodies[1]].travel;
-    state.open[contact.openIndex].lookAt = travelled + std::max(0.0f, kGapShare * look.axis.separation);
-    contact.axis = look.axis;
+/// Looks along one face. True where that settles it: the face separates the hulls, or a point of one lies so near over the face that no
+/// other axis can separate them by clearly more.
+bool isSettledBy(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePlace& place,
+                 float margin, Look& look) {
+    constexpr float kClearly = 2.0f * kAxisPreference;
+    look.axis = face;
+    look.manifold = {};
+    if (face.separation > margin) return true;
+    look.manifold = manifoldAlong(face, first, second, place, margin);
+    const float enough = face.separation + kClearly;
+    const auto isNear = [&](const Manifold::Point& point) { return point.separation <= enough; };
+    return enough >= 0.0f &&
+           std::any_of(look.manifold.points.begin(), look.manifold.points.begin() + look.manifold.count, isNear);
+}
+
+bool isSameFace(const SeparatingAxis& a, const SeparatingAxis& b) {
+    return a.kind == b.kind && a.first == b.first && a.second == b.second;
 }
 
 void lookAndKeep(WorldState& state, std::uint32_t number, std::vector<Looked>& looks, float dt) {
@@ -170,9 +181,35 @@ void keepManifold(WorldState& state, std::uint32_t number, const Look& look) {
     contact.axis = look.axis;
 }
 
+void keepGap(WorldState& state, std::uint32_t number, const Look& look) {
+    Contact& contact = state.contacts[number];
+    const float travelled = state.places[contact.bodies[0]].travel + state.places[contact.bodies[1]].travel;
+    state.open[contact.openIndex].lookAt = travelled + std::max(0.0f, kGapShare * look.axis.separation);
+    contact.axis = look.axis;
+}
+
 RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second) {
     const Mat3f turn = first.turn.matrix();
     return {turn.transposed() * second.turn.matrix(), turn.transposedTimes(second.centre - first.centre)};
+}
+
+Look lookAlong(const Hull& first, const Hull& second, const RelativePlace& place, float margin,
+               const SeparatingAxis& guess) {
+    Look look;
+    look.offset = place.offset;
+    look.axis = guess.kind == AxisKind::None ? likelyFace(first, second, place) : guess;
+    if (look.axis.kind != AxisKind::Edges &&
+        isSettledBy(axisOfFace(look.axis, first, second, place), first, second, place, margin, look)) {
+        return look;
+    }
+    const SeparatingAxis face = bestFaceAxis(first, second, place, margin, look.axis);
+    if (!isSameFace(face, look.axis) && isSettledBy(face, first, second, place, margin, look)) return look;
+    look.axis = bestEdgesOr(face, first, second, place, margin);
+    if (look.axis.kind == AxisKind::Edges) {
+        const bool isNear = look.axis.separation <= margin;
+        look.manifold = isNear ? manifoldAlong(look.axis, first, second, place, margin) : Manifold{};
+    }
+    return look;
 }
 
 Look lookAt(const WorldState& state, const Contact& contact, float dt) {
@@ -185,12 +222,8 @@ Look lookAt(const WorldState& state, const Contact& contact, float dt) {
     const float far = length(way), breadth = std::min(first.breadth, second.breadth);
     const bool isFast = far > kSweptShare * breadth;
     const float margin = kSpeculativeDistance + (isFast ? 0.0f : far);
-    Look look;
-    look.offset = place.offset;
-    look.axis = separatingAxis(first, second, place, margin, contact.axis);
-    if (look.axis.separation <= margin) {
-        look.manifold = manifoldAlong(look.axis, first, second, place, margin);
-    } else if (isFast) {
+    Look look = lookAlong(first, second, place, margin, contact.axis);
+    if (look.axis.separation > margin && isFast) {
         sweep(look, first, second, place, firstPlace.turn.matrix().transposedTimes(way));
     }
     return look;
@@ -213,7 +246,7 @@ int findManifolds(WorldState& state, WorkerTeam& team, const Regions& regions, L
             keepManifold(state, number, look);
         } else if (!touches) {
             if (touched) endTouching(state, number);
-            noteGap(state, number, look);
+            keepGap(state, number, look);
         }
     }
     return static_cast<int>(scratch.all.size());

@@ -13,11 +13,19 @@ inline constexpr float kSpeculativeDistance = 0.02f;  // m
 /// Where the second body is in the first's frame.
 RelativePlace relativePlace(const BodyPlace& first, const BodyPlace& second);
 
+/// How two hulls touch, where they are not farther apart than `margin`. `guess` is the axis that was found before, and is kept as
+/// long as no other can separate them by clearly more.
+Look lookAlong(const Hull& first, const Hull& second, const RelativePlace& place, float margin,
+               const SeparatingAxis& guess);
+
 /// Looks at two hulls as they are, or, where one moves far against its size, as they will be when they meet in the coming dt seconds.
 Look lookAt(const WorldState& state, const Contact& contact, float dt);
 
 /// Writes what was seen into the lane of a contact that has one.
 void keepManifold(WorldState& state, std::uint32_t contact, const Look& look);
+
+/// Notes of a contact without manifold that it needs no look until its bodies have moved as far as they are apart.
+void keepGap(WorldState& state, std::uint32_t contact, const Look& look);
 
 struct Looked {
     std::uint32_t contact;

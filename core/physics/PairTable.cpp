@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kFirstSize = 64;
+constexpr std::size_t kFirstSize = 4096;
 
 /// The same for both orders.
 std::uint64_t keyOf(std::uint32_t first, std::uint32_t second) {

@@ -12,7 +12,6 @@ constexpr int kLanes = 4;
 using Four = Floats<kLanes>;
 using FourVec3 = WideVec3<kLanes>;
 
-constexpr float kPreference = 0.0005f;       // m: how much better an edge, or the second hull's face, must be
 constexpr float kTouching = 1e-4f;           // m: what counts as lying in a plane, or over a face
 constexpr float kParallelSquared = 2.5e-5f;  // of the sine between edges that count as parallel, 0.005
 
@@ -38,6 +37,12 @@ float faceSeparation(const Hull& owner, int face, const Hull& other, const Relat
     return dot(plane.normal, otherInOwner.offset) - reachAlong(other, inOther) - plane.offset;
 }
 
+/// faceSeparation() is no more than this: the other hull reaches at least to a ball within it.
+float mostSeparation(const Hull& owner, int face, const Hull& other, const RelativePlace& otherInOwner) {
+    const HullPlane& plane = owner.planes[face];
+    return dot(plane.normal, otherInOwner.offset) - other.inner - plane.offset;
+}
+
 struct BestFace {
     int face = 0;
     float separation = -1e30f;
@@ -48,7 +53,7 @@ BestFace bestFace(const Hull& owner, const Hull& other, const RelativePlace& oth
     BestFace best{start, faceSeparation(owner, start, other, otherInOwner)};
     const int count = static_cast<int>(owner.planes.size());
     for (int face = 0; face < count && best.separation <= margin; ++face) {
-        if (face == start) continue;
+        if (face == start || mostSeparation(owner, face, other, otherInOwner) <= best.separation) continue;
         const float separation = faceSeparation(owner, face, other, otherInOwner);
         if (separation > best.separation) best = {face, separation};
     }
@@ -128,12 +133,36 @@ void takeBetter(BestEdges& best, const Hull& first, int firstEdge, const PlacedE
     }
 }
 
-BestEdges bestEdges(const Hull& first, const Hull& second, const RelativePlace& place, float margin) {
+/// Which fours of a hull's edges have one with a face that looks along a direction.
+std::uint64_t foursFacing(const Hull& hull, Vec3f direction) {
+    const FourVec3 wide = splat(direction);
+    const Four none{};
+    std::uint64_t fours = 0;
+    const int count = std::min(static_cast<int>(hull.edgeVectors.x.size()), 64 * kLanes);
+    for (int i = 0; i < count; i += kLanes) {
+        const auto faces = (dot<kLanes>(four(hull.edgeFirstNormals, i), wide) > none) |
+                           (dot<kLanes>(four(hull.edgeSecondNormals, i), wide) > none);
+        fours |= static_cast<std::uint64_t>(bitsOf<kLanes>(faces) != 0) << (i / kLanes);
+    }
+    return fours;
+}
+
+/// The best pair of edges that separates the hulls by more than `least`.
+BestEdges bestEdges(const Hull& first, const Hull& second, const RelativePlace& place, float least, float margin) {
     BestEdges best;
+    best.separation = least;
     const int padded = static_cast<int>(first.edgeVectors.x.size()), count = static_cast<int>(second.edges.size());
-    for (int j = 0; j < count && best.separation <= margin; ++j) {
+    // An axis that separates them by more than balls within them overlap leads from one centre towards the other, and so does
+    // the normal of a face at each of its edges.
+    const bool leadsAcross = first.inner + second.inner + least > 0.0f;
+    const std::uint64_t fours = leadsAcross ? foursFacing(first, place.offset) : ~std::uint64_t{0};
+    for (int j = 0; j < count && (best.first < 0 || best.separation <= margin); ++j) {
         const PlacedEdge edge = placedEdge(second, j, place);
-        for (int i = 0; i < padded; i += kLanes) takeBetter(best, first, i, edge, j);
+        if (leadsAcross && dot(edge.firstNormal, place.offset) >= 0.0f && dot(edge.secondNormal, place.offset) >= 0.0f)
+            continue;
+        for (int i = 0; i < padded; i += kLanes) {
+            if (i >= 64 * kLanes || (fours >> (i / kLanes) & 1u) != 0) takeBetter(best, first, i, edge, j);
+        }
     }
     return best;
 }
@@ -154,30 +183,64 @@ SeparatingAxis secondFaceAxis(const Hull& second, const RelativePlace& place, co
 
 }  // namespace
 
-SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const RelativePlace& place, float margin,
-                              const SeparatingAxis& guess) {
+SeparatingAxis axisOfFace(const SeparatingAxis& face, const Hull& first, const Hull& second,
+                          const RelativePlace& place) {
+    if (face.kind == AxisKind::FirstFace) {
+        return firstFaceAxis(first, {face.first, faceSeparation(first, face.first, second, place)});
+    }
+    return secondFaceAxis(second, place, {face.second, faceSeparation(second, face.second, first, inverse(place))});
+}
+
+SeparatingAxis likelyFace(const Hull& first, const Hull& second, const RelativePlace& place) {
+    const Vec3f way = place.offset + place.turn * second.middle - first.middle;
+    const Vec3f extents = first.extents + magnitudes(place.turn.x) * second.extents.x +
+                          magnitudes(place.turn.y) * second.extents.y + magnitudes(place.turn.z) * second.extents.z;
+    const Vec3f gaps = magnitudes(way) - extents;
+    Vec3f side(0.0f);
+    if (gaps.x >= gaps.y && gaps.x >= gaps.z) {
+        side.x = way.x;
+    } else if (gaps.y >= gaps.z) {
+        side.y = way.y;
+    } else {
+        side.z = way.z;
+    }
+    return firstFaceAxis(first, {first.facing(side), 0.0f});
+}
+
+SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const RelativePlace& place, float margin,
+                            const SeparatingAxis& guess) {
     const RelativePlace firstInSecond = inverse(place);
     const int startFirst = guess.kind == AxisKind::FirstFace ? guess.first : 0;
     const int startSecond = guess.kind == AxisKind::SecondFace ? guess.second : 0;
-    BestFace ofSecond;
     if (guess.kind == AxisKind::SecondFace) {
-        ofSecond = {startSecond, faceSeparation(second, startSecond, first, firstInSecond)};
-        if (ofSecond.separation > margin) return secondFaceAxis(second, place, ofSecond);
+        const SeparatingAxis before = axisOfFace(guess, first, second, place);
+        if (before.separation > margin) return before;
     }
     const BestFace ofFirst = bestFace(first, second, place, margin, startFirst);
     if (ofFirst.separation > margin) return firstFaceAxis(first, ofFirst);
-    ofSecond = bestFace(second, first, firstInSecond, margin, startSecond);
-    const bool isSecond = ofSecond.separation > ofFirst.separation + kPreference;
-    const SeparatingAxis face = isSecond ? secondFaceAxis(second, place, ofSecond) : firstFaceAxis(first, ofFirst);
-    if (face.separation > margin) return face;
+    const BestFace ofSecond = bestFace(second, first, firstInSecond, margin, startSecond);
+    const bool isSecond = ofSecond.separation > ofFirst.separation + kAxisPreference;
+    return isSecond ? secondFaceAxis(second, place, ofSecond) : firstFaceAxis(first, ofFirst);
+}
+
+SeparatingAxis bestEdgesOr(const SeparatingAxis& face, const Hull& first, const Hull& second,
+                           const RelativePlace& place, float margin) {
     // What lies on a face needs no look at its edges: they cannot be farther apart.
-    const float enough = face.separation + kPreference;
-    if (distanceOver(first, ofFirst, second, place) <= enough) return face;
-    if (distanceOver(second, ofSecond, first, firstInSecond) <= enough) return face;
-    const BestEdges edges = bestEdges(first, second, place, margin);
-    if (edges.first < 0 || edges.separation <= enough) return face;
+    const float enough = face.separation + kAxisPreference;
+    const float distance = face.kind == AxisKind::FirstFace
+                               ? distanceOver(first, {face.first, face.separation}, second, place)
+                               : distanceOver(second, {face.second, face.separation}, first, inverse(place));
+    if (distance <= enough) return face;
+    const BestEdges edges = bestEdges(first, second, place, enough, margin);
+    if (edges.first < 0) return face;
     return {AxisKind::Edges, static_cast<std::uint16_t>(edges.first), static_cast<std::uint16_t>(edges.second),
             edges.separation, edges.normal};
+}
+
+SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const RelativePlace& place, float margin,
+                              const SeparatingAxis& guess) {
+    const SeparatingAxis face = bestFaceAxis(first, second, place, margin, guess);
+    return face.separation > margin ? face : bestEdgesOr(face, first, second, place, margin);
 }
 
 }  // namespace rubble

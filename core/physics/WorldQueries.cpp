@@ -65,7 +65,7 @@ std::optional<CastHit> World::castRay(Vec3 from, Vec3 to) const {
     const Vec3f start = toFloat(from), way = toFloat(to - from);
     CastHit best{.fraction = kNowhere};
     state.tree.visitWhere([&](const Box& box) { return meetsSegment(box, start, way, endOf(best)); },
-                          [&](std::uint32_t number) {
+                          [&](std::uint32_t number, const Box&) {
                               const Proxy& proxy = state.proxies[number];
                               const BodyPlace& place = state.places[proxy.body];
                               const Mat3f turn = place.turn.matrix();
@@ -96,7 +96,7 @@ Result<std::optional<CastHit>> World::castHull(const Polytope& polytope, const P
         [&](const Box& other) {
             return meetsSegment({other.low - half, other.high + half}, box.middle(), wayWorld, endOf(best));
         },
-        [&](std::uint32_t number) {
+        [&](std::uint32_t number, const Box&) {
             const Proxy& proxy = state.proxies[number];
             const HullMeeting met = meetingOf(probe->hull, hullOf(state, proxy),
                                               relativePlace(probe->place, state.places[proxy.body]), wayLocal);
@@ -113,7 +113,7 @@ Result<std::vector<BodyId>> World::overlapping(const Polytope& polytope, const P
     if (!probe) return probe.error();
     const WorldState& state = *m_state;
     std::vector<BodyId> found;
-    state.tree.visitOverlapping(tightBox(probe->hull, probe->place), [&](std::uint32_t number) {
+    state.tree.visitOverlapping(tightBox(probe->hull, probe->place), [&](std::uint32_t number, const Box&) {
         const Proxy& proxy = state.proxies[number];
         const RelativePlace place = relativePlace(probe->place, state.places[proxy.body]);
         if (separatingAxis(probe->hull, hullOf(state, proxy), place, 0.0f, {}).separation <= 0.0f)

@@ -68,23 +68,32 @@ BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& br
     return definition;
 }
 
-/// Takes the whole out and puts its pieces in.
-void swap(const SessionParts& parts, PendingBreak& broken) {
+/// Milliseconds since a moment.
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Takes the whole out.
+void removeWhole(const SessionParts& parts, PendingBreak& broken) {
+    const auto start = std::chrono::steady_clock::now();
+    broken.told.asset = assetToSwap(parts, broken);
+    broken.told.pose = broken.pose;
+    takeOut(parts, broken.told.body.number);
+    broken.told.milliseconds = millisecondsSince(start);
+}
+
+/// Puts the pieces in.
+void addPieces(const SessionParts& parts, PendingBreak& broken) {
     const auto start = std::chrono::steady_clock::now();
     PlayBreak& told = broken.told;
-    const PlayBody whole = told.body;
-    const std::shared_ptr<const PlayAsset> asset = assetToSwap(parts, broken);
-    const PlayBreaking& breaking = *asset->breakingOf(whole.fragment);
-    takeOut(parts, whole.number);
+    const PlayBreaking& breaking = *told.asset->breakingOf(told.body.fragment);
     told.firstPiece = parts.state.nextNumber;
     told.pieces = breaking.count;
-    told.pose = broken.pose;
-    told.asset = asset;
     for (std::uint32_t k = 0; k < breaking.count; ++k) {
         const std::uint32_t fragment = breaking.first + k;
         const Result<std::uint32_t> added =
-            addBody(parts, pieceDefinition(parts, broken, *asset, fragment),
-                    {.role = PlayRole::Piece, .origin = whole.origin, .asset = asset, .fragment = fragment});
+            addBody(parts, pieceDefinition(parts, broken, *told.asset, fragment),
+                    {.role = PlayRole::Piece, .origin = told.body.origin, .asset = told.asset, .fragment = fragment});
         RUBBLE_ASSERT(added.hasValue());
         parts.state.events.born.push_back(parts.state.bodies.back());
     }
@@ -93,7 +102,7 @@ void swap(const SessionParts& parts, PendingBreak& broken) {
     for (const PlayNeighbours& pair : breaking.neighbours) {
         parts.world.expectContact(bodyOf(pair.first), bodyOf(pair.second), pair.seeds);
     }
-    told.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    told.milliseconds += millisecondsSince(start);
     parts.state.events.breaks.push_back(told);
     parts.state.recentBreaks.push_back(told);
 }
@@ -114,8 +123,9 @@ PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
 
 void carryOut(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     if (!parts.scene.project.damage.isThesis) payForBreaks(parts.world, breaks);
-    for (PendingBreak& broken : breaks) swap(parts, broken);
+    for (PendingBreak& broken : breaks) removeWhole(parts, broken);
     forgetTakenOut(parts.state);
+    for (PendingBreak& broken : breaks) addPieces(parts, broken);
 }
 
 bool breakWhatIsHit(const SessionParts& parts) {

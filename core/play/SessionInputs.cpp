@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -175,15 +176,16 @@ void follow(const SessionParts& parts, const MaterialInput& input) {
     }
 }
 
-void follow(const SessionParts& parts, const BreakInput& input) {
+/// The break that an input asks for, added to those of the inputs just before it.
+void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<PendingBreak>& breaks) {
     const PlayBody* body = findBody(parts.state, input.body);
-    if (body == nullptr || body->breaking() == nullptr) {
+    const auto isTold = [&](const PendingBreak& one) { return one.told.body.number == input.body; };
+    if (body == nullptr || body->breaking() == nullptr || std::ranges::any_of(breaks, isTold)) {
         parts.state.events.notices.push_back("There is nothing to break: it has no pieces, or it is gone.");
         return;
     }
-    PendingBreak broken = pendingBreak(parts, *body);
-    broken.told.point = broken.mass.centre;
-    carryOut(parts, {broken});
+    breaks.push_back(pendingBreak(parts, *body));
+    breaks.back().told.point = breaks.back().mass.centre;
 }
 
 void follow(const SessionParts& parts, const GravityInput& input) { parts.world.setGravity(input.gravity); }
@@ -203,6 +205,14 @@ void follow(const SessionParts& parts, const DragInput& input) { parts.world.dra
 
 void follow(const SessionParts& parts, const LetGoInput&) { parts.world.letGo(); }
 
+void follow(const SessionParts& parts, const PlayInput& input) {
+    std::visit(
+        [&](const auto& one) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, BreakInput>) follow(parts, one);
+        },
+        input);
+}
+
 }  // namespace
 
 std::optional<std::string> faultOf(const PlayInput& input, const PlayScene& scene, const SessionState& state) {
@@ -215,10 +225,17 @@ void followInputs(const SessionParts& parts) {
     while (due < pending.size() && pending[due].step <= parts.state.step) ++due;
     const std::vector<TimedInput> inputs(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(due));
     pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(due));
+    std::vector<PendingBreak> breaks;  // of inputs in a row: those bodies break at once
     for (const TimedInput& timed : inputs) {
-        std::visit([&](const auto& input) { follow(parts, input); }, timed.input);
+        if (const auto* input = std::get_if<BreakInput>(&timed.input)) {
+            addBreak(parts, *input, breaks);
+        } else {
+            carryOut(parts, std::exchange(breaks, {}));
+            follow(parts, timed.input);
+        }
         parts.state.events.inputs.push_back(timed);
     }
+    carryOut(parts, std::move(breaks));
 }
 
 }  // namespace rubble

@@ -17,7 +17,7 @@ Box randomBox(Random& random) {
 
 std::vector<std::uint32_t> found(const BoxTree& tree, const Box& box) {
     std::vector<std::uint32_t> numbers;
-    tree.visitOverlapping(box, [&](std::uint32_t number) { numbers.push_back(number); });
+    tree.visitOverlapping(box, [&](std::uint32_t number, const Box&) { numbers.push_back(number); });
     std::sort(numbers.begin(), numbers.end());
     return numbers;
 }

@@ -40,6 +40,15 @@ private slots:
         session.step();
         QVERIFY(session.recentBreaks().empty());
     }
+    void whatIsBrokenTwiceAtOnceBreaksOnce() {
+        Session session = test::sessionOf(test::floatingBlock(5));
+        test::give(session, BreakInput{1});
+        test::give(session, BreakInput{1});
+        session.step();
+        QCOMPARE(session.events().breaks.size(), std::size_t{1});
+        QCOMPARE(session.events().notices.size(), std::size_t{1});
+        QCOMPARE(session.bodies().size(), std::size_t{6});  // the pieces and the ground
+    }
     void anImpactAtTheThresholdBreaks_data() {
         QTest::addColumn<double>("share");
         QTest::addColumn<bool>("breaks");
