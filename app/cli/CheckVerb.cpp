@@ -3,6 +3,7 @@
 #include "app/cli/ProgressLine.h"
 #include "app/cli/Verb.h"
 #include "core/asset/Bake.h"
+#include "core/asset/Problems.h"
 #include "core/asset/Variants.h"
 #include "core/base/Parallel.h"
 #include "core/io/AtomicFile.h"
@@ -26,9 +27,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
     R"(A project: every value in its range; then every asset is broken as for an export, and every stage of it verified:
-triangulation, cells, fragments, hulls, meshes, in all variants that instances use; instances that overlap are told and
-are no fault. A pack: the folder that export wrote, or its pack.json; every file is
-compared with the manifest, too. A folder of packs: each of them.
+triangulation, cells, fragments, hulls, meshes, in all variants that instances use. What an artist should look at, as the
+editor's dock Problems lists it (slivers, tiny pieces, equal seeds, …), and instances that overlap are told and are no
+fault. A pack: the folder that export wrote, or its pack.json; every file is compared with the manifest, too. A folder of
+packs: each of them.
 
 Examples:
   rubble-cli check house.rubble
@@ -44,6 +46,7 @@ struct CheckArguments {
 struct Finding {
     Status status = success();
     std::string summary;
+    std::string notices;  // a line each
 };
 
 std::string soundText(const std::string& name, std::size_t fragments, double volume) {
@@ -52,12 +55,14 @@ std::string soundText(const std::string& name, std::size_t fragments, double vol
 
 Finding findingOn(const Asset& asset, const TaskContext& task) {
     const Result<Bake> baked = bake(asset, task);
-    if (!baked) return {baked.error(), {}};
+    if (!baked) return {.status = baked.error()};
     for (const auto verify : {verifyBake, verifyMeshes}) {
-        if (task.isCancelled()) return {TaskContext::cancelled(), {}};
-        if (const auto fault = verify(*baked, asset)) return {Error{ErrorCode::BadInput, *fault}, {}};
+        if (task.isCancelled()) return {.status = TaskContext::cancelled()};
+        if (const auto fault = verify(*baked, asset)) return {.status = Error{ErrorCode::BadInput, *fault}};
     }
-    return {success(), soundText(asset.name, baked->fragmentCount(), baked->whole.volume)};
+    std::string notices;
+    for (const Problem& problem : problemsOf(asset, *baked)) notices += asset.name + ": " + problem.message + '\n';
+    return {success(), soundText(asset.name, baked->fragmentCount(), baked->whole.volume), std::move(notices)};
 }
 
 /// Prints what is sound; a fault that tells of all that is not.
@@ -76,7 +81,7 @@ Status told(const std::vector<Finding>& findings, const CliContext& context) {
 
 void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<Finding>& all) {
     const Result<Project> project = loadProject(path);
-    if (!project) return all.push_back({project.error(), {}});
+    if (!project) return all.push_back({.status = project.error()});
     ProgressLine line(context, "Checking");
     std::mutex guard;  // of the line and of what is done
     std::size_t done = 0;
@@ -89,6 +94,7 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
         line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
     });
     line.clear();
+    for (const Finding& finding : findings) context.err << finding.notices;
     std::ranges::move(findings, std::back_inserter(all));
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
         context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
@@ -99,15 +105,15 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
 Finding findingOnPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
     const auto fault = [&](ErrorCode code, const std::string& sentence) {
-        return Finding{Error{code, path.string() + ": " + sentence}, {}};
+        return Finding{.status = Error{code, path.string() + ": " + sentence}};
     };
     const Result<std::string> json = readFile(path);
-    if (!json) return {json.error(), {}};
+    if (!json) return {.status = json.error()};
     const Result<Pack> pack = readPack(*json);
     if (!pack) return fault(pack.error().code, pack.error().message);
     if (const auto wrong = verifyPack(*pack)) return fault(ErrorCode::BadInput, *wrong);
-    if (const auto wrong = verifyExportFolder(folder)) return {Error{ErrorCode::BadInput, *wrong}, {}};
-    return {success(), soundText(pack->name, pack->fragments.size(), pack->whole.volume)};
+    if (const auto wrong = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *wrong}};
+    return {.summary = soundText(pack->name, pack->fragments.size(), pack->whole.volume)};
 }
 
 /// True for the folder of a pack, even where one of its two lists has been lost.
@@ -143,7 +149,7 @@ void checkPath(const std::string& given, int threads, const CliContext& context,
     std::vector<Finding> findings(packs->size());
     forEachIndex(packs->size(), threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
-        findings[index] = isCancelled ? Finding{TaskContext::cancelled(), {}} : findingOnPack((*packs)[index]);
+        findings[index] = isCancelled ? Finding{.status = TaskContext::cancelled()} : findingOnPack((*packs)[index]);
     });
     std::ranges::move(findings, std::back_inserter(all));
 }

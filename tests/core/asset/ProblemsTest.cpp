@@ -1,0 +1,178 @@
+#include "core/asset/Problems.h"
+
+#include "core/base/Random.h"
+#include "core/geometry/Aspect.h"
+#include "tests/support/Projects.h"
+#include "tests/support/RandomAssets.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+Asset boxWith(PlacedSeeds seeds) { return boxAsset(3, 5, std::move(seeds)); }
+
+std::vector<Problem> problemsIn(const Asset& asset, const ProblemLimits& limits = {}) {
+    return problemsOf(asset, *bake(asset), limits);
+}
+
+std::vector<Problem> ofKind(std::vector<Problem> problems, ProblemKind kind) {
+    std::erase_if(problems, [&](const Problem& problem) { return problem.kind != kind; });
+    return problems;
+}
+
+/// A comb whose teeth take a hull each.
+Polygon comb(int teeth) {
+    Polygon outline;
+    outline.outer = {{0.0, 0.0}, {static_cast<double>(2 * teeth - 1), 0.0}};
+    for (int k = teeth - 1; k >= 0; --k) {
+        const double left = 2.0 * k, right = left + 1.0;
+        for (const Vec2 corner : {Vec2(right, 1.0), Vec2(right, 3.0), Vec2(left, 3.0), Vec2(left, 1.0)}) {
+            outline.outer.push_back(corner);
+        }
+    }
+    std::erase(outline.outer, Vec2(2.0 * teeth - 1.0, 1.0));
+    std::erase(outline.outer, Vec2(0.0, 1.0));
+    return outline;
+}
+
+}  // namespace
+
+class ProblemsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aSoundAssetHasNone() { QVERIFY(problemsIn(boxWith({{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}})).empty()); }
+
+    void anEqualSeedIsNamedAndPlaced() {
+        const auto problems = problemsIn(boxWith({{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}, {4, {0.25, 0.5}}}}));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::DuplicateSeed);
+        QVERIFY(problems[0].seed == (SeedId{5, 4}));
+        QVERIFY(problems[0].where == Vec2(0.25, 0.5));
+    }
+    void aSeedWithoutACellIsNamed() {
+        const auto problems = problemsIn(boxWith({{{0, {0.5, 0.5}}, {1, {3.0, 0.5}}}}));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::SeedWithoutCell);
+        QVERIFY(problems[0].seed == (SeedId{5, 1}));
+    }
+    void aLostOverrideNamesItsSeed() {
+        Asset asset = boxAsset(3, 5, UniformScatter{.count = 4});
+        asset.pattern.layers[0].overrides = {{.index = 9, .isDeleted = true}};
+        const auto problems = ofKind(problemsIn(asset), ProblemKind::LostOverride);
+        QCOMPARE(problems.size(), std::size_t{1});
+        QVERIFY(problems[0].seed == (SeedId{5, 9}));
+        QVERIFY(!problems[0].where);
+    }
+    void aScatterWithoutRoomIsTold() {
+        const Asset asset = boxAsset(3, 5, BlueNoise{.minimumDistance = 0.4, .count = 500});
+        QCOMPARE(ofKind(problemsIn(asset), ProblemKind::NoRoom).size(), std::size_t{1});
+    }
+    void aPieceThinnerThanAHullIsTold() {
+        // Between two others 2e-10 apart, a cell of half that width.
+        const PlacedSeeds seeds{{{0, {0.5, 0.5}}, {1, {0.5 + 1e-10, 0.5}}, {2, {0.5 + 2e-10, 0.5}}}};
+        const auto problems = problemsIn(boxWith(seeds));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::ThinPiece);
+        QVERIFY(problems[0].seed == (SeedId{5, 1}));
+    }
+    void aSliverIsToldWithItsFigure() {
+        // Cells from 0 to 0.05 and from 0.05 to 1: the first is twenty times as long as wide.
+        const auto problems = problemsIn(boxWith({{{0, {0.025, 0.5}}, {1, {0.075, 0.5}}}}));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::Sliver);
+        QVERIFY(std::abs(problems[0].value - 20.0) < 1e-9);
+        QCOMPARE(problems[0].limit, 6.0);
+        QVERIFY(std::abs(problems[0].badness() - 20.0 / 6.0) < 1e-9);
+        QCOMPARE(problems[0].fragment, 0u);
+        QVERIFY(problems[0].seed == (SeedId{5, 0}));
+        QVERIFY(glm::distance(*problems[0].where, Vec2(0.025, 0.5)) < 1e-12);
+        QCOMPARE(problems[0].message,
+                 std::string("Fragment 3/5.0 is 20 times as long as wide, a sliver; up to 6 is usual."));
+    }
+    void aTinyPieceIsHeldAgainstThoseItWasMadeWith() {
+        const PlacedSeeds seeds{{{0, {0.005, 0.5}}, {1, {0.015, 0.5}}}};  // 1 % of the box, the mean is half of it
+        const auto problems = problemsIn(boxWith(seeds), {.aspect = 1e300, .meanShare = 0.03});
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::TinyPiece);
+        QVERIFY(std::abs(problems[0].badness() - 1.5) < 1e-9);
+        QCOMPARE(problems[0].message,
+                 std::string("Fragment 3/5.0 has 0.005 m^3, less than 3 % of the mean of the pieces it "
+                             "was made with, 0.25 m^3."));
+        QVERIFY(problemsIn(boxWith(seeds), {.aspect = 1e300, .meanShare = 0.019}).empty());
+    }
+    void aCombNeedsManyHulls() {
+        Asset asset = boxWith({{{0, {0.5, 0.5}}}});
+        asset.prism.outline = comb(10);
+        const auto problems = ofKind(problemsIn(asset), ProblemKind::ManyHulls);
+        QCOMPARE(problems.size(), std::size_t{1});
+        QVERIFY(problems[0].value >= 10.0);
+        asset.prism.outline = comb(4);
+        QVERIFY(ofKind(problemsIn(asset), ProblemKind::ManyHulls).empty());
+    }
+    void aFaultyOutlineIsToldFaultByFault() {
+        Asset asset = boxWith({});
+        asset.prism.outline.outer = {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}};
+        QVERIFY(!bake(asset));
+        const auto problems = outlineProblems(asset);
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::FaultyOutline);
+        QVERIFY(problems[0].where == Vec2(0.5, 0.5));
+        QVERIFY(std::isinf(problems[0].badness()));
+        const Project project{.assets = {asset}};
+        QCOMPARE(problemsOf(project, {}).size(), std::size_t{1});
+        QVERIFY(outlineProblems(boxWith({})).empty());
+    }
+    void whatBecameOfAFragmentNamesIt() {
+        Asset asset = boxWith({{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        const PlacedSeeds equal{{{0, {-0.1, 0.0}}, {1, {0.1, 0.0}}, {2, {0.1, 0.0}}}};
+        asset.levels = {{.pattern = {{{.id = 6, .parameters = equal}}}}};
+        const auto problems = ofKind(problemsIn(asset), ProblemKind::DuplicateSeed);
+        QCOMPARE(problems.size(), std::size_t{2});
+        QCOMPARE(problems[1].level, 1u);
+        QCOMPARE(problems[1].fragment, 1u);  // that was broken so
+        QVERIFY(!problems[1].seed);
+        QVERIFY(glm::distance(*problems[1].where, Vec2(0.75, 0.5)) < 1e-12);
+    }
+    void piecesOfPiecesAreLookedAtToo() {
+        Asset asset = boxWith({{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        asset.levels = {{.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-0.24, 0.0}}, {1, {-0.22, 0.0}}}}}}}}};
+        const auto problems = ofKind(problemsIn(asset), ProblemKind::Sliver);
+        QCOMPARE(problems.size(), std::size_t{2});
+        QCOMPARE(problems[0].level, 1u);
+        QVERIFY(problems[0].seed == (SeedId{5, 0}));  // of the asset's own pattern
+        const Bake baked = *bake(asset);
+        std::vector<bool> expected(baked.fragmentCount(), false);
+        for (const Problem& problem : problems) expected[problem.fragment] = true;
+        QCOMPARE(fragmentsWithProblems(baked, problems), expected);
+    }
+    void figuresAreThoseOfTheFragmentsOnAnyNumberOfThreads() {
+        Random random(77);
+        for (int kind = 0; kind < 20; ++kind) {
+            Asset asset = test::randomAsset(random, kind).assets[0];
+            asset.pattern.layers[0].parameters = UniformScatter{.count = 300};
+            const Bake baked = *bake(asset);
+            const ProblemLimits limits{.aspect = 2.5, .meanShare = 0.2};
+            TaskContext three;
+            three.threads = 3;
+            const auto problems = problemsOf(asset, baked, limits, three);
+            const auto alone = problemsOf(asset, baked, limits);
+            QVERIFY(std::ranges::equal(problems, alone, {}, &Problem::message, &Problem::message));
+            std::size_t slivers = 0, tiny = 0;
+            for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
+                const Fragment solid = baked.fragment(k).solid;
+                slivers += aspectOf(solid.outline()) > limits.aspect;
+                tiny += solid.volume() < 0.2 * baked.whole.volume / baked.fragmentCount() * (1.0 - 1e-12);
+            }
+            QCOMPARE(ofKind(problems, ProblemKind::Sliver).size(), slivers);
+            QCOMPARE(ofKind(problems, ProblemKind::TinyPiece).size(), tiny);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ProblemsTest)
+#include "ProblemsTest.moc"
