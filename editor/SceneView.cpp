@@ -8,7 +8,6 @@
 #include "editor/TimelineBar.h"
 #include "editor/ViewportLook.h"
 #include "editor/commands/InstanceEdits.h"
-#include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
 
 #include <QComboBox>
@@ -217,8 +216,8 @@ void SceneView::update() {
 SceneMarks SceneView::marks() const {
     const Selection& selection = m_workspace.selection();
     SceneMarks marks;
-    addMarks(selection.seeds(), marks.selected);
-    addMarks(selection.hiddenSeeds(), marks.hidden);
+    addMarks(selection.choice(), marks.selected);
+    addMarks(selection.hidden(), marks.hidden);
     for (const Instance& instance : m_workspace.project().instances) {
         const bool isChosen = selection.seeds().empty() && selection.instances().contains(instance.id);
         if (isChosen) marks.selected.push_back({instance.asset, instance.id, kNone});
@@ -227,10 +226,11 @@ SceneMarks SceneView::marks() const {
     return marks;
 }
 
-/// Marks for the fragments that come from seeds of the asset at hand, in all its instances that break as the asset itself does.
-void SceneView::addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const {
+/// Marks for fragments of the asset at hand and their pieces, in all its instances that break as the asset itself does.
+void SceneView::addMarks(const FragmentChoice& choice, std::vector<PickId>& picks) const {
     const Id asset = m_workspace.selection().asset();
-    if (seeds.empty()) return;
+    const std::shared_ptr<const Bake> bake = bakeAtHand();
+    if (choice.isEmpty() || !bake) return;
     std::vector<Id> instances;
     bool areAll = true;
     for (const Instance& instance : m_workspace.project().instances) {
@@ -238,16 +238,16 @@ void SceneView::addMarks(const Selection::Seeds& seeds, std::vector<PickId>& pic
         instance.variant == 0 ? instances.push_back(instance.id) : void(areAll = false);
     }
     if (areAll || m_isAssetOnly) instances = {0};
-    const std::vector<SeedId> all = seedsOf(asset);
-    for (std::uint32_t fragment = 0; fragment < all.size(); ++fragment) {
-        if (!seeds.contains(all[fragment])) continue;
+    const FragmentSet marked = withPieces(*bake, fragmentsOf(choice, *bake));
+    for (std::uint32_t fragment = 0; fragment < marked.size(); ++fragment) {
+        if (!marked[fragment]) continue;
         for (const Id instance : instances) picks.push_back({asset, instance, fragment});
     }
 }
 
-std::vector<SeedId> SceneView::seedsOf(Id asset) const {
-    const auto baked = m_workspace.bakes().find(asset);
-    return baked && baked->bake ? seedsOfFragments(*baked->bake) : std::vector<SeedId>();
+std::shared_ptr<const Bake> SceneView::bakeAtHand() const {
+    const auto baked = m_workspace.bakes().find(m_workspace.selection().asset());
+    return baked ? baked->bake : nullptr;
 }
 
 void SceneView::chooseNothing() {
@@ -285,33 +285,41 @@ void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modi
         return chooseInstance(instance->id, isMore);
     }
     selection.setAsset(id->asset);
-    const std::vector<SeedId> all = seedsOf(id->asset);
-    if (id->fragment >= all.size()) return selection.setSeeds({});
-    const SeedId seed = all[id->fragment];
-    isMore ? selection.toggleSeed(seed) : selection.setSeeds({seed});
+    const std::shared_ptr<const Bake> bake = bakeAtHand();
+    if (!bake || id->fragment >= bake->fragmentCount()) return selection.setSeeds({});
+    FragmentSet chosen(bake->fragmentCount(), false);
+    if (isMore) chosen = fragmentsOf(selection.choice(), *bake);
+    chosen[id->fragment] = !chosen[id->fragment];
+    selection.setChoice(choiceOf(chosen, *bake));
 }
 
 /// Chooses the instances in a box, or the fragments where it is drawn in the asset by itself.
 void SceneView::pickAll(const std::vector<PickId>& ids, Qt::KeyboardModifiers modifiers) {
     Selection& selection = m_workspace.selection();
     const bool isMore = modifiers.testAnyFlags(Qt::ControlModifier | Qt::ShiftModifier);
+    if (m_isAssetOnly) return pickFragments(ids, isMore);
     std::set<Id> instances;
-    Selection::Seeds seeds;
-    if (isMore) {
-        instances = selection.instances();
-        seeds = selection.seeds();
-    }
+    if (isMore) instances = selection.instances();
     if (!isMore) chooseNothing();
-    const std::vector<SeedId> all = m_isAssetOnly ? seedsOf(selection.asset()) : std::vector<SeedId>();
     for (const PickId& id : ids) {
         const Instance* instance = findInstance(m_workspace.project(), id.instance);
         if (instance && !instance->isLocked) instances.insert(instance->id);
-        if (id.fragment < all.size()) seeds.insert(all[id.fragment]);
     }
-    if (m_isAssetOnly) return selection.setSeeds(std::move(seeds));
     if (instances.empty()) return;
     selection.setSeeds({});
     selection.setInstances(m_workspace.project(), std::move(instances));
+}
+
+void SceneView::pickFragments(const std::vector<PickId>& ids, bool isMore) {
+    Selection& selection = m_workspace.selection();
+    const std::shared_ptr<const Bake> bake = bakeAtHand();
+    if (!bake) return;
+    FragmentSet chosen(bake->fragmentCount(), false);
+    if (isMore) chosen = fragmentsOf(selection.choice(), *bake);
+    for (const PickId& id : ids) {
+        if (id.fragment < chosen.size()) chosen[id.fragment] = true;
+    }
+    selection.setChoice(choiceOf(chosen, *bake));
 }
 
 }  // namespace rubble

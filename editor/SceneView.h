@@ -55,10 +55,11 @@ private:
     void invalidate() { m_timer.start(); }
     void update();
     SceneMarks marks() const;
-    void addMarks(const Selection::Seeds& seeds, std::vector<PickId>& picks) const;
+    void addMarks(const FragmentChoice& choice, std::vector<PickId>& picks) const;
+    /// The last bake of the asset at hand; null where there is none.
+    std::shared_ptr<const Bake> bakeAtHand() const;
     void pickAll(const std::vector<PickId>& ids, Qt::KeyboardModifiers modifiers);
-    /// Of an asset's fragments, in the bake's order; none where there is no bake.
-    std::vector<SeedId> seedsOf(Id asset) const;
+    void pickFragments(const std::vector<PickId>& ids, bool isMore);
     void chooseNothing();
     void takePlayState();
     void chooseInstance(Id instance, bool isMore);

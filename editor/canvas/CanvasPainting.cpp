@@ -119,8 +119,8 @@ private:
 
     bool isHidden(std::uint32_t piece) const {
         const std::uint32_t seed = m_partition.seedOfPiece[piece];
-        return seed != kNone && !m_contents.hiddenSeeds.empty() &&
-               m_contents.hiddenSeeds.contains(m_pattern.seeds().ids[seed]);
+        return seed != kNone && !m_contents.hidden.isEmpty() &&
+               m_contents.hidden.holds(m_pattern.seeds().ids[seed], m_pattern.fragmentId(piece));
     }
 
     void fill(std::uint32_t piece, const QBrush& brush) {

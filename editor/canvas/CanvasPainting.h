@@ -3,10 +3,10 @@
 #include "editor/canvas/CanvasColours.h"
 #include "editor/canvas/CanvasView.h"
 #include "editor/canvas/MovedCells.h"
+#include "editor/document/FragmentChoice.h"
 
 #include <QPainter>
 
-#include <set>
 #include <utility>
 
 namespace rubble {
@@ -17,7 +17,7 @@ struct CanvasContents {
     std::shared_ptr<const MovedPart> moved;       // what changed since; null where nothing did
     CanvasLayers layers;
     ShownPattern::Range range;  // of layers.colouring
-    std::set<SeedId> hiddenSeeds;
+    FragmentChoice hidden;
 
     /// The state of the asset that is shown; null where there is no pattern.
     const Asset* asset() const;

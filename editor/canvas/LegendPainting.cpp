@@ -55,7 +55,7 @@ public:
         if (contents.layers.hasTriangles)
             addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
         if (contents.layers.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
-        if (contents.layers.hasCells && !contents.hiddenSeeds.empty()) addHatch();
+        if (contents.layers.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
     void paint(QPainter& painter, const CanvasView& view) const {

@@ -48,7 +48,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&selection, &Selection::assetChanged, this, &PatternCanvas::takeAsset);
     connect(&selection, &Selection::seedsChanged, this, &PatternCanvas::toolChanged);
     connect(&selection, &Selection::hiddenChanged, this, [this] {
-        m_contents.hiddenSeeds = m_state.selection.hiddenSeeds();
+        m_contents.hidden = m_state.selection.hidden();
         repaintAll();
     });
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
@@ -120,7 +120,7 @@ void PatternCanvas::takeChanges(const Changes& changes) {
 
 void PatternCanvas::takeAsset() {
     m_tool->cancel();
-    m_contents.hiddenSeeds = m_state.selection.hiddenSeeds();
+    m_contents.hidden = m_state.selection.hidden();
     takePattern();
     fit();
     repaintAll();
@@ -259,7 +259,8 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.accent, 2.0));
     const double radius = std::max(seedRadius(*m_contents.pattern, m_state.view), 2.0) + 2.5;
-    const bool isFine = m_state.selection.seeds().size() <= kMostRings;
+    const FragmentChoice& choice = m_state.selection.choice();
+    const bool isFine = choice.seeds.size() <= kMostRings;
     QColor wash = m_colours.accent;
     wash.setAlpha(70);
     for (const SeedId id : m_state.selection.seeds()) {
@@ -267,10 +268,12 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
         if (seed == kNone) continue;
         const QPointF at = m_state.view.pixels(shown->seeds().positions[seed]);
         if (isFine) {
-            painter.setBrush(wash);
             const IndexRange pieces = shown->piecesOf(seed);
-            for (std::size_t piece = pieces.begin; piece < pieces.end && m_contents.layers.hasCells; ++piece) {
-                painter.drawPath(pathOfPiece(*shown, static_cast<std::uint32_t>(piece), m_state.view));
+            for (std::size_t k = pieces.begin; k < pieces.end && m_contents.layers.hasCells; ++k) {
+                const auto piece = static_cast<std::uint32_t>(k);
+                const bool isAll = choice.holds(id, shown->fragmentId(piece));  // else only pieces of it are
+                painter.setBrush(isAll ? QBrush(wash) : Qt::NoBrush);
+                painter.drawPath(pathOfPiece(*shown, piece, m_state.view));
             }
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(at, radius, radius);

@@ -13,29 +13,31 @@ void Selection::setAsset(Id asset) {
 void Selection::takeAsset(Id asset) {
     if (asset == m_asset) return;
     m_asset = asset;
-    m_seeds.clear();
-    m_hiddenSeeds.clear();
+    m_choice = {};
+    m_hidden = {};
     emit assetChanged(asset);
     emit seedsChanged();
     emit hiddenChanged();
 }
 
-void Selection::setSeeds(Seeds seeds) {
-    if (seeds == m_seeds) return;
-    m_seeds = std::move(seeds);
+void Selection::setSeeds(Seeds seeds) { setChoice({std::move(seeds), std::nullopt}); }
+
+void Selection::setChoice(FragmentChoice choice) {
+    if (choice == m_choice) return;
+    m_choice = std::move(choice);
     emit seedsChanged();
-    if (!m_seeds.empty()) setSubject(Part::Asset);
+    if (!m_choice.isEmpty()) setSubject(Part::Asset);
 }
 
 void Selection::toggleSeed(SeedId seed) {
-    if (!m_seeds.insert(seed).second) m_seeds.erase(seed);
-    emit seedsChanged();
-    if (!m_seeds.empty()) setSubject(Part::Asset);
+    Seeds seeds = m_choice.seeds;
+    if (!seeds.insert(seed).second) seeds.erase(seed);
+    setSeeds(std::move(seeds));
 }
 
-void Selection::setHiddenSeeds(Seeds seeds) {
-    if (seeds == m_hiddenSeeds) return;
-    m_hiddenSeeds = std::move(seeds);
+void Selection::setHidden(FragmentChoice hidden) {
+    if (hidden == m_hidden) return;
+    m_hidden = std::move(hidden);
     emit hiddenChanged();
 }
 

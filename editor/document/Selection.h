@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/Edit.h"
+#include "editor/document/FragmentChoice.h"
 
 #include <QObject>
 
@@ -10,21 +11,23 @@ namespace rubble {
 
 /// What is chosen in one window, shared by tree, canvas, table and viewport. Not saved and not undone.
 ///
-/// One asset is at hand: the one that canvas and tables show. Seeds are those of its pattern; choosing a fragment means
-/// choosing the seed it comes from. Hidden fragments are left out of pictures.
+/// One asset is at hand: the one that canvas and tables show. Seeds are those of its pattern; choosing one means choosing all
+/// fragments that come from it, and choosing some of these chooses the seed, too. Hidden fragments are left out of pictures.
 ///
 /// What was chosen last is the subject, which an inspector is about: a material, instances, an asset (choosing seeds counts
 /// as choosing theirs), or the scene where nothing is chosen.
 class Selection : public QObject {
     Q_OBJECT
 public:
-    using Seeds = std::set<SeedId>;
+    using Seeds = FragmentChoice::Seeds;
 
     using QObject::QObject;
 
     Id asset() const { return m_asset; }
-    const Seeds& seeds() const { return m_seeds; }
-    const Seeds& hiddenSeeds() const { return m_hiddenSeeds; }
+    /// The chosen fragments, and the seeds that they come from.
+    const FragmentChoice& choice() const { return m_choice; }
+    const Seeds& seeds() const { return m_choice.seeds; }
+    const FragmentChoice& hidden() const { return m_hidden; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
     /// Part::Material, Asset, Instance or Scene.
@@ -33,9 +36,10 @@ public:
     /// Takes an asset at hand; another one than before leaves no seed chosen or hidden.
     void setAsset(Id asset);
     void setSeeds(Seeds seeds);
+    void setChoice(FragmentChoice choice);
     /// Chooses the seed, or takes it out of the chosen ones.
     void toggleSeed(SeedId seed);
-    void setHiddenSeeds(Seeds seeds);
+    void setHidden(FragmentChoice hidden);
     /// Chooses instances; their asset comes to hand where it is one.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
@@ -46,6 +50,7 @@ public:
 
 signals:
     void assetChanged(rubble::Id asset);
+    /// Other seeds, or other fragments of theirs.
     void seedsChanged();
     void hiddenChanged();
     void instancesChanged();
@@ -58,8 +63,8 @@ private:
     Part m_subject = Part::Scene;
     Id m_asset = 0;
     Id m_material = 0;
-    Seeds m_seeds;
-    Seeds m_hiddenSeeds;
+    FragmentChoice m_choice;
+    FragmentChoice m_hidden;
     std::set<Id> m_instances;
 };
 

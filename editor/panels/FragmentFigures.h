@@ -35,6 +35,8 @@ public:
     /// O(corners · log corners of a piece), on `threads` threads.
     FragmentFigures(std::shared_ptr<const Bake> bake, double density, int threads);
 
+    /// Null where it is of no fragment.
+    const std::shared_ptr<const Bake>& bake() const { return m_bake; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_seeds.size()); }
     double value(FragmentColumn column, std::uint32_t fragment) const;
     /// See Bake::fragmentId; made when asked for.

@@ -60,7 +60,7 @@ QString hintOf(FragmentColumn column) {
 void FragmentModel::setFigures(FragmentFigures figures) {
     beginResetModel();
     m_figures = std::move(figures);
-    m_isHidden = fragmentsOf(m_hiddenSeeds);
+    m_isHidden = fragmentsOf(m_hidden);
     arrange();
     endResetModel();
 }
@@ -86,23 +86,20 @@ void FragmentModel::setUnits(const Units& units) {
     if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kFragmentColumns - 1));
 }
 
-void FragmentModel::setHiddenSeeds(const Selection::Seeds& seeds) {
-    m_hiddenSeeds = seeds;
-    m_isHidden = fragmentsOf(seeds);
+void FragmentModel::setHidden(const FragmentChoice& hidden) {
+    m_hidden = hidden;
+    m_isHidden = fragmentsOf(hidden);
     if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kFragmentColumns - 1));
 }
 
-std::vector<bool> FragmentModel::shownFragments() const {
-    std::vector<bool> isShown(m_figures.count(), false);
+FragmentSet FragmentModel::shownFragments() const {
+    FragmentSet isShown(m_figures.count(), false);
     for (const std::uint32_t fragment : m_rows) isShown[fragment] = true;
     return isShown;
 }
 
-std::vector<bool> FragmentModel::fragmentsOf(const Selection::Seeds& seeds) const {
-    std::vector<bool> isOfThem(m_figures.count(), false);
-    if (seeds.empty()) return isOfThem;
-    for (std::uint32_t k = 0; k < m_figures.count(); ++k) isOfThem[k] = seeds.contains(m_figures.seed(k));
-    return isOfThem;
+FragmentSet FragmentModel::fragmentsOf(const FragmentChoice& choice) const {
+    return m_figures.bake() ? rubble::fragmentsOf(choice, *m_figures.bake()) : FragmentSet();
 }
 
 int FragmentModel::rowCount(const QModelIndex& parent) const {

@@ -21,14 +21,14 @@ public:
     void setDensity(double density);
     void setFilter(FragmentFilter filter);
     void setUnits(const Units& units);
-    /// Their fragments are shown pale.
-    void setHiddenSeeds(const Selection::Seeds& seeds);
+    /// These are shown pale.
+    void setHidden(const FragmentChoice& hidden);
 
     std::uint32_t fragmentAt(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
     /// One mark a fragment: it has a row.
-    std::vector<bool> shownFragments() const;
-    /// One mark a fragment: it comes from one of these seeds.
-    std::vector<bool> fragmentsOf(const Selection::Seeds& seeds) const;
+    FragmentSet shownFragments() const;
+    /// One mark a fragment: the choice names it.
+    FragmentSet fragmentsOf(const FragmentChoice& choice) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -49,7 +49,7 @@ private:
     Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
     std::vector<std::uint32_t> m_rows;  // fragment of each row
     std::vector<bool> m_isHidden;       // one a fragment
-    Selection::Seeds m_hiddenSeeds;
+    FragmentChoice m_hidden;
 };
 
 }  // namespace rubble

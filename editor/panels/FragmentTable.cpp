@@ -1,5 +1,6 @@
 #include "editor/panels/FragmentTable.h"
 
+#include "editor/document/FragmentHiding.h"
 #include "editor/panels/Icons.h"
 #include "editor/panels/LocalNumber.h"
 
@@ -158,15 +159,14 @@ void FragmentTable::addButtons(QBoxLayout& row) {
 void FragmentTable::connectAll() {
     connect(m_filter, &QLineEdit::textChanged, this, &FragmentTable::takeFilter);
     connect(m_view, &QTableView::customContextMenuRequested, this, &FragmentTable::showMenu);
-    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            [this](const QItemSelection&, const QItemSelection& deselected) { takeFromView(deselected); });
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { takeFromView(); });
     connect(m_model, &FragmentModel::modelAboutToBeReset, this, &FragmentTable::keepPlace);
     connect(m_model, &FragmentModel::modelReset, this, &FragmentTable::restorePlace);
     connect(&m_document, &Document::changed, this, &FragmentTable::takeChanges);
     connect(&m_selection, &Selection::assetChanged, this, &FragmentTable::takeAsset);
     connect(&m_selection, &Selection::seedsChanged, this, &FragmentTable::showSelection);
     connect(&m_selection, &Selection::hiddenChanged, this, [this] {
-        m_model->setHiddenSeeds(m_selection.hiddenSeeds());
+        m_model->setHidden(m_selection.hidden());
         updateState();
     });
     connect(&m_bakes, &Bakes::changed, this, [this](Id asset) {
@@ -272,26 +272,15 @@ void FragmentTable::restorePlace() {
     updateState();
 }
 
-/// Where the current row was let go of, so is all that comes from its seed, though other rows of it are selected still.
-void FragmentTable::takeFromView(const QItemSelection& deselected) {
-    if (m_isShowing) return;
-    const QModelIndex current = m_view->currentIndex();
+void FragmentTable::takeFromView() {
+    if (m_isShowing || !m_model->figures().bake()) return;
     const std::vector<bool> isSelected = selectedRows(*m_view);
-    const auto seedAt = [&](int row) { return m_model->figures().seed(m_model->fragmentAt(row)); };
-    Selection::Seeds seeds;
-    if (current.isValid() && !isSelected[static_cast<std::size_t>(current.row())]) {
-        seeds = m_selection.seeds();
-        for (const QItemSelectionRange& range : deselected) {
-            for (int row = range.top(); row <= range.bottom(); ++row) seeds.erase(seedAt(row));
-        }
-    } else {
-        for (int row = 0; row < m_model->rowCount(); ++row) {
-            if (isSelected[static_cast<std::size_t>(row)]) seeds.insert(seedAt(row));
-        }
+    FragmentSet chosen(m_model->figures().count(), false);
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        if (isSelected[static_cast<std::size_t>(row)]) chosen[m_model->fragmentAt(row)] = true;
     }
     const QScopedValueRollback taking(m_isTaking, true);
-    m_selection.setSeeds(std::move(seeds));
-    selectRows();
+    m_selection.setChoice(choiceOf(chosen, *m_model->figures().bake()));
     updateState();
 }
 
@@ -302,9 +291,9 @@ void FragmentTable::showSelection() {
     updateState();
 }
 
-/// Selects the rows of all that comes from the chosen seeds, unless they are already.
+/// Selects the rows of the chosen fragments, unless they are already.
 void FragmentTable::selectRows() {
-    const std::vector<bool> isChosen = m_model->fragmentsOf(m_selection.seeds());
+    const FragmentSet isChosen = m_model->fragmentsOf(m_selection.choice());
     std::vector<bool> isWanted;
     for (int row = 0; row < m_model->rowCount(); ++row) isWanted.push_back(isChosen[m_model->fragmentAt(row)]);
     if (isWanted == selectedRows(*m_view)) return;
@@ -327,45 +316,40 @@ void FragmentTable::scrollToChosen() {
 }
 
 void FragmentTable::hideChosen() {
-    Selection::Seeds hidden = m_selection.hiddenSeeds();
-    hidden.insert(m_selection.seeds().begin(), m_selection.seeds().end());
-    m_selection.setHiddenSeeds(std::move(hidden));
-    m_selection.setSeeds({});
+    if (const Bake* bake = takenBake()) rubble::hideChosen(m_selection, *bake);
 }
 
 void FragmentTable::showChosen() {
-    Selection::Seeds hidden = m_selection.hiddenSeeds();
-    for (const SeedId seed : m_selection.seeds()) hidden.erase(seed);
-    m_selection.setHiddenSeeds(std::move(hidden));
+    if (const Bake* bake = takenBake()) rubble::showChosen(m_selection, *bake);
 }
 
-void FragmentTable::showAll() { m_selection.setHiddenSeeds({}); }
+void FragmentTable::showAll() { showAllFragments(m_selection); }
 
 void FragmentTable::isolateChosen() {
-    if (m_isStale) takeBake();
-    if (m_selection.seeds().empty()) return;
-    Selection::Seeds hidden;
-    for (std::uint32_t k = 0; k < m_model->figures().count(); ++k) hidden.insert(m_model->figures().seed(k));
-    for (const SeedId seed : m_selection.seeds()) hidden.erase(seed);
-    m_selection.setHiddenSeeds(std::move(hidden));
+    if (const Bake* bake = takenBake()) rubble::isolateChosen(m_selection, *bake);
 }
 
 void FragmentTable::invertChoice() {
+    const Bake* bake = takenBake();
+    if (!bake) return;
+    FragmentSet rest = m_model->shownFragments();
+    const FragmentSet chosen = m_model->fragmentsOf(m_selection.choice());
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = rest[k] && !chosen[k];
+    m_selection.setChoice(choiceOf(rest, *bake));
+}
+
+/// The bake that the rows are of; null where there is none.
+const Bake* FragmentTable::takenBake() {
     if (m_isStale) takeBake();
-    Selection::Seeds seeds;
-    for (int row = 0; row < m_model->rowCount(); ++row) {
-        const SeedId seed = m_model->figures().seed(m_model->fragmentAt(row));
-        if (!m_selection.seeds().contains(seed)) seeds.insert(seed);
-    }
-    m_selection.setSeeds(std::move(seeds));
+    return m_model->figures().bake().get();
 }
 
 void FragmentTable::updateState() {
-    const Selection::Seeds &chosen = m_selection.seeds(), &hidden = m_selection.hiddenSeeds();
-    m_hide->setEnabled(!chosen.empty());
-    m_show->setEnabled(std::ranges::any_of(chosen, [&](SeedId seed) { return hidden.contains(seed); }));
-    m_showAll->setEnabled(!hidden.empty());
-    m_isolate->setEnabled(!chosen.empty());
+    const FragmentChoice &chosen = m_selection.choice(), &hidden = m_selection.hidden();
+    m_hide->setEnabled(!chosen.isEmpty());
+    m_show->setEnabled(std::ranges::any_of(chosen.seeds, [&](SeedId seed) { return hidden.seeds.contains(seed); }));
+    m_showAll->setEnabled(!hidden.isEmpty());
+    m_isolate->setEnabled(!chosen.isEmpty());
     m_invert->setEnabled(m_model->rowCount() > 0);
     m_totals->setText(totals());
 }
@@ -377,7 +361,7 @@ QString FragmentTable::totals() const {
     if (!baked) return tr("The fragments are being made.");
     if (!baked->bake) return QString::fromStdString(baked->fault->message);
     const FragmentSum shown = m_model->figures().sum(m_model->shownFragments());
-    const FragmentSum chosen = m_model->figures().sum(m_model->fragmentsOf(m_selection.seeds()));
+    const FragmentSum chosen = m_model->figures().sum(m_model->fragmentsOf(m_selection.choice()));
     const QString count = locale().toString(m_model->figures().count());
     const QString listed = tr("Listed: %1 of %2").arg(locale().toString(shown.count), count) + sumText(shown);
     if (chosen.count == 0) return listed;

@@ -8,7 +8,6 @@
 
 class QAction;
 class QBoxLayout;
-class QItemSelection;
 class QKeySequence;
 class QLabel;
 class QLineEdit;
@@ -19,8 +18,7 @@ namespace rubble {
 /// The dock that lists the fragments of the asset at hand with their figures: sorted by any of them, filtered (see
 /// fragmentFilter), chosen in step with canvas and viewport, hidden (H), shown again (Alt+H) and isolated (Shift+H).
 ///
-/// Choosing and hiding go by the seeds of the asset's own pattern: all fragments that come from one seed go together.
-/// Figures are computed once a bake, and not before the table is visible.
+/// A fragment of several levels is chosen by itself; hidden it is with its pieces. Figures are computed once a bake, and not before the table is visible.
 class FragmentTable : public QWidget {
     Q_OBJECT
 public:
@@ -60,7 +58,7 @@ private:
     void takeBake();
     void takeChanges(const Changes& changes);
     void takeFilter();
-    void takeFromView(const QItemSelection& deselected);
+    void takeFromView();
     void showSelection();
     void selectRows();
     void scrollToChosen();
@@ -69,6 +67,7 @@ private:
 
     const Asset* asset() const { return findAsset(m_document.project(), m_selection.asset()); }
     double density() const;
+    const Bake* takenBake();
     void updateState();
     QString totals() const;
     QString sumText(const FragmentSum& sum) const;

@@ -107,7 +107,7 @@ private slots:
     void aHiddenPieceIsHatched() {
         CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
         setPlain(bench);
-        bench.selection.setHiddenSeeds({{3, 1}});
+        bench.selection.setHidden({.seeds = {{3, 1}}});
         QVERIFY(pixelAt(bench, {0.9, 0.5}) != packed(pieceColour("2/3.1")));
         QCOMPARE(pixelAt(bench, {0.1, 0.5}), packed(pieceColour("2/3.0")));
     }

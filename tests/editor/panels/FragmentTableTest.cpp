@@ -240,19 +240,20 @@ private slots:
         QVERIFY(filter && filter->conditions[0].bound == 0.25);
     }
 
-    void choosingRowsChoosesSeeds() {
+    void choosingRowsChoosesFragmentsAndTheirSeeds() {
         Desk desk(boxOfLevels());
         desk.click(3);
-        QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 1}}));
+        QVERIFY((desk.selection.choice() == FragmentChoice{{{3, 1}}, std::nullopt}));
         desk.click(4, Qt::ControlModifier);
-        QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 1}, {3, 2}}));
-        desk.click(1);  // a piece of a piece: all that comes from its seed
-        QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 0}}));
-        QCOMPARE(desk.chosenIds(), QStringList({"2/3.0", "2/3.0/4.0", "2/3.0/4.1"}));
-        desk.click(2);
-        QCOMPARE(desk.chosenIds().size(), 3);
+        QVERIFY((desk.selection.choice() == FragmentChoice{{{3, 1}, {3, 2}}, std::nullopt}));
+        desk.click(1);  // a piece of a piece, by itself
+        QVERIFY((desk.selection.choice() == FragmentChoice{{{3, 0}}, {{"2/3.0/4.0"}}}));
+        QCOMPARE(desk.chosenIds(), QStringList("2/3.0/4.0"));
+        desk.click(0, Qt::ControlModifier);
+        desk.click(2, Qt::ControlModifier);  // all that comes from the seed
+        QVERIFY((desk.selection.choice() == FragmentChoice{{{3, 0}}, std::nullopt}));
         desk.click(2, Qt::ControlModifier);
-        QVERIFY(desk.selection.seeds().empty() && desk.chosenIds().empty());
+        QCOMPARE(desk.chosenIds(), QStringList({"2/3.0", "2/3.0/4.0"}));
         desk.click(0);
         desk.click(3, Qt::ShiftModifier);
         QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 0}, {3, 1}}));
@@ -283,31 +284,36 @@ private slots:
         QVERIFY(desk.text(0, Column::Area).toDouble() > desk.text(299, Column::Area).toDouble());
     }
 
-    void hidingGoesBySeedAndIsShownPale() {
+    void whatIsHiddenIsShownPale() {
         Desk desk(boxOfLevels());
         desk.click(1);
         desk.key(Qt::Key_H);
-        QVERIFY((desk.selection.hiddenSeeds() == Selection::Seeds{{3, 0}}));
+        QVERIFY((desk.selection.hidden() == FragmentChoice{{{3, 0}}, {{"2/3.0/4.0"}}}));
         QVERIFY(desk.selection.seeds().empty());
+        QVERIFY(!desk.isPale(0) && desk.isPale(1) && !desk.isPale(2));
+        desk.click(2);
+        desk.key(Qt::Key_H);  // all of its pieces are hidden, and so it is
+        QVERIFY((desk.selection.hidden() == FragmentChoice{{{3, 0}}, std::nullopt}));
         QVERIFY(desk.isPale(0) && desk.isPale(2) && !desk.isPale(3));
         desk.click(3);
         desk.key(Qt::Key_H, Qt::ShiftModifier);
-        QVERIFY((desk.selection.hiddenSeeds() == Selection::Seeds{{3, 0}, {3, 2}}));
+        QVERIFY((desk.selection.hidden() == FragmentChoice{{{3, 0}, {3, 2}}, std::nullopt}));
         desk.key(Qt::Key_I, Qt::ControlModifier);
         QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 0}, {3, 2}}));
         desk.table.showChosen();
-        QVERIFY(desk.selection.hiddenSeeds().empty());
+        QVERIFY(desk.selection.hidden().isEmpty());
         desk.table.hideChosen();
         desk.key(Qt::Key_H, Qt::AltModifier);
-        QVERIFY(desk.selection.hiddenSeeds().empty());
+        QVERIFY(desk.selection.hidden().isEmpty());
         QVERIFY(!desk.isPale(0));
     }
     void invertingKeepsToWhatIsListed() {
         Desk desk(boxOfLevels());
         desk.filter.setText("area < 0.35");
         desk.selection.setSeeds({{3, 1}});
-        desk.table.invertChoice();
+        desk.table.invertChoice();  // of the first column its pieces are listed alone
         QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 0}, {3, 2}}));
+        QCOMPARE(desk.chosenIds(), QStringList({"2/3.0/4.0", "2/3.0/4.1", "2/3.2"}));
     }
     void whatThereIsNotIsSaid() {
         Desk desk(boxOfTwo());
