@@ -11,34 +11,6 @@
 
 namespace rubble {
 
-namespace {
-
-/// The seeds of the asset at hand, as far as its pattern was made.
-Selection::Seeds allSeeds(Workspace& workspace) {
-    const auto pattern = workspace.bakes().findPattern(workspace.selection().asset());
-    if (!pattern) return {};
-    return {pattern->seeds.ids.begin(), pattern->seeds.ids.end()};
-}
-
-/// The chosen seeds and those whose cells touch theirs.
-Selection::Seeds withNeighbours(Workspace& workspace) {
-    Selection::Seeds chosen = workspace.selection().seeds();
-    const auto pattern = workspace.bakes().findPattern(workspace.selection().asset());
-    if (!pattern) return chosen;
-    const std::vector<SeedId>& ids = pattern->seeds.ids;
-    const Partition& partition = pattern->partition;
-    const Selection::Seeds before = chosen;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (!before.contains(ids[partition.seedOfPiece[piece]])) continue;
-        for (const PieceContact& contact : contactsOf(partition, piece, 0.0)) {
-            chosen.insert(ids[partition.seedOfPiece[contact.piece]]);
-        }
-    }
-    return chosen;
-}
-
-}  // namespace
-
 EditActions::EditActions(MainWindow& window)
     : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Edit"), &window)) {
     const auto add = addingTo(*m_menu, this);
@@ -61,20 +33,9 @@ EditActions::EditActions(MainWindow& window)
     add({"seed-restore", tr("Re&store Seeds"), tr("Bring back scattered seeds that were moved or deleted")},
         &EditActions::restoreSeeds);
     m_menu->addSeparator();
-    add({"select-all", tr("Select &All"), tr("Choose all seeds of the asset"), QKeySequence("Ctrl+A")},
-        &EditActions::chooseAll);
-    add({"select-none", tr("Select &None"), tr("Choose no seed"), QKeySequence("Ctrl+Shift+A")},
-        &EditActions::chooseNone);
-    add({"select-invert", tr("&Invert Selection"), tr("Choose the seeds that are not chosen"),
-         QKeySequence("Ctrl+Shift+I")},
-        &EditActions::invert);
-    QAction* neighbours = add({"select-neighbours", tr("Select Nei&ghbours"),
-                               tr("Choose, too, whose cells touch those of the chosen seeds"), QKeySequence("Ctrl+G")},
-                              &EditActions::chooseNeighbours);
-    m_menu->addSeparator();
     add({"edit-preferences", tr("&Preferences…"), tr("Theme, navigation, units and backups"), QKeySequence("Ctrl+,")},
         &EditActions::openPreferences);
-    m_forSeeds = {remove, neighbours};
+    m_forSeeds = {remove};
     connect(&window.workspace().selection(), &Selection::seedsChanged, this, &EditActions::update);
     update();
 }
@@ -94,20 +55,6 @@ void EditActions::restoreSeeds() {
     Asset asset = *workspace.asset();
     for (PatternLayer& layer : asset.pattern.layers) layer.overrides.clear();
     workspace.document().push(altered(tr("Restore seeds"), std::move(asset)));
-}
-
-void EditActions::chooseAll() { m_window.workspace().selection().setSeeds(allSeeds(m_window.workspace())); }
-
-void EditActions::chooseNone() { m_window.workspace().selection().setSeeds({}); }
-
-void EditActions::invert() {
-    Selection::Seeds rest = allSeeds(m_window.workspace());
-    for (const SeedId seed : m_window.workspace().selection().seeds()) rest.erase(seed);
-    m_window.workspace().selection().setSeeds(std::move(rest));
-}
-
-void EditActions::chooseNeighbours() {
-    m_window.workspace().selection().setSeeds(withNeighbours(m_window.workspace()));
 }
 
 void EditActions::openPreferences() { PreferencesDialog(m_window.program(), &m_window).exec(); }

@@ -21,10 +21,6 @@ public:
 private:
     void deleteSeeds();
     void restoreSeeds();
-    void chooseAll();
-    void chooseNone();
-    void invert();
-    void chooseNeighbours();
     void openPreferences();
     void update();
 

@@ -9,6 +9,7 @@
 #include "editor/InstanceActions.h"
 #include "editor/PlayActions.h"
 #include "editor/Program.h"
+#include "editor/SelectActions.h"
 #include "editor/StartPage.h"
 #include "editor/ViewActions.h"
 #include "editor/Views.h"
@@ -56,11 +57,13 @@ MainWindow::MainWindow(Program& program, Project project)
     m_editActions = new EditActions(*this);
     m_assetActions = new AssetActions(*this);
     m_instanceActions = new InstanceActions(*this);
+    m_selectActions = new SelectActions(*this);  // whose keys come before those of instances
     m_viewActions = new ViewActions(*this);
     m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
-    for (QMenu* menu : {m_fileActions->menu(), m_editActions->menu(), m_viewActions->menu(), m_assetActions->menu(),
-                        m_instanceActions->menu(), m_playActions->menu(), m_helpActions->menu()}) {
+    for (QMenu* menu :
+         {m_fileActions->menu(), m_editActions->menu(), m_selectActions->menu(), m_viewActions->menu(),
+          m_assetActions->menu(), m_instanceActions->menu(), m_playActions->menu(), m_helpActions->menu()}) {
         menuBar()->addMenu(menu);
     }
     auto* start = new StartPage(program.recentFiles());

@@ -18,6 +18,7 @@ class HelpActions;
 class InstanceActions;
 class PlayActions;
 class Program;
+class SelectActions;
 class ViewActions;
 class Views;
 
@@ -61,6 +62,7 @@ private:
     Views* m_views = nullptr;
     FileActions* m_fileActions = nullptr;
     EditActions* m_editActions = nullptr;
+    SelectActions* m_selectActions = nullptr;
     AssetActions* m_assetActions = nullptr;
     InstanceActions* m_instanceActions = nullptr;
     ViewActions* m_viewActions = nullptr;
