@@ -27,6 +27,7 @@ namespace {
 constexpr int kExplodedSteps = 200;    // of the slider
 constexpr double kMostExploded = 2.0;  // factor at its end
 constexpr QSize kBarIcon{18, 18};
+constexpr double kAroundFragment = 1.5;  // of its size, that is shown on each side of it
 
 }  // namespace
 
@@ -76,6 +77,13 @@ void SceneView::frameChosen() {
     showWholeScene();
     update();
     m_viewport->frameSelected();
+}
+
+void SceneView::frameFragments() {
+    update();
+    const Box3 chosen = boundsOf(m_viewport->scene(), kSelected);
+    const Vec3 around = kAroundFragment * (chosen.max - chosen.min);
+    if (!chosen.isEmpty()) m_viewport->frame({chosen.min - around, chosen.max + around});
 }
 
 void SceneView::setEditable(bool isEditable) {

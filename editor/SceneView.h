@@ -33,6 +33,8 @@ public:
     void showWholeScene();
     /// Brings the chosen instances close, as they are now.
     void frameChosen();
+    /// Brings the chosen fragments close, where they are shown.
+    void frameFragments();
     /// Whether instances may be moved and placed: they may where the whole scene is shown.
     void setEditable(bool isEditable);
     bool isEditable() const { return m_isEditable && !m_isAssetOnly; }

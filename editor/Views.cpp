@@ -9,6 +9,7 @@
 #include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/commands/InstanceEdits.h"
+#include "editor/document/FragmentHiding.h"
 #include "editor/icons/Icon.h"
 #include "editor/panels/FragmentTable.h"
 #include "editor/panels/HistoryPanel.h"
@@ -17,6 +18,7 @@
 #include "editor/panels/MessagesPanel.h"
 #include "editor/panels/PlayPanel.h"
 #include "editor/panels/PlayTestPanel.h"
+#include "editor/panels/ProblemPanel.h"
 #include "editor/panels/ProjectTree.h"
 #include "editor/panels/ToolsPanel.h"
 #include "viewport/ViewportWidget.h"
@@ -39,7 +41,7 @@ constexpr int kTreeWidth = 240;                      // this and the following: 
 constexpr int kInspectorWidth = 320;
 constexpr double kAroundBreak = 1.5;  // m that are shown on each side of a break
 constexpr int kTableHeight = 240;
-constexpr int kStateVersion = 2;  // of the docks: another set of docks, another version
+constexpr int kStateVersion = 3;  // of the docks: another set of docks, another version
 
 }  // namespace
 
@@ -93,7 +95,7 @@ void Views::makeDocks() {
     auto* history = new HistoryPanel(workspace.document().undoStack());
     connect(m_tree, &ProjectTree::refused, this, &Views::said);
     connect(m_inspector, &Inspector::refused, this, &Views::said);
-    connect(messages, &MessagesPanel::jumpRequested, this, &Views::jump);
+    connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::jump));
     addDock("dock-project", tr("Project"), m_tree, Qt::LeftDockWidgetArea);
     addDock("dock-inspector", tr("Inspector"), m_inspector, Qt::RightDockWidgetArea);
     addDock("dock-fragments", tr("Fragments"), m_fragments, Qt::BottomDockWidgetArea);
@@ -115,8 +117,19 @@ void Views::makeDocks() {
     connect(intent, &IntentPanel::refused, this, &Views::said);
     addDock("dock-tests", tr("Tests"), tests, Qt::BottomDockWidgetArea);
     addDock("dock-intent", tr("Strength"), intent, Qt::RightDockWidgetArea);
+    addProblems();
     connect(&workspace.play(), &PlayController::stateChanged, this, &Views::takePlayState);
     arrange();
+}
+
+/// Its title tells how many there are, so that they are seen behind another dock.
+void Views::addProblems() {
+    Workspace& workspace = m_window.workspace();
+    m_problems = new ProblemPanel(workspace.document(), workspace.selection(), workspace.problems());
+    QDockWidget* dock = addDock("dock-problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+    connect(m_problems, &ProblemPanel::countChanged, dock,
+            [dock](int count) { dock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%L1)").arg(count)); });
+    connect(m_problems, &ProblemPanel::jumpRequested, this, qOverload<const Problem&>(&Views::jump));
 }
 
 QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
@@ -134,13 +147,13 @@ QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* con
 void Views::arrange() {
     QDockWidget *tree = m_docks[0], *inspector = m_docks[1], *fragments = m_docks[2], *messages = m_docks[3],
                 *history = m_docks[4], *play = m_docks[5], *tools = m_docks[6], *tests = m_docks[7],
-                *intent = m_docks[8];
+                *intent = m_docks[8], *problems = m_docks[9];
     const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
         {tree, Qt::LeftDockWidgetArea},       {history, Qt::LeftDockWidgetArea},
         {inspector, Qt::RightDockWidgetArea}, {fragments, Qt::BottomDockWidgetArea},
         {messages, Qt::BottomDockWidgetArea}, {play, Qt::BottomDockWidgetArea},
         {tools, Qt::RightDockWidgetArea},     {tests, Qt::BottomDockWidgetArea},
-        {intent, Qt::RightDockWidgetArea}};
+        {intent, Qt::RightDockWidgetArea},    {problems, Qt::BottomDockWidgetArea}};
     for (const auto& [dock, area] : places) {
         dock->setFloating(false);
         m_window.addDockWidget(area, dock);
@@ -148,7 +161,8 @@ void Views::arrange() {
     }
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    m_window.tabifyDockWidget(fragments, messages);
+    m_window.tabifyDockWidget(fragments, problems);
+    m_window.tabifyDockWidget(problems, messages);
     m_window.tabifyDockWidget(messages, play);
     m_window.tabifyDockWidget(play, tests);
     m_window.tabifyDockWidget(inspector, intent);
@@ -230,6 +244,7 @@ void Views::takePreferences(const Preferences& preferences) {
     m_tree->setUnits(units);
     m_inspector->setUnits(units);
     m_fragments->setUnits(units);
+    m_problems->setUnits(units);
     m_tools->setUnits(units);
 }
 
@@ -243,6 +258,26 @@ void Views::jump(const Message& message) {
     m_window.workspace().selection().setSeeds(message.seed ? Selection::Seeds{*message.seed} : Selection::Seeds{});
     m_canvas->fit();
     m_canvas->setFocus();
+}
+
+/// Chooses what a problem is about, shows it where it is hidden, and brings it close in canvas and 3D view. The list keeps the
+/// keys, so that one can go through it.
+void Views::jump(const Problem& problem) {
+    Workspace& workspace = m_window.workspace();
+    if (!findAsset(workspace.project(), problem.asset)) return;
+    Selection& selection = workspace.selection();
+    selection.setAsset(problem.asset);
+    const std::shared_ptr<const Bake> bake = workspace.problems().bakeOf(problem.asset);
+    if (bake && problem.fragment < bake->fragmentCount()) {
+        FragmentSet one(bake->fragmentCount(), false);
+        one[problem.fragment] = true;
+        selection.setChoice(choiceOf(one, *bake));
+        showChosen(selection, *bake);
+    } else {
+        selection.setSeeds(problem.seed ? Selection::Seeds{*problem.seed} : Selection::Seeds{});
+    }
+    m_canvas->frameChosen(problem.where);
+    m_scene->frameFragments();
 }
 
 void Views::jumpTo(const std::vector<Id>& instances) {

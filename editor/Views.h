@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/Problems.h"
 #include "editor/Preferences.h"
 #include "editor/document/Messages.h"
 
@@ -17,6 +18,7 @@ class FragmentTable;
 class Inspector;
 class MainWindow;
 class PatternCanvas;
+class ProblemPanel;
 class ProjectTree;
 class SceneView;
 class ToolsPanel;
@@ -63,7 +65,9 @@ private:
     void makeDocks();
     void arrange();
     void takePlayState();
+    void addProblems();
     void jump(const Message& message);
+    void jump(const Problem& problem);
     void jumpTo(const std::vector<Id>& instances);
 
     MainWindow& m_window;
@@ -75,6 +79,7 @@ private:
     Inspector* m_inspector = nullptr;
     FragmentTable* m_fragments = nullptr;
     ToolsPanel* m_tools = nullptr;
+    ProblemPanel* m_problems = nullptr;
     bool m_isPlaying = false;
     bool m_hadCanvas = true;  // before it was played
     QList<QDockWidget*> m_docks;

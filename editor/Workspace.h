@@ -3,6 +3,7 @@
 #include "editor/Baker.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
+#include "editor/document/ProblemWatch.h"
 #include "editor/play/AssetTrials.h"
 #include "editor/play/FilmMaker.h"
 #include "editor/play/PlayController.h"
@@ -10,7 +11,8 @@
 
 namespace rubble {
 
-/// All that one window works on: a document with where it lies, its backup, what is chosen in it, what was baked of it and how it plays.
+/// All that one window works on: a document with where it lies, its backup, what is chosen in it,
+/// what was baked of it, what of that is to be looked at, and how it plays.
 class Workspace : public QObject {
     Q_OBJECT
 public:
@@ -23,6 +25,7 @@ public:
     Autosave& autosave() { return m_autosave; }
     Selection& selection() { return m_selection; }
     Bakes& bakes() { return m_bakes; }
+    ProblemWatch& problems() { return m_problems; }
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
     PlayTestRunner& playTests() { return m_playTests; }
@@ -38,6 +41,7 @@ private:
     Autosave m_autosave;
     Selection m_selection;
     Bakes m_bakes;
+    ProblemWatch m_problems;
     Baker m_baker;
     PlayController m_play;
     PlayTestRunner m_playTests;

@@ -27,6 +27,8 @@ constexpr std::size_t kMostRings = 600;  // more chosen seeds are marked by squa
 constexpr double kWholePixel = 1e-3;     // pixels that a move may be off a whole number
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // as Qt counts a wheel's turning
+constexpr double kAroundChosen = 0.75;    // of its size, that is shown around what is chosen
+constexpr double kLeastFramed = 0.02;     // of the outline, that is shown at least
 
 }  // namespace
 
@@ -104,6 +106,21 @@ void PatternCanvas::fit() {
     view.size = size();
     m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
     update();
+}
+
+void PatternCanvas::frameChosen(std::optional<Vec2> place) {
+    if (!m_state.asset()) return;
+    Box2 box;
+    if (place) box.include(*place);
+    for (const SeedId id : m_state.selection.seeds()) {
+        const auto [shown, seed] = m_contents.pattern ? m_contents.find(id) : std::pair{nullptr, kNone};
+        if (seed != kNone) include(box, shown->boxOf(seed));
+    }
+    if (box.min.x > box.max.x) return fit();
+    // Points have no size, and what is close to nothing else cannot be made out.
+    const double least = kLeastFramed * boundsOf(m_state.asset()->prism.outline.outer).diagonal();
+    const Vec2 around(std::max(kAroundChosen * box.diagonal(), least));
+    setView(fitted(m_state.view, {box.min - around, box.max + around}, kMargin));
 }
 
 void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }

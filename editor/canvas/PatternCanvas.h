@@ -41,6 +41,8 @@ public:
     /// Shows all of the outline; it stays so until the view is moved by hand.
     void fit();
     void zoomBy(double factor);
+    /// Brings the cells of the chosen seeds close, with a place that may lie elsewhere.
+    void frameChosen(std::optional<Vec2> place = std::nullopt);
 
     /// What can be done now, for a status bar.
     QString hint() const;
