@@ -33,8 +33,7 @@ Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
 
 std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment) {
     const SeedId seed = fragment.seed() == kNone ? SeedId{} : seeds.ids[fragment.seed()];
-    const std::string id = parentId + "/" + seed.text();
-    return fragment.piecesOfSeed() > 1 ? id + "." + std::to_string(fragment.pieceOfSeed()) : id;
+    return parentId + "/" + pieceName(seed, fragment.partOfCell());
 }
 
 }  // namespace rubble

@@ -1,6 +1,8 @@
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/Fragment.h"
 #include "core/fracture/LeftTurns.h"
+#include "core/fracture/PieceShrinking.h"
 #include "core/fracture/VoronoiPartition.h"
 
 #include <glm/geometric.hpp>
@@ -38,13 +40,17 @@ void moveToCentre(Vec2 centre, Polygon& outline) {
 /// Makes fragments from pieces, of which some may have been found too thin to become one.
 class Extrusion {
 public:
-    Extrusion(const Prism& prism, Partition&& partition) : m_isThin(partition.pieceCount(), 0) {
+    Extrusion(const Prism& prism, Partition&& partition, Partition&& shrunk) : m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
         m_all.tolerance = {kThinnest * widthOf(prism.outline), kFlat * diameter};
         m_all.leastEdge = kLeastSharedEdge * diameter;
         m_all.records.resize(m_isThin.size());
         m_all.partition = std::move(partition);
+        m_all.shrunk = std::move(shrunk);
+        for (std::uint32_t piece = 0; piece < m_isThin.size() && hasGap(); ++piece) {
+            m_isThin[piece] = m_all.shrunk.ringsOfPiece[piece] == m_all.shrunk.ringsOfPiece[piece + 1];
+        }
     }
 
     /// Makes one fragment a piece, but for thin ones. Makes all again when thin pieces are found, as their receivers
@@ -59,12 +65,13 @@ public:
             });
             if (task.isCancelled()) return false;
             if (!isAnyThin) return true;
-            giveAwayThinPieces();
+            if (!hasGap()) giveAwayThinPieces();
         }
     }
 
     Fragments result() && {
         m_all.reports = std::move(m_all.partition.reports);
+        if (hasGap()) reportGap();
         for (const ThinPieceGift& gift : m_all.gifts) m_all.reports.push_back(thinPieceReport(m_all.partition, gift));
         for (std::uint32_t fragment = 0; fragment < m_all.count() && !m_all.gifts.empty(); ++fragment) {
             const std::uint32_t piece = m_all.pieceOfFragment[fragment];
@@ -76,6 +83,22 @@ public:
     }
 
 private:
+    bool hasGap() const { return &m_all.shapes() != &m_all.partition; }
+
+    /// Says what the gap took, and from whom all.
+    void reportGap() {
+        m_all.reports.insert(m_all.reports.end(), m_all.shrunk.reports.begin(), m_all.shrunk.reports.end());
+        for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
+            const double whole = pieceArea(m_all.partition, piece);
+            m_all.gapArea += whole - (m_isThin[piece] ? 0.0 : m_all.records[piece].moments.area);
+            if (!m_isThin[piece] || m_all.shrunk.ringsOfPiece[piece] == m_all.shrunk.ringsOfPiece[piece + 1]) continue;
+            m_all.reports.push_back(vanishedReport(m_all.partition, piece, whole));
+        }
+        m_all.reports.push_back(
+            {ReportCode::Gap, kNone, kNone, m_all.gapArea,
+             "The gap between pieces takes " + messageText(m_all.gapArea * m_all.depth) + " m^3 from them."});
+    }
+
     /// Numbers fragments by seed, then by piece, with none for thin pieces, which have the number of their receiver.
     void numberFragments() {
         const Partition& partition = m_all.partition;
@@ -123,7 +146,7 @@ private:
 
     /// False where the piece is too thin. `outline` is room to work in.
     bool make(std::uint32_t piece, Polygon& outline) {
-        takeOutline(m_all.partition, piece, outline);
+        takeOutline(m_all.shapes(), piece, outline);
         PieceRecord& record = m_all.records[piece];
         record.moments = momentsOf(outline);
         if (!isWider(outline, record.moments.area, m_all.tolerance.thinnest)) return false;
@@ -155,7 +178,13 @@ private:
 }  // namespace
 
 Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, const TaskContext& task) {
-    Extrusion extrusion(prism, std::move(partition));
+    return extrudedFragments(prism, std::move(partition), 0.0, task);
+}
+
+Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, double gap, const TaskContext& task) {
+    Result<Partition> shrunk = gap > 0.0 ? shrunkPartition(partition, gap / 2.0, task) : Partition{};
+    if (!shrunk) return shrunk.error();
+    Extrusion extrusion(prism, std::move(partition), std::move(*shrunk));
     if (!extrusion.run(task)) return TaskContext::cancelled();
     return std::move(extrusion).result();
 }

@@ -43,17 +43,7 @@ const PieceRecord& Fragment::record() const { return m_all->records[piece()]; }
 
 std::uint32_t Fragment::seed() const { return m_all->partition.seedOfPiece[piece()]; }
 
-std::uint32_t Fragment::pieceOfSeed() const {
-    const std::uint32_t of = seed();
-    return of == kNone ? 0 : piece() - m_all->partition.pieceOfSeed[of];
-}
-
-std::uint32_t Fragment::piecesOfSeed() const {
-    const RawVector<std::uint32_t>& seedOfPiece = m_all->partition.seedOfPiece;
-    std::size_t end = piece();
-    while (end < seedOfPiece.size() && seedOfPiece[end] == seed()) ++end;
-    return static_cast<std::uint32_t>(end) - piece() + pieceOfSeed();
-}
+std::uint32_t Fragment::partOfCell() const { return rubble::partOfCell(m_all->partition, piece()); }
 
 double Fragment::depth() const { return m_all->depth; }
 
@@ -71,11 +61,11 @@ MassProperties Fragment::mass() const {
 
 bool Fragment::isConvex() const { return record().isConvex; }
 
-Polygon Fragment::outline() const { return pieceOutline(m_all->partition, piece(), record().moments.centre); }
+Polygon Fragment::outline() const { return pieceOutline(m_all->shapes(), piece(), record().moments.centre); }
 
 std::vector<std::uint32_t> Fragment::across() const {
     std::vector<std::uint32_t> fragments;
-    forEachEdge(m_all->partition, piece(), [&](std::uint32_t, std::uint32_t, std::uint32_t piece) {
+    forEachEdge(m_all->shapes(), piece(), [&](std::uint32_t, std::uint32_t, std::uint32_t piece) {
         fragments.push_back(fragmentOf(*m_all, piece));
     });
     return fragments;

@@ -32,15 +32,14 @@ class Fragment {
 public:
     Fragment(const Fragments& all, std::uint32_t index) : m_all(&all), m_index(index) {}
 
-    std::uint32_t seed() const;          // input index; kNone where there are no seeds
-    std::uint32_t pieceOfSeed() const;   // k-th piece of its seed's cell
-    std::uint32_t piecesOfSeed() const;  // how many the outline cut that cell into
-    double depth() const;                // m
-    Vec3 offset() const;                 // centre of mass, m: see Fragments::origin
-    double volume() const;               // m^3: that of `mass()`
-    MassProperties mass() const;  // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
-    bool isConvex() const;        // up to rounding
-    Polygon outline() const;      // the exact piece, m, in the fragment's own frame
+    std::uint32_t seed() const;        // input index; kNone where there are no seeds
+    std::uint32_t partOfCell() const;  // of its seed's cell, see partOfCell(Partition); kNone: all of it
+    double depth() const;              // m
+    Vec3 offset() const;               // centre of mass, m: see Fragments::origin
+    double volume() const;             // m^3: that of `mass()`
+    MassProperties mass() const;       // at density 1, of the exact piece and of what was given to it; centre (0, 0, 0)
+    bool isConvex() const;             // up to rounding
+    Polygon outline() const;           // the exact piece, m, in the fragment's own frame
     std::vector<std::uint32_t> across() const;  // behind each edge, ring after ring: a fragment; kNone: outside
     std::vector<Bond> bonds() const;            // ascending fragment
 
@@ -72,6 +71,8 @@ struct GiftedMass {
 /// The pieces of a partition of a prism's outline, extruded. All flat arrays; read them through operator[].
 struct Fragments {
     Partition partition;
+    Partition shrunk;            // with a gap between pieces: what it leaves of them, see shrunkPartition()
+    double gapArea = 0.0;        // m^2 of the partition's pieces that the gap took
     double depth = 0.0;          // m
     HullTolerance tolerance;     // that of their hulls
     double leastEdge = 0.0;      // m: pieces that share less are not bonded
@@ -79,11 +80,14 @@ struct Fragments {
 
     RawVector<PieceRecord> records;            // of each piece; of thin ones without meaning
     RawVector<std::uint32_t> pieceOfFragment;  // by seed, then piece
-    RawVector<std::uint32_t> fragmentOfPiece;  // where a piece is too thin, the receiver's; kNone: none took it
-    std::vector<ThinPieceGift> gifts;          // one a thin piece, by seed, then piece
-    std::vector<GiftedMass> giftedMasses;      // ascending fragment
-    std::vector<Report> reports;               // the partition's, then ThinPiece
+    RawVector<std::uint32_t>
+        fragmentOfPiece;                   // where a piece is too thin, the receiver's; kNone: none took it, or a gap
+    std::vector<ThinPieceGift> gifts;      // one a thin piece, by seed, then piece
+    std::vector<GiftedMass> giftedMasses;  // ascending fragment
+    std::vector<Report> reports;           // the partition's, then ThinPiece or VanishedPiece and Gap
 
+    /// The pieces as they are extruded.
+    const Partition& shapes() const { return shrunk.ringsOfPiece.empty() ? partition : shrunk; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(pieceOfFragment.size()); }
     Fragment operator[](std::uint32_t index) const { return {*this, index}; }
 };
@@ -94,7 +98,11 @@ struct Fragments {
 /// thinPieceGifts); whom it touched that one touches, and `across` names that one in its place.
 /// O(corners · log corners of a piece) on task.threads.
 ///
+/// With a `gap` (m, > 0) pieces are shrunk by half of it along their cut edges. Who touches whom, and along how much, stays as it
+/// is without the gap. Pieces too thin then are reported (VanishedPiece) and left out, and so is their mass.
+///
 /// Errors: Cancelled.
 Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, const TaskContext& task = {});
+Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, double gap, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -17,6 +17,15 @@ Ring pointsOf(const Partition& partition, std::uint32_t ring, Vec2 centre) {
 
 }  // namespace
 
+std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece) {
+    if (!partition.partOfCell.empty()) return partition.partOfCell[piece];
+    const std::uint32_t seed = partition.seedOfPiece[piece];
+    if (seed == kNone) return kNone;
+    const std::uint32_t first = partition.pieceOfSeed[seed];
+    const bool isFollowed = piece + 1 < partition.pieceCount() && partition.seedOfPiece[piece + 1] == seed;
+    return first == piece && !isFollowed ? kNone : piece - first;
+}
+
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre) {
     const std::uint32_t first = partition.ringsOfPiece[piece], end = partition.ringsOfPiece[piece + 1];
     Polygon outline{pointsOf(partition, first, centre), {}};

@@ -17,7 +17,8 @@ namespace rubble {
 /// All flat arrays. Piece p has the rings [ringsOfPiece[p], ringsOfPiece[p + 1]), the outer one first
 /// (counter-clockwise), then its holes (clockwise); rings of a piece may touch in single points. Ring r has the corners [cornersOfRing[r], cornersOfRing[r + 1]).
 /// Corner c starts the edge to the next corner of its ring; `across[c]` is the piece behind that edge.
-/// The pieces of one seed are consecutive, ordered by their smallest corner (x, then y); seeds stand in an order that is
+/// The pieces of one seed are consecutive, ordered by their smallest corner (x, then y), or by `partOfCell` where it is given;
+/// seeds stand in an order that is
 /// good for memory: use `pieceOfSeed` to go through them by index.
 struct Partition {
     Vec2 origin{0.0, 0.0};   // the points are relative to it, which keeps their digits far from zero
@@ -30,6 +31,7 @@ struct Partition {
     RawVector<std::uint32_t> across;         // piece behind each corner's edge; kNone: the outline
 
     RawVector<std::uint32_t> pieceOfSeed;  // first piece of each input seed; kNone where it has none
+    RawVector<std::uint32_t> partOfCell;   // of each piece, see partOfCell(); empty: as the pieces stand
     double gap = 0.0;                      // m^2 of the outline that no piece covers
     std::vector<Report> reports;           // in seed order
 
@@ -50,6 +52,10 @@ void forEachEdge(const Partition& partition, std::uint32_t piece, Visit visit) {
         }
     }
 }
+
+/// Which part of its seed's cell a piece is, as ids say it behind the seed: counted as the pieces stand, or as they stood
+/// before some of them were merged or split. kNone where it is the cell's only one.
+std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece);
 
 /// The piece as a polygon, in the outline's coordinates less `partition.origin` and less `centre`.
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre = {0.0, 0.0});

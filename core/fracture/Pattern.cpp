@@ -101,6 +101,10 @@ Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, 
 
 std::string SeedId::text() const { return std::to_string(layer) + "." + std::to_string(index); }
 
+std::string pieceName(SeedId seed, std::uint32_t partOfCell) {
+    return partOfCell == kNone ? seed.text() : seed.text() + "." + std::to_string(partOfCell);
+}
+
 std::optional<std::string> verifyPattern(const Pattern& pattern) {
     for (const PatternLayer& layer : pattern.layers) {
         std::optional<std::string> fault =

@@ -61,6 +61,9 @@ struct SeedId {
     std::string text() const;
 };
 
+/// The name of a piece below what was broken: "layer.index", or "layer.index.part" where it is one part of a cell of several.
+std::string pieceName(SeedId seed, std::uint32_t partOfCell);
+
 /// What a pattern gives on an outline.
 struct Seeds {
     std::vector<Vec2> positions;

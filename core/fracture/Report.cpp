@@ -11,6 +11,10 @@ const char* nameOf(ReportCode code) {
         case ReportCode::LostOverride: return "LostOverride";
         case ReportCode::NoRoom: return "NoRoom";
         case ReportCode::Gap: return "Gap";
+        case ReportCode::MergedPiece: return "MergedPiece";
+        case ReportCode::DroppedSeed: return "DroppedSeed";
+        case ReportCode::LostPiece: return "LostPiece";
+        case ReportCode::VanishedPiece: return "VanishedPiece";
     }
     return "";
 }

@@ -17,6 +17,10 @@ enum class ReportCode {
     LostOverride,     // an override names a seed that is not there
     NoRoom,           // a scatter found fewer places than it was asked for
     Gap,              // area that no piece covers
+    MergedPiece,      // too small; it went into a neighbour
+    DroppedSeed,      // its cell was too small
+    LostPiece,        // a piece that is to be merged, split or broken again is not there
+    VanishedPiece,    // narrower than the gap between pieces, in whole or in part
 };
 
 /// The code's name as it stands in JSON and in messages: "DuplicateSeed".
@@ -27,7 +31,7 @@ struct Report {
     ReportCode code;
     std::uint32_t seed = kNone;  // whom it is about
     std::uint32_t of = kNone;    // the other seed, where there is one
-    double amount = 0.0;         // Gap: m^2; ThinPiece: m^2
+    double amount = 0.0;         // m^2 of Gap, ThinPiece, MergedPiece, DroppedSeed, VanishedPiece
     std::string message;         // one sentence
 };
 

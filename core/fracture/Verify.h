@@ -30,4 +30,8 @@ std::optional<std::string> verifyNearestSeed(const Partition& partition, std::sp
 /// the gap; bonds are mutual; centres of mass are origins. Looks into the partition: verify that before.
 std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism);
 
+/// What a gap (m; 0: none) leaves of each piece lies within it, and no corner or middle of a side over a cut edge is nearer to it
+/// than half the gap (relative 1e-9 of the outline's diameter). Looks into the partition: verify that before.
+std::optional<std::string> verifyGap(const Fragments& fragments, double gap);
+
 }  // namespace rubble

@@ -88,9 +88,9 @@ const Bond* findBond(const std::vector<Bond>& bonds, std::uint32_t to) {
     return found != bonds.end() && found->fragment == to ? &*found : nullptr;
 }
 
-/// Bonds ascend, are mutual, and are those edges that have a fragment behind them.
+/// Bonds ascend, are mutual, and are those edges that have a fragment behind them; edges along a gap are no measure of them.
 Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fragment, const Polygon& outline,
-                double slack) {
+                double slack, bool hasGap) {
     const std::vector<Bond>& bonds = lists[index];
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         if (bonds[k].fragment >= lists.size() || bonds[k].fragment == index) return "has a bond to nobody.";
@@ -100,6 +100,7 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
             return "has a bond to fragment " + text(bonds[k].fragment) + " that is not mutual.";
         }
     }
+    if (hasGap) return std::nullopt;
     Fault fault;
     const std::vector<std::uint32_t> across = fragment.across();
     std::size_t edge = 0;
@@ -114,7 +115,7 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
 }
 
 Fault orderFault(const Fragments& fragments) {
-    const auto key = [&](std::uint32_t i) { return std::pair(fragments[i].seed(), fragments[i].pieceOfSeed()); };
+    const auto key = [&](std::uint32_t i) { return std::pair(fragments[i].seed(), fragments[i].partOfCell()); };
     for (std::uint32_t i = 1; i < fragments.count(); ++i) {
         if (!(key(i - 1) < key(i))) return "Fragment " + text(i) + " is out of order.";
     }
@@ -152,6 +153,7 @@ Fault sumFault(const Fragments& fragments, const Prism& prism, double gapVolume)
 std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism) {
     if (Fault fault = tableFault(fragments, prism)) return fault;
     const double diameter = boundsOf(prism.outline.outer).diagonal();
+    const bool hasGap = &fragments.shapes() != &fragments.partition;
     BondLists bonds;
     for (std::uint32_t i = 0; i < fragments.count(); ++i) bonds.push_back(fragments[i].bonds());
     for (std::uint32_t i = 0; i < fragments.count(); ++i) {
@@ -162,10 +164,10 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
         const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
         if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
         if (const Fault fault = hullFault(fragment, outline, hullSlack)) return named(fault);
-        if (const Fault fault = bondFault(bonds, i, fragment, outline, bondSlack)) return named(fault);
+        if (const Fault fault = bondFault(bonds, i, fragment, outline, bondSlack, hasGap)) return named(fault);
     }
     if (Fault fault = orderFault(fragments)) return fault;
-    return sumFault(fragments, prism, fragments.partition.gap * prism.depth);
+    return sumFault(fragments, prism, (fragments.partition.gap + fragments.gapArea) * prism.depth);
 }
 
 }  // namespace rubble

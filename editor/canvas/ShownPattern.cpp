@@ -161,10 +161,8 @@ std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
     const std::uint32_t seed = partition().seedOfPiece[piece];
-    const IndexRange pieces = seed == kNone ? IndexRange{} : piecesOf(seed);
-    std::string id = std::to_string(m_baked->asset->id) + "/" + (seed == kNone ? SeedId{} : seeds().ids[seed]).text();
-    if (pieces.size() > 1) id += "." + std::to_string(piece - pieces.begin);
-    return id;
+    const std::string name = pieceName(seed == kNone ? SeedId{} : seeds().ids[seed], partOfCell(partition(), piece));
+    return std::to_string(m_baked->asset->id) + "/" + name;
 }
 
 IndexRange ShownPattern::piecesOf(std::uint32_t seed) const {

@@ -10,12 +10,16 @@ constexpr Id kSceneTopic = ~Id{0};  // no asset's
 
 Severity severityOf(ReportCode code) {
     switch (code) {
-        case ReportCode::SplitCell: return Severity::Note;
+        case ReportCode::SplitCell:
+        case ReportCode::MergedPiece:
+        case ReportCode::DroppedSeed: return Severity::Note;
         case ReportCode::DuplicateSeed:
         case ReportCode::SeedWithoutCell:
         case ReportCode::ThinPiece:
         case ReportCode::LostOverride:
         case ReportCode::NoRoom:
+        case ReportCode::LostPiece:
+        case ReportCode::VanishedPiece:
         case ReportCode::Gap: return Severity::Warning;
     }
     return Severity::Warning;

@@ -79,7 +79,7 @@ private slots:
             return isFound;
         };
         QVERIFY(has([](const Fragment& solid) { return !solid.outline().holes.empty(); }));
-        QVERIFY(has([](const Fragment& solid) { return solid.piecesOfSeed() > 1; }));
+        QVERIFY(has([](const Fragment& solid) { return solid.partOfCell() != kNone; }));
         QVERIFY(has([](const Fragment& solid) { return solid.hulls().size() > 1; }));
     }
 
