@@ -1,6 +1,6 @@
 #include "editor/Baker.h"
 
-#include "core/fracture/VoronoiPartition.h"
+#include "core/asset/Breaking.h"
 
 #include <algorithm>
 
@@ -10,17 +10,11 @@ namespace {
 
 /// Fills in seeds, triangulation and partition.
 Status makePattern(BakedPattern& pattern, const TaskContext& task) {
-    const Result<Prism> prism = validated(pattern.asset->prism);
-    if (!prism) return prism.error();
-    Result<Seeds> seeds = seedsOf(pattern.asset->pattern, prism->outline, task.stage(0.0, 0.4));
-    if (!seeds) return seeds.error();
-    pattern.seeds = std::move(*seeds);
-    Result<Delaunay> triangulation = triangulate(pattern.seeds.positions, task.stage(0.4, 0.8));
-    if (!triangulation) return triangulation.error();
-    pattern.triangulation = std::move(*triangulation);
-    Result<Partition> partition = voronoiPartition(prism->outline, pattern.triangulation, task.stage(0.8, 1.0));
-    if (!partition) return partition.error();
-    pattern.partition = std::move(*partition);
+    Result<PlaneBreaking> cut = cutBy(recipeOf(*pattern.asset), pattern.asset->prism, task);
+    if (!cut) return cut.error();
+    pattern.seeds = std::move(cut->seeds);
+    pattern.triangulation = std::move(cut->delaunay);
+    pattern.partition = std::move(cut->partition);
     return success();
 }
 

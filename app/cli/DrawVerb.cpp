@@ -3,7 +3,6 @@
 #include "app/cli/Verb.h"
 #include "core/asset/Breaking.h"
 #include "core/fracture/Delaunay.h"
-#include "core/fracture/VoronoiPartition.h"
 #include "core/io/PatternSvg.h"
 #include "core/io/ProjectFile.h"
 
@@ -43,21 +42,15 @@ void tell(const Asset& asset, const std::vector<Report>& reports, const CliConte
 /// Carries out the asset's recipe as far as it is drawn, and tells what is to be told of it.
 Result<PatternPanel> panelOf(const Asset& asset, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
-    Result<Prism> prism = validated(asset.prism);
-    if (!prism) return prism.error();
-    PatternPanel panel{.title = asset.name, .prism = std::move(*prism)};
-    Result<Seeds> seeds = seedsOf(asset.pattern, panel.prism.outline, task);
-    if (!seeds) return seeds.error();
-    const Result<Delaunay> delaunay = triangulate(seeds->positions, task);
-    if (!delaunay) return delaunay.error();
-    Result<Partition> partition = voronoiPartition(panel.prism.outline, *delaunay, task);
-    if (!partition) return partition.error();
-    tell(asset, seeds->reports, context);
-    tell(asset, partition->reports, context);
-    panel.seeds = std::move(seeds->positions);
-    panel.triangles = triangleList(*delaunay);
-    panel.partition = std::move(*partition);
-    return panel;
+    Result<PlaneBreaking> cut = cutBy(recipeOf(asset), asset.prism, task);
+    if (!cut) return cut.error();
+    tell(asset, cut->seeds.reports, context);
+    tell(asset, cut->partition.reports, context);
+    return PatternPanel{.title = asset.name,
+                        .prism = std::move(cut->prism),
+                        .seeds = std::move(cut->seeds.positions),
+                        .triangles = triangleList(cut->delaunay),
+                        .partition = std::move(cut->partition)};
 }
 
 Result<std::vector<PatternPanel>> panelsOf(const Project& project, std::span<const Id> assets,

@@ -5,6 +5,7 @@
 #include "core/base/Parallel.h"
 
 #include <algorithm>
+#include <set>
 
 namespace rubble {
 namespace {
@@ -32,16 +33,22 @@ const BakedBreaking& breakingWith(const Bake& bake, std::uint32_t number) {
     return *std::prev(std::ranges::upper_bound(bake.breakings, number, {}, &BakedBreaking::first));
 }
 
-/// The work below one level: which fragments break, and what became of each.
+/// The work below one level: which fragments break, by what, and what became of each.
 struct LevelWork {
     std::vector<std::uint32_t> parents;
-    std::vector<std::optional<Result<Breaking>>> breakings;  // one a parent
+    std::vector<const Level*> levels;  // this and the next: one a parent
+    std::vector<std::optional<Result<Breaking>>> breakings;
 };
 
-LevelWork brokenLevel(const Level& level, std::uint32_t first, const Bake& bake, const TaskContext& task) {
+LevelWork brokenLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const Bake& bake,
+                      const TaskContext& task) {
     LevelWork work;
     for (std::uint32_t k = first; k < bake.fragmentCount(); ++k) {
-        if (bake.fragment(k).solid.volume() >= level.minimumVolume) work.parents.push_back(k);
+        const FragmentPath path = asset.leaves.empty() ? FragmentPath() : pathOfId(bake.fragmentId(k));
+        const Level* by = levelFor(asset, path, level);
+        if (!by || bake.fragment(k).solid.volume() < by->minimumVolume) continue;
+        work.parents.push_back(k);
+        work.levels.push_back(by);
     }
     work.breakings.resize(work.parents.size());
     TaskContext quiet;  // progress is told by the work's own thread, level by level
@@ -49,15 +56,15 @@ LevelWork brokenLevel(const Level& level, std::uint32_t first, const Bake& bake,
     forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
         const std::uint32_t parent = work.parents[k];
         const Fragment solid = bake.fragment(parent).solid;
-        work.breakings[k] =
-            brokenBy(patternFor(bake.fragmentId(parent), level.pattern), {solid.outline(), solid.depth()}, quiet);
+        const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], Vec2{solid.offset()});
+        work.breakings[k] = brokenBy(recipe, {solid.outline(), solid.depth()}, quiet);
     });
     return work;
 }
 
-/// Breaks the fragments from `first` on by a level; a fragment that would give one piece stays whole.
-Status appendLevel(const Level& level, std::uint32_t first, const TaskContext& task, Bake& bake) {
-    LevelWork work = brokenLevel(level, first, bake, task);
+/// Breaks the fragments of a level, from `first` on; a fragment that would give one piece stays whole.
+Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake) {
+    LevelWork work = brokenLevel(asset, level, first, bake, task);
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         Result<Breaking>& breaking = *work.breakings[k];
         const std::uint32_t parent = work.parents[k];
@@ -71,7 +78,44 @@ Status appendLevel(const Level& level, std::uint32_t first, const TaskContext& t
     return success();
 }
 
+/// How many levels an asset may have below the first.
+std::size_t deepestLevel(const Asset& asset) {
+    std::size_t deepest = asset.levels.size();
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (leaf.level) deepest = std::max(deepest, std::size_t{levelOf(leaf.fragment)} + 1);
+    }
+    return deepest;
+}
+
+/// Says of what is to be done with single fragments that they are not there.
+void reportLost(const Asset& asset, Bake& bake) {
+    if (asset.leaves.empty() && asset.edits.empty()) return;
+    std::set<FragmentPath> fragments, broken;
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) fragments.insert(pathOfId(bake.fragmentId(k)));
+    for (const BakedBreaking& breaking : bake.breakings) {
+        broken.insert(breaking.parent == kNone ? FragmentPath() : pathOfId(bake.fragmentId(breaking.parent)));
+    }
+    const auto report = [&](const std::string& message) {
+        bake.reports.push_back({ReportCode::LostPiece, kNone, kNone, 0.0, message});
+    };
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (fragments.contains(leaf.fragment)) continue;
+        report("The piece " + leaf.fragment + ", which is to be broken in its own way, is not there.");
+    }
+    for (const FragmentEdit& edit : asset.edits) {
+        const FragmentPath place = placeOf(edit);
+        if (!broken.contains(place))
+            report("The piece " + place + " is not broken; none of its pieces is merged or split.");
+    }
+}
+
 }  // namespace
+
+const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level) {
+    const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
+    if (leaf != asset.leaves.end() && leaf->fragment == fragment) return leaf->level ? &*leaf->level : nullptr;
+    return level < asset.levels.size() ? &asset.levels[level] : nullptr;
+}
 
 std::uint32_t Bake::fragmentCount() const {
     return breakings.empty() ? 0 : breakings.back().first + breakings.back().fragments.count();
@@ -104,8 +148,9 @@ const BakedBreaking* Bake::breakingOf(std::uint32_t parent) const {
 }
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
+    const std::size_t levels = deepestLevel(asset);
     Result<Breaking> first =
-        brokenBy(asset.pattern, asset.prism, task.stage(0.0, 1.0 / static_cast<double>(asset.levels.size() + 1)));
+        brokenBy(recipeOf(asset), asset.prism, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
     if (!first) return ofAsset(asset, first.error());
     Bake result;
     result.asset = asset.id;
@@ -117,13 +162,14 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     append(std::move(*first), kNone, result);
 
     std::uint32_t begin = 0;
-    for (std::size_t level = 0; level < asset.levels.size(); ++level) {
-        task.report(static_cast<double>(level + 1) / static_cast<double>(asset.levels.size() + 1));
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        task.report(static_cast<double>(level + 1) / static_cast<double>(levels + 1));
         const std::uint32_t end = result.fragmentCount();
-        const Status appended = appendLevel(asset.levels[level], begin, task, result);
+        const Status appended = appendLevel(asset, level, begin, task, result);
         if (!appended) return ofAsset(asset, appended.error());
         begin = end;
     }
+    reportLost(asset, result);
     task.report(1.0);
     return result;
 }

@@ -12,6 +12,9 @@
 
 namespace rubble {
 
+/// How a fragment is broken again: in its own way, or as its level says. Null where it stays whole whatever its size.
+const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level);
+
 /// What the whole, or one fragment, was broken into.
 struct BakedBreaking {
     std::uint32_t parent = kNone;  // the fragment that was broken; kNone: the whole

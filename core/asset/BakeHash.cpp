@@ -98,6 +98,52 @@ void add(Hasher& hasher, const Pattern& pattern) {
     }
 }
 
+void add(Hasher& hasher, const FragmentPath& path) {
+    hasher.add(std::uint64_t{path.size()});
+    hasher.add(std::string_view(path));
+}
+
+void add(Hasher& hasher, const Level& level) {
+    hasher.add(level.minimumVolume);
+    add(hasher, level.pattern);
+}
+
+void add(Hasher& hasher, const FragmentEdit& edit) {
+    hasher.add(std::uint64_t{edit.index()});
+    if (const auto* split = std::get_if<FragmentSplit>(&edit)) {
+        add(hasher, split->fragment);
+        add(hasher, split->line.point);
+        return add(hasher, split->line.direction);
+    }
+    const auto& merge = std::get<FragmentMerge>(edit);
+    add(hasher, merge.into);
+    hasher.add(std::uint64_t{merge.merged.size()});
+    for (const FragmentPath& path : merge.merged) add(hasher, path);
+}
+
+/// What is done to pieces; nothing is added where nothing is done, so that hashes are what they always were. Roughness is of
+/// meshes only.
+void addShaping(Hasher& hasher, const Asset& asset) {
+    const SmallPieces& small = asset.shaping.smallPieces;
+    const bool isPlain =
+        small.rule == SmallPieceRule::Keep && asset.shaping.gap == 0.0 && asset.leaves.empty() && asset.edits.empty();
+    if (isPlain) return;
+    hasher.add(static_cast<std::uint64_t>(small.rule));
+    if (small.rule != SmallPieceRule::Keep) {
+        hasher.add(static_cast<std::uint64_t>(small.measure));
+        hasher.add(small.limit);
+    }
+    hasher.add(asset.shaping.gap);
+    hasher.add(std::uint64_t{asset.leaves.size()});
+    for (const FragmentLevel& leaf : asset.leaves) {
+        add(hasher, leaf.fragment);
+        hasher.add(std::uint64_t{leaf.level.has_value()});
+        if (leaf.level) add(hasher, *leaf.level);
+    }
+    hasher.add(std::uint64_t{asset.edits.size()});
+    for (const FragmentEdit& edit : asset.edits) add(hasher, edit);
+}
+
 }  // namespace
 
 ContentHash bakeInputHash(const Asset& asset) {
@@ -107,10 +153,8 @@ ContentHash bakeInputHash(const Asset& asset) {
     add(hasher, asset.prism);
     add(hasher, asset.pattern);
     hasher.add(std::uint64_t{asset.levels.size()});
-    for (const Level& level : asset.levels) {
-        hasher.add(level.minimumVolume);
-        add(hasher, level.pattern);
-    }
+    for (const Level& level : asset.levels) add(hasher, level);
+    addShaping(hasher, asset);
     return hasher.digest();
 }
 

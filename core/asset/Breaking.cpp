@@ -5,24 +5,73 @@
 #include "core/fracture/VoronoiPartition.h"
 
 namespace rubble {
+namespace {
+
+/// Triangulates the seeds, and cuts the outline into their cells.
+Status makeCells(PlaneBreaking& cut, const TaskContext& task) {
+    Result<Delaunay> delaunay = triangulate(cut.seeds.positions, task.stage(0.0, 0.7));
+    if (!delaunay) return delaunay.error();
+    Result<Partition> partition = voronoiPartition(cut.prism.outline, *delaunay, task.stage(0.7, 1.0));
+    if (!partition) return partition.error();
+    cut.delaunay = std::move(*delaunay);
+    cut.partition = std::move(*partition);
+    return success();
+}
+
+/// Takes seeds out, and says so.
+void dropSeeds(const std::vector<std::uint32_t>& dropped, Seeds& seeds) {
+    for (const std::uint32_t seed : dropped) {
+        const SeedId id = seeds.ids[seed];
+        seeds.reports.push_back({ReportCode::DroppedSeed, id.index, id.layer, 0.0,
+                                 "Seed " + id.text() + " is dropped, since its cell is too small."});
+    }
+    for (std::size_t k = dropped.size(); k-- > 0;) {
+        seeds.positions.erase(seeds.positions.begin() + dropped[k]);
+        seeds.ids.erase(seeds.ids.begin() + dropped[k]);
+    }
+}
+
+}  // namespace
 
 Error ofAsset(const Asset& asset, const Error& error) {
     if (error.code == ErrorCode::Cancelled) return error;
     return {error.code, "Asset \"" + asset.name + "\": " + error.message};
 }
 
-Result<Breaking> brokenBy(const Pattern& pattern, Prism prism, const TaskContext& task) {
+Recipe recipeOf(const Asset& asset) { return {asset.pattern, asset.shaping, asset.edits, {}, {}}; }
+
+Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset) {
+    return {patternFor(fragmentId, level.pattern), asset.shaping, asset.edits, pathOfId(fragmentId), offset};
+}
+
+Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
     if (!valid) return valid.error();
-    Result<Seeds> seeds = seedsOf(pattern, valid->outline, task.stage(0.0, 0.2));
+    Result<Seeds> seeds = seedsOf(recipe.pattern, valid->outline, task.stage(0.0, 0.25));
     if (!seeds) return seeds.error();
-    Result<Delaunay> delaunay = triangulate(seeds->positions, task.stage(0.2, 0.6));
-    if (!delaunay) return delaunay.error();
-    Result<Partition> partition = voronoiPartition(valid->outline, *delaunay, task.stage(0.6, 0.8));
-    if (!partition) return partition.error();
-    Result<Fragments> fragments = extrudedFragments(*valid, std::move(*partition), task.stage(0.8, 1.0));
+    PlaneBreaking cut{.prism = std::move(*valid), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};
+    if (const Status made = makeCells(cut, task.stage(0.25, 0.9)); !made) return made.error();
+    const SmallPieces& small = recipe.shaping.smallPieces;
+    while (small.rule == SmallPieceRule::DropSeeds) {
+        const std::vector<std::uint32_t> dropped = seedsToDrop(cut.partition, small, cut.prism.depth);
+        if (dropped.empty()) break;
+        dropSeeds(dropped, cut.seeds);
+        if (const Status made = makeCells(cut, task.stage(0.9, 0.9)); !made) return made.error();
+    }
+    cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
+    if (small.rule != SmallPieceRule::Keep) {
+        cut.partition = withoutSmallPieces(std::move(cut.partition), small, cut.prism.depth);
+    }
+    return cut;
+}
+
+Result<Breaking> brokenBy(const Recipe& recipe, Prism prism, const TaskContext& task) {
+    Result<PlaneBreaking> cut = cutBy(recipe, std::move(prism), task.stage(0.0, 0.8));
+    if (!cut) return cut.error();
+    Result<Fragments> fragments =
+        extrudedFragments(cut->prism, std::move(cut->partition), recipe.shaping.gap, task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
-    return Breaking{std::move(*valid), std::move(*seeds), std::move(*delaunay), std::move(*fragments)};
+    return Breaking{std::move(cut->prism), std::move(cut->seeds), std::move(cut->delaunay), std::move(*fragments)};
 }
 
 Pattern patternFor(const std::string& fragmentId, Pattern pattern) {

@@ -30,14 +30,14 @@ ExtrudedSide outsideSide(const Asset& asset, Vec2 a, Vec2 b) {
     return {0, 0, FaceSide::Outside, outlineStretch(asset.prism.outline, a, b)};
 }
 
-/// A side of a fragment. Below the first level nobody behind it means the surface of the parent: outside only where
-/// that is the asset's own.
+/// A side of a fragment. Nobody behind it means the outline, or below the first level the surface of the parent, or else somebody
+/// who went in a gap: it is outside only where it lies on the asset's own outline.
 ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std::uint32_t across, Vec2 a, Vec2 b) {
     if (across != kNone) return {0, 0, FaceSide::Inside, {}};
     const Vec2 offset{fragment.solid.offset()};
     ExtrudedSide side = outsideSide(asset, a + offset, b + offset);
     const double reach = kOnOutline * boundsOf(asset.prism.outline.outer).diagonal();
-    if (fragment.level > 0 && side.stretch.distance > reach) side.side = FaceSide::Inside;
+    if (side.stretch.distance > reach) side.side = FaceSide::Inside;
     return side;
 }
 

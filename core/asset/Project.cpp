@@ -20,8 +20,9 @@ bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::share
 
 bool Asset::operator==(const Asset& other) const {
     return id == other.id && name == other.name && material == other.material && prism == other.prism &&
-           pattern == other.pattern && levels == other.levels && threshold == other.threshold &&
-           insideUvScale == other.insideUvScale && cutAtImpact == other.cutAtImpact && intents == other.intents &&
+           pattern == other.pattern && shaping == other.shaping && levels == other.levels && leaves == other.leaves &&
+           edits == other.edits && threshold == other.threshold && insideUvScale == other.insideUvScale &&
+           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact && intents == other.intents &&
            isSameSurface(surface, other.surface);
 }
 

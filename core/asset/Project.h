@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/asset/FragmentPath.h"
+#include "core/asset/Shaping.h"
 #include "core/asset/Surface.h"
 #include "core/fracture/Pattern.h"
 #include "core/fracture/Prism.h"
@@ -37,11 +39,18 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// How the fragments of one level are broken again.
+/// How the fragments of one level, or a single one, are broken again.
 struct Level {
     Pattern pattern;
     double minimumVolume = 0.0;  // m^3; smaller fragments stay whole
     bool operator==(const Level&) const = default;
+};
+
+/// How one fragment is broken, whatever its level says.
+struct FragmentLevel {
+    FragmentPath fragment;
+    std::optional<Level> level;  // none: it stays whole
+    bool operator==(const FragmentLevel&) const = default;
 };
 
 /// Being cut anew where it is hit when it breaks, instead of into the pieces of its pattern (thesis 3.3).
@@ -80,9 +89,13 @@ struct Asset {
     Id material = 0;
     Prism prism;
     Pattern pattern;
+    Shaping shaping;                         // of the pieces of all levels
     std::vector<Level> levels;               // below the first: levels[0] breaks the pattern's fragments
+    std::vector<FragmentLevel> leaves;       // fragments that are broken in their own way: ascending path
+    std::vector<FragmentEdit> edits;         // fragments merged and split by hand, in the order that it was done
     double threshold = 100.0;                // N·s, > 0; an impact at or above it breaks the whole
     double insideUvScale = 1.0;              // UV units a metre on the inside faces
+    Id insideMaterial = 0;                   // whose inside the cuts lay open; 0: the asset's own material
     std::optional<CutAtImpact> cutAtImpact;  // none: it breaks into the pieces of its pattern
     std::vector<Intent> intents;             // in the order they were written
     std::shared_ptr<const Surface> surface;  // of the mesh it was imported from; null where there was none

@@ -63,6 +63,32 @@ Sentence surfaceFault(const std::string& owner, const Surface& surface) {
     return std::nullopt;
 }
 
+Sentence levelFault(const std::string& owner, const Level& level) {
+    if (Sentence fault = quantityFault(owner, {{"minimum volume", level.minimumVolume, Range::ZeroOrAbove}})) {
+        return fault;
+    }
+    if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
+    return std::nullopt;
+}
+
+/// What is done to pieces, and whom it is done to.
+Sentence shapeFault(const Asset& asset) {
+    if (Sentence fault = verifyShaping(asset.shaping)) return fault;
+    for (const FragmentEdit& edit : asset.edits) {
+        if (Sentence fault = verifyEdit(edit)) return fault;
+    }
+    const FragmentPath* before = nullptr;
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (!isPath(leaf.fragment)) return "\"" + leaf.fragment + "\" names no fragment.";
+        if (before && *before >= leaf.fragment) {
+            return "fragment " + leaf.fragment + " stands behind " + *before +
+                   " in the list of those broken in their own way.";
+        }
+        before = &leaf.fragment;
+    }
+    return std::nullopt;
+}
+
 Sentence faultOf(const Asset& asset) {
     const std::string owner = ownerText("Asset", asset.id, asset.name);
     if (Sentence fault = quantityFault(owner, {{"threshold", asset.threshold, Range::AboveZero},
@@ -75,10 +101,12 @@ Sentence faultOf(const Asset& asset) {
         if (Sentence fault = surfaceFault(owner, *asset.surface)) return fault;
     }
     for (const Level& level : asset.levels) {
-        if (Sentence fault = quantityFault(owner, {{"minimum volume", level.minimumVolume, Range::ZeroOrAbove}})) {
-            return fault;
-        }
-        if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
+        if (Sentence fault = levelFault(owner, level)) return fault;
+    }
+    if (Sentence fault = shapeFault(asset)) return owner + ": " + *fault;
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (!leaf.level) continue;
+        if (Sentence fault = levelFault(owner, *leaf.level)) return fault;
     }
     return playFault(asset);
 }

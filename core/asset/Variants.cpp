@@ -20,6 +20,8 @@ Asset variantOf(Asset asset, std::uint32_t variant) {
     if (variant == 0) return asset;
     mixIn(variant, asset.pattern);
     for (Level& level : asset.levels) mixIn(variant, level.pattern);
+    asset.leaves.clear();  // this and the next: made by hand for fragments that are elsewhere now
+    asset.edits.clear();
     asset.name += "~" + std::to_string(variant);
     return asset;
 }

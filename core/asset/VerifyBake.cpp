@@ -1,6 +1,7 @@
 #include "core/asset/Bake.h"
 #include "core/asset/Breaking.h"
 #include "core/fracture/Verify.h"
+#include "core/fracture/VoronoiPartition.h"
 
 namespace rubble {
 namespace {
@@ -13,19 +14,25 @@ std::string idOf(const Bake& bake, std::uint32_t fragment) {
 
 /// Breaks a fragment (kNone: the whole) once more, as bake() did.
 Result<Breaking> brokenAgain(const Bake& bake, const Asset& asset, std::uint32_t parent) {
-    if (parent == kNone) return brokenBy(asset.pattern, asset.prism, {});
+    if (parent == kNone) return brokenBy(recipeOf(asset), asset.prism, {});
     const BakedFragment fragment = bake.fragment(parent);
-    const Pattern& pattern = asset.levels[fragment.level].pattern;
-    return brokenBy(patternFor(bake.fragmentId(parent), pattern), {fragment.solid.outline(), fragment.solid.depth()},
-                    {});
+    const std::string id = bake.fragmentId(parent);
+    const Level& level = *levelFor(asset, pathOfId(id), fragment.level);
+    const Recipe recipe = recipeOf(asset, id, level, Vec2{fragment.solid.offset()});
+    return brokenBy(recipe, {fragment.solid.outline(), fragment.solid.depth()}, {});
 }
 
 /// The stored stages are sound, and the triangulation they came from is.
-Sentence stageFault(const BakedBreaking& stored, const Breaking& again) {
+Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Shaping& shaping) {
     const Partition& partition = stored.fragments.partition;
     if (Sentence fault = verifyDelaunay(again.delaunay, again.seeds.positions)) return fault;
     if (Sentence fault = verifyPartition(partition, again.prism.outline)) return fault;
-    if (Sentence fault = verifyNearestSeed(partition, again.seeds.positions)) return fault;
+    const bool areMerged = !partition.partOfCell.empty();  // then the cells are looked at as they were before
+    const Result<Partition> cells = areMerged ? voronoiPartition(again.prism.outline, again.delaunay) : partition;
+    if (!cells) return cells.error().message;
+    if (Sentence fault = verifyNearestSeed(*cells, again.seeds.positions)) return fault;
+    if (Sentence fault = verifyNoSmallPieces(partition, shaping.smallPieces, again.prism.depth)) return fault;
+    if (Sentence fault = verifyGap(stored.fragments, shaping.gap)) return fault;
     return verifyFragments(stored.fragments, again.prism);
 }
 
@@ -51,7 +58,7 @@ Sentence breakingFault(const Bake& bake, const Asset& asset, const BakedBreaking
     const Result<Breaking> again = brokenAgain(bake, asset, stored.parent);
     if (!again) return again.error().message;
     if (Sentence fault = placeFault(bake, stored, *again)) return fault;
-    return stageFault(stored, *again);
+    return stageFault(stored, *again, asset.shaping);
 }
 
 /// The k-th breaking is of a fragment that stands before it, of the next one that is broken, and one level below it.
@@ -63,7 +70,9 @@ Sentence linkFault(const Bake& bake, const Asset& asset, std::size_t k) {
     }
     const std::uint32_t level = bake.fragment(breaking.parent).level;
     const std::string name = "fragment " + bake.fragmentId(breaking.parent);
-    if (level >= asset.levels.size()) return name + " has pieces below the last level.";
+    if (!levelFor(asset, pathOfId(bake.fragmentId(breaking.parent)), level)) {
+        return name + " has pieces below the last level.";
+    }
     if (breaking.level != level + 1) return name + " has pieces of another level than the next.";
     return std::nullopt;
 }

@@ -34,6 +34,9 @@ std::vector<IdUse> allIds(const Project& project) {
         const std::string owner = ownerText("asset", asset.id, asset.name);
         addLayerIds(asset.pattern, owner, uses);
         for (const Level& level : asset.levels) addLayerIds(level.pattern, owner, uses);
+        for (const FragmentLevel& leaf : asset.leaves) {
+            if (leaf.level) addLayerIds(leaf.level->pattern, owner, uses);
+        }
     }
     addIds(project.instances, "Instance", uses);
     addIds(project.shots, "Shot", uses);
@@ -88,6 +91,9 @@ Sentence referenceFault(const Project& project) {
     for (const Asset& asset : project.assets) {
         const std::string owner = ownerText("Asset", asset.id, asset.name);
         if (!findMaterial(project, asset.material)) return missing(owner, "material", asset.material);
+        if (asset.insideMaterial != 0 && !findMaterial(project, asset.insideMaterial)) {
+            return missing(owner, "material", asset.insideMaterial);
+        }
     }
     for (const Instance& instance : project.instances) {
         const std::string owner = ownerText("Instance", instance.id, instance.name);

@@ -14,6 +14,7 @@ namespace rubble {
 namespace {
 
 constexpr double kFarthestAlong = 4.0;  // margins: how far along the outline a cut edge beside it counts
+constexpr double kBehind = 1.0 / 64.0;  // margins
 constexpr double kOnEdge = 0x1p-40;     // of the piece's reach: a point that near to an edge lies on it
 
 Ring placesOf(const ShrunkRing& ring) {
@@ -135,21 +136,23 @@ ShrunkPiece shrunkPlain(const ShrunkRing& ring, double margin) {
     return {{std::move(left)}, false};
 }
 
-/// How far past an edge's end, along the edge and along the next one, its strip goes.
+/// The end of a strip: from outside the piece, where it begins a little behind its edge so that no two lines fall together, past
+/// the edge's end as far as the next edge wants it, to the margin.
 void addEnd(Vec2 end, Vec2 along, Vec2 next, double sine, double cosine, bool isNextCut, double margin, Ring& strip) {
     const Vec2 inward = perpendicular(along) * margin;
-    const double halfTangent = cosine > -1.0 ? std::abs(sine) / (1.0 + cosine) : 1.0;  // of half the turn
-    if (sine > 0.0 && isNextCut) {
-        strip.insert(strip.end(), {end, end + inward});
-    } else if (sine > 0.0 && cosine > 0.0 && sine * kFarthestAlong < 1.0) {
+    strip.push_back(end - kBehind * inward);
+    if (sine <= 0.0 && isNextCut) {
+        const double halfTangent = cosine > -1.0 ? -sine / (1.0 + cosine) : 1.0;  // of half the turn
+        const Vec2 beyond = std::min(halfTangent, 1.0) * margin * along;
+        strip.insert(strip.end(), {end + beyond, end + beyond + inward});
+    } else if (sine <= 0.0 || isNextCut || cosine <= 0.0) {
+        strip.push_back(end + inward);
+    } else if (sine * kFarthestAlong < 1.0) {
         const Vec2 far = kFarthestAlong * margin * next;
-        strip.insert(strip.end(), {end, end + far, end + glm::dot(far, along) * along + inward});
-    } else if (sine > 0.0) {
-        strip.insert(strip.end(), {end, end + inward});
-        if (cosine > 0.0) strip.back() = end + margin / sine * next;
+        const Vec2 outward = -kBehind * margin * perpendicular(next);
+        strip.insert(strip.end(), {end + far + outward, end + glm::dot(far, along) * along + inward});
     } else {
-        const Vec2 beyond = isNextCut ? std::min(halfTangent, 1.0) * margin * along : Vec2(0.0, 0.0);
-        strip.insert(strip.end(), {end, end + beyond, end + beyond + inward});
+        strip.push_back(end + margin / sine * next + kBehind * margin * along);
     }
 }
 

@@ -29,8 +29,8 @@ const char* nameOf(ReportCode code);
 /// One such notice. Indices are those of the input.
 struct Report {
     ReportCode code;
-    std::uint32_t seed = kNone;  // whom it is about
-    std::uint32_t of = kNone;    // the other seed, where there is one
+    std::uint32_t seed = kNone;  // whom it is about; LostOverride, DroppedSeed: its number in its layer
+    std::uint32_t of = kNone;    // the other seed, where there is one; LostOverride, DroppedSeed: the layer's id
     double amount = 0.0;         // m^2 of Gap, ThinPiece, MergedPiece, DroppedSeed, VanishedPiece
     std::string message;         // one sentence
 };

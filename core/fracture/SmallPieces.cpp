@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/fracture/PieceDraft.h"
+#include "core/fracture/Verify.h"
 
 #include <algorithm>
 #include <map>
@@ -10,6 +11,8 @@
 
 namespace rubble {
 namespace {
+
+constexpr double kRounding = 1e-9;  // of an area: a sum of others is not the area of their union to the last bit
 
 std::vector<double> areasOf(const Partition& partition) {
     std::vector<double> areas(partition.pieceCount());
@@ -122,6 +125,17 @@ Partition withoutSmallPieces(Partition partition, const SmallPieces& small, doub
     Partition merged = std::move(draft).finished();
     merged.reports.insert(merged.reports.end(), reports.begin(), reports.end());
     return merged;
+}
+
+std::optional<std::string> verifyNoSmallPieces(const Partition& partition, const SmallPieces& small, double depth) {
+    const std::vector<double> areas = areasOf(partition);
+    const double least = leastArea(small, sumOf(areas), partition.pieceCount(), depth);
+    for (std::uint32_t piece = 0; piece < areas.size() && areas.size() > 1; ++piece) {
+        if (areas[piece] >= least * (1.0 - kRounding)) continue;
+        return "Piece " + std::to_string(piece) + " has " + messageText(areas[piece]) + " m^2, less than the " +
+               messageText(least) + " m^2 that it must have.";
+    }
+    return std::nullopt;
 }
 
 std::vector<std::uint32_t> seedsToDrop(const Partition& partition, const SmallPieces& small, double depth) {

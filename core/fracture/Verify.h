@@ -3,6 +3,7 @@
 #include "core/fracture/Delaunay.h"
 #include "core/fracture/Fragment.h"
 #include "core/fracture/Partition.h"
+#include "core/fracture/SmallPieces.h"
 #include "core/geometry/Polygon.h"
 
 #include <optional>
@@ -29,6 +30,9 @@ std::optional<std::string> verifyNearestSeed(const Partition& partition, std::sp
 /// Pieces and fragments name each other; hulls pass verifyPolytope and fill their piece; volumes sum to the prism's less
 /// the gap; bonds are mutual; centres of mass are origins. Looks into the partition: verify that before.
 std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism);
+
+/// No piece is below the limit, but where it is the only one; parts of 1e-9 of it are rounding.
+std::optional<std::string> verifyNoSmallPieces(const Partition& partition, const SmallPieces& small, double depth);
 
 /// What a gap (m; 0: none) leaves of each piece lies within it, and no corner or middle of a side over a cut edge is nearer to it
 /// than half the gap (relative 1e-9 of the outline's diameter). Looks into the partition: verify that before.

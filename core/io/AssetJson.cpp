@@ -2,6 +2,7 @@
 
 #include "core/io/IntentJson.h"
 #include "core/io/PatternJson.h"
+#include "core/io/ShapingJson.h"
 
 namespace rubble {
 namespace {
@@ -31,16 +32,38 @@ Prism readPrism(const JsonValue& value) {
             .depth = value["depth"].number()};
 }
 
-void writeLevel(JsonLayout& json, const Level& level) {
-    json.openObject();
+void writeMembers(JsonLayout& json, const Level& level) {
     json.number("minimumVolume", level.minimumVolume);
     writePattern(json, level.pattern);
+}
+
+void writeLevel(JsonLayout& json, const Level& level) {
+    json.openObject();
+    writeMembers(json, level);
     json.close();
 }
 
 Level readLevel(const JsonValue& value) {
     value.requireObject({"minimumVolume", "pattern"});
     return {.pattern = readPattern(value["pattern"]), .minimumVolume = value["minimumVolume"].number()};
+}
+
+void writeLeaf(JsonLayout& json, const FragmentLevel& leaf) {
+    json.openObject();
+    json.text("fragment", leaf.fragment);
+    if (leaf.level) {
+        json.openObject("level");
+        writeMembers(json, *leaf.level);
+        json.close();
+    } else {
+        json.null("level");
+    }
+    json.close();
+}
+
+FragmentLevel readLeaf(const JsonValue& value) {
+    value.requireObject({"fragment", "level"});
+    return {.fragment = value["fragment"].text(), .level = value["level"].orNone(readLevel)};
 }
 
 void writeCap(JsonLayout& json, std::string_view key, const CapUv& cap) {
@@ -122,6 +145,13 @@ Asset readWhatVersion1Knew(const JsonValue& value) {
             .surface = readSurface(value["surface"])};
 }
 
+Asset readWhatVersion2Knew(const JsonValue& value) {
+    Asset asset = readWhatVersion1Knew(value);
+    asset.cutAtImpact = value["cutAtImpact"].orNone(readCutAtImpact);
+    asset.intents = value["intents"].listOf(readIntent);
+    return asset;
+}
+
 }  // namespace
 
 void writeMaterial(JsonLayout& json, const Material& material) {
@@ -154,9 +184,13 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
     json.wholeNumber("material", asset.material);
     json.number("threshold", asset.threshold);
     json.number("insideUvScale", asset.insideUvScale);
+    json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
     writePrism(json, asset.prism);
     writePattern(json, asset.pattern);
+    writeShaping(json, asset.shaping);
     json.list("levels", asset.levels, writeLevel);
+    json.list("leaves", asset.leaves, writeLeaf);
+    json.list("edits", asset.edits, writeEdit);
     writeCutAtImpact(json, asset.cutAtImpact);
     json.list("intents", asset.intents, writeIntent);
     if (asset.surface) {
@@ -173,12 +207,21 @@ Asset readAssetVersion1(const JsonValue& value) {
     return readWhatVersion1Knew(value);
 }
 
-Asset readAsset(const JsonValue& value) {
+Asset readAssetVersion2(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels",
                          "cutAtImpact", "intents", "surface"});
-    Asset asset = readWhatVersion1Knew(value);
-    asset.cutAtImpact = value["cutAtImpact"].orNone(readCutAtImpact);
-    asset.intents = value["intents"].listOf(readIntent);
+    return readWhatVersion2Knew(value);
+}
+
+Asset readAsset(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "insideMaterial", "prism", "pattern",
+                         "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"});
+    Asset asset = readWhatVersion2Knew(value);
+    const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
+    asset.insideMaterial = value["insideMaterial"].orNone(readId).value_or(0);
+    asset.shaping = readShaping(value["shaping"]);
+    asset.leaves = value["leaves"].listOf(readLeaf);
+    asset.edits = value["edits"].listOf(readEdit);
     return asset;
 }
 

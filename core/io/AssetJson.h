@@ -13,7 +13,9 @@ void writeAsset(JsonLayout& json, const Asset& asset);
 /// Read what was written by these. Types only: verifyProject() looks at the values.
 Material readMaterial(const JsonValue& value);
 Asset readAsset(const JsonValue& value);
-/// The same of a project of version 1, which knew neither cuts at impact nor intents.
+/// The same of a project of version 1, which knew neither cuts at impact nor intents, and of versions 2 and 3, which knew nothing
+/// that is done to pieces.
 Asset readAssetVersion1(const JsonValue& value);
+Asset readAssetVersion2(const JsonValue& value);
 
 }  // namespace rubble

@@ -34,24 +34,28 @@ Project readVersion1(const JsonValue& root) {
 }
 
 /// With debris; of what else came after the first version its callers tell.
-Project readWithDebris(const JsonValue& root, Instance (*readInstanceOfVersion)(const JsonValue&)) {
+Project readWithDebris(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&),
+                       Instance (*readInstanceOfVersion)(const JsonValue&)) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "debris", "shots", "playTests"});
-    Project project = readCommon(root, readAsset, readInstanceOfVersion);
+    Project project = readCommon(root, readAssetOfVersion, readInstanceOfVersion);
     project.debris = readDebris(root["debris"]);
     return project;
 }
 
 /// Knows debris, cuts at impact and intents.
-Project readVersion2(const JsonValue& root) { return readWithDebris(root, readInstanceVersion2); }
+Project readVersion2(const JsonValue& root) { return readWithDebris(root, readAssetVersion2, readInstanceVersion2); }
 
 /// Knows variants of instances, and which are hidden and locked.
-Project readVersion3(const JsonValue& root) { return readWithDebris(root, readInstance); }
+Project readVersion3(const JsonValue& root) { return readWithDebris(root, readAssetVersion2, readInstance); }
+
+/// Knows what is done to pieces: small ones, gaps, roughness, merges and splits, fragments broken in their own way.
+Project readVersion4(const JsonValue& root) { return readWithDebris(root, readAsset, readInstance); }
 
 /// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
 /// in what their files did not know.
 constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1, &readVersion2,
-                                                                              &readVersion3};
+                                                                              &readVersion3, &readVersion4};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
     const Result<std::uint32_t> version = versionOf(document, kFormat);

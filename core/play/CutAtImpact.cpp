@@ -26,6 +26,8 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 po
     Random random(randomSeed);
     const std::uint32_t pieces = asset.cutAtImpact->pieces;
     Asset cut = asset;
+    cut.leaves.clear();  // this and the next: for fragments of its pattern
+    cut.edits.clear();
     PlacedSeeds near{nearSeeds(asset.prism.outline, point, asset.cutAtImpact->reach, pieces / 2, random)};
     const auto others = static_cast<std::uint32_t>(pieces - near.seeds.size());
     cut.pattern.layers = {{.id = 1, .randomSeed = randomSeed, .parameters = std::move(near)},

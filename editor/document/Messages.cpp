@@ -12,22 +12,23 @@ Severity severityOf(ReportCode code) {
     switch (code) {
         case ReportCode::SplitCell:
         case ReportCode::MergedPiece:
-        case ReportCode::DroppedSeed: return Severity::Note;
+        case ReportCode::DroppedSeed:
+        case ReportCode::Gap: return Severity::Note;
         case ReportCode::DuplicateSeed:
         case ReportCode::SeedWithoutCell:
         case ReportCode::ThinPiece:
         case ReportCode::LostOverride:
         case ReportCode::NoRoom:
         case ReportCode::LostPiece:
-        case ReportCode::VanishedPiece:
-        case ReportCode::Gap: return Severity::Warning;
+        case ReportCode::VanishedPiece: return Severity::Warning;
     }
     return Severity::Warning;
 }
 
 /// The seed of the first level that a report is about. Those of deeper levels begin with their fragment's name.
 std::optional<SeedId> seedOf(const Report& report, const Seeds& seeds) {
-    if (report.code == ReportCode::LostOverride) return SeedId{report.of, report.seed};
+    const bool isOfLayer = report.code == ReportCode::LostOverride || report.code == ReportCode::DroppedSeed;
+    if (isOfLayer) return SeedId{report.of, report.seed};
     const bool isOfDeeperLevel = report.message.starts_with("Fragment ");
     if (isOfDeeperLevel || report.seed >= seeds.ids.size()) return std::nullopt;
     return seeds.ids[report.seed];

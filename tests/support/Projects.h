@@ -49,6 +49,16 @@ inline Project fullProject() {
         {.id = 17, .parameters = RadialPattern{{0.05, -0.1}, 0.9, 3, 5, 1.25, -0.5, 0.75}},
         {.id = 18, .parameters = ImpactScatter{{0.2, 0.1}, 15, 0.05, 3.5}},
         {.id = 19, .parameters = DensityImage{14, DenseWhere::Bright, fourPixels()}}};
+    wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::PartOfWhole, 0.01},
+                    .gap = 1.0 / 512.0,
+                    .roughness = {.amplitude = 0.003, .frequency = 12.5, .octaves = 4, .randomSeed = 77}};
+    wall.leaves = {
+        {.fragment = "4.3.1", .level = {}},
+        {.fragment = "6.0",
+         .level = Level{.pattern = {{{.id = 22, .parameters = UniformScatter{.count = 3}}}}, .minimumVolume = 1e-4}}};
+    wall.edits = {FragmentMerge{.into = "4.2", .merged = {"6.5", "4.6"}},
+                  FragmentSplit{.fragment = "4.2/8.1", .line = {{0.1, -2.5}, {1.0, 1.0 / 3.0}}}};
+    wall.insideMaterial = 2;
     wall.threshold = 55.5;
     wall.insideUvScale = 2.0;
     wall.cutAtImpact = {.pieces = 17, .reach = 0.45};

@@ -35,7 +35,7 @@ class BreakingTest : public QObject {
     Q_OBJECT
 private slots:
     void allStagesFitTogether() {
-        const Result<Breaking> breaking = brokenBy(scattered(50), {squareRing(), 0.5}, {});
+        const Result<Breaking> breaking = brokenBy({.pattern = scattered(50)}, {squareRing(), 0.5}, {});
         QVERIFY(breaking);
         QCOMPARE(breaking->seeds.positions.size(), std::size_t{50});
         QCOMPARE(verifyDelaunay(breaking->delaunay, breaking->seeds.positions).value_or(""), std::string());
@@ -43,16 +43,18 @@ private slots:
         QCOMPARE(verifyFragments(breaking->fragments, breaking->prism).value_or(""), std::string());
     }
     void theOutlineMayRunEitherWay() {
-        const Result<Breaking> breaking = brokenBy(scattered(3), {{reversed(unitSquare().outer), {}}, 1.0}, {});
+        const Result<Breaking> breaking =
+            brokenBy({.pattern = scattered(3)}, {{reversed(unitSquare().outer), {}}, 1.0}, {});
         QVERIFY(breaking);
         QVERIFY(signedArea(breaking->prism.outline.outer) > 0.0);
     }
     void fragmentsAreNamedAfterTheirSeeds() {
-        const Result<Breaking> breaking = brokenBy(placed({{0.25, 0.5}, {0.75, 0.5}}), {unitSquare(), 1.0}, {});
+        const Result<Breaking> breaking =
+            brokenBy({.pattern = placed({{0.25, 0.5}, {0.75, 0.5}})}, {unitSquare(), 1.0}, {});
         QCOMPARE(idsOf("3", *breaking), (std::vector<std::string>{"3/5.10", "3/5.11"}));
     }
     void piecesOfACutApartCellAreNumbered() {
-        const Result<Breaking> breaking = brokenBy(placed({{2, 2}, {0, 0}}), {lShape(), 1.0}, {});
+        const Result<Breaking> breaking = brokenBy({.pattern = placed({{2, 2}, {0, 0}})}, {lShape(), 1.0}, {});
         QCOMPARE(idsOf("3/5.1", *breaking), (std::vector<std::string>{"3/5.1/5.10.0", "3/5.1/5.10.1", "3/5.1/5.11"}));
     }
     void withoutSeedsThereIsOneFragment() {
@@ -68,14 +70,14 @@ private slots:
     }
     void faultsOfEveryStageAreHandedOn() {
         const auto codeOf = [](const Pattern& pattern, Prism prism) {
-            return brokenBy(pattern, std::move(prism), {}).error().code;
+            return brokenBy({.pattern = pattern}, std::move(prism), {}).error().code;
         };
         QCOMPARE(codeOf({}, {unitSquare(), 0.0}), ErrorCode::BadInput);
         QCOMPARE(codeOf({}, {{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}, 1.0}), ErrorCode::Crossing);
         QCOMPARE(codeOf(scattered({CountBy::Density, kMostSeeds + 1.0}), {unitSquare(), 1.0}), ErrorCode::Limit);
         TaskContext task;
         task.cancel.cancel();
-        QCOMPARE(brokenBy(scattered(5), {unitSquare(), 1.0}, task).error().code, ErrorCode::Cancelled);
+        QCOMPARE(brokenBy({.pattern = scattered(5)}, {unitSquare(), 1.0}, task).error().code, ErrorCode::Cancelled);
     }
 };
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEmptyProject = R"({
   "format": "rubble-project",
-  "version": 3,
+  "version": 4,
   "nextId": 2,
   "materials": [
     {
@@ -77,9 +77,36 @@ nlohmann::json version2Json() {
     return json;
 }
 
+/// The same as version 3 has it, which knows nothing that is done to pieces.
+nlohmann::json version3Json() {
+    nlohmann::json json = version2Json();
+    json["version"] = 3;
+    for (nlohmann::json& instance : json["instances"]) {
+        instance["variant"] = 0;
+        instance["hidden"] = instance["locked"] = false;
+    }
+    return json;
+}
+
+/// The same as version 4 has it.
+nlohmann::json version4Json() {
+    nlohmann::json json = version3Json();
+    json["version"] = 4;
+    for (nlohmann::json& asset : json["assets"]) {
+        asset["insideMaterial"] = nullptr;
+        asset["shaping"] = {{"smallPieces", {{"rule", "keep"}, {"measure", "partOfMean"}, {"limit", 0.1}}},
+                            {"gap", 0},
+                            {"roughness", {{"amplitude", 0}, {"frequency", 10}, {"octaves", 3}, {"randomSeed", 0}}}};
+        asset["leaves"] = asset["edits"] = nlohmann::json::array();
+    }
+    return json;
+}
+
 /// Where a value of another type is as good: in the places that are there or not.
 bool fits(const std::string& place, const nlohmann::json& value) {
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
+    if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
+    if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
     if (place.ends_with(".image") || place.ends_with(".opacity")) return value.is_null();
     if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
     const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
@@ -143,6 +170,15 @@ private slots:
 )";
         QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
     }
+    void whatIsDoneToPiecesStandsOnALineEach() {
+        const char* const lines = R"(
+      "edits": [
+        {"kind": "merge", "into": "4.2", "merged": ["6.5", "4.6"]},
+        {"kind": "split", "fragment": "4.2/8.1", "point": [0.1, -2.5], "direction": [1, 0.3333333333333333]}
+      ],
+)";
+        QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
+    }
     void everythingComesBackBitForBit() {
         const std::string text = projectText(fullProject());
         const Result<Project> read = readProjectText(text);
@@ -173,8 +209,8 @@ private slots:
         };
         row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
         row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
-        row("The project is of version 4, but this program knows none above 3; open it with a newer one.", "/version",
-            "4");
+        row("The project is of version 5, but this program knows none above 4; open it with a newer one.", "/version",
+            "5");
         row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
         row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
         row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
@@ -200,6 +236,25 @@ private slots:
         row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
             "[[0, 1], [1, 0]]");
         row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
+        row("Asset 3 \"wall\" names material 9, which is not there.", "/assets/0/insideMaterial", "9");
+        row("assets[0].shaping.smallPieces.rule: expected \"keep\", \"merge\" or \"dropSeeds\", found \"eat\".",
+            "/assets/0/shaping/smallPieces/rule", "\"eat\"");
+        row("Asset 3 \"wall\": The size of the smallest piece is 2, but it must be above 0 and at most 1.",
+            "/assets/0/shaping/smallPieces/limit", "2");
+        row("Asset 3 \"wall\": The shape of pieces: the gap is -1, but it must be finite and not below zero.",
+            "/assets/0/shaping/gap", "-1");
+        row("Asset 3 \"wall\": The roughness has 9 octaves, but it must have from 1 to 8.",
+            "/assets/0/shaping/roughness/octaves", "9");
+        row("Asset 3 \"wall\": \"4.x\" names no fragment.", "/assets/0/leaves/0/fragment", "\"4.x\"");
+        row("Asset 3 \"wall\": fragment 6.0 stands behind 6.0 in the list of those broken in their own way.",
+            "/assets/0/leaves/0/fragment", "\"6.0\"");
+        row("Asset 3 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+            "/assets/0/leaves/1/level/minimumVolume", "-1");
+        row("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not pieces of the same.",
+            "/assets/0/edits/0/merged/0", "\"6.5/8.0\"");
+        row("assets[0].edits[0]: unknown key \"into\".", "/assets/0/edits/0/kind", "\"split\"");
+        row("Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
+            "/assets/0/edits/1/direction", "[0, 0]");
         row("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact", "{\"pieces\": 5}");
         row("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
             "/assets/0/cutAtImpact/pieces", "2.5");
@@ -242,14 +297,17 @@ private slots:
             QVERIFY(instance.variant == 0 && !instance.isHidden && !instance.isLocked);
         }
     }
-    void olderVersionsAreSavedAsVersion3ValueForValue() {
-        nlohmann::json expected = version2Json();
-        expected["version"] = 3;
-        for (nlohmann::json& instance : expected["instances"]) {
-            instance["variant"] = 0;
-            instance["hidden"] = instance["locked"] = false;
+    void version3IsReadWithWhatChangesNothing() {
+        const Result<Project> project = readProjectText(version3Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        for (const Asset& asset : project->assets) {
+            QVERIFY(asset.shaping == Shaping{} && asset.leaves.empty() && asset.edits.empty());
+            QCOMPARE(asset.insideMaterial, Id{0});
         }
-        for (const nlohmann::json& old : {version1Json(), version2Json()}) {
+    }
+    void olderVersionsAreSavedAsVersion4ValueForValue() {
+        const nlohmann::json expected = version4Json();
+        for (const nlohmann::json& old : {version1Json(), version2Json(), version3Json()}) {
             QVERIFY(writeFileAtomically(inFolder("old.rubble"), old.dump()));
             const Result<Project> project = loadProject(inFolder("old.rubble"));
             QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
@@ -273,6 +331,12 @@ private slots:
         json = version2Json();
         json["version"] = 3;
         QCOMPARE(faultOf(json.dump()), std::string("instances[0]: the key \"variant\" is missing."));
+        json = version3Json();
+        json["assets"][0]["leaves"] = nlohmann::json::array();
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"leaves\"."));
+        json = version3Json();
+        json["version"] = 4;
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: the key \"insideMaterial\" is missing."));
     }
     void truncatedTextIsRefusedAnywhere() {
         const std::string text = projectText(fullProject());

@@ -1,0 +1,70 @@
+#include "core/asset/FragmentPath.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+namespace rubble {
+namespace {
+
+/// The parts of a text between the separators.
+std::vector<std::string_view> partsOf(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::optional<std::uint32_t> numberIn(std::string_view text) {
+    std::uint32_t number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isPlain = text.size() == 1 || !text.starts_with('0');
+    if (fault != std::errc{} || end != text.data() + text.size() || !isPlain) return std::nullopt;
+    return number;
+}
+
+std::optional<PieceName> nameIn(std::string_view text) {
+    const std::vector<std::string_view> parts = partsOf(text, '.');
+    if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
+    const auto layer = numberIn(parts[0]), index = numberIn(parts[1]);
+    const auto part = parts.size() == 3 ? numberIn(parts[2]) : std::optional{kNone};
+    if (!layer || !index || !part) return std::nullopt;
+    return PieceName{{*layer, *index}, *part};
+}
+
+}  // namespace
+
+FragmentPath pathOfId(std::string_view fragmentId) {
+    const std::size_t stroke = fragmentId.find('/');
+    return stroke == std::string_view::npos ? FragmentPath() : FragmentPath(fragmentId.substr(stroke + 1));
+}
+
+FragmentPath parentOf(const FragmentPath& path) {
+    const std::size_t stroke = path.rfind('/');
+    return stroke == std::string::npos ? FragmentPath() : path.substr(0, stroke);
+}
+
+std::uint32_t levelOf(const FragmentPath& path) { return static_cast<std::uint32_t>(std::ranges::count(path, '/')); }
+
+std::optional<PieceName> pieceNameOf(const FragmentPath& path) { return nameIn(partsOf(path, '/').back()); }
+
+bool isPath(const FragmentPath& path) {
+    return std::ranges::all_of(partsOf(path, '/'), [](std::string_view name) { return nameIn(name).has_value(); });
+}
+
+FragmentPath withLayers(const FragmentPath& path, const std::map<std::uint32_t, std::uint32_t>& layers) {
+    FragmentPath result;
+    for (const std::string_view text : partsOf(path, '/')) {
+        std::optional<PieceName> name = nameIn(text);
+        if (!name) return path;
+        const auto other = layers.find(name->seed.layer);
+        if (other != layers.end()) name->seed.layer = other->second;
+        result += (result.empty() ? "" : "/") + pieceName(name->seed, name->partOfCell);
+    }
+    return result;
+}
+
+}  // namespace rubble
