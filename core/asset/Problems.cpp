@@ -20,10 +20,14 @@ std::optional<ProblemKind> kindOf(ReportCode code) {
         case ReportCode::DuplicateSeed: return ProblemKind::DuplicateSeed;
         case ReportCode::SeedWithoutCell: return ProblemKind::SeedWithoutCell;
         case ReportCode::LostOverride: return ProblemKind::LostOverride;
+        case ReportCode::LostPiece: return ProblemKind::LostPiece;
         case ReportCode::NoRoom: return ProblemKind::NoRoom;
         case ReportCode::Gap: return ProblemKind::Gap;
         case ReportCode::ThinPiece: return ProblemKind::ThinPiece;
+        case ReportCode::VanishedPiece: return ProblemKind::VanishedPiece;
         case ReportCode::SplitCell: break;
+        case ReportCode::MergedPiece:
+        case ReportCode::DroppedSeed: break;  // it was asked for
     }
     return std::nullopt;
 }
@@ -50,7 +54,8 @@ private:
     /// Of deeper levels a report begins with the name of what was broken; then it is about that.
     void add(const Report& report) {
         const std::optional<ProblemKind> kind = kindOf(report.code);
-        if (!kind) return;
+        const bool isAskedFor = report.code == ReportCode::Gap && m_asset.shaping.gap > 0.0;
+        if (!kind || isAskedFor) return;
         Problem problem{.kind = *kind, .asset = m_asset.id, .value = report.amount, .message = report.message};
         if (const BakedBreaking* breaking = deeperBreakingOf(report)) {
             problem.level = breaking->level;
@@ -153,9 +158,9 @@ Problem outlineProblem(const Asset& asset, const PolygonFault& fault) {
 }  // namespace
 
 const char* nameOf(ProblemKind kind) {
-    static constexpr std::array kNames = {"FaultyOutline", "DuplicateSeed", "SeedWithoutCell", "LostOverride",
-                                          "NoRoom",        "Gap",           "ThinPiece",       "Sliver",
-                                          "TinyPiece",     "ManyHulls"};
+    static constexpr std::array kNames = {
+        "FaultyOutline", "DuplicateSeed", "SeedWithoutCell", "LostOverride", "LostPiece", "NoRoom",
+        "Gap",           "ThinPiece",     "VanishedPiece",   "Sliver",       "TinyPiece", "ManyHulls"};
     static_assert(kNames.size() == kProblemKinds);
     return kNames[static_cast<std::size_t>(kind)];
 }

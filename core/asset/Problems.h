@@ -16,14 +16,16 @@ enum class ProblemKind {
     DuplicateSeed,    // equal to an earlier seed, which stays
     SeedWithoutCell,  // its cell lies outside the outline
     LostOverride,     // a change by hand to a seed that is not there any more
+    LostPiece,        // a piece that is merged, split or broken by hand and is not there any more
     NoRoom,           // a scatter found fewer places than it was asked for
     Gap,              // area that no piece covers
     ThinPiece,        // too thin for a hull; its mass went to a neighbour
+    VanishedPiece,    // narrower than the gap between pieces, in whole or in part
     Sliver,           // many times as long as wide
     TinyPiece,        // much smaller than the pieces it was made with
     ManyHulls,        // so bent that it takes many convex hulls to collide
 };
-inline constexpr int kProblemKinds = 10;
+inline constexpr int kProblemKinds = 12;
 
 /// "Sliver", as it stands in messages and lists.
 const char* nameOf(ProblemKind kind);

@@ -23,9 +23,11 @@ QString textOf(ProblemKind kind) {
         case ProblemKind::DuplicateSeed: return ProblemModel::tr("Equal seed");
         case ProblemKind::SeedWithoutCell: return ProblemModel::tr("Seed without a cell");
         case ProblemKind::LostOverride: return ProblemModel::tr("Change without a seed");
+        case ProblemKind::LostPiece: return ProblemModel::tr("Change without a piece");
         case ProblemKind::NoRoom: return ProblemModel::tr("No room for seeds");
         case ProblemKind::Gap: return ProblemModel::tr("Gap");
         case ProblemKind::ThinPiece: return ProblemModel::tr("Thin piece");
+        case ProblemKind::VanishedPiece: return ProblemModel::tr("Lost to the gap");
         case ProblemKind::Sliver: return ProblemModel::tr("Sliver");
         case ProblemKind::TinyPiece: return ProblemModel::tr("Tiny piece");
         case ProblemKind::ManyHulls: return ProblemModel::tr("Many hulls");
@@ -144,6 +146,7 @@ QString ProblemModel::figure(const Problem& problem, double value) const {
         case ProblemKind::NoRoom: return tr("%L1 seeds").arg(static_cast<int>(value));
         case ProblemKind::Gap:
         case ProblemKind::ThinPiece:
+        case ProblemKind::VanishedPiece:
             return withUnit(roundedText(value, kDigits, m_units.areas(), locale), m_units.areas());
         default: return {};
     }
