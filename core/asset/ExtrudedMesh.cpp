@@ -126,7 +126,7 @@ private:
         addSideCorners(side, uv, uv + 2);
     }
 
-    /// Texture coordinates begin at each cut's own corner, so that all inside sides share the first pair.
+    /// Texture coordinates begin at each cut's own corner, so that sides which begin there share the first pair.
     void addInsideSide(const ExtrudedSide& side) {
         addSideNormal(side);
         addFace(FaceSide::Inside, 0);
@@ -136,9 +136,15 @@ private:
             m_mesh.uvs.push_back({u, -v});
         };
         if (m_mesh.uvs.size() == m_insideUvs) addPair(0.0);
-        const auto uv = static_cast<std::uint32_t>(m_mesh.uvs.size());
-        addPair(glm::distance(m_mesh.positions[side.from], m_mesh.positions[side.to]) * m_insideUvScale);
-        addSideCorners(side, m_insideUvs, uv);
+        const double length = glm::distance(m_mesh.positions[side.from], m_mesh.positions[side.to]);
+        auto uv = static_cast<std::uint32_t>(m_mesh.uvs.size());
+        const bool isFirst = side.start == 0.0;
+        if (!isFirst) {
+            addPair(side.start * m_insideUvScale);
+            uv += 2;
+        }
+        addPair((side.start + length) * m_insideUvScale);
+        addSideCorners(side, isFirst ? m_insideUvs : uv - 2, uv);
     }
 
     Vec3 addSideNormal(const ExtrudedSide& side) {

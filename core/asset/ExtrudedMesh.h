@@ -15,6 +15,7 @@ struct ExtrudedSide {
     std::uint32_t to = 0;
     FaceSide side = FaceSide::Outside;
     OutlineStretch stretch;  // where an outside one lies along the asset's outline
+    double start = 0.0;      // m: where an inside one begins along its cut
 };
 
 /// What a mesh is made from: an outline with its sides, extruded to z in [-depth/2, depth/2].

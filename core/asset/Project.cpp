@@ -26,6 +26,11 @@ bool Asset::operator==(const Asset& other) const {
            isSameSurface(surface, other.surface);
 }
 
+AssetMaterials materialsOf(const Project& project, const Asset& asset) {
+    const Id inside = asset.insideMaterial == 0 ? asset.material : asset.insideMaterial;
+    return {*findMaterial(project, asset.material), *findMaterial(project, inside)};
+}
+
 const Material* findMaterial(const Project& project, Id id) { return findById(project.materials, id); }
 
 const Asset* findAsset(const Project& project, Id id) { return findById(project.assets, id); }

@@ -218,6 +218,16 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
+/// What an asset is made of: its own material, and the one whose inside its cuts lay open. Borrows them for a call.
+struct AssetMaterials {
+    AssetMaterials(const Material& both) : own(both), inside(both) {}
+    AssetMaterials(const Material& itsOwn, const Material& itsInside) : own(itsOwn), inside(itsInside) {}
+    const Material& own;
+    const Material& inside;
+};
+/// Those of an asset whose materials are there.
+AssetMaterials materialsOf(const Project& project, const Asset& asset);
+
 /// The element with an id, or null.
 const Material* findMaterial(const Project& project, Id id);
 const Asset* findAsset(const Project& project, Id id);

@@ -47,8 +47,11 @@ public:
     /// on straight sides, and those that turn right by no more than rounding, are left out.
     std::vector<Polytope> hulls() const;
 
-private:
+    /// What it is a view of, and its piece there.
+    const Fragments& all() const { return *m_all; }
     std::uint32_t piece() const;
+
+private:
     const PieceRecord& record() const;
 
     const Fragments* m_all;

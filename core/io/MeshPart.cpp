@@ -23,16 +23,17 @@ std::string meshName(const std::string& name) {
     return word;
 }
 
-MeshMaterials meshMaterials(const Asset& asset, const Material& material) {
+MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) {
     std::set<std::string> taken;
-    const std::string name = meshName(material.name);
-    MeshMaterials materials{{}, {untaken(name + "_inside", taken), material.inside}};
+    const std::string name = meshName(material.own.name), insideName = meshName(material.inside.name) + "_inside";
+    MeshMaterials materials{{}, {untaken(insideName, taken), material.inside.inside}};
     if (asset.surface) {
         for (const std::string& source : asset.surface->materials) {
-            materials.outside.push_back({untaken(meshName(source), taken), material.outside});
+            materials.outside.push_back({untaken(meshName(source), taken), material.own.outside});
         }
     }
-    if (materials.outside.empty()) materials.outside.push_back({untaken(name + "_outside", taken), material.outside});
+    if (materials.outside.empty())
+        materials.outside.push_back({untaken(name + "_outside", taken), material.own.outside});
     return materials;
 }
 

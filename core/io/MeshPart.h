@@ -39,6 +39,6 @@ std::string meshName(const std::string& name);
 
 /// The materials of an asset made of `material`: outside those of the mesh it was imported from, by their own names, or
 /// else "<material>_outside"; inside "<material>_inside". A name that is taken gets the next free number.
-MeshMaterials meshMaterials(const Asset& asset, const Material& material);
+MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material);
 
 }  // namespace rubble

@@ -79,7 +79,7 @@ private:
 
 Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
                  const TaskContext& task, AssetExport& result) {
-    const Material& material = *findMaterial(project, asset.material);
+    const AssetMaterials material = materialsOf(project, asset);
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
     Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, task.stage(0.5, 0.8));
@@ -114,7 +114,9 @@ ContentHash packSource(const Project& project, const Asset& asset, const MeshOpt
     // A project of nothing but this asset tells all of it; play beyond the threshold is not in packs.
     Project alone;
     alone.nextId = std::numeric_limits<Id>::max();
-    alone.materials = {*findMaterial(project, asset.material)};
+    const AssetMaterials material = materialsOf(project, asset);
+    alone.materials = {material.own};
+    if (asset.insideMaterial != 0) alone.materials.push_back(material.inside);
     alone.assets = {asset};
     alone.assets[0].cutAtImpact.reset();
     alone.assets[0].intents.clear();

@@ -28,13 +28,13 @@ void appendColour(std::string& json, const char* key, const Colour& colour) {
     json += ']';
 }
 
-void appendMaterial(std::string& json, const Material& material) {
-    appendText(json, "\"material\":{\"name\":", material.name);
-    appendValue(json, ",\"density\":", material.density);
-    appendValue(json, ",\"friction\":", material.friction);
-    appendValue(json, ",\"restitution\":", material.restitution);
-    appendColour(json, ",\"outside\":[", material.outside);
-    appendColour(json, ",\"inside\":[", material.inside);
+void appendMaterial(std::string& json, const AssetMaterials& material) {
+    appendText(json, "\"material\":{\"name\":", material.own.name);
+    appendValue(json, ",\"density\":", material.own.density);
+    appendValue(json, ",\"friction\":", material.own.friction);
+    appendValue(json, ",\"restitution\":", material.own.restitution);
+    appendColour(json, ",\"outside\":[", material.own.outside);
+    appendColour(json, ",\"inside\":[", material.inside.inside);
     json += "},\n";
 }
 
@@ -50,13 +50,14 @@ void appendMeshes(std::string& json, std::span<const PackMeshFile> meshes) {
     json += "],\n";
 }
 
-std::string headJson(const Asset& asset, const Material& material, std::span<const PackMeshFile> meshes) {
+std::string headJson(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes) {
     std::string json = "{\"format\":\"" + std::string(kPackFormat.name) + "\",\n\"version\":";
     appendNumber(json, kPackVersion);
     json += ",\n\"units\":{\"length\":\"m\",\"mass\":\"kg\",\"time\":\"s\"},\n";
     json += "\"axes\":{\"handedness\":\"right\",\"up\":\"y\",\"front\":\"counter-clockwise\"},\n\"asset\":{\"id\":";
     appendNumber(json, asset.id);
     appendText(json, ",\"name\":", asset.name);
+    if (asset.shaping.gap > 0.0) appendValue(json, ",\"gap\":", asset.shaping.gap);
     json += "},\n\"hash\":\"" + packHash(asset, material, meshes).hex() + "\",\n";
     appendValue(json, "\"threshold\":", asset.threshold);
     json += ",\n";
@@ -107,17 +108,18 @@ std::string bodyName(const Asset& asset, std::uint32_t fragment) {
     return meshName(asset.name) + (fragment == kNone ? "" : std::to_string(fragment));
 }
 
-ContentHash packHash(const Asset& asset, const Material& material, std::span<const PackMeshFile> meshes) {
+ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes) {
     Hasher hasher;
     addText(hasher, kPackFormat.name);
     hasher.add(std::uint64_t{kPackVersion});
     addText(hasher, bakeInputHash(asset).hex());
     addText(hasher, asset.name);
     hasher.add(asset.threshold);
-    addText(hasher, material.name);
-    for (const double value : {material.density, material.friction, material.restitution}) hasher.add(value);
-    addColour(hasher, material.outside);
-    addColour(hasher, material.inside);
+    addText(hasher, material.own.name);
+    for (const double value : {material.own.density, material.own.friction, material.own.restitution})
+        hasher.add(value);
+    addColour(hasher, material.own.outside);
+    addColour(hasher, material.inside.inside);
     for (const PackMeshFile& mesh : meshes) {
         addText(hasher, mesh.name);
         hasher.add(static_cast<std::uint64_t>(mesh.bodies));
@@ -127,16 +129,16 @@ ContentHash packHash(const Asset& asset, const Material& material, std::span<con
     return hasher.digest();
 }
 
-std::string packJson(const Bake& bake, const Asset& asset, const Material& material,
+std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials& material,
                      std::span<const PackMeshFile> meshes, const TaskContext& task) {
     const BodySource whole = sourceOfWhole(bake, asset);
     std::vector<TextBlock> chunks((bake.fragmentCount() + kChunk - 1) / kChunk);
     forEachIndex(chunks.size(), task.threads,
-                 [&](std::size_t k) { chunks[k] = chunkJson(bake, asset, material.density, kChunk * k); });
+                 [&](std::size_t k) { chunks[k] = chunkJson(bake, asset, material.own.density, kChunk * k); });
 
     std::string json = headJson(asset, material, meshes);
     json += "\"whole\":";
-    json += bodiesJson({&whole, 1}, material.density).view();
+    json += bodiesJson({&whole, 1}, material.own.density).view();
     json += ",\n\"fragments\":[";
     std::size_t size = json.size() + 8;
     for (const TextBlock& chunk : chunks) size += chunk.size + 2;

@@ -40,11 +40,11 @@ struct PackMeshFile {
 std::string bodyName(const Asset& asset, std::uint32_t fragment = kNone);
 
 /// A hash of all that packJson() depends on: known without a bake, equal for equal packs.
-ContentHash packHash(const Asset& asset, const Material& material, std::span<const PackMeshFile> meshes);
+ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes);
 
 /// A bake as the description of a pack: one line of JSON a body, with every number the shortest that reads back as the
 /// same double. The same bytes at any number of threads. docs/formats/pack.md tells every field.
-std::string packJson(const Bake& bake, const Asset& asset, const Material& material,
+std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials& material,
                      std::span<const PackMeshFile> meshes, const TaskContext& task = {});
 
 /// A convex hull of a body. Edge k of a face's loop, in both forms, runs from the face's vertex k to the next.
@@ -71,6 +71,7 @@ struct PackBody {
 struct Pack {
     Id asset = 0;
     std::string name;
+    double gap = 0.0;        // m between pieces
     std::string hash;        // packHash() as text
     double threshold = 0.0;  // N s
     Material material;       // its id is not stored

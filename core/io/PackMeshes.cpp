@@ -46,7 +46,7 @@ std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
 /// Writes parts into files of the kinds that are asked for.
 class MeshFiles {
 public:
-    MeshFiles(const Asset& asset, const Material& material, const MeshOptions& options)
+    MeshFiles(const Asset& asset, const AssetMaterials& material, const MeshOptions& options)
         : m_options(options), m_materials(meshMaterials(asset, material)), m_materialFile(bodyName(asset) + ".mtl") {}
 
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
@@ -82,7 +82,7 @@ private:
 
 }  // namespace
 
-Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const Material& material,
+Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetMaterials& material,
                               const MeshOptions& options, const TaskContext& task) {
     if (!options.obj && !options.glb) return PackMeshes();
     MeshFiles files(asset, material, options);

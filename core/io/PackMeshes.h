@@ -38,7 +38,7 @@ struct PackMeshes {
 /// holds what.
 ///
 /// Errors: those of glbFile(); Cancelled.
-Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const Material& material,
+Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetMaterials& material,
                               const MeshOptions& options, const TaskContext& task = {});
 
 }  // namespace rubble

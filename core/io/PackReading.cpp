@@ -113,9 +113,11 @@ Pack readVersion1(const JsonValue& root) {
     requireWords(root["units"], {{"length", "m"}, {"mass", "kg"}, {"time", "s"}});
     root["axes"].requireObject({"handedness", "up", "front"});
     requireWords(root["axes"], {{"handedness", "right"}, {"up", "y"}, {"front", "counter-clockwise"}});
-    root["asset"].requireObject({"id", "name"});
+    root["asset"].requireObject({"id", "name"}, {"gap"});
+    const JsonValue gap = root["asset"]["gap"];
     return {.asset = root["asset"]["id"].index(),
             .name = root["asset"]["name"].text(),
+            .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
             .hash = root["hash"].text(),
             .threshold = root["threshold"].number(above(0.0)),
             .material = readMaterial(root["material"]),

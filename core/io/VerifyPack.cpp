@@ -97,7 +97,8 @@ Fault volumeFault(const Pack& pack) {
         sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.volume;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const PackBody& body = k < pack.fragments.size() ? pack.fragments[k] : pack.whole;
-        if (sums[k] != 0.0 && !isNear(sums[k], body.volume)) {
+        const bool isWithinGap = pack.gap > 0.0 && sums[k] < body.volume;
+        if (sums[k] != 0.0 && !isWithinGap && !isNear(sums[k], body.volume)) {
             return ownerOf(pack, body) + "its pieces have " + messageText(sums[k]) + " m^3 in place of " +
                    messageText(body.volume) + " m^3.";
         }

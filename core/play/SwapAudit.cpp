@@ -12,6 +12,7 @@
 namespace rubble {
 namespace {
 
+constexpr double kFarShare = 3.0;
 constexpr int kSettling = 60;  // steps, in which what lies comes to rest before it is swapped
 const Quat kFlat{0.5 * std::sqrt(2.0), -0.5 * std::sqrt(2.0), 0.0, 0.0};  // z up
 
@@ -155,10 +156,21 @@ void judge(SwapAudit& audit) {
     }
     judgeSpeed(audit, " without any force", audit.resting, kCleanSpeed);
     judgeSpeed(audit, " as it lies flat on the ground", audit.lying, kCleanLyingSpeed);
-    judgeShare(audit, "changes the mass", audit.massDrift, kCleanDrift);
-    judgeShare(audit, "changes the momentum", audit.momentumDrift, kCleanDrift);
-    judgeShare(audit, "changes the angular momentum", audit.angularDrift, kCleanDrift);
+    // What the gap takes goes with all that it had; far from the middle that is more than its share of the mass.
+    const double gap = audit.gapShare;
+    judgeShare(audit, "changes the mass", audit.massDrift, kCleanDrift + gap);
+    judgeShare(audit, "changes the momentum", audit.momentumDrift, kCleanDrift + kFarShare * gap);
+    judgeShare(audit, "changes the angular momentum", audit.angularDrift, kCleanDrift + kFarShare * gap);
     judgeShare(audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
+}
+
+/// How much of the whole its pieces do not fill, for the gap between them.
+double gapShareOf(const Bake& bake, double gap) {
+    if (gap == 0.0) return 0.0;
+    const Fragments& pieces = bake.breakings[0].fragments;
+    double volume = 0.0;
+    for (std::uint32_t k = 0; k < pieces.count(); ++k) volume += pieces[k].volume();
+    return 1.0 - volume / bake.whole.volume;
 }
 
 double driftOf(Vec3 now, Vec3 before, double scale) { return lengthOf(now - before) / scale; }
@@ -190,7 +202,11 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     Result<Session> floating = started(scene, asset);
     if (!floating) return ofAsset(authored, floating.error());
     const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
-    SwapAudit audit{.notices = asset->notices};
+    SwapAudit audit{.gapShare = gapShareOf(*asset->bake, authored.shaping.gap), .notices = asset->notices};
+    if (audit.gapShare > 0.0) {
+        audit.notices.push_back("The gap between pieces takes " + roundedText(100.0 * audit.gapShare, 3) +
+                                " % of the mass, and of all that moves with it.");
+    }
     Result<Session> moving = started(scene, asset);
     if (!moving) return ofAsset(authored, moving.error());
     measureMoving(std::move(*moving), *asset, audit);

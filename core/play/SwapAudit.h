@@ -33,6 +33,7 @@ struct SwapAudit {
     double momentumDrift = 0.0;
     double angularDrift = 0.0;
     double energyGain = 0.0;           // negative where some was lost
+    double gapShare = 0.0;             // of the volume, that the gap between pieces takes: so much of all that may go
     std::vector<std::string> notices;  // pieces that move as simpler solids than they are
     std::vector<std::string> faults;   // what is not within the limits and what to change, as sentences
 

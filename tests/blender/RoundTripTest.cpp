@@ -59,7 +59,7 @@ private slots:
         for (const PartPlace place : {PartPlace::Assembled, PartPlace::Centred}) {
             const MeshOptions options{.place = place};
             const QString prefix = place == PartPlace::Assembled ? "" : "centred-";
-            const PackMeshes meshes = packMeshes(m_bake, asset, {.id = 1, .name = "brick"}, options).value();
+            const PackMeshes meshes = packMeshes(m_bake, asset, Material{.id = 1, .name = "brick"}, options).value();
             for (const ExportFile& file : meshes.files) {
                 // Beside each other, so that each OBJ file finds its materials.
                 const QString name = prefix + QString::fromStdString(file.name);

@@ -13,6 +13,12 @@ const Material* materialOf(const AssetModel& model, const Project& project) {
     return findMaterial(project, asset != nullptr ? asset->material : model.asset.material);
 }
 
+/// The one whose inside its cuts lay open; null where there is none of its own.
+const Material* insideOf(const AssetModel& model, const Project& project) {
+    const Asset* asset = findAsset(project, model.asset.id);
+    return findMaterial(project, asset != nullptr ? asset->insideMaterial : model.asset.insideMaterial);
+}
+
 /// The volumes of a scene's smallest and largest pieces.
 struct VolumeRange {
     double least = 1e308, most = 0.0;  // m^3
@@ -38,11 +44,12 @@ void paintBodies(RenderScene& scene, std::span<const AssetModel* const> models, 
     const VolumeRange volumes = volumesOf(scene, models);
     for (std::size_t k = 0; k < models.size(); ++k) {
         const Material* material = colouring == SceneColouring::Material ? materialOf(*models[k], project) : nullptr;
+        const Material* open = material != nullptr ? insideOf(*models[k], project) : nullptr;
         for (std::uint32_t piece = 0; piece < models[k]->pieces.size(); ++piece) {
             const ModelPiece& shown = models[k]->pieces[piece];
             Colour outside = material != nullptr ? material->outside : shown.colour;
             if (colouring == SceneColouring::Volume) outside = rampColour(volumes.share(shown.volume));
-            const Colour inside = material != nullptr ? material->inside : insideOf(outside);
+            const Colour inside = material != nullptr ? (open != nullptr ? open : material)->inside : insideOf(outside);
             for (const std::uint32_t first : scene.batches[k].firstBodies) {
                 scene.looks[first + piece].outside = packed(outside);
                 scene.looks[first + piece].inside = packed(inside);

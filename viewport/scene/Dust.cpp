@@ -66,8 +66,9 @@ Puff puffOf(const PlayBreak& broken, const PlayBreaking& breaking, Random& rando
 }
 
 glm::vec3 colourOf(const PlayBreak& broken, const Project& project) {
-    const Material* material = findMaterial(project, findAsset(project, broken.asset->bake->asset)->material);
-    const Vec3 inside(material->inside.red, material->inside.green, material->inside.blue);
+    const AssetMaterials material = materialsOf(project, *findAsset(project, broken.asset->bake->asset));
+    const Colour& colour = material.inside.inside;
+    const Vec3 inside(colour.red, colour.green, colour.blue);
     return glm::vec3(glm::mix(inside, Vec3(kPale.red, kPale.green, kPale.blue), kPaleShare));
 }
 

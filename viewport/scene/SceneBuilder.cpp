@@ -18,7 +18,7 @@ bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t varian
     return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
            isSameBake(model.bake, bake) && (bake || model.asset.prism == asset.prism) &&
            model.asset.surface == asset.surface && model.asset.insideUvScale == asset.insideUvScale &&
-           (model.hulls || !options.hasHulls);
+           model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls);
 }
 
 /// Puts a scene together, body by body.

@@ -26,6 +26,10 @@ private slots:
         QCOMPARE(meshName(""), std::string("_"));
     }
     void materialsAreNamedAfterTheAssets() {
+        const Material clay{.id = 7, .name = "red clay", .inside = {0.7, 0.2, 0.1}};
+        const Material own = brick();
+        QCOMPARE(meshMaterials({}, {own, clay}).inside.name, std::string("red_clay_inside"));
+        QVERIFY(meshMaterials({}, {own, clay}).inside.colour == clay.inside);
         const MeshMaterials materials = meshMaterials({}, brick());
         QVERIFY(outsideNames(materials) == std::vector<std::string>{"brick_outside"});
         QCOMPARE(materials.inside.name, std::string("brick_inside"));

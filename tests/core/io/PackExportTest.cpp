@@ -113,6 +113,9 @@ private slots:
         QVERIFY(differs([](Project&, Asset& a) { a.prism.depth = 0.25; }));
         QVERIFY(differs([](Project&, Asset& a) { a.insideUvScale = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.threshold = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.shaping.roughness.amplitude = 0.01; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.shaping.gap = 0.01; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.insideMaterial = a.material; }));
         QVERIFY(differs([](Project&, Asset& a) { a.name = "b"; }));
         QVERIFY(differs([](Project&, Asset& a) {
             a.surface = std::make_shared<const Surface>(Surface{{"paint"}, {}, {}, {}});

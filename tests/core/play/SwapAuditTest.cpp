@@ -76,6 +76,24 @@ private slots:
             QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
         }
     }
+    void shapedPiecesSwapCleanly() {
+        constexpr std::uint64_t kSeed = 6;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        for (int round = 0; round < 12; ++round) {
+            Project project = test::randomAsset(random, round);
+            Asset& asset = project.assets[0];
+            asset.pattern =
+                test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(30))}});
+            asset.shaping.smallPieces = {SmallPieceRule::Merge, PieceMeasure::PartOfMean, random.between(0.1, 0.7)};
+            asset.shaping.gap = round % 2 == 0 ? 0.0 : random.between(0.002, 0.02);
+            asset.shaping.roughness.amplitude = 0.05;
+            const SwapAudit audit = auditsOf(project)[0];
+            tell(audit);
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+            QCOMPARE(audit.gapShare > 0.0, asset.shaping.gap > 0.0);
+        }
+    }
     void countsWhatTouches() {
         Project project = test::floatingBlock();
         project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.3, 0.0}}, {1, {0.3, 0.0}}}}});

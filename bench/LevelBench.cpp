@@ -1,0 +1,49 @@
+// How long an asset of levels takes to bake: three levels of ten pieces each, against a thousand pieces at once.
+#include "bench/Timing.h"
+#include "core/asset/Bake.h"
+#include "core/base/Percentile.h"
+
+#include <cstdio>
+
+using namespace rubble;
+using namespace rubble::bench;
+
+namespace {
+
+constexpr int kRuns = 60;
+
+Pattern scattered(std::uint32_t layer, std::uint32_t count) {
+    return {{{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = count}}}};
+}
+
+Asset box(std::uint32_t pieces) {
+    Asset asset{.id = 1, .name = "box", .material = 1};
+    asset.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+    asset.pattern = scattered(1, pieces);
+    return asset;
+}
+
+Asset levels(std::uint32_t depth, std::uint32_t pieces) {
+    Asset asset = box(pieces);
+    for (std::uint32_t level = 1; level < depth; ++level) asset.levels.push_back({scattered(level + 1, pieces), 0.0});
+    return asset;
+}
+
+/// How long an asset takes to bake, each time with other seeds.
+double medianOf(Asset asset, std::uint32_t& fragments) {
+    std::vector<double> times;
+    for (int run = 0; run < kRuns; ++run) {
+        ++asset.pattern.layers[0].randomSeed;
+        times.push_back(millisecondsOf([&] { fragments = bake(asset)->fragmentCount(); }));
+    }
+    return percentile(times, 0.5);
+}
+
+}  // namespace
+
+int main() {
+    std::uint32_t flat = 0, deep = 0;
+    const double once = medianOf(box(1000), flat), byLevels = medianOf(levels(3, 10), deep);
+    std::printf("%u pieces at once        %.3f ms\n", flat, once);
+    std::printf("%u pieces in 3 levels    %.3f ms, %.2f times that\n", deep, byLevels, byLevels / once);
+}
