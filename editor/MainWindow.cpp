@@ -5,6 +5,7 @@
 #include "editor/EditActions.h"
 #include "editor/FileActions.h"
 #include "editor/FilmExport.h"
+#include "editor/FragmentActions.h"
 #include "editor/HelpActions.h"
 #include "editor/InstanceActions.h"
 #include "editor/PlayActions.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(Program& program, Project project)
     m_fileActions = new FileActions(*this);
     m_editActions = new EditActions(*this);
     m_assetActions = new AssetActions(*this);
+    m_fragmentActions = new FragmentActions(*this);
     m_instanceActions = new InstanceActions(*this);
     m_selectActions = new SelectActions(*this);  // whose keys come before those of instances
     m_viewActions = new ViewActions(*this);
@@ -63,7 +65,8 @@ MainWindow::MainWindow(Program& program, Project project)
     m_helpActions = new HelpActions(*this);
     for (QMenu* menu :
          {m_fileActions->menu(), m_editActions->menu(), m_selectActions->menu(), m_viewActions->menu(),
-          m_assetActions->menu(), m_instanceActions->menu(), m_playActions->menu(), m_helpActions->menu()}) {
+          m_assetActions->menu(), m_fragmentActions->menu(), m_instanceActions->menu(), m_playActions->menu(),
+          m_helpActions->menu()}) {
         menuBar()->addMenu(menu);
     }
     auto* start = new StartPage(program.recentFiles());

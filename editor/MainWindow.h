@@ -14,6 +14,7 @@ namespace rubble {
 class AssetActions;
 class EditActions;
 class FileActions;
+class FragmentActions;
 class HelpActions;
 class InstanceActions;
 class PlayActions;
@@ -64,6 +65,7 @@ private:
     EditActions* m_editActions = nullptr;
     SelectActions* m_selectActions = nullptr;
     AssetActions* m_assetActions = nullptr;
+    FragmentActions* m_fragmentActions = nullptr;
     InstanceActions* m_instanceActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     PlayActions* m_playActions = nullptr;

@@ -1,5 +1,7 @@
 #include "editor/commands/LayerKind.h"
 
+#include "editor/commands/PatternPlaces.h"
+
 #include <QCoreApplication>
 
 #include <cmath>
@@ -19,7 +21,8 @@ QString kindText(const LayerParameters& parameters) { return patternText(kindOf(
 Box2 boundsToFill(const Asset& asset, std::size_t level) {
     const Box2 bounds = boundsOf(asset.prism.outline.outer);
     if (level == 0) return bounds;
-    const Vec2 half = bounds.size() / 2.0 * std::pow(kShareOfFragment, static_cast<double>(level));
+    const auto depth = static_cast<double>(depthAt(asset, level));
+    const Vec2 half = bounds.size() / 2.0 * std::pow(kShareOfFragment, depth);
     return {-half, half};
 }
 

@@ -11,7 +11,7 @@ namespace rubble {
 QString patternText(const char* text);
 /// What a kind of layer is called wherever it is named: "Blue noise".
 QString kindText(const LayerParameters& parameters);
-/// The box around what a layer of the asset's whole (level 0), or of one of its levels, is to fill, in the frame of its
+/// The box around what a layer of the asset's whole (level 0), of one of its levels or fragments (see PatternPlaces.h), is to fill, in the frame of its
 /// seeds; of the fragments of a level, which differ, one of a usual size.
 Box2 boundsToFill(const Asset& asset, std::size_t level = 0);
 

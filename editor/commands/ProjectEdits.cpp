@@ -1,10 +1,12 @@
 #include "editor/commands/ProjectEdits.h"
 
 #include "core/asset/Names.h"
+#include "editor/commands/PatternPlaces.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
 
 namespace rubble {
 
@@ -108,8 +110,28 @@ void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to
     }
 }
 
-void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit) {
-    for (PatternLayer& layer : pattern.layers) layer.id = edit.takeId(project);
+/// Gives layers ids of their own, and tells which became which.
+void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::map<Id, Id>& layers) {
+    for (PatternLayer& layer : pattern.layers) {
+        const Id id = edit.takeId(project);
+        layers[layer.id] = id;
+        layer.id = id;
+    }
+}
+
+/// Names fragments as they are called when layers have other ids.
+void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
+    for (FragmentLevel& leaf : asset.leaves) leaf.fragment = withLayers(leaf.fragment, layers);
+    std::ranges::sort(asset.leaves, {}, &FragmentLevel::fragment);
+    for (FragmentEdit& edit : asset.edits) {
+        if (auto* split = std::get_if<FragmentSplit>(&edit)) {
+            split->fragment = withLayers(split->fragment, layers);
+            continue;
+        }
+        auto& merge = std::get<FragmentMerge>(edit);
+        merge.into = withLayers(merge.into, layers);
+        for (FragmentPath& path : merge.merged) path = withLayers(path, layers);
+    }
 }
 
 }  // namespace
@@ -143,8 +165,13 @@ Addition duplicateAsset(const Project& project, Id source) {
     Asset copy = elementWith(project.assets, source);
     copy.name = freeName(project.assets, copy.name);
     copy.id = addition.id = addition.edit.takeId(project);
-    takeLayerIds(project, copy.pattern, addition.edit);
-    for (Level& level : copy.levels) takeLayerIds(project, level.pattern, addition.edit);
+    std::map<Id, Id> layers;
+    takeLayerIds(project, copy.pattern, addition.edit, layers);
+    for (Level& level : copy.levels) takeLayerIds(project, level.pattern, addition.edit, layers);
+    for (FragmentLevel& leaf : copy.leaves) {
+        if (leaf.level) takeLayerIds(project, leaf.level->pattern, addition.edit, layers);
+    }
+    renameFragments(layers, copy);
     addition.edit.swaps = {Swap<Asset>{addition.id, std::move(copy)}};
     return addition;
 }
@@ -184,8 +211,9 @@ Edit removeMaterial(const Project& project, Id material) {
     if (other == project.materials.end()) return edit;
     addRemoval<Material>(material, edit);
     for (Asset asset : project.assets) {
-        if (asset.material != material) continue;
-        asset.material = other->id;
+        if (asset.material != material && asset.insideMaterial != material) continue;
+        if (asset.material == material) asset.material = other->id;
+        if (asset.insideMaterial == material) asset.insideMaterial = 0;
         edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
     }
     return edit;
@@ -244,8 +272,8 @@ Addition addLayer(const Project& project, Id asset, const LayerParameters& param
     Addition addition{{.text = tr("Add layer")}};
     addition.id = addition.edit.takeId(project);
     Asset changed = elementWith(project.assets, asset);
-    Pattern& pattern = level == 0 ? changed.pattern : changed.levels.at(level - 1).pattern;
-    pattern.layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
+    patternAt(changed, level)
+        .layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
     addition.edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
     return addition;
 }

@@ -33,11 +33,12 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
           document, [this] { return chosen(); }, pushOf<Asset>(document)) {
     auto* asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
+    m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {asset, shape, pattern}) layout->addWidget(section);
+    for (Section* section : {asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
@@ -46,6 +47,7 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
     m_pattern = new PatternEditor(document);
     pattern->addWide(m_pattern);
     connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+    connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
 }
 
 std::vector<Asset> AssetPage::chosen() const {
@@ -78,6 +80,10 @@ void AssetPage::buildAsset(Section& section) {
     scale->setFormat({tr("per m"), 0});
     scale->setRange(FieldRange::aboveZero());
     m_form.bind(scale, tr("Set inside UV scale"), &Asset::insideUvScale);
+    m_inside =
+        section.addRow(tr("Inside"), new QComboBox,
+                       tr("Of which material the faces look where it broke; it weighs what its own material weighs"));
+    m_form.bind(m_inside, tr("Set inside material"), &Asset::insideMaterial);
 }
 
 void AssetPage::buildShape(Section& section) {
@@ -126,6 +132,7 @@ void AssetPage::setUnits(const Units& units) {
     m_units = units;
     for (NumberField* field : m_size) field->setFormat(units.lengths());
     m_outline->setUnits(units);
+    m_shaping->setUnits(units);
     m_pattern->setUnits(units);
 }
 
@@ -135,10 +142,16 @@ void AssetPage::refresh() {
         materials.push_back({material.id, textOf(material.name), material.outside});
     }
     offer(*m_material, materials);
+    std::vector<Choice> insides{{0, tr("As the asset"), {}}};
+    for (const Material& material : m_document.project().materials) {
+        insides.push_back({material.id, textOf(material.name), material.inside});
+    }
+    offer(*m_inside, insides);
     m_form.refresh();
     const std::vector<Asset> assets = chosen();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
     m_outline->refresh(m_selection.asset());
+    m_shaping->refresh();
     m_pattern->refresh(m_selection.asset());
 }
 

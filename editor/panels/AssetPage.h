@@ -3,6 +3,7 @@
 #include "editor/document/Selection.h"
 #include "editor/panels/OutlineEditor.h"
 #include "editor/panels/PatternEditor.h"
+#include "editor/panels/ShapingSection.h"
 
 #include <array>
 
@@ -32,9 +33,11 @@ private:
     Units m_units;
     Form<Asset> m_form;
     QComboBox* m_material = nullptr;
+    QComboBox* m_inside = nullptr;
     QLabel* m_summary = nullptr;
     std::array<NumberField*, 3> m_size{};
     OutlineEditor* m_outline = nullptr;
+    ShapingSection* m_shaping = nullptr;
     PatternEditor* m_pattern = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include "editor/panels/LayerModel.h"
 
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/Icons.h"
 #include "editor/panels/LayerText.h"
@@ -16,13 +17,12 @@ auto placeOf(Pattern& pattern, Id layer) { return std::ranges::find(pattern.laye
 
 const Pattern* findPattern(const Project& project, PatternPlace place) {
     const Asset* asset = findAsset(project, place.asset);
-    if (!asset || place.level > asset->levels.size()) return nullptr;
-    return place.level == 0 ? &asset->pattern : &asset->levels[place.level - 1].pattern;
+    return asset && place.level < patternCount(*asset) ? patternAt(*asset, place.level) : nullptr;
 }
 
 Asset withPattern(const Project& project, PatternPlace place, Pattern pattern) {
     Asset asset = *findAsset(project, place.asset);
-    (place.level == 0 ? asset.pattern : asset.levels[place.level - 1].pattern) = std::move(pattern);
+    patternAt(asset, place.level) = std::move(pattern);
     return asset;
 }
 

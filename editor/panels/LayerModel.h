@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-/// Where a pattern stands: that of an asset's whole (level 0) or of one of its levels.
+/// Where a pattern stands: that of an asset's whole (level 0), of one of its levels, or of a fragment: see PatternPlaces.h.
 struct PatternPlace {
     Id asset = 0;
     std::size_t level = 0;

@@ -1,5 +1,6 @@
 #include "editor/panels/PatternEditor.h"
 
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/Icons.h"
 #include "editor/panels/LayerText.h"
@@ -39,8 +40,11 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
     m_minimumVolume->setRange(FieldRange::zeroOrAbove());
     m_form.bind(
         m_minimumVolume, tr("Set minimum volume"),
-        [this](const Asset& asset) { return asset.levels[m_place.level - 1].minimumVolume; },
-        [this](Asset& asset, double entered) { asset.levels[m_place.level - 1].minimumVolume = entered; });
+        [this](const Asset& asset) {
+            const Level* level = levelAt(asset, m_place.level);
+            return level ? level->minimumVolume : 0.0;
+        },
+        [this](Asset& asset, double entered) { setMinimumVolume(asset, m_place.level, entered); });
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -71,9 +75,10 @@ QWidget* PatternEditor::levelRow() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     m_levels->setAccessibleName(tr("Level"));
-    m_levels->setToolTip(tr("What is broken: the whole, or the fragments of the level before"));
+    m_levels->setToolTip(tr("What is broken: the whole, the fragments of the level before, or a single one"));
     auto* add = panelButton("add", tr("Add level"), tr("Break the fragments once more: add a level"), row);
-    m_removeLevel = panelButton("remove", tr("Delete level"), tr("Delete the level that is shown"), row);
+    m_removeLevel = panelButton("remove", tr("Delete level"),
+                                tr("Delete the level that is shown, or what is said of a single fragment"), row);
     layout->addWidget(m_levels, 1);
     layout->addWidget(add);
     layout->addWidget(m_removeLevel);
@@ -86,8 +91,7 @@ QWidget* PatternEditor::levelRow() {
     connect(m_removeLevel, &QToolButton::clicked, this, [this] {
         std::vector<Asset> assets = chosen();
         if (assets.empty() || m_place.level == 0) return;
-        std::vector<Level>& levels = assets[0].levels;
-        levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(m_place.level) - 1);
+        removeLevelAt(assets[0], m_place.level);
         m_document.push(altered(tr("Delete level"), std::move(assets[0])));
     });
     return row;
@@ -170,17 +174,22 @@ void PatternEditor::showCurrent() {
 
 void PatternEditor::showLevels() {
     const std::vector<Asset> assets = chosen();
-    const std::size_t levels = assets.empty() ? 0 : assets[0].levels.size();
-    if (m_place.level > levels) m_place.level = 0;
-    if (m_levels->count() != static_cast<int>(levels) + 1) {
+    const Asset none;
+    const Asset& asset = assets.empty() ? none : assets[0];
+    QStringList texts;
+    for (std::size_t place = 0; place < patternCount(asset); ++place) texts.push_back(placeText(asset, place));
+    if (m_place.level >= patternCount(asset)) m_place.level = 0;
+    QStringList shown;
+    for (int row = 0; row < m_levels->count(); ++row) shown.push_back(m_levels->itemText(row));
+    if (shown != texts) {
         m_levels->clear();
-        m_levels->addItem(tr("The whole"));
-        for (std::size_t level = 1; level <= levels; ++level) m_levels->addItem(tr("Fragments, level %1").arg(level));
+        m_levels->addItems(texts);
     }
     m_levels->setCurrentIndex(static_cast<int>(m_place.level));
     m_removeLevel->setEnabled(m_place.level > 0);
-    m_ofLevel->setVisible(m_place.level > 0);
-    if (m_place.level > 0) m_form.refresh();
+    const bool isOfLevel = levelAt(asset, m_place.level) != nullptr;
+    m_ofLevel->setVisible(isOfLevel);
+    if (isOfLevel) m_form.refresh();
 }
 
 void PatternEditor::refresh(Id asset) {

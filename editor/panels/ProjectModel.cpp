@@ -1,6 +1,7 @@
 #include "editor/panels/ProjectModel.h"
 
 #include "editor/commands/InstanceEdits.h"
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/Renaming.h"
 #include "editor/document/DraggedAsset.h"
 #include "editor/panels/ColourButton.h"
@@ -49,12 +50,13 @@ Part partOf(Kind kind) {
 
 bool isNamed(Kind kind) { return partOf(kind) != Part::Scene; }
 
-/// All layers, those of the levels behind those of the whole.
+/// All layers, those of the levels behind those of the whole, and those of single fragments behind them.
 template <class Function>
 void forEachLayer(const Asset& asset, const Function& function) {
-    for (const PatternLayer& layer : asset.pattern.layers) function(layer, 0);
-    for (std::size_t k = 0; k < asset.levels.size(); ++k) {
-        for (const PatternLayer& layer : asset.levels[k].pattern.layers) function(layer, static_cast<int>(k) + 1);
+    for (std::size_t place = 0; place < patternCount(asset); ++place) {
+        const Pattern* pattern = patternAt(asset, place);
+        if (!pattern) continue;
+        for (const PatternLayer& layer : pattern->layers) function(layer, static_cast<int>(place));
     }
 }
 
@@ -253,7 +255,11 @@ QString ProjectModel::text(Node node) const {
         forEachLayer(*asset, [&](const PatternLayer& layer, int level) {
             if (layer.id != node.id) return;
             text = layerText(layer, m_units, {});
-            if (level > 0) text = tr("Level %1: %2").arg(level).arg(text);
+            if (level > 0) {
+                const auto place = static_cast<std::size_t>(level);
+                text = place <= asset->levels.size() ? tr("Level %1: %2").arg(level).arg(text)
+                                                     : tr("%1: %2").arg(placeText(*asset, place), text);
+            }
             if (!layer.isOn) text = tr("%1 (off)").arg(text);
         });
     }

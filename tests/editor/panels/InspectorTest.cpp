@@ -343,6 +343,49 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void piecesAreShaped() {
+        Desk desk;
+        desk.selection.setAsset(9);
+        QVERIFY(!desk.control<SliderField>("Smallest").isVisible());
+        const auto choose = [&](const QString& name, int row) {
+            auto& box = desk.control<QComboBox>(name);
+            box.setCurrentIndex(row);
+            emit box.activated(row);
+        };
+        choose("Small pieces", 1);
+        QCOMPARE(desk.asset().shaping.smallPieces.rule, SmallPieceRule::Merge);
+        QVERIFY(desk.control<SliderField>("Smallest").isVisible());
+        choose("Smallest by", 2);
+        QCOMPARE(desk.asset().shaping.smallPieces.measure, PieceMeasure::Area);
+        QCOMPARE(desk.asset().shaping.smallPieces.limit, 0.001);
+        desk.type("Gap", "0.004");
+        QCOMPARE(desk.asset().shaping.gap, 0.004);
+        desk.type("Roughness", "0.01");
+        QCOMPARE(desk.asset().shaping.roughness.amplitude, 0.01);
+        choose("Inside", 2);
+        QCOMPARE(desk.asset().insideMaterial, Id{2});
+        QVERIFY(!verifyProject(desk.document.project()));
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void fragmentsOfTheirOwnAreEditedLikeLevels() {
+        Desk desk;
+        desk.selection.setAsset(3);
+        auto& levels = desk.control<QComboBox>("Level");
+        QCOMPARE(levels.count(), 5);
+        QCOMPARE(levels.itemText(3), QString("Fragment 4.3.1, stays whole"));
+        emit levels.activated(4);
+        QCOMPARE(levels.currentText(), QString("Fragment 6.0"));
+        desk.type("From volume", "0.25");
+        QCOMPARE(desk.asset(3).leaves[1].level->minimumVolume, 0.25);
+        desk.type("Count", "9");
+        QCOMPARE(std::get<UniformScatter>(desk.asset(3).leaves[1].level->pattern.layers[0].parameters).count,
+                 SeedCount(9));
+        QTest::mouseClick(&desk.control<QToolButton>("Delete level"), Qt::LeftButton);
+        QCOMPARE(desk.asset(3).leaves.size(), std::size_t{1});
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void overridesAreRestoredAndDiceThrown() {
         Desk desk;
         desk.selection.setAsset(3);

@@ -1,0 +1,111 @@
+#include "editor/commands/FragmentEdits.h"
+
+#include "core/geometry/AreaMoments.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr std::uint32_t kSeedsOfFragment = 5;
+
+QString tr(const char* text) { return QCoreApplication::translate("FragmentEdits", text); }
+
+/// The direction across the way along which an area is spread farthest.
+Vec2 acrossOf(const AreaMoments& moments) {
+    const double difference = moments.xx - moments.yy;
+    const Vec2 along(difference + std::sqrt(difference * difference + 4.0 * moments.xy * moments.xy), 2.0 * moments.xy);
+    if (along == Vec2(0.0, 0.0)) return moments.xx >= moments.yy ? Vec2(0.0, 1.0) : Vec2(1.0, 0.0);
+    return perpendicular(along / std::sqrt(along.x * along.x + along.y * along.y));
+}
+
+FragmentLevel& leafOf(Asset& asset, const FragmentPath& path) {
+    const auto place = std::ranges::lower_bound(asset.leaves, path, {}, &FragmentLevel::fragment);
+    if (place != asset.leaves.end() && place->fragment == path) return *place;
+    return *asset.leaves.insert(place, {path, {}});
+}
+
+/// Whether a path begins at a piece of one of these seeds.
+bool startsAt(const FragmentPath& path, const std::set<SeedId>& seeds) {
+    const std::optional<PieceName> name = pieceNameOf(path.substr(0, path.find('/')));
+    return name && seeds.contains(name->seed);
+}
+
+bool isOf(const FragmentEdit& edit, const std::set<SeedId>& seeds) {
+    if (const auto* split = std::get_if<FragmentSplit>(&edit)) return startsAt(split->fragment, seeds);
+    const auto& merge = std::get<FragmentMerge>(edit);
+    return startsAt(merge.into, seeds) ||
+           std::ranges::any_of(merge.merged, [&](const FragmentPath& path) { return startsAt(path, seeds); });
+}
+
+}  // namespace
+
+std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen) {
+    std::vector<ChosenPiece> pieces;
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        const std::uint32_t seed = partition.seedOfPiece[piece];
+        if (seed == kNone || !chosen.contains(seeds.ids[seed])) continue;
+        const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
+        pieces.push_back({pieceName(seeds.ids[seed], partOfCell(partition, piece)),
+                          moments.area,
+                          {partition.origin + moments.centre, acrossOf(moments)}});
+    }
+    return pieces;
+}
+
+Edit fractureFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+    Edit edit{.text = tr("Fracture fragments")};
+    Asset changed = *findAsset(project, asset);
+    for (const ChosenPiece& piece : pieces) {
+        FragmentLevel& leaf = leafOf(changed, piece.path);
+        if (leaf.level) continue;
+        const Id layer = edit.takeId(project);
+        leaf.level.emplace();
+        leaf.level->pattern.layers = {
+            {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsOfFragment}}};
+    }
+    edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
+    return edit;
+}
+
+Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+    Asset changed = *findAsset(project, asset);
+    for (const ChosenPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
+    return altered(tr("Keep fragments whole"), std::move(changed));
+}
+
+Edit mergeFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+    const auto largest = std::ranges::max_element(pieces, {}, &ChosenPiece::area);
+    FragmentMerge merge{.into = largest->path, .merged = {}};
+    for (const ChosenPiece& piece : pieces) {
+        if (piece.path != merge.into) merge.merged.push_back(piece.path);
+    }
+    Asset changed = *findAsset(project, asset);
+    changed.edits.push_back(std::move(merge));
+    return altered(tr("Merge fragments"), std::move(changed));
+}
+
+Edit splitFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+    Asset changed = *findAsset(project, asset);
+    for (const ChosenPiece& piece : pieces) changed.edits.push_back(FragmentSplit{piece.path, piece.across});
+    return altered(tr("Split fragments"), std::move(changed));
+}
+
+Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds) {
+    Asset changed = *findAsset(project, asset);
+    std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return isOf(edit, seeds); });
+    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return startsAt(leaf.fragment, seeds); });
+    return altered(tr("Restore fragments"), std::move(changed));
+}
+
+bool areRestorable(const Asset& asset, const std::set<SeedId>& seeds) {
+    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return isOf(edit, seeds); }) ||
+           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return startsAt(leaf.fragment, seeds); });
+}
+
+}  // namespace rubble
