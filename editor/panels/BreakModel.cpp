@@ -60,8 +60,9 @@ QVariant BreakModel::data(const QModelIndex& index, int role) const {
 QVariant BreakModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
     if (role == Qt::TextAlignmentRole && section != kName) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && section == kRatio) return tr("Impact ÷ threshold");
     if (role != Qt::DisplayRole) return {};
-    const std::array titles = {tr("Time, s"),     tr("What"),           tr("Impact ÷ threshold"),
+    const std::array titles = {tr("Time, s"),     tr("What"),           tr("Ratio"),
                                tr("Impact, N·s"), tr("Threshold, N·s"), tr("Pieces"),
                                tr("Swap, ms")};
     return titles[static_cast<std::size_t>(section)];

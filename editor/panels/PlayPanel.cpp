@@ -9,10 +9,13 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
 
+constexpr int kColumnMargin = 14;       // pixels that a column is wider than its text
 constexpr int kPaintMilliseconds = 66;  // a graph that flickers faster cannot be read
 
 }  // namespace
@@ -30,7 +33,7 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     m_view->setAlternatingRowColors(true);
     m_view->setAccessibleName(tr("Breaks"));
     m_view->setObjectName("breaks");
-    m_view->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    widenColumns();
     connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
         const ToldBreak& broken = m_model->broken(index.row());
         m_controller.seek(broken.step);
@@ -46,8 +49,8 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->addWidget(list);
     parts->addWidget(m_graph);
-    parts->setStretchFactor(0, 2);
-    parts->setStretchFactor(1, 1);
+    parts->setStretchFactor(0, 1);
+    parts->setStretchFactor(1, 0);
     parts->setChildrenCollapsible(false);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -56,6 +59,18 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     connect(&controller, &PlayController::breaksChanged, this, &PlayPanel::takeBreaks);
     connect(&controller, &PlayController::stateChanged, this, &PlayPanel::takeBreaks);
     takeBreaks();
+}
+
+/// Room for the titles and for figures of six digits; names have the rest.
+void PlayPanel::widenColumns() {
+    QHeaderView& header = *m_view->header();
+    header.setStretchLastSection(false);
+    const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kColumnMargin;
+    for (int column = 0; column < BreakModel::kColumns; ++column) {
+        const int title = fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        header.resizeSection(column, std::max(least, title + kColumnMargin));
+    }
+    header.setSectionResizeMode(BreakModel::kName, QHeaderView::Stretch);
 }
 
 void PlayPanel::takeFrame() {

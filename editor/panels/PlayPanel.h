@@ -24,6 +24,7 @@ signals:
     void jumpRequested(const rubble::Vec3& place);
 
 private:
+    void widenColumns();
     void takeFrame();
     void takeBreaks();
 
