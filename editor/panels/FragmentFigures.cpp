@@ -4,6 +4,8 @@
 #include "core/geometry/Aspect.h"
 #include "editor/document/FragmentSeeds.h"
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
@@ -48,6 +50,23 @@ void FragmentFigures::measure(std::uint32_t fragment) {
 double FragmentFigures::value(FragmentColumn column, std::uint32_t fragment) const {
     if (column == FragmentColumn::Mass) return value(FragmentColumn::Volume, fragment) * m_density;
     return m_columns[static_cast<std::size_t>(column)][fragment];
+}
+
+void FragmentFigures::setProblems(std::span<const Problem> problems) {
+    std::vector<double>& counts = column(FragmentColumn::Problems);
+    std::ranges::fill(counts, 0.0);
+    m_problemTexts.clear();
+    for (const Problem& problem : problems) {
+        if (problem.fragment >= counts.size()) continue;
+        ++counts[problem.fragment];
+        std::string& text = m_problemTexts[problem.fragment];
+        text += (text.empty() ? "" : "\n") + problem.message;
+    }
+}
+
+std::string FragmentFigures::problemText(std::uint32_t fragment) const {
+    const auto found = m_problemTexts.find(fragment);
+    return found == m_problemTexts.end() ? std::string() : found->second;
 }
 
 FragmentSum FragmentFigures::sum(const std::vector<bool>& isCounted) const {

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/Problems.h"
 
 #include <array>
+#include <map>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -17,8 +20,9 @@ enum class FragmentColumn {
     Aspect,      // how many times as long as wide its outline is: see aspectOf()
     Neighbours,  // how many fragments of the same breaking it touches
     Level,       // 0: a piece of the whole
+    Problems,    // how many there are with it, see problemsOf()
 };
-inline constexpr int kFragmentColumns = 7;
+inline constexpr int kFragmentColumns = 8;
 
 /// How many fragments, and what they have together: a piece of one that is counted already adds no volume.
 struct FragmentSum {
@@ -44,6 +48,11 @@ public:
     /// See seedsOfFragments().
     SeedId seed(std::uint32_t fragment) const { return m_seeds[fragment]; }
 
+    /// Takes what is to be looked at in the bake.
+    void setProblems(std::span<const Problem> problems);
+    /// The sentences of a fragment's problems, a line each.
+    std::string problemText(std::uint32_t fragment) const;
+
     double density() const { return m_density; }
     void setDensity(double density) { m_density = density; }
 
@@ -57,6 +66,7 @@ private:
     std::shared_ptr<const Bake> m_bake;
     double m_density = 1.0;  // kg/m^3
     std::vector<SeedId> m_seeds;
+    std::map<std::uint32_t, std::string> m_problemTexts;          // of fragments that have some
     std::array<std::vector<double>, kFragmentColumns> m_columns;  // none for masses, which follow from volumes
 };
 

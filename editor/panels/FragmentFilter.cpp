@@ -154,6 +154,7 @@ QString nameOf(FragmentColumn column) {
         case FragmentColumn::Aspect: return tr("Aspect");
         case FragmentColumn::Neighbours: return tr("Neighbours");
         case FragmentColumn::Level: return tr("Level");
+        case FragmentColumn::Problems: return tr("Problems");
     }
     return {};
 }

@@ -51,6 +51,8 @@ QString hintOf(FragmentColumn column) {
             return FragmentModel::tr("How many fragments it touches among those it was made with");
         case FragmentColumn::Level:
             return FragmentModel::tr("0 for a piece of the whole, 1 for a piece of such a piece");
+        case FragmentColumn::Problems:
+            return FragmentModel::tr("How many reasons there are to look at it; the list of problems tells more");
     }
     return {};
 }
@@ -69,6 +71,13 @@ void FragmentModel::setDensity(double density) {
     if (density == m_figures.density()) return;
     beginResetModel();
     m_figures.setDensity(density);
+    arrange();
+    endResetModel();
+}
+
+void FragmentModel::setProblems(std::span<const Problem> problems) {
+    beginResetModel();
+    m_figures.setProblems(problems);
     arrange();
     endResetModel();
 }
@@ -167,6 +176,7 @@ void FragmentModel::arrange() {
 
 QString FragmentModel::text(FragmentColumn column, std::uint32_t fragment) const {
     if (column == FragmentColumn::Name) return QString::fromStdString(m_figures.id(fragment));
+    if (column == FragmentColumn::Problems && m_figures.value(column, fragment) == 0.0) return {};
     return roundedText(m_figures.value(column, fragment), kDigits, formatOf(column, m_units), QLocale());
 }
 
@@ -174,6 +184,9 @@ QString FragmentModel::hint(FragmentColumn column, std::uint32_t fragment) const
     if (column == FragmentColumn::Name) {
         const QString id = text(column, fragment);
         return m_isHidden[fragment] ? tr("%1, hidden").arg(id) : id;
+    }
+    if (column == FragmentColumn::Problems && m_figures.value(column, fragment) > 0.0) {
+        return QString::fromStdString(m_figures.problemText(fragment));
     }
     const NumberFormat format = formatOf(column, m_units);
     return withUnit(exactText(m_figures.value(column, fragment), format, QLocale()), format);

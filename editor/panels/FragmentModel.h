@@ -19,6 +19,7 @@ public:
     const FragmentFigures& figures() const { return m_figures; }
     void setFigures(FragmentFigures figures);
     void setDensity(double density);
+    void setProblems(std::span<const Problem> problems);
     void setFilter(FragmentFilter filter);
     void setUnits(const Units& units);
     /// These are shown pale.

@@ -1,8 +1,10 @@
 #include "editor/panels/FragmentTable.h"
 
 #include "editor/document/FragmentHiding.h"
+#include "editor/document/ProblemWatch.h"
 #include "editor/panels/Icons.h"
 #include "editor/panels/LocalNumber.h"
+#include "editor/panels/VolumeHistogram.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -13,6 +15,7 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QSplitter>
 #include <QTableView>
 #include <QThread>
 #include <QToolButton>
@@ -59,6 +62,7 @@ FragmentTable::FragmentTable(Document& document, Selection& selection, const Bak
       m_bakes(bakes),
       m_model(new FragmentModel(this)),
       m_view(new QTableView(this)),
+      m_histogram(new VolumeHistogram(this)),
       m_filter(new QLineEdit(this)),
       m_totals(new QLabel(this)) {
     buildView();
@@ -73,7 +77,12 @@ FragmentTable::FragmentTable(Document& document, Selection& selection, const Bak
     head->addWidget(m_filter, 1);
     addButtons(*head);
     layout->addLayout(head);
-    layout->addWidget(m_view, 1);
+    auto* parts = new QSplitter(Qt::Horizontal);
+    parts->addWidget(m_view);
+    parts->addWidget(m_histogram);
+    parts->setStretchFactor(0, 1);
+    parts->setStretchFactor(1, 0);
+    layout->addWidget(parts, 1);
     m_totals->setContentsMargins(6, 3, 6, 3);
     m_totals->setWordWrap(true);
     m_totals->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -157,6 +166,7 @@ void FragmentTable::addButtons(QBoxLayout& row) {
 }
 
 void FragmentTable::connectAll() {
+    connect(m_histogram, &VolumeHistogram::ranged, this, &FragmentTable::takeRange);
     connect(m_filter, &QLineEdit::textChanged, this, &FragmentTable::takeFilter);
     connect(m_view, &QTableView::customContextMenuRequested, this, &FragmentTable::showMenu);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { takeFromView(); });
@@ -189,6 +199,7 @@ void FragmentTable::setUnits(const Units& units) {
     if (units == m_units) return;
     m_units = units;
     m_model->setUnits(units);
+    m_histogram->setUnits(units);
     widenColumns();
     takeFilter();
 }
@@ -237,6 +248,47 @@ void FragmentTable::takeBake() {
     const bool hasBake = baked && baked->bake;
     m_model->setFigures(hasBake ? FragmentFigures(baked->bake, density(), std::max(1, QThread::idealThreadCount()))
                                 : FragmentFigures());
+    takeProblems();
+}
+
+void FragmentTable::setProblems(const ProblemWatch& watch) {
+    m_watch = &watch;
+    connect(&watch, &ProblemWatch::changed, this, &FragmentTable::takeProblems);
+    takeProblems();
+}
+
+/// They are found a moment after the bake.
+void FragmentTable::takeProblems() {
+    const bool isOfBake = m_watch && m_watch->bakeOf(m_selection.asset()) == m_model->figures().bake();
+    if (isOfBake && m_model->figures().bake()) m_model->setProblems(m_watch->of(m_selection.asset()));
+}
+
+/// Chooses listed fragments, as their bars hold them.
+void FragmentTable::takeRange(double least, double most, bool isMore) {
+    const std::shared_ptr<const Bake>& bake = m_model->figures().bake();
+    if (!bake) return;
+    FragmentSet chosen = fragmentsOfVolume(*bake, least, most);
+    const FragmentSet shown = m_model->shownFragments(), before = m_model->fragmentsOf(m_selection.choice());
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        chosen[k] = (chosen[k] && shown[k]) || (isMore && before[k]);
+    }
+    m_selection.setChoice(choiceOf(chosen, *bake));
+}
+
+/// Of the listed fragments that are not broken again: others are counted by their pieces.
+void FragmentTable::updateHistogram() {
+    std::vector<double> volumes;
+    std::vector<bool> isChosen;
+    if (const std::shared_ptr<const Bake>& bake = m_model->figures().bake()) {
+        const FragmentSet smallest = smallestFragments(*bake), shown = m_model->shownFragments();
+        const FragmentSet chosen = withPieces(*bake, m_model->fragmentsOf(m_selection.choice()));
+        for (std::uint32_t k = 0; k < smallest.size(); ++k) {
+            if (!smallest[k] || !shown[k]) continue;
+            volumes.push_back(m_model->figures().value(FragmentColumn::Volume, k));
+            isChosen.push_back(chosen[k]);
+        }
+    }
+    m_histogram->setVolumes(std::move(volumes), std::move(isChosen));
 }
 
 double FragmentTable::density() const {
@@ -352,6 +404,7 @@ void FragmentTable::updateState() {
     m_isolate->setEnabled(!chosen.isEmpty());
     m_invert->setEnabled(m_model->rowCount() > 0);
     m_totals->setText(totals());
+    updateHistogram();
 }
 
 QString FragmentTable::totals() const {

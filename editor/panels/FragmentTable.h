@@ -15,8 +15,11 @@ class QTableView;
 
 namespace rubble {
 
-/// The dock that lists the fragments of the asset at hand with their figures: sorted by any of them, filtered (see
-/// fragmentFilter), chosen in step with canvas and viewport, hidden (H), shown again (Alt+H) and isolated (Shift+H).
+class ProblemWatch;
+class VolumeHistogram;
+
+/// The dock that lists the fragments of the asset at hand with their figures, beside a histogram of their volumes: sorted by
+/// any figure, filtered (see fragmentFilter), chosen in step with canvas and viewport, hidden (H), shown again (Alt+H) and isolated (Shift+H).
 ///
 /// A fragment of several levels is chosen by itself; hidden it is with its pieces. Figures are computed once a bake, and not before the table is visible.
 class FragmentTable : public QWidget {
@@ -25,6 +28,9 @@ public:
     FragmentTable(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
 
     QTableView& view() { return *m_view; }
+    VolumeHistogram& histogram() { return *m_histogram; }
+    /// Lets the list tell what is to be looked at.
+    void setProblems(const ProblemWatch& watch);
     void setUnits(const Units& units);
 
     /// Hides what is chosen, and lets go of it.
@@ -59,6 +65,9 @@ private:
     void takeChanges(const Changes& changes);
     void takeFilter();
     void takeFromView();
+    void takeProblems();
+    void takeRange(double least, double most, bool isMore);
+    void updateHistogram();
     void showSelection();
     void selectRows();
     void scrollToChosen();
@@ -77,6 +86,8 @@ private:
     const Bakes& m_bakes;
     FragmentModel* m_model;
     QTableView* m_view;
+    VolumeHistogram* m_histogram;
+    const ProblemWatch* m_watch = nullptr;  // null: problems are not told
     QLineEdit* m_filter;
     QLabel* m_totals;
     QAction* m_hide = nullptr;

@@ -65,9 +65,8 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole: return text(problem, index.column());
         case Qt::ToolTipRole: return tr("%1\nDouble click or Enter: show where").arg(text(problem, kText));
         case Qt::DecorationRole:
-            if (index.column() != kWhat) return {};
-            return iconNamed(m_problems[problem].kind == ProblemKind::FaultyOutline ? "message-error"
-                                                                                    : "message-warning");
+            if (index.column() != kWhat || m_problems[problem].kind != ProblemKind::FaultyOutline) return {};
+            return iconNamed("message-error");
         case Qt::TextAlignmentRole:
             return static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         default: return {};
@@ -80,7 +79,7 @@ QVariant ProblemModel::headerData(int section, Qt::Orientation orientation, int 
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
-    const std::array titles = {tr("What"), tr("Asset"), tr("Where"), tr("Figure"), tr("Limit"), tr("In words")};
+    const std::array titles = {tr("What"), tr("Where"), tr("Asset"), tr("In words"), tr("Figure"), tr("Limit")};
     return titles[static_cast<std::size_t>(section)];
 }
 

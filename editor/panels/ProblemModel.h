@@ -17,7 +17,7 @@ QString textOf(ProblemKind kind);
 class ProblemModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { kWhat, kAsset, kWhere, kFigure, kLimit, kText, kColumns };
+    enum Column { kWhat, kWhere, kAsset, kText, kFigure, kLimit, kColumns };
 
     ProblemModel(const Document& document, QObject* parent = nullptr);
 

@@ -16,6 +16,9 @@ namespace rubble {
 
 namespace {
 
+constexpr int kColumnMargin = 12;  // pixels that a column is wider than its text
+constexpr int kNarrowest = 40;     // pixels
+
 QString iconOf(ProblemFix fix) {
     switch (fix) {
         case ProblemFix::DeleteSeed: return QStringLiteral("seed-delete");
@@ -62,11 +65,23 @@ void ProblemPanel::buildView() {
     m_view->setObjectName("problems");
     m_view->sortByColumn(ProblemModel::kFigure, Qt::DescendingOrder);
     m_view->setSortingEnabled(true);
-    for (int column = 0; column < ProblemModel::kText; ++column) {
-        m_view->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    }
+    m_view->header()->setStretchLastSection(false);
+    for (int column = 0; column < ProblemModel::kColumns; ++column) m_view->header()->resizeSection(column, kNarrowest);
+    m_view->header()->setSectionResizeMode(ProblemModel::kText, QHeaderView::Stretch);
+    m_view->setTextElideMode(Qt::ElideRight);
     connect(m_view, &QTreeView::activated, this,
             [this](const QModelIndex& index) { emit jumpRequested(m_model->problem(index.row())); });
+}
+
+/// Room for all that is listed; what the user made wider stays so.
+void ProblemPanel::widenColumns() {
+    QHeaderView* header = m_view->header();
+    for (int column = 0; column < ProblemModel::kColumns; ++column) {
+        if (column == ProblemModel::kText) continue;
+        const int before = header->sectionSize(column);
+        m_view->resizeColumnToContents(column);
+        header->resizeSection(column, std::max(before, header->sectionSize(column) + kColumnMargin));
+    }
 }
 
 QWidget* ProblemPanel::makeBar() {
@@ -107,6 +122,7 @@ void ProblemPanel::take() {
     if (current >= 0 && m_model->rowCount() > 0) {
         m_view->setCurrentIndex(m_model->index(std::min(current, m_model->rowCount() - 1), 0));
     }
+    widenColumns();
     emit countChanged(static_cast<int>(m_watch.all().size()));
     update();
 }

@@ -35,6 +35,7 @@ private:
     void buildView();
     QWidget* makeBar();
     void take();
+    void widenColumns();
     void update();
     void fix(ProblemFix fix);
     std::vector<Problem> chosen() const;

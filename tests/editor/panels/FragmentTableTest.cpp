@@ -207,7 +207,7 @@ private slots:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("column") << "size < 2"
                                 << "There is no column “size”; compare one of area, volume, mass, aspect, neighbours, "
-                                   "level.";
+                                   "level, problems.";
         QTest::newRow("several") << "a < 2"
                                  << "“a” could be any of area, aspect.";
         QTest::newRow("no column") << "< 2"
