@@ -1,5 +1,6 @@
 #include "editor/PlayHud.h"
 
+#include "editor/HudPlate.h"
 #include "viewport/scene/MomentColours.h"
 
 #include <QEvent>
@@ -12,24 +13,12 @@ namespace {
 
 const QColor kRunning(242, 140, 40);
 const QColor kWaiting(96, 140, 190);
-const QColor kPaper(20, 22, 26, 150);
-const QColor kInk(245, 246, 248);
-const QColor kFaintInk(245, 246, 248, 190);
 constexpr int kFrame = 3;  // this and the following: points
 constexpr int kMargin = 12;
-constexpr int kPadding = 7;
 constexpr int kAxes = 92;  // the cross of axes stands in the corner
 constexpr int kChargeWidth = 220;
 constexpr int kHeatWidth = 120;
 constexpr int kChargeHeight = 12;
-
-/// A line of text on a dark plate, which can be read over anything.
-QRect paintPlate(QPainter& painter, const QRect& plate) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(kPaper);
-    painter.drawRoundedRect(plate, 4, 4);
-    return plate.adjusted(kPadding, kPadding - 2, -kPadding, -kPadding + 2);
-}
 
 }  // namespace
 
@@ -95,28 +84,29 @@ void PlayHud::paintTexts(QPainter& painter) const {
     int width = title.horizontalAdvance(m_content.title);
     for (const QString& line : m_content.figures) width = std::max(width, lines.horizontalAdvance(line));
     const int height = title.height() + static_cast<int>(m_content.figures.size()) * lines.height();
-    QRect text = paintPlate(painter, QRect(kMargin, kMargin, width + 2 * kPadding, height + 2 * kPadding - 4));
-    painter.setPen(kInk);
+    QRect text =
+        paintPlate(painter, QRect(kMargin, kMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4));
+    painter.setPen(kPlateInk);
     painter.setFont(bold);
     painter.drawText(text, Qt::AlignTop, m_content.title);
     painter.setFont(font());
-    painter.setPen(kFaintInk);
+    painter.setPen(kPlateFaintInk);
     painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.figures.join('\n'));
     if (m_content.hint.isEmpty()) return;
-    const int most = this->width() - kAxes - kMargin - 2 * kPadding;
+    const int most = this->width() - kAxes - kMargin - 2 * kPlatePadding;
     const QRect bounds = lines.boundingRect(QRect(0, 0, most, 1000), Qt::TextWordWrap, m_content.hint);
-    text = paintPlate(painter, QRect(kAxes, this->height() - kMargin - bounds.height() - 2 * kPadding + 4,
-                                     bounds.width() + 2 * kPadding, bounds.height() + 2 * kPadding - 4));
-    painter.setPen(kFaintInk);
+    text = paintPlate(painter, QRect(kAxes, this->height() - kMargin - bounds.height() - 2 * kPlatePadding + 4,
+                                     bounds.width() + 2 * kPlatePadding, bounds.height() + 2 * kPlatePadding - 4));
+    painter.setPen(kPlateFaintInk);
     painter.drawText(text, Qt::TextWordWrap, m_content.hint);
 }
 
 void PlayHud::paintCharge(QPainter& painter) const {
     if (!m_content.charge) return;
     const QFontMetrics lines(font());
-    const int height = kChargeHeight + lines.height() + 2 * kPadding;
-    const QRect plate((width() - kChargeWidth) / 2 - kPadding, static_cast<int>(0.72 * this->height()),
-                      kChargeWidth + 2 * kPadding, height);
+    const int height = kChargeHeight + lines.height() + 2 * kPlatePadding;
+    const QRect plate((width() - kChargeWidth) / 2 - kPlatePadding, static_cast<int>(0.72 * this->height()),
+                      kChargeWidth + 2 * kPlatePadding, height);
     const QRect inside = paintPlate(painter, plate);
     QRect bar(inside.left(), inside.top() + 2, inside.width(), kChargeHeight);
     painter.setPen(Qt::NoPen);
@@ -125,7 +115,7 @@ void PlayHud::paintCharge(QPainter& painter) const {
     bar.setWidth(static_cast<int>(*m_content.charge * bar.width()));
     painter.setBrush(kRunning);
     painter.drawRoundedRect(bar, 3, 3);
-    painter.setPen(kInk);
+    painter.setPen(kPlateInk);
     painter.drawText(inside.adjusted(0, kChargeHeight + 2, 0, 0), Qt::AlignHCenter | Qt::AlignBottom,
                      m_content.chargeText);
 }
@@ -139,15 +129,15 @@ void PlayHud::paintHeat(QPainter& painter) const {
     const int square = kChargeHeight;
     const int width =
         std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));
-    const int height = 2 * lines.height() + kChargeHeight + 2 * kPadding;
-    const QRect inside = paintPlate(
-        painter, QRect(this->width() - kMargin - width - 2 * kPadding, kMargin, width + 2 * kPadding, height));
+    const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
+    const QRect inside = paintPlate(painter, QRect(this->width() - kMargin - width - 2 * kPlatePadding, kMargin,
+                                                   width + 2 * kPlatePadding, height));
     const auto colourOf = [](double value) {
         const Colour colour = heatColour(value);
         return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
                                 static_cast<float>(colour.blue));
     };
-    painter.setPen(kInk);
+    painter.setPen(kPlateInk);
     painter.drawText(inside, Qt::AlignTop, title);
     const int top = inside.top() + lines.height() + 2;
     for (int x = 0; x < kHeatWidth; ++x) {
@@ -155,7 +145,7 @@ void PlayHud::paintHeat(QPainter& painter) const {
     }
     const int signal = inside.left() + kHeatWidth + 4;
     painter.fillRect(QRect(signal, top, square, square), colourOf(1.0));
-    painter.setPen(kFaintInk);
+    painter.setPen(kPlateFaintInk);
     painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignLeft, "0");
     painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignRight, "1");
     painter.drawText(QRect(signal + square + 3, top + (square - lines.height()) / 2, 200, lines.height()),

@@ -5,7 +5,9 @@
 #include "editor/InstanceGizmo.h"
 #include "editor/InstancePlacing.h"
 #include "editor/PlayView.h"
+#include "editor/SceneLegend.h"
 #include "editor/TimelineBar.h"
+#include "editor/ViewMeasure.h"
 #include "editor/ViewportLook.h"
 #include "editor/commands/InstanceEdits.h"
 #include "viewport/ViewportWidget.h"
@@ -37,11 +39,14 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_viewport(new ViewportWidget),
       m_gizmo(new InstanceGizmo(workspace, *m_viewport)),
       m_placing(new InstancePlacing(workspace, *m_viewport, m_gizmo->overlay())),
+      m_legend(new SceneLegend(m_viewport)),
       m_playView(new PlayView(workspace.play(), *m_viewport)),
+      m_measure(new ViewMeasure(*m_viewport)),
       m_timeline(new TimelineBar(workspace.play())) {
     setFocusProxy(m_viewport);
     addViews();
     addToggles();
+    addMeasure();
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
@@ -151,10 +156,26 @@ void SceneView::addToggles() {
                   m_options.hasHulls = isOn;
                   invalidate();
               });
+    addToggle({"view-bonds", tr("&Bonds"), tr("Draw lines between pieces that touch, as wide as what they share")},
+              false, [this](bool isOn) {
+                  m_options.hasBonds = isOn;
+                  invalidate();
+              });
     addToggle({"view-grid", tr("Ground &Grid"), tr("Draw a grid on the ground")}, true,
               [set](bool isOn) { set(&RenderSettings::hasGrid, isOn); });
     addToggle({"view-shadows", tr("&Shadows"), tr("Draw shadows")}, true,
               [set](bool isOn) { set(&RenderSettings::hasShadows, isOn); });
+}
+
+void SceneView::addMeasure() {
+    QAction* action = makeAction(
+        this, {"view-measure", tr("&Measure"), tr("Measure between two points by two clicks"), QKeySequence("M")});
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setCheckable(true);
+    connect(action, &QAction::toggled, m_measure, &ViewMeasure::setOn);
+    connect(m_measure, &ViewMeasure::onChanged, action, &QAction::setChecked);
+    addAction(action);
+    m_viewport->addAction(action);
 }
 
 QWidget* SceneView::makeBar() {
@@ -168,7 +189,10 @@ QWidget* SceneView::makeBar() {
         updateEditing();
         frameAll();
     });
-    auto* colouring = choiceBox({tr("By material"), tr("By piece"), tr("By volume")}, tr("What colours mean"));
+    auto* colouring = choiceBox({tr("By material"), tr("By piece"), tr("By level"), tr("By volume"), tr("By mass"),
+                                 tr("By aspect"), tr("By threshold")},
+                                tr("What colours mean"));
+    colouring->setObjectName("colouring");
     colouring->setAccessibleName(tr("Colouring"));
     connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_options.colouring = static_cast<SceneColouring>(index);
@@ -207,18 +231,20 @@ QWidget* SceneView::makeExploded() {
 void SceneView::takePlayState() {
     const bool isOn = m_workspace.play().isOn();
     m_timeline->setVisible(isOn);
+    m_measure->setOn(false);
     for (QWidget* control : m_notInPlay) control->setEnabled(!isOn);
     setEditable(!isOn);
-    if (!isOn) invalidate();
+    invalidate();
 }
 
 void SceneView::update() {
     m_timer.stop();
-    if (m_workspace.play().frame()) return;
+    if (m_workspace.play().frame()) return m_legend->setContent({});
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
     m_options.marks = marks();
     m_viewport->setScene(std::make_shared<const RenderScene>(
         m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options)));
+    m_legend->setContent({m_options.colouring, m_viewport->scene().colourRange, m_viewport->scene().largestBond});
 }
 
 SceneMarks SceneView::marks() const {

@@ -17,6 +17,8 @@ namespace rubble {
 class InstanceGizmo;
 class InstancePlacing;
 class PlayView;
+class SceneLegend;
+class ViewMeasure;
 class ViewportWidget;
 
 /// The 3D view of a workspace with its bar: makes scenes of what was baked, marks what is chosen and hidden, and turns
@@ -29,6 +31,7 @@ public:
     ViewportWidget& viewport() { return *m_viewport; }
     InstanceGizmo& gizmo() { return *m_gizmo; }
     InstancePlacing& placing() { return *m_placing; }
+    ViewMeasure& measure() { return *m_measure; }
     void frameAll();
     void showWholeScene();
     /// Brings the chosen instances close, as they are now.
@@ -51,6 +54,7 @@ private:
     void addViews();
     void addToggle(const struct ActionLook& look, bool isOn, const std::function<void(bool)>& take);
     void addToggles();
+    void addMeasure();
     QWidget* makeBar();
     QWidget* makeExploded();
     /// Has the scene made anew before the next picture; what did not change costs nothing.
@@ -78,7 +82,9 @@ private:
     QComboBox* m_scope = nullptr;
     bool m_isAssetOnly = false;
     QTimer m_timer;
+    SceneLegend* m_legend;
     PlayView* m_playView;
+    ViewMeasure* m_measure;
     QWidget* m_timeline;
     QList<QWidget*> m_notInPlay;  // controls of the bar that say nothing while it is played
 };

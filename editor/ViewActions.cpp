@@ -91,16 +91,20 @@ void ViewActions::addCanvasLayers() {
     addLayer({"canvas-grid", tr("&Grid"), tr("Show a grid in metres"), QKeySequence("Alt+5")}, &CanvasLayers::hasGrid);
     addLayer({"canvas-legend", tr("&Legend"), tr("Show what signs and colours mean"), QKeySequence("Alt+6")},
              &CanvasLayers::hasLegend);
+    addLayer({"canvas-bonds", tr("&Bonds"), tr("Show which cells touch: lines as wide as the edge that they share"),
+              QKeySequence("Alt+9")},
+             &CanvasLayers::hasBonds);
     menu->addActions(m_canvasActions);
 
     PatternCanvas& canvas = m_window.views().canvas();
     QMenu* colours = menu->addMenu(tr("C&olour Cells By"));
     auto* group = new QActionGroup(this);
-    const std::pair<CellColouring, QString> colourings[] = {{CellColouring::None, tr("&Nothing")},
-                                                            {CellColouring::Piece, tr("&Piece")},
-                                                            {CellColouring::Area, tr("&Area")},
-                                                            {CellColouring::Neighbours, tr("N&eighbours")},
-                                                            {CellColouring::Aspect, tr("A&spect")}};
+    const std::pair<CellColouring, QString> colourings[] = {
+        {CellColouring::None, tr("&Nothing")},       {CellColouring::Piece, tr("&Piece")},
+        {CellColouring::Area, tr("&Area")},          {CellColouring::Neighbours, tr("N&eighbours")},
+        {CellColouring::Aspect, tr("A&spect")},      {CellColouring::Level, tr("&Level")},
+        {CellColouring::Volume, tr("&Volume")},      {CellColouring::Mass, tr("&Mass")},
+        {CellColouring::Threshold, tr("&Threshold")}};
     for (const auto& [colouring, text] : colourings) {
         QAction* action = colours->addAction(text);
         action->setCheckable(true);

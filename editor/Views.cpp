@@ -6,6 +6,7 @@
 #include "editor/MainWindow.h"
 #include "editor/OverlapWatch.h"
 #include "editor/SceneView.h"
+#include "editor/ViewMeasure.h"
 #include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/commands/InstanceEdits.h"
@@ -59,6 +60,7 @@ Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(
     connect(m_canvas, &PatternCanvas::said, this, &Views::said);
     connect(m_canvas, &PatternCanvas::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->gizmo(), &InstanceGizmo::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->measure(), &ViewMeasure::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->placing(), &InstancePlacing::said, this, &Views::said);
     connect(&m_scene->placing(), &InstancePlacing::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointed, this, [this](double x, double y) {
@@ -126,6 +128,7 @@ void Views::makeDocks() {
 void Views::addProblems() {
     Workspace& workspace = m_window.workspace();
     m_problems = new ProblemPanel(workspace.document(), workspace.selection(), workspace.problems());
+    m_fragments->setProblems(workspace.problems());
     QDockWidget* dock = addDock("dock-problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
     connect(m_problems, &ProblemPanel::countChanged, dock,
             [dock](int count) { dock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%L1)").arg(count)); });

@@ -62,6 +62,8 @@ public:
     void frameSelected();
     void frame(const Box3& box);
 
+    /// Its size in pixels of the display.
+    PictureSize pictureSize() const;
     /// What keeps pictures from being drawn; empty where nothing does.
     QString fault() const;
 
@@ -92,7 +94,6 @@ private:
     void showFrom(const Camera& camera);
     void hover(std::optional<std::uint32_t> body);
     void apply(const ViewKey& key);
-    PictureSize pictureSize() const;
     Vec2 pixels(QPointF point) const;
     void endBox(Qt::KeyboardModifiers modifiers);
     std::optional<PickId> pickOf(std::optional<std::uint32_t> body) const;

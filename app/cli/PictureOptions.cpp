@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace rubble {
 namespace {
@@ -23,6 +25,12 @@ constexpr OverlayWord kOverlays[] = {{"contacts", &PlayOverlays::hasContacts}, {
                                      {"impulses", &PlayOverlays::hasImpulses}, {"boxes", &PlayOverlays::hasBoxes},
                                      {"islands", &PlayOverlays::hasIslands},   {"sleep", &PlayOverlays::hasSleep},
                                      {"heat", &PlayOverlays::hasHeat}};
+
+/// What --colour names.
+constexpr std::pair<const char*, SceneColouring> kColourings[] = {
+    {"material", SceneColouring::Material},  {"piece", SceneColouring::Piece}, {"level", SceneColouring::Level},
+    {"volume", SceneColouring::Volume},      {"mass", SceneColouring::Mass},   {"aspect", SceneColouring::Aspect},
+    {"threshold", SceneColouring::Threshold}};
 
 /// An option whose text some function has to take.
 template <class Parse>
@@ -45,14 +53,19 @@ void addViewOptions(CLI::App& command, PictureOptions& options) {
 }
 
 void addLookOptions(CLI::App& command, PictureOptions& options) {
-    command.add_option("--colour", options.colour, "By material, piece or volume: material if not given")
-        ->check(oneOf({"material", "piece", "volume"}))
+    std::vector<std::string> colourings;
+    for (const auto& [word, colouring] : kColourings) colourings.emplace_back(word);
+    command
+        .add_option("--colour", options.colour,
+                    "By material, piece, level, volume, mass, aspect or threshold: material if not given")
+        ->check(oneOf(colourings))
         ->option_text("BY");
     command.add_option("--theme", options.theme, "light or dark: light if not given")
         ->check(oneOf({"light", "dark"}))
         ->option_text("THEME");
     command.add_flag("--wireframe", options.isWireframe, "Edges only, also those behind");
     command.add_flag("--hulls", options.hasHulls, "The convex hulls over the pieces");
+    command.add_flag("--bonds", options.hasBonds, "Lines between pieces that touch, as wide as what they share");
 }
 
 void addOverlayOption(CLI::App& command, PictureOptions& options) {
@@ -76,9 +89,10 @@ void addSamplesOption(CLI::App& command, PictureOptions& options) {
 }
 
 SceneOptions sceneOptions(const PictureOptions& options) {
-    SceneOptions scene{.hasHulls = options.hasHulls};
-    if (options.colour == "piece") scene.colouring = SceneColouring::Piece;
-    if (options.colour == "volume") scene.colouring = SceneColouring::Volume;
+    SceneOptions scene{.hasHulls = options.hasHulls, .hasBonds = options.hasBonds};
+    for (const auto& [word, colouring] : kColourings) {
+        if (options.colour == word) scene.colouring = colouring;
+    }
     return scene;
 }
 

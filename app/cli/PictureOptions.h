@@ -21,20 +21,21 @@ struct PictureOptions {
     std::string theme = "light";
     bool isWireframe = false;
     bool hasHulls = false;
+    bool hasBonds = false;
     std::vector<std::string> overlays;  // of play
     int samples = 32;
 };
 
 /// --size and --view.
 void addViewOptions(CLI::App& command, PictureOptions& options);
-/// --colour, --theme, --wireframe, --hulls.
+/// --colour, --theme, --wireframe, --hulls, --bonds.
 void addLookOptions(CLI::App& command, PictureOptions& options);
 /// --overlay, of what a moment of play shows beside bodies.
 void addOverlayOption(CLI::App& command, PictureOptions& options);
 /// --samples, whose default is what `options` has.
 void addSamplesOption(CLI::App& command, PictureOptions& options);
 
-/// The options with a say in what a scene holds: its colouring and hulls.
+/// The options with a say in what a scene holds: its colouring, hulls and bonds.
 SceneOptions sceneOptions(const PictureOptions& options);
 
 PlayOverlays playOverlays(const PictureOptions& options);

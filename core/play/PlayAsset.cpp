@@ -7,11 +7,6 @@
 namespace rubble {
 namespace {
 
-double toughnessOf(double share) {
-    const double root = cubeRoot(share);
-    return root * root;
-}
-
 /// The shape of a solid; what was made simpler is told with its name.
 Result<std::shared_ptr<const Shape>> toldShape(const std::string& name, std::span<const Polytope> hulls,
                                                const MassProperties& mass, std::vector<std::string>& notices) {
@@ -57,6 +52,11 @@ Status appendPieces(const BakedBreaking& baked, const TaskContext& task, PlayAss
 }
 
 }  // namespace
+
+double toughnessOf(double share) {
+    const double root = cubeRoot(share);
+    return root * root;
+}
 
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake) {
     std::vector<Polytope> hulls = bake.wholeHulls;

@@ -48,6 +48,9 @@ struct PlayAsset {
     const PlayBreaking* breakingOf(std::uint32_t fragment) const;
 };
 
+/// How tough a fragment is that has this share of the whole's volume: what breaks is an area.
+double toughnessOf(double share);
+
 /// The hulls of the whole where they stand in the prism's frame.
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake);
 
@@ -59,7 +62,7 @@ Result<PlayAsset> playWhole(const Asset& asset, std::shared_ptr<const Bake> bake
 
 /// Makes a baked asset ready. A solid with more corners than simulation takes moves as the hull of its farthest ones, one too
 /// thin as a box around it, each with the mass of the exact piece; a notice tells of either. A fragment is as tough as its
-/// share of the whole's volume to the power of 2/3: what breaks is an area.
+/// share of the whole's volume to the power of 2/3, see toughnessOf().
 ///
 /// Errors: BadInput where the whole cannot be a body at all, with the asset's name; Cancelled.
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,

@@ -27,6 +27,7 @@ CanvasColours canvasColours(const QPalette& palette) {
             .triangle = either("#1f4fb0", "#1c3f8f"),
             .circle = "#7c3aed",
             .wholeVoronoi = either("#a1780a", "#c9a227"),
+            .bond = either("#1f2a44", "#f4f1ea"),
             .edgeOnScale = QColor(255, 252, 245, 130),
             .triangleOnScale = "#7fa8ff",
             .accent = palette.color(QPalette::Highlight),

@@ -11,7 +11,7 @@ namespace rubble {
 struct CanvasColours {
     QColor background, fineGrid, grid, axis, label;
     QColor cell, cellEdge, outline, halo;  // `cell`: where cells are not coloured
-    QColor triangle, circle, wholeVoronoi;
+    QColor triangle, circle, wholeVoronoi, bond;
     QColor edgeOnScale, triangleOnScale;  // over cells whose colours show a value, from dark to light
     QColor accent, hover, fault, measure, panel, panelEdge, text;
 };

@@ -1,5 +1,6 @@
 #include "editor/canvas/CanvasPainting.h"
 
+#include "core/asset/PieceColours.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/canvas/VoronoiLines.h"
 
@@ -21,6 +22,8 @@ constexpr double kFinestSpacing =
     10.0;  // pixels between seeds; lines of smaller cells are not smoothed: many times as fast
 constexpr double kVoronoiReach = 10.0;  // times the extent of all seeds, to the end of rays
 constexpr double kLineReach = 2.0;      // pixels that a line reaches beyond where it runs
+constexpr double kWidestBond = 7.0;     // pixels
+constexpr double kThinnestBond = 0.75;  // pixels
 constexpr double kSeedSpacing = 5.0;    // pixels; where seeds stand closer, they would hide their cells
 
 /// Which of the seeds are painted.
@@ -55,8 +58,7 @@ public:
         m_painter.setPen(Qt::NoPen);
         const bool isColoured = m_contents.layers.colouring != CellColouring::None;
         for (const std::uint32_t piece : m_pieces) {
-            const QColor colour =
-                isColoured ? m_pattern.colour(piece, m_contents.layers.colouring, m_contents.range) : m_colours.cell;
+            const QColor colour = isColoured ? m_contents.colour(m_pattern, piece) : m_colours.cell;
             fill(piece, colour);
             if (isHidden(piece)) hatch(piece);
         }
@@ -92,6 +94,22 @@ public:
         drawLines(lines, m_colours.wholeVoronoi);
     }
 
+    void paintBonds() {
+        m_painter.setRenderHint(QPainter::Antialiasing, m_spacing >= kFinestSpacing);
+        const double widest = kWidestBond * std::min(m_spacing / kFinestSpacing, 1.0);
+        const double longest = longestShared();
+        for (const std::uint32_t piece : m_pieces) {
+            for (const PieceContact& contact : contactsOf(m_partition, piece, m_pattern.leastEdge())) {
+                if (contact.piece < piece && isInPart(m_pattern.box(contact.piece))) continue;  // drawn from there
+                if (isHidden(piece) || isHidden(contact.piece)) continue;
+                const double width = std::max(widest * contact.length / longest, kThinnestBond);
+                m_painter.setPen(QPen(m_colours.bond, width, Qt::SolidLine, Qt::RoundCap));
+                m_painter.drawLine(m_view.pixels(m_pattern.middle(piece)),
+                                   m_view.pixels(m_pattern.middle(contact.piece)));
+            }
+        }
+    }
+
     void paintSeeds() {
         if (m_spacing < kSeedSpacing) return;
         const double radius = seedRadius(*m_contents.pattern, m_view);
@@ -107,6 +125,17 @@ public:
     }
 
 private:
+    /// Of all pieces, so that parts of the canvas fit together.
+    double longestShared() const {
+        double longest = 0.0;
+        for (std::uint32_t piece = 0; piece < m_partition.pieceCount(); ++piece) {
+            for (const PieceContact& contact : contactsOf(m_partition, piece, m_pattern.leastEdge())) {
+                longest = std::max(longest, contact.length);
+            }
+        }
+        return longest;
+    }
+
     bool isInPart(const Box2& box) const {
         return box.max.x >= m_part.min.x && box.min.x <= m_part.max.x && box.max.y >= m_part.min.y &&
                box.min.y <= m_part.max.y;
@@ -230,6 +259,7 @@ void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view,
     }
     if (layers.hasWholeVoronoi) baked.paintWholeVoronoi();
     if (layers.hasTriangles) baked.paintTriangles();
+    if (layers.hasBonds) baked.paintBonds();
     if (layers.hasSeeds) baked.paintSeeds();
     if (layers.hasSeeds && moved) moved->paintSeeds();
 }
@@ -242,6 +272,13 @@ void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
 }
 
 }  // namespace
+
+QColor CanvasContents::colour(const ShownPattern& shown, std::uint32_t piece) const {
+    if (layers.colouring != CellColouring::Level) return shown.colour(piece, layers.colouring, range);
+    const auto depth = depths.find(shown.fragmentId(piece));
+    const double share = range.most > 0.0 && depth != depths.end() ? depth->second / range.most : 0.0;
+    return QColor(packed(rampColour(share)));
+}
 
 const Asset* CanvasContents::asset() const {
     if (!pattern) return nullptr;

@@ -7,6 +7,8 @@
 
 #include <QPainter>
 
+#include <map>
+#include <string>
 #include <utility>
 
 namespace rubble {
@@ -18,7 +20,11 @@ struct CanvasContents {
     CanvasLayers layers;
     ShownPattern::Range range;  // of layers.colouring
     FragmentChoice hidden;
+    double density = 0.0;  // kg/m^3
+    std::map<std::string, int>
+        depths;  // by Level: through how many levels fragments are broken again, of those that are
 
+    QColor colour(const ShownPattern& shown, std::uint32_t piece) const;
     /// The state of the asset that is shown; null where there is no pattern.
     const Asset* asset() const;
     /// Where a seed is drawn from, and its number there; kNone where there is none of this name.

@@ -79,4 +79,21 @@ QString areaText(double squareMetres) {
     return numberText(squareMetres * 1e6) + QStringLiteral(" mm²");
 }
 
+QString volumeText(double cubicMetres) {
+    if (cubicMetres >= 0.1) return numberText(cubicMetres) + QStringLiteral(" m³");
+    if (cubicMetres >= 1e-4) return numberText(cubicMetres * 1e3) + QStringLiteral(" dm³");
+    return numberText(cubicMetres * 1e6) + QStringLiteral(" cm³");
+}
+
+QString massText(double kilograms) {
+    if (kilograms >= 1e4) return numberText(kilograms / 1e3) + QStringLiteral(" t");
+    if (kilograms >= 0.1 || kilograms == 0.0) return numberText(kilograms) + QStringLiteral(" kg");
+    return numberText(kilograms * 1e3) + QStringLiteral(" g");
+}
+
+QString impulseText(double newtonSeconds) {
+    return newtonSeconds < 1e4 ? numberText(newtonSeconds) + QStringLiteral(" N·s")
+                               : numberText(newtonSeconds / 1e3) + QStringLiteral(" kN·s");
+}
+
 }  // namespace rubble

@@ -36,15 +36,26 @@ QString scaleTitle(CellColouring colouring) {
         case CellColouring::Area: return tr("Area of the cell");
         case CellColouring::Neighbours: return tr("Neighbours");
         case CellColouring::Aspect: return tr("Length : width");
+        case CellColouring::Level: return tr("Broken again, levels");
+        case CellColouring::Volume: return tr("Volume of the piece");
+        case CellColouring::Mass: return tr("Mass of the piece");
+        case CellColouring::Threshold: return tr("Comes loose at");
         case CellColouring::None:
         case CellColouring::Piece: break;
     }
     return {};
 }
 
-QString scaleText(CellColouring colouring, double value) {
-    if (colouring == CellColouring::Area) return areaText(value);
-    return QLocale().toString(value, 'f', colouring == CellColouring::Neighbours ? 0 : 1);
+QString scaleText(CellColouring colouring, double value, double density) {
+    switch (colouring) {
+        case CellColouring::Area: return areaText(value);
+        case CellColouring::Volume: return volumeText(value);
+        case CellColouring::Mass: return massText(density * value);
+        case CellColouring::Threshold: return impulseText(value);
+        case CellColouring::Neighbours:
+        case CellColouring::Level: return QLocale().toString(value, 'f', 0);
+        default: return QLocale().toString(value, 'f', 1);
+    }
 }
 
 /// Collects the rows and paints them.
@@ -55,6 +66,7 @@ public:
         if (contents.layers.hasTriangles)
             addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
         if (contents.layers.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
+        if (contents.layers.hasBonds) addLine(colours.bond, tr("cells that touch, as wide as the shared edge"));
         if (contents.layers.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
@@ -89,7 +101,10 @@ public:
     }
 
 private:
-    bool hasScale() const { return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least; }
+    bool hasScale() const {
+        const CellColouring colouring = m_contents.layers.colouring;
+        return m_contents.layers.hasCells && colouring != CellColouring::None && colouring != CellColouring::Piece;
+    }
 
     void addSeeds() {
         const ShownPattern& pattern = *m_contents.pattern;
@@ -178,8 +193,14 @@ private:
         painter.drawRect(bar);
         painter.setPen(m_colours.text);
         const QRectF ends(place.left(), bar.bottom() + 1.0, place.width(), 16.0);
-        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, m_contents.range.least));
-        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, m_contents.range.most));
+        const auto& [least, most] = m_contents.range;
+        if (least == most) {
+            painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
+                             tr("all: %1").arg(scaleText(colouring, least, m_contents.density)));
+            return;
+        }
+        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents.density));
+        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents.density));
     }
 
     const CanvasContents& m_contents;

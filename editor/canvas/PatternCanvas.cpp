@@ -13,6 +13,7 @@
 #include <QNativeGestureEvent>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -56,6 +57,9 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
         if (asset == m_state.selection.asset()) takePattern();
     });
+    connect(&bakes, &Bakes::changed, this, [this](Id asset) {
+        if (asset == m_state.selection.asset() && m_contents.layers.colouring == CellColouring::Level) takeBake();
+    });
     for (CanvasTool* tool :
          std::initializer_list<CanvasTool*>{m_outlineTool.get(), m_seedTool.get(), m_measureTool.get()}) {
         connect(tool, &CanvasTool::changed, this, &PatternCanvas::toolChanged);
@@ -82,7 +86,7 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
 void PatternCanvas::setLayers(const CanvasLayers& layers) {
     if (layers == m_contents.layers) return;
     m_contents.layers = layers;
-    if (m_contents.pattern) m_contents.range = m_contents.pattern->range(layers.colouring);
+    takeBake();
     takeMoves();
     repaintAll();
     emit layersChanged();
@@ -129,6 +133,7 @@ QString PatternCanvas::hint() const { return m_tool->hint(); }
 
 void PatternCanvas::takeChanges(const Changes& changes) {
     if (changes.isStepTaken) m_tool->letGo();
+    takeMaterial();
     if (!changes.touches(Part::Asset, m_state.selection.asset())) return;
     if (!m_state.asset()) takeAsset();
     takeMoves();
@@ -138,7 +143,9 @@ void PatternCanvas::takeChanges(const Changes& changes) {
 void PatternCanvas::takeAsset() {
     m_tool->cancel();
     m_contents.hidden = m_state.selection.hidden();
+    takeMaterial();
     takePattern();
+    takeBake();
     fit();
     repaintAll();
 }
@@ -150,8 +157,7 @@ void PatternCanvas::takePattern() {
     const Asset* shown = m_contents.asset();
     const ShownPattern::Range range = m_contents.range;
     m_contents.pattern = baked && !baked->fault ? std::make_shared<const ShownPattern>(baked) : nullptr;
-    m_contents.range =
-        m_contents.pattern ? m_contents.pattern->range(m_contents.layers.colouring) : ShownPattern::Range{};
+    m_contents.range = scale();
     m_state.pattern = m_contents.pattern;
     m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
     findMoved();
@@ -166,8 +172,46 @@ void PatternCanvas::takePattern() {
     m_hovered = m_pointer && m_contents.pattern ? m_contents.pattern->pieceAt(m_pointer->metres) : kNone;
 }
 
-/// Triangles and the whole diagram reach beyond the cells that change.
-bool PatternCanvas::isLocal() const { return !m_contents.layers.hasTriangles && !m_contents.layers.hasWholeVoronoi; }
+/// What follows from fragments: through how many levels each is broken again. Names are made where they are coloured by only.
+void PatternCanvas::takeBake() {
+    m_contents.depths.clear();
+    const auto baked = m_bakes.find(m_state.selection.asset());
+    if (m_contents.layers.colouring == CellColouring::Level && baked && baked->bake) {
+        const Bake& bake = *baked->bake;
+        for (const BakedBreaking& breaking : bake.breakings) {
+            std::uint32_t parent = breaking.parent;
+            for (; parent != kNone && bake.fragment(parent).parent != kNone;) parent = bake.fragment(parent).parent;
+            if (parent == kNone) continue;
+            int& depth = m_contents.depths[bake.fragmentId(parent)];
+            depth = std::max(depth, static_cast<int>(breaking.level));
+        }
+    }
+    m_contents.range = scale();
+    repaintAll();
+}
+
+void PatternCanvas::takeMaterial() {
+    const Asset* asset = m_state.asset();
+    const Material* material = asset ? findMaterial(m_state.document.project(), asset->material) : nullptr;
+    m_contents.density = material ? material->density : 0.0;
+    update();
+}
+
+ShownPattern::Range PatternCanvas::scale() const {
+    ShownPattern::Range range;
+    if (!m_contents.pattern) return range;
+    if (m_contents.layers.colouring != CellColouring::Level) {
+        return m_contents.pattern->range(m_contents.layers.colouring);
+    }
+    for (const auto& [id, depth] : m_contents.depths) range.most = std::max(range.most, static_cast<double>(depth));
+    return range;
+}
+
+/// Triangles, bonds and the whole diagram reach beyond the cells that change.
+bool PatternCanvas::isLocal() const {
+    const CanvasLayers& layers = m_contents.layers;
+    return !layers.hasTriangles && !layers.hasBonds && !layers.hasWholeVoronoi;
+}
 
 void PatternCanvas::findMoved() {
     m_contents.moved = m_movedCells && m_state.asset() && isLocal() ? m_movedCells->partOf(*m_state.asset()) : nullptr;

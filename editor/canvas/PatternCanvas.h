@@ -83,6 +83,9 @@ private:
     void takeChanges(const Changes& changes);
     void takeAsset();
     void takePattern();
+    void takeBake();
+    void takeMaterial();
+    ShownPattern::Range scale() const;
     void findMoved();
     void takeMoves();
     bool isLocal() const;

@@ -96,6 +96,7 @@ ShownPattern::ShownPattern(std::shared_ptr<const BakedPattern> baked) : m_baked(
     const std::uint32_t count = partition().pieceCount();
     m_boxes.resize(count);
     m_areas.resize(count);
+    m_middles.resize(count);
     for (std::uint32_t piece = 0; piece < count; ++piece) measure(piece);
     takeReports();
     for (std::uint32_t seed = 0; seed < seeds().ids.size(); ++seed) {
@@ -143,20 +144,26 @@ void ShownPattern::measure(std::uint32_t piece) {
         Vec2 from = corner(end - 1);
         for (std::uint32_t k = begin; k < end; ++k) {
             const Vec2 to = corner(k);
-            m_areas[piece] += cross(from - first, to - first) / 2.0;
+            const double part = cross(from - first, to - first) / 2.0;
+            m_areas[piece] += part;
+            m_middles[piece] += part / 3.0 * (from + to - 2.0 * first);
             m_boxes[piece].include(to);
             from = to;
         }
     }
+    m_middles[piece] = first + (m_areas[piece] > 0.0 ? m_middles[piece] / m_areas[piece] : Vec2(0.0));
 }
 
 double ShownPattern::aspect(std::uint32_t piece) const { return aspectOf(pieceOutline(partition(), piece)); }
 
 std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
-    const double least = kLeastSharedEdge * boundsOf(m_baked->asset->prism.outline.outer).diagonal();
     std::vector<std::uint32_t> neighbours;
-    for (const PieceContact& contact : contactsOf(partition(), piece, least)) neighbours.push_back(contact.piece);
+    for (const PieceContact& contact : contactsOf(partition(), piece, leastEdge())) neighbours.push_back(contact.piece);
     return neighbours;
+}
+
+double ShownPattern::leastEdge() const {
+    return kLeastSharedEdge * boundsOf(m_baked->asset->prism.outline.outer).diagonal();
 }
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
@@ -242,6 +249,10 @@ double ShownPattern::value(std::uint32_t piece, CellColouring colouring) const {
         case CellColouring::Area: return m_areas[piece];
         case CellColouring::Neighbours: return static_cast<double>(neighbours(piece).size());
         case CellColouring::Aspect: return aspect(piece);
+        case CellColouring::Volume:
+        case CellColouring::Mass: return volume(piece);
+        case CellColouring::Threshold: return m_baked->asset->threshold;
+        case CellColouring::Level:
         case CellColouring::None:
         case CellColouring::Piece: break;
     }
@@ -249,7 +260,8 @@ double ShownPattern::value(std::uint32_t piece, CellColouring colouring) const {
 }
 
 ShownPattern::Range ShownPattern::range(CellColouring colouring) const {
-    if (colouring == CellColouring::None || colouring == CellColouring::Piece || m_areas.empty()) return {};
+    const bool isFigure = colouring != CellColouring::None && colouring != CellColouring::Piece;
+    if (!isFigure || colouring == CellColouring::Level || m_areas.empty()) return {};
     Range range{1e308, -1e308};
     for (std::uint32_t piece = 0; piece < partition().pieceCount(); ++piece) {
         const double shown = value(piece, colouring);

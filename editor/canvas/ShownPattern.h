@@ -30,6 +30,10 @@ public:
     }
     const Box2& box(std::uint32_t piece) const { return m_boxes[piece]; }
     double area(std::uint32_t piece) const { return m_areas[piece]; }
+    double volume(std::uint32_t piece) const { return m_areas[piece] * baked().asset->prism.depth; }
+    Vec2 middle(std::uint32_t piece) const { return m_middles[piece]; }  // its centre of area, m
+    /// From where on an edge that pieces share can be seen, m.
+    double leastEdge() const;
     double aspect(std::uint32_t piece) const;
     /// The pieces it touches along an edge that can be seen, ascending.
     std::vector<std::uint32_t> neighbours(std::uint32_t piece) const;
@@ -63,7 +67,8 @@ public:
     };
     const Counts& counts() const { return m_counts; }
 
-    /// The least and the greatest value that a colouring shows, for its scale; equal where it has none.
+    /// The least and the greatest value that a colouring shows, for its scale; equal where it has none, as by Level, which
+    /// follows from the bake. Masses are told as volumes.
     struct Range {
         double least = 0.0;
         double most = 0.0;
@@ -87,8 +92,9 @@ private:
     double value(std::uint32_t piece, CellColouring colouring) const;
 
     std::shared_ptr<const BakedPattern> m_baked;
-    std::vector<Box2> m_boxes;    // this and the next: one a piece
+    std::vector<Box2> m_boxes;    // this and the following: one a piece
     std::vector<double> m_areas;  // m^2
+    std::vector<Vec2> m_middles;  // m
     std::vector<Mark> m_marks;    // one a seed
     std::vector<Run> m_runs;      // one a layer that has seeds
     Counts m_counts;

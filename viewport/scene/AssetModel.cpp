@@ -1,6 +1,7 @@
 #include "viewport/scene/AssetModel.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/geometry/Aspect.h"
 
 namespace rubble {
 namespace {
@@ -21,7 +22,15 @@ public:
     void addFragment(std::uint32_t number, const BakedFragment& fragment) {
         const Fragment& solid = fragment.solid;
         const Colour colour = pieceColour(m_model.bake->fragmentId(number));
-        m_model.pieces.push_back({number, solid.offset(), solid.volume(), colour});
+        const double parent = fragment.parent == kNone ? m_model.bake->whole.volume
+                                                       : m_model.bake->fragment(fragment.parent).solid.volume();
+        m_model.pieces.push_back({.fragment = number,
+                                  .offset = solid.offset(),
+                                  .volume = solid.volume(),
+                                  .parentShare = parent / m_model.bake->whole.volume,
+                                  .aspect = aspectOf(solid.outline()),
+                                  .level = fragment.level,
+                                  .colour = colour});
         addPiece(*m_geometry, fragmentMesh(fragment, m_model.asset));
         if (m_hulls) addPiece(*m_hulls, solid.hulls());
     }
@@ -32,7 +41,10 @@ public:
         Mesh mesh = wholeMesh(bake, m_model.asset);
         for (Vec3& position : mesh.positions) position += centre;
         const Colour colour = pieceColour(std::to_string(m_model.asset.id));
-        m_model.pieces.push_back({kNone, offset, bake.whole.volume, colour});
+        m_model.pieces.push_back({.offset = offset,
+                                  .volume = bake.whole.volume,
+                                  .aspect = aspectOf(m_model.asset.prism.outline),
+                                  .colour = colour});
         addPiece(*m_geometry, mesh);
         if (!m_hulls) return;
         std::vector<Polytope> hulls = bake.wholeHulls;
@@ -51,6 +63,25 @@ private:
     std::shared_ptr<SceneGeometry> m_geometry;
     std::shared_ptr<SceneGeometry> m_hulls;
 };
+
+/// Who touches whom among the pieces of a model.
+std::vector<ModelBond> bondsOf(const AssetModel& model) {
+    std::vector<ModelBond> bonds;
+    if (!model.bake) return bonds;
+    std::vector<std::uint32_t> pieceOf(model.bake->fragmentCount(), kNone);
+    for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
+        if (model.pieces[piece].fragment != kNone) pieceOf[model.pieces[piece].fragment] = piece;
+    }
+    for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
+        if (model.pieces[piece].fragment == kNone) continue;
+        const BakedFragment fragment = model.bake->fragment(model.pieces[piece].fragment);
+        for (const Bond& bond : fragment.solid.bonds()) {
+            const std::uint32_t other = pieceOf[fragment.firstSibling + bond.fragment];
+            if (other != kNone && other > piece) bonds.push_back({piece, other, bond.area});
+        }
+    }
+    return bonds;
+}
 
 /// The asset with nothing to break it.
 Asset unbroken(Asset asset) {
@@ -72,7 +103,9 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         const BakedFragment fragment = bake->fragment(k);
         if (isShown(fragment, options.level)) builder.addFragment(k, fragment);
     }
-    return builder.finished();
+    AssetModel model = builder.finished();
+    if (options.hasBonds) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOf(model));
+    return model;
 }
 
 AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {

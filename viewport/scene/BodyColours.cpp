@@ -1,6 +1,7 @@
 #include "viewport/scene/BodyColours.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/play/PlayAsset.h"
 
 #include <algorithm>
 
@@ -19,21 +20,67 @@ const Material* insideOf(const AssetModel& model, const Project& project) {
     return findMaterial(project, asset != nullptr ? asset->insideMaterial : model.asset.insideMaterial);
 }
 
-/// The volumes of a scene's smallest and largest pieces.
-struct VolumeRange {
-    double least = 1e308, most = 0.0;  // m^3
-    double share(double volume) const { return most > least ? (volume - least) / (most - least) : 0.5; }
+bool isFigure(SceneColouring colouring) {
+    return colouring != SceneColouring::Material && colouring != SceneColouring::Piece;
+}
+
+double thresholdOf(const Project& project, const AssetModel& model, Id instance) {
+    if (project.damage.isThesis) return project.damage.thesisThreshold;
+    const auto placed = std::ranges::find(project.instances, instance, &Instance::id);
+    if (placed != project.instances.end() && placed->threshold) return *placed->threshold;
+    const Asset* asset = findAsset(project, model.asset.id);
+    return (asset != nullptr ? *asset : model.asset).threshold;
+}
+
+/// Gives the figures of one instance's pieces.
+class PieceFigures {
+public:
+    PieceFigures(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
+        : m_colouring(colouring) {
+        if (colouring == SceneColouring::Threshold) m_factor = thresholdOf(project, model, instance);
+        if (colouring != SceneColouring::Mass) return;
+        const Material* material = materialOf(model, project);
+        m_factor = material != nullptr ? material->density : 0.0;
+    }
+
+    double of(const ModelPiece& piece) const {
+        switch (m_colouring) {
+            case SceneColouring::Level: return piece.level;
+            case SceneColouring::Volume: return piece.volume;
+            case SceneColouring::Mass: return piece.volume * m_factor;
+            case SceneColouring::Aspect: return piece.aspect;
+            case SceneColouring::Threshold: return toughnessOf(piece.parentShare) * m_factor;
+            case SceneColouring::Material:
+            case SceneColouring::Piece: break;
+        }
+        return 0.0;
+    }
+
+private:
+    SceneColouring m_colouring;
+    double m_factor = 1.0;
 };
 
-VolumeRange volumesOf(const RenderScene& scene, std::span<const AssetModel* const> models) {
-    VolumeRange range;
+/// Calls visit(model, instance, first body) for each instance in a scene.
+template <class Visit>
+void forEachInstance(const RenderScene& scene, std::span<const AssetModel* const> models, Visit visit) {
     for (std::size_t k = 0; k < models.size(); ++k) {
-        if (scene.batches[k].firstBodies.empty()) continue;
-        for (const ModelPiece& piece : models[k]->pieces) {
-            range.least = std::min(range.least, piece.volume);
-            range.most = std::max(range.most, piece.volume);
+        for (const std::uint32_t first : scene.batches[k].firstBodies) {
+            visit(*models[k], scene.picks[first].instance, first);
         }
     }
+}
+
+ValueRange figuresOf(const RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
+                     SceneColouring colouring) {
+    ValueRange range{1e308, 0.0};
+    forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t) {
+        const PieceFigures figures(project, model, instance, colouring);
+        for (const ModelPiece& piece : model.pieces) {
+            const double value = figures.of(piece);
+            range = {std::min(range.least, value), std::max(range.most, value)};
+        }
+    });
     return range;
 }
 
@@ -41,21 +88,27 @@ VolumeRange volumesOf(const RenderScene& scene, std::span<const AssetModel* cons
 
 void paintBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
                  SceneColouring colouring) {
-    const VolumeRange volumes = volumesOf(scene, models);
-    for (std::size_t k = 0; k < models.size(); ++k) {
-        const Material* material = colouring == SceneColouring::Material ? materialOf(*models[k], project) : nullptr;
-        const Material* open = material != nullptr ? insideOf(*models[k], project) : nullptr;
-        for (std::uint32_t piece = 0; piece < models[k]->pieces.size(); ++piece) {
-            const ModelPiece& shown = models[k]->pieces[piece];
-            Colour outside = material != nullptr ? material->outside : shown.colour;
-            if (colouring == SceneColouring::Volume) outside = rampColour(volumes.share(shown.volume));
+    scene.colourRange.reset();
+    const bool isOnScale = isFigure(colouring) && !scene.picks.empty();
+    if (isOnScale) scene.colourRange = figuresOf(scene, models, project, colouring);
+    const auto shareOf = [&](double value) {
+        const double spread = scene.colourRange->most - scene.colourRange->least;
+        return spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5;
+    };
+    forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t first) {
+        const PieceFigures figures(project, model, instance, colouring);
+        const Material* material = colouring == SceneColouring::Material ? materialOf(model, project) : nullptr;
+        const Material* open = material != nullptr ? insideOf(model, project) : nullptr;
+        for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
+            const ModelPiece& shown = model.pieces[piece];
+            const Colour outside = isOnScale             ? rampColour(shareOf(figures.of(shown)))
+                                   : material != nullptr ? material->outside
+                                                         : shown.colour;
+            scene.looks[first + piece].outside = packed(outside);
             const Colour inside = material != nullptr ? (open != nullptr ? open : material)->inside : insideOf(outside);
-            for (const std::uint32_t first : scene.batches[k].firstBodies) {
-                scene.looks[first + piece].outside = packed(outside);
-                scene.looks[first + piece].inside = packed(inside);
-            }
+            scene.looks[first + piece].inside = packed(inside);
         }
-    }
+    });
 }
 
 }  // namespace rubble

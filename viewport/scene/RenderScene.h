@@ -74,6 +74,13 @@ struct DustPuff {
     glm::vec4 colour{1.0f};  // sRGB; w: what its shape is told apart by, in [0, 1)
 };
 
+/// Numbers from the least to the greatest.
+struct ValueRange {
+    double least = 0.0;
+    double most = 0.0;
+    bool operator==(const ValueRange&) const = default;
+};
+
 /// What is asked of a scene as a whole.
 struct SceneSummary {
     Box3 bounds;  // as boundsOf() gives it
@@ -93,7 +100,9 @@ struct RenderScene {
     double exploded = 0.0;           // factor of `apart`
     bool isOutdoors = false;         // under a sky with a horizon and with a scale, as in play
     bool hasGround = true;
-    double groundHeight = 0.0;  // m
+    double groundHeight = 0.0;              // m
+    std::optional<ValueRange> colourRange;  // of what bodies are coloured by, where that is a figure
+    double largestBond = 0.0;               // m^2: what the widest line between pieces stands for; 0: there are none
     std::vector<SceneStroke> strokes;
     std::vector<SceneStroke> boxes;  // along the axes, from one corner to the opposite
     std::vector<DustPuff> puffs;

@@ -1,6 +1,7 @@
 #include "viewport/scene/SceneBuilder.h"
 
 #include "viewport/scene/BodyColours.h"
+#include "viewport/scene/BondStrokes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t varian
     return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
            isSameBake(model.bake, bake) && (bake || model.asset.prism == asset.prism) &&
            model.asset.surface == asset.surface && model.asset.insideUvScale == asset.insideUvScale &&
-           model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls);
+           model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls) &&
+           (model.bonds || !options.hasBonds || !bake);
 }
 
 /// Puts a scene together, body by body.
@@ -43,6 +45,7 @@ public:
         paintBodies(m_scene, m_models, m_project, m_options.colouring);
         setMarks(m_scene, m_options.marks);
         explode();
+        if (m_options.hasBonds) addBonds(m_scene, m_models);
         return std::move(m_scene);
     }
 

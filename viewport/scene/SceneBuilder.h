@@ -9,7 +9,8 @@
 
 namespace rubble {
 
-enum class SceneColouring { Material, Piece, Volume };
+/// What the colours of pieces say. Threshold: at which what a piece is a part of breaks, so that it comes loose.
+enum class SceneColouring { Material, Piece, Level, Volume, Mass, Aspect, Threshold };
 
 /// What a scene shows and how.
 struct SceneOptions {
@@ -18,7 +19,8 @@ struct SceneOptions {
     std::uint32_t level = kNone;  // the deepest level that is shown; kNone: down to the smallest fragments
     double exploded = 0.0;        // 0: together; at 1, twice as far from the middle as they are
     bool hasHulls = false;
-    bool isWhole = false;  // bakes are left aside
+    bool hasBonds = false;  // lines from middle to middle of pieces that touch, as wide as what they share
+    bool isWhole = false;   // bakes are left aside
     SceneMarks marks;
 };
 

@@ -1,9 +1,11 @@
 #include "core/asset/PieceColours.h"
 #include "core/asset/StarterProject.h"
+#include "core/geometry/Aspect.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace rubble;
@@ -25,6 +27,15 @@ Project twoWalls() {
 }
 
 bool isNear(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
+
+/// The most that red, green or blue of two packed colours differ by.
+int colourDistance(std::uint32_t a, std::uint32_t b) {
+    int most = 0;
+    for (const int shift : {0, 8, 16}) {
+        most = std::max(most, std::abs(static_cast<int>(a >> shift & 0xff) - static_cast<int>(b >> shift & 0xff)));
+    }
+    return most;
+}
 
 }  // namespace
 
@@ -87,6 +98,80 @@ private slots:
         const RenderScene scene = sceneOf(project, bakes, {.colouring = SceneColouring::Volume});
         QCOMPARE(scene.looks[static_cast<std::size_t>(least - volumes.begin())].outside, packed(rampColour(0.0)));
         QCOMPARE(scene.looks[static_cast<std::size_t>(most - volumes.begin())].outside, packed(rampColour(1.0)));
+    }
+    void everyFigureRunsFromTheLeastToTheGreatest() {
+        Project project = starterProject();
+        project.assets[0].levels = {
+            {.pattern = {{{.id = 70, .parameters = UniformScatter{.count = 3}}}}, .minimumVolume = 0.02}};
+        project.instances[0].threshold = 80.0;
+        const AssetBakes bakes = allBakes(project);
+        const Bake& bake = *bakes.begin()->second;
+        const auto figureOf = [&](SceneColouring colouring, std::uint32_t number) {
+            const BakedFragment fragment = bake.fragment(number);
+            switch (colouring) {
+                case SceneColouring::Level: return static_cast<double>(fragment.level);
+                case SceneColouring::Mass: return fragment.solid.volume() * project.materials[0].density;
+                case SceneColouring::Aspect: return aspectOf(fragment.solid.outline());
+                case SceneColouring::Threshold: {
+                    const double parent =
+                        fragment.parent == kNone ? bake.whole.volume : bake.fragment(fragment.parent).solid.volume();
+                    return 80.0 * std::pow(parent / bake.whole.volume, 2.0 / 3.0);
+                }
+                default: return fragment.solid.volume();
+            }
+        };
+        for (const SceneColouring colouring : {SceneColouring::Level, SceneColouring::Volume, SceneColouring::Mass,
+                                               SceneColouring::Aspect, SceneColouring::Threshold}) {
+            const RenderScene scene = sceneOf(project, bakes, {.colouring = colouring});
+            QVERIFY(scene.colourRange);
+            ValueRange range{1e308, 0.0};
+            for (const PickId& pick : scene.picks) {
+                const double figure = figureOf(colouring, pick.fragment);
+                range = {std::min(range.least, figure), std::max(range.most, figure)};
+            }
+            QVERIFY(std::abs(scene.colourRange->least - range.least) <= 1e-9 * range.least);
+            QVERIFY(std::abs(scene.colourRange->most - range.most) <= 1e-9 * range.most);
+            for (std::size_t body = 0; body < scene.picks.size(); ++body) {
+                const double share =
+                    (figureOf(colouring, scene.picks[body].fragment) - range.least) / (range.most - range.least);
+                QVERIFY(colourDistance(scene.looks[body].outside, packed(rampColour(share))) <= 1);  // rounding
+            }
+        }
+        QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Piece}).colourRange);
+    }
+    void bondsJoinTheMiddlesOfPiecesThatTouch() {
+        const Project project = starterProject();
+        const AssetBakes bakes = allBakes(project);
+        const Bake& bake = *bakes.begin()->second;
+        std::size_t bonds = 0;
+        double largest = 0.0;
+        for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
+            for (const Bond& bond : bake.fragment(k).solid.bonds()) {
+                ++bonds;
+                largest = std::max(largest, bond.area);
+            }
+        }
+        RenderScene scene = sceneOf(project, bakes, {.exploded = 0.5, .hasBonds = true});
+        QCOMPARE(scene.strokes.size(), bonds / 2);
+        QCOMPARE(scene.largestBond, largest);
+        float widest = 0.0f;
+        for (const SceneStroke& stroke : scene.strokes) {
+            widest = std::max(widest, stroke.from.w);
+            const auto isMiddle = [&](const glm::vec4& end) {
+                for (std::uint32_t body = 0; body < scene.motions.size(); ++body) {
+                    const Vec3 middle = Vec3(scene.motions[body].position) + movedApart(scene, body);
+                    if (glm::distance(middle, Vec3(end)) < 1e-5) return true;
+                }
+                return false;
+            };
+            QVERIFY(isMiddle(stroke.from) && isMiddle(stroke.to));
+        }
+        QVERIFY(widest > 3.0f);
+        const std::uint32_t touching = static_cast<std::uint32_t>(bake.fragment(0).solid.bonds().size());
+        const RenderScene fewer =
+            sceneOf(project, bakes, {.hasBonds = true, .marks = {.hidden = {{project.assets[0].id, 0, 0}}}});
+        QCOMPARE(fewer.strokes.size(), bonds / 2 - touching);
+        QVERIFY(sceneOf(project, bakes, {}).strokes.empty());
     }
     void aColourOfAPieceStaysWhenOthersCome() {
         Project project = starterProject();
