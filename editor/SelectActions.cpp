@@ -51,7 +51,7 @@ Selection::Seeds withNeighbourSeeds(Workspace& workspace) {
 }  // namespace
 
 SelectActions::SelectActions(MainWindow& window)
-    : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Select"), &window)) {
+    : QObject(&window), m_window(window), m_menu(new QMenu(tr("Sele&ct"), &window)) {
     const auto add = addingTo(*m_menu, this);
     add({"select-all", tr("&All"), tr("Choose all seeds of the asset, and so all of its pieces"),
          QKeySequence("Ctrl+A")},

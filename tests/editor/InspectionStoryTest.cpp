@@ -1,0 +1,213 @@
+#include "core/io/ProjectFile.h"
+#include "editor/MainWindow.h"
+#include "editor/Program.h"
+#include "editor/SceneView.h"
+#include "editor/ViewMeasure.h"
+#include "editor/Views.h"
+#include "editor/canvas/PatternCanvas.h"
+#include "editor/panels/ProblemPanel.h"
+#include "editor/panels/VolumeHistogram.h"
+#include "tests/support/Projects.h"
+#include "tests/support/TestSettings.h"
+#include "viewport/ViewportWidget.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMouseEvent>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kPatience = 20000;  // ms, for baking on a busy machine
+
+/// A box of 1 m in four columns, the last of them a sliver of 5 cm, and a seed that equals the first.
+Project columns() {
+    const PlacedSeeds seeds{{{0, {0.15, 0.5}}, {1, {0.45, 0.5}}, {2, {0.75, 0.5}}, {3, {1.15, 0.5}}, {4, {0.15, 0.5}}}};
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, seeds)};
+    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
+    return project;
+}
+
+}  // namespace
+
+/// A look at what was broken, by mouse and keys: choosing, hiding, isolating, measuring, and from a problem to its fix.
+class InspectionStoryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_folder.path());
+        QApplication::setQuitOnLastWindowClosed(false);
+        m_program = std::make_unique<Program>();
+        m_window = m_program->showNew(columns(), true);
+        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(4), kPatience);
+        viewport().setFlights(false);
+        m_window->views().fit();
+        m_before = projectText(project());
+    }
+    void cleanupTestCase() { delete m_window; }
+
+    void aBoxAndALassoChoose() {
+        canvas().setFocus();
+        drag({0.05, 0.9}, {0.5, 0.1}, {});
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 4}}));
+        QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.6, 0.9}));
+        for (const Vec2 corner : {Vec2(0.6, 0.1), Vec2(0.95, 0.1), Vec2(0.95, 0.9)}) moveTo(corner, Qt::AltModifier);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.95, 0.9}));
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
+    }
+    void neighboursAndTheRestAreChosenByKeys() {
+        QTest::keyClick(m_window, Qt::Key_G, Qt::ControlModifier);
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}, {3, 2}, {3, 3}}));
+        QTest::keyClick(m_window, Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 4}}));
+        QTest::keyClick(m_window, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(selection().seeds().size(), std::size_t{4});  // a seed without a piece has no siblings
+    }
+    void piecesAreHiddenIsolatedAndShownAgain() {
+        selection().setSeeds({{3, 1}});
+        QTest::keyClick(&canvas(), Qt::Key_H);
+        QVERIFY((selection().hidden() == FragmentChoice{{{3, 1}}, std::nullopt}));
+        QVERIFY(selection().seeds().empty());
+        QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
+        QVERIFY(selection().hidden().isEmpty());
+        selection().setSeeds({{3, 2}});
+        QTest::keyClick(&canvas(), Qt::Key_Slash);
+        QVERIFY((selection().hidden().seeds == Selection::Seeds{{3, 0}, {3, 1}, {3, 3}}));
+        if (viewport().fault().isEmpty()) QTRY_COMPARE(hiddenBodies(), 3);
+        QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
+        QCOMPARE(projectText(project()), m_before);  // nothing of it is saved
+        QCOMPARE(stack().count(), 0);
+    }
+    void inTheViewKeysMeanThePieceThatWasClicked() {
+        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        lookFromTheFront();
+        const QPoint second = viewport().pointOf({0.45, 0.12, 0.25})->toPoint();  // off the handles
+        selection().setSeeds({});
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, second);
+        QCOMPARE(selection().instances(), std::set<Id>{10});
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, second);
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}}));
+        QTest::keyClick(&viewport(), Qt::Key_H);
+        QTRY_COMPARE(hiddenBodies(), 1);
+        QVERIFY(!project().instances[0].isHidden);
+        QTest::keyClick(&viewport(), Qt::Key_H, Qt::AltModifier);
+        QTRY_COMPARE(hiddenBodies(), 0);
+    }
+    void twoClicksMeasureFromCornerToCorner() {
+        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        lookFromTheFront();
+        QTest::keyClick(&viewport(), Qt::Key_M);
+        ViewMeasure& measure = m_window->views().scene().measure();
+        QVERIFY(measure.isOn());
+        const QPoint from = viewport().pointOf({0.0, 0.0, 0.25})->toPoint(),
+                     to = viewport().pointOf({1.0, 1.0, 0.25})->toPoint();
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, from + QPoint(4, -4));
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, to + QPoint(-5, 3));
+        QVERIFY(measure.distance());
+        QVERIFY(std::abs(*measure.distance() - std::sqrt(2.0)) < 1e-5);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QVERIFY(measure.isOn() && !measure.distance());
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QVERIFY(!measure.isOn());
+    }
+    void aBarOfTheHistogramChoosesItsPieces() {
+        auto& histogram = *m_window->findChild<VolumeHistogram*>();
+        selection().setSeeds({});
+        QTest::mouseClick(&histogram, Qt::LeftButton, {}, histogram.placeOf(0).center().toPoint());
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 3}}));
+        QCOMPARE(histogram.bars().front().chosen, 1u);
+    }
+    void aProblemLeadsToItsPlace() {
+        auto* dock = m_window->findChild<QDockWidget*>("dock-problems");
+        dock->raise();
+        QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
+        QCOMPARE(dock->windowTitle(), QString("Problems (2)"));
+        QCOMPARE(problems().model().problem(0).kind, ProblemKind::Sliver);  // the worst comes first
+        selection().setSeeds({});
+        selection().setHidden({{{3, 3}}, std::nullopt});
+        QTreeView& view = problems().view();
+        view.setFocus();
+        view.setCurrentIndex(problems().model().index(0, 0));
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 3}}));
+        QVERIFY(selection().hidden().isEmpty());  // what is jumped to is shown
+        QVERIFY(glm::distance(canvas().view().centre, Vec2(0.975, 0.5)) < 0.2);
+    }
+    void aFixIsOneStep() {
+        QTreeView& view = problems().view();
+        view.selectAll();
+        QTest::mouseClick(button("Delete Seed"), Qt::LeftButton);
+        QCOMPARE(stack().count(), 1);
+        const auto& seeds = std::get<PlacedSeeds>(project().assets[0].pattern.layers[0].parameters).seeds;
+        QCOMPARE(seeds.size(), std::size_t{3});
+        QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 0, kPatience);
+        QVERIFY(!button("Delete Seed")->isVisible());
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(projectText(project()), m_before);
+        QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
+    }
+
+private:
+    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
+    PatternCanvas& canvas() { return m_window->views().canvas(); }
+    ProblemPanel& problems() { return *m_window->findChild<ProblemPanel*>(); }
+    Selection& selection() { return m_window->workspace().selection(); }
+    const Project& project() { return m_window->workspace().project(); }
+    QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
+    QToolButton* button(const QString& text) {
+        for (QToolButton* button : problems().findChildren<QToolButton*>()) {
+            if (button->text() == text) return button;
+        }
+        return nullptr;
+    }
+    bool isBaked(std::uint32_t fragments) {
+        const auto baked = m_window->workspace().bakes().find(2);
+        return baked && baked->bake && baked->bake->fragmentCount() == fragments;
+    }
+    void lookFromTheFront() {
+        viewport().turnTo(StandardView::Front);
+        viewport().setProjection(Projection::Orthographic);
+        viewport().frameAll();
+    }
+    int hiddenBodies() {
+        return static_cast<int>(std::ranges::count_if(
+            viewport().scene().looks, [](const BodyLook& look) { return (look.marks & kHidden) != 0; }));
+    }
+    QPoint pixels(Vec2 metres) { return canvas().view().pixels(metres).toPoint(); }
+    void moveTo(Vec2 at, Qt::KeyboardModifiers modifiers) {
+        const QPointF position(pixels(at));
+        QMouseEvent event(QEvent::MouseMove, position, canvas().mapToGlobal(position), Qt::NoButton, Qt::LeftButton,
+                          modifiers);
+        QCoreApplication::sendEvent(&canvas(), &event);
+    }
+    void drag(Vec2 from, Vec2 to, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, pixels(from));
+        moveTo((from + to) / 2.0, modifiers);
+        moveTo(to, modifiers);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, pixels(to));
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Program> m_program;
+    MainWindow* m_window = nullptr;
+    std::string m_before;
+};
+
+QTEST_MAIN(InspectionStoryTest)
+#include "InspectionStoryTest.moc"

@@ -1,0 +1,121 @@
+#include "editor/commands/ProblemEdits.h"
+
+#include "core/io/ProjectFile.h"
+#include "tests/support/Projects.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+Project projectWith(LayerParameters parameters) {
+    Project project;
+    project.nextId = 50;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, std::move(parameters))};
+    return project;
+}
+
+std::vector<Problem> problemsIn(const Project& project) {
+    AssetBakes bakes;
+    for (const Asset& asset : project.assets) {
+        if (Result<Bake> baked = bake(asset)) bakes[{asset.id, 0}] = std::make_shared<const Bake>(std::move(*baked));
+    }
+    return problemsOf(project, bakes);
+}
+
+/// Carries a fix out, looks what is left, and that undoing gives the same bytes again.
+std::vector<Problem> leftAfter(Project project, ProblemFix fix) {
+    const std::string before = projectText(project);
+    Edit edit = fixed(project, problemsIn(project), fix);
+    swapInto(project, edit);
+    const std::vector<Problem> left = problemsIn(project);
+    swapInto(project, edit);
+    if (projectText(project) != before) qFatal("Undoing gives another project.");
+    return left;
+}
+
+}  // namespace
+
+class ProblemEditsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void seedsAreDeletedWhateverTheyMake() {
+        // Equal, without a cell, thin, and a sliver.
+        const PlacedSeeds seeds{{{0, {0.3, 0.5}},
+                                 {1, {0.3, 0.5}},
+                                 {2, {9.0, 0.5}},
+                                 {3, {0.7, 0.5}},
+                                 {4, {0.7 + 1e-10, 0.5}},
+                                 {5, {0.7 + 2e-10, 0.5}},
+                                 {6, {1.28, 0.5}}}};
+        const Project project = projectWith(seeds);
+        const std::vector<Problem> problems = problemsIn(project);
+        QCOMPARE(problems.size(), std::size_t{4});
+        for (const Problem& problem : problems) QVERIFY(canFix(project, problem, ProblemFix::DeleteSeed));
+        QVERIFY(leftAfter(project, ProblemFix::DeleteSeed).empty());
+    }
+    void aScatteredSeedIsDeletedByAnOverride() {
+        Project project = projectWith(UniformScatter{.count = 200});
+        const std::vector<Problem> problems = problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 3.0});
+        QVERIFY(!problems.empty());
+        Edit edit = fixed(project, std::span(problems).first(1), ProblemFix::DeleteSeed);
+        swapInto(project, edit);
+        const auto& overrides = project.assets[0].pattern.layers[0].overrides;
+        QCOMPARE(overrides.size(), std::size_t{1});
+        QVERIFY(overrides[0].isDeleted && overrides[0].index == problems[0].seed->index);
+    }
+    void aChangeWithoutASeedIsForgotten() {
+        Project project = projectWith(UniformScatter{.count = 4});
+        project.assets[0].pattern.layers[0].overrides = {{.index = 1, .isDeleted = true},
+                                                         {.index = 9, .isDeleted = true}};
+        QVERIFY(leftAfter(project, ProblemFix::ForgetChange).empty());
+        Edit edit = fixed(project, problemsIn(project), ProblemFix::ForgetChange);
+        swapInto(project, edit);
+        QCOMPARE(project.assets[0].pattern.layers[0].overrides.size(), std::size_t{1});
+    }
+    void relaxingAddsRoundsAtTheEnd() {
+        Project project = projectWith(UniformScatter{.count = 60});
+        std::vector<Problem> problems = problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 2.0});
+        QVERIFY(problems.size() > 1);
+        for (int turn = 1; turn <= 2; ++turn) {
+            Edit edit = fixed(project, problems, ProblemFix::Relax);
+            swapInto(project, edit);
+            QCOMPARE(project.assets[0].pattern.layers.size(), std::size_t{2});
+            QVERIFY(!verifyProject(project));
+            QCOMPARE(std::get<LloydRelaxation>(project.assets[0].pattern.layers[1].parameters).rounds, 3u * turn);
+        }
+        const auto left = problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 2.0});
+        QVERIFY(left.size() < problems.size());
+    }
+    void piecesOfPiecesAreRelaxedInTheirLevelAndKeepTheirSeeds() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        const PlacedSeeds thin{{{0, {-0.24, 0.0}}, {1, {-0.22, 0.0}}}};
+        project.assets[0].levels = {{.pattern = {{{.id = 6, .parameters = thin}}}}};
+        const std::vector<Problem> problems = problemsIn(project);
+        QVERIFY(!problems.empty() && !canFix(project, problems[0], ProblemFix::DeleteSeed));
+        Edit edit = fixed(project, problems, ProblemFix::Relax);
+        swapInto(project, edit);
+        QCOMPARE(project.assets[0].levels[0].pattern.layers.size(), std::size_t{2});
+        QCOMPARE(project.assets[0].pattern.layers.size(), std::size_t{1});
+    }
+    void repeatedPointsAreDeleted() {
+        Project project = projectWith(PlacedSeeds{});
+        Ring& ring = project.assets[0].prism.outline.outer;
+        ring.insert(ring.begin() + 2, {ring[1], ring[1]});
+        QVERIFY(canFix(project, problemsIn(project)[0], ProblemFix::DeletePoint));
+        Edit edit = fixed(project, problemsIn(project), ProblemFix::DeletePoint);
+        swapInto(project, edit);
+        QCOMPARE(project.assets[0].prism.outline.outer.size(), std::size_t{4});
+        QVERIFY(problemsIn(project).empty());
+    }
+    void whatDoesNotFitMakesNoStep() {
+        const Project project = projectWith(PlacedSeeds{{{0, {0.025, 0.5}}, {1, {0.075, 0.5}}}});
+        QVERIFY(fixed(project, problemsIn(project), ProblemFix::ForgetChange).isEmpty());
+        QVERIFY(fixed({}, problemsIn(project), ProblemFix::DeleteSeed).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(ProblemEditsTest)
+#include "ProblemEditsTest.moc"
