@@ -1,5 +1,6 @@
 #include "editor/EditActions.h"
 
+#include "core/fracture/PatternPartition.h"
 #include "core/fracture/SeedEdits.h"
 #include "editor/Action.h"
 #include "editor/MainWindow.h"

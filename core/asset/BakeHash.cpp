@@ -65,6 +65,14 @@ void addHeld(Hasher& hasher, const PlacedSeeds& placed) {
     }
 }
 
+void addHeld(Hasher& hasher, const Strokes& layer) {
+    hasher.add(std::uint64_t{layer.strokes.size()});
+    for (const Strokes::Stroke& stroke : layer.strokes) {
+        hasher.add(std::uint64_t{stroke.index});
+        add(hasher, stroke.points);
+    }
+}
+
 void addHeld(Hasher& hasher, const DensityImage& layer) {
     if (!layer.image) return hasher.add(std::uint64_t{0});
     const GreyImage& image = *layer.image;

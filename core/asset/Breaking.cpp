@@ -2,19 +2,17 @@
 
 #include "core/base/Hash.h"
 #include "core/base/Random.h"
-#include "core/fracture/VoronoiPartition.h"
+#include "core/fracture/PatternPartition.h"
 
 namespace rubble {
 namespace {
 
-/// Triangulates the seeds, and cuts the outline into their cells.
-Status makeCells(PlaneBreaking& cut, const TaskContext& task) {
-    Result<Delaunay> delaunay = triangulate(cut.seeds.positions, task.stage(0.0, 0.7));
-    if (!delaunay) return delaunay.error();
-    Result<Partition> partition = voronoiPartition(cut.prism.outline, *delaunay, task.stage(0.7, 1.0));
-    if (!partition) return partition.error();
-    cut.delaunay = std::move(*delaunay);
-    cut.partition = std::move(*partition);
+/// Triangulates the seeds, and cuts the outline into pieces.
+Status makePieces(const Pattern& pattern, PlaneBreaking& cut, const TaskContext& task) {
+    Result<CutCells> made = partitionOf(pattern, cut.seeds.positions, cut.prism.outline, task);
+    if (!made) return made.error();
+    cut.delaunay = std::move(made->delaunay);
+    cut.partition = std::move(made->partition);
     return success();
 }
 
@@ -50,13 +48,13 @@ Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext
     Result<Seeds> seeds = seedsOf(recipe.pattern, valid->outline, task.stage(0.0, 0.25));
     if (!seeds) return seeds.error();
     PlaneBreaking cut{.prism = std::move(*valid), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};
-    if (const Status made = makeCells(cut, task.stage(0.25, 0.9)); !made) return made.error();
+    if (const Status made = makePieces(recipe.pattern, cut, task.stage(0.25, 0.9)); !made) return made.error();
     const SmallPieces& small = recipe.shaping.smallPieces;
     while (small.rule == SmallPieceRule::DropSeeds) {
         const std::vector<std::uint32_t> dropped = seedsToDrop(cut.partition, small, cut.prism.depth);
         if (dropped.empty()) break;
         dropSeeds(dropped, cut.seeds);
-        if (const Status made = makeCells(cut, task.stage(0.9, 0.9)); !made) return made.error();
+        if (const Status made = makePieces(recipe.pattern, cut, task.stage(0.9, 0.9)); !made) return made.error();
     }
     cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
     if (small.rule != SmallPieceRule::Keep) {
@@ -68,8 +66,9 @@ Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext
 Result<Breaking> brokenBy(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<PlaneBreaking> cut = cutBy(recipe, std::move(prism), task.stage(0.0, 0.8));
     if (!cut) return cut.error();
+    const double gap = std::max(recipe.shaping.gap, jointWidthOf(recipe.pattern));
     Result<Fragments> fragments =
-        extrudedFragments(cut->prism, std::move(cut->partition), recipe.shaping.gap, task.stage(0.8, 1.0));
+        extrudedFragments(cut->prism, std::move(cut->partition), gap, task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
     return Breaking{std::move(cut->prism), std::move(cut->seeds), std::move(cut->delaunay), std::move(*fragments)};
 }
@@ -81,8 +80,7 @@ Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
 }
 
 std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment) {
-    const SeedId seed = fragment.seed() == kNone ? SeedId{} : seeds.ids[fragment.seed()];
-    return parentId + "/" + pieceName(seed, fragment.partOfCell());
+    return parentId + "/" + pieceName(fragment.all().partition, fragment.piece(), seeds.ids);
 }
 
 }  // namespace rubble

@@ -51,7 +51,7 @@ Result<Breaking> brokenBy(const Recipe& recipe, Prism prism, const TaskContext& 
 Pattern patternFor(const std::string& fragmentId, Pattern pattern);
 
 /// The id of a fragment that was broken off by these seeds, below the id of the whole or of the fragment it was a part of:
-/// "3/5.17", or "3/5.17.1" where the outline cuts the cell apart; "3/0.0" where there are no seeds.
+/// "3/5.17", or "3/5.17.1" where the outline cuts the cell apart (see pieceName); "3/0.0" where there are no seeds.
 std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment);
 
 }  // namespace rubble

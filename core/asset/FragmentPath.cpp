@@ -26,13 +26,27 @@ std::optional<std::uint32_t> numberIn(std::string_view text) {
     return number;
 }
 
+/// "5.17", "5.17.1", "5.17+8.2" or "5.17+8.2.1".
 std::optional<PieceName> nameIn(std::string_view text) {
-    const std::vector<std::string_view> parts = partsOf(text, '.');
-    if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
-    const auto layer = numberIn(parts[0]), index = numberIn(parts[1]);
-    const auto part = parts.size() == 3 ? numberIn(parts[2]) : std::optional{kNone};
-    if (!layer || !index || !part) return std::nullopt;
-    return PieceName{{*layer, *index}, *part};
+    PieceName name;
+    const std::vector<std::string_view> ids = partsOf(text, '+');
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        const std::vector<std::string_view> parts = partsOf(ids[k], '.');
+        const bool mayHavePart = k + 1 == ids.size();
+        if (parts.size() < 2 || parts.size() > (mayHavePart ? 3u : 2u)) return std::nullopt;
+        const auto layer = numberIn(parts[0]), index = numberIn(parts[1]);
+        const auto part = parts.size() == 3 ? numberIn(parts[2]) : std::optional{kNone};
+        if (!layer || !index || !part) return std::nullopt;
+        (k == 0 ? name.seed : name.cells.emplace_back()) = {*layer, *index};
+        name.partOfCell = *part;
+    }
+    return name;
+}
+
+std::string textOf(const PieceName& name) {
+    std::string text = name.seed.text();
+    for (const SeedId& cell : name.cells) text += "+" + cell.text();
+    return name.partOfCell == kNone ? text : text + "." + std::to_string(name.partOfCell);
 }
 
 }  // namespace
@@ -60,9 +74,13 @@ FragmentPath withLayers(const FragmentPath& path, const std::map<std::uint32_t, 
     for (const std::string_view text : partsOf(path, '/')) {
         std::optional<PieceName> name = nameIn(text);
         if (!name) return path;
-        const auto other = layers.find(name->seed.layer);
-        if (other != layers.end()) name->seed.layer = other->second;
-        result += (result.empty() ? "" : "/") + pieceName(name->seed, name->partOfCell);
+        const auto rename = [&](SeedId& id) {
+            const auto other = layers.find(id.layer);
+            if (other != layers.end()) id.layer = other->second;
+        };
+        rename(name->seed);
+        std::ranges::for_each(name->cells, rename);
+        result += (result.empty() ? "" : "/") + textOf(*name);
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubble {
 
@@ -22,13 +23,14 @@ std::uint32_t levelOf(const FragmentPath& path);
 
 /// The name of a piece, see pieceName().
 struct PieceName {
-    SeedId seed;
+    SeedId seed;  // or the first cell of a cut layer, where there are no seeds
     std::uint32_t partOfCell = kNone;
+    std::vector<SeedId> cells;  // the others
     bool operator==(const PieceName&) const = default;
 };
 /// The last name in a path; nothing where it is none.
 std::optional<PieceName> pieceNameOf(const FragmentPath& path);
-/// Whether it reads as a path: layer.index or layer.index.part, one or more with strokes between.
+/// Whether it reads as a path: names of pieces, one or more with strokes between.
 bool isPath(const FragmentPath& path);
 
 /// The path with other ids of layers; those that are not in the map stay.

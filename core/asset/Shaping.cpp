@@ -51,11 +51,9 @@ public:
 
 private:
     std::uint32_t find(const FragmentPath& path) const {
-        const std::optional<PieceName> name = pieceNameOf(path);
-        for (std::uint32_t piece = 0; name && piece < m_draft.count(); ++piece) {
-            if (!m_draft.isThere(piece) || m_draft.partOf(piece) != name->partOfCell) continue;
-            const std::uint32_t seed = m_draft.seedOf(piece);
-            if ((seed == kNone ? SeedId{} : m_seeds.ids[seed]) == name->seed) return piece;
+        const std::string name = path.substr(path.rfind('/') + 1);
+        for (std::uint32_t piece = 0; piece < m_draft.count(); ++piece) {
+            if (m_draft.isThere(piece) && m_draft.nameOf(piece, m_seeds.ids) == name) return piece;
         }
         return kNone;
     }

@@ -1,7 +1,8 @@
 #include "core/asset/Bake.h"
 #include "core/asset/Breaking.h"
+#include "core/fracture/Grain.h"
+#include "core/fracture/PatternPartition.h"
 #include "core/fracture/Verify.h"
-#include "core/fracture/VoronoiPartition.h"
 
 namespace rubble {
 namespace {
@@ -10,6 +11,12 @@ using Sentence = std::optional<std::string>;
 
 std::string idOf(const Bake& bake, std::uint32_t fragment) {
     return fragment == kNone ? std::to_string(bake.asset) : bake.fragmentId(fragment);
+}
+
+/// By what a fragment (kNone: the whole) was broken, but for random seeds.
+const Pattern& patternOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
+    if (parent == kNone) return asset.pattern;
+    return levelFor(asset, pathOfId(bake.fragmentId(parent)), bake.fragment(parent).level)->pattern;
 }
 
 /// Breaks a fragment (kNone: the whole) once more, as bake() did.
@@ -23,16 +30,21 @@ Result<Breaking> brokenAgain(const Bake& bake, const Asset& asset, std::uint32_t
 }
 
 /// The stored stages are sound, and the triangulation they came from is.
-Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Shaping& shaping) {
+Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Pattern& pattern,
+                    const Shaping& shaping) {
     const Partition& partition = stored.fragments.partition;
-    if (Sentence fault = verifyDelaunay(again.delaunay, again.seeds.positions)) return fault;
+    const std::optional<GrainMap> grain = GrainMap::of(pattern, again.prism.outline);
+    const std::vector<Vec2>& positions = again.seeds.positions;
+    const std::vector<Vec2> seeds = grain ? (*grain)(std::span(positions)) : positions;
+    if (Sentence fault = verifyDelaunay(again.delaunay, seeds)) return fault;
     if (Sentence fault = verifyPartition(partition, again.prism.outline)) return fault;
     const bool areMerged = !partition.partOfCell.empty();  // then the cells are looked at as they were before
-    const Result<Partition> cells = areMerged ? voronoiPartition(again.prism.outline, again.delaunay) : partition;
+    const Result<CutCells> cells =
+        areMerged ? cellsOf(pattern, positions, again.prism.outline) : CutCells{{}, partition};
     if (!cells) return cells.error().message;
-    if (Sentence fault = verifyNearestSeed(*cells, again.seeds.positions)) return fault;
+    if (Sentence fault = verifyNearestSeed(grain ? (*grain)(cells->partition) : cells->partition, seeds)) return fault;
     if (Sentence fault = verifyNoSmallPieces(partition, shaping.smallPieces, again.prism.depth)) return fault;
-    if (Sentence fault = verifyGap(stored.fragments, shaping.gap)) return fault;
+    if (Sentence fault = verifyGap(stored.fragments, std::max(shaping.gap, jointWidthOf(pattern)))) return fault;
     return verifyFragments(stored.fragments, again.prism);
 }
 
@@ -58,7 +70,7 @@ Sentence breakingFault(const Bake& bake, const Asset& asset, const BakedBreaking
     const Result<Breaking> again = brokenAgain(bake, asset, stored.parent);
     if (!again) return again.error().message;
     if (Sentence fault = placeFault(bake, stored, *again)) return fault;
-    return stageFault(stored, *again, asset.shaping);
+    return stageFault(stored, *again, patternOf(bake, asset, stored.parent), asset.shaping);
 }
 
 /// The k-th breaking is of a fragment that stands before it, of the next one that is broken, and one level below it.

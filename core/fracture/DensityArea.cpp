@@ -43,6 +43,11 @@ Vec2 pointOf(const Ring& ring, Random& random) {
 
 }  // namespace
 
+double densityAt(const GreyImage& image, DenseWhere dense, Vec2 place) {
+    const std::uint32_t column = stepAt(place.x, 0.0, 1.0, image.width), row = stepAt(place.y, 1.0, 0.0, image.height);
+    return densityOf(image, std::size_t{row} * image.width + column, dense);
+}
+
 DensityArea::DensityArea(const Polygon& polygon, const GreyImage& image)
     : m_image(&image), m_box(boundsOf(polygon.outer)) {}
 

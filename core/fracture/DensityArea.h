@@ -11,6 +11,9 @@
 
 namespace rubble {
 
+/// How dense a picture is at a place of it, in [0, 1]: (0, 0) is its lower left corner, (1, 1) the upper right one.
+double densityAt(const GreyImage& image, DenseWhere dense, Vec2 place);
+
 /// Gives random points of a polygon at the density of a picture that is stretched over its bounding box. The polygon is cut into
 /// triangles and those along the pixels; of all these parts one is drawn by its weight: every draw takes four numbers of the
 /// stream and hits.

@@ -1,5 +1,5 @@
 #include "core/fracture/PatternKind.h"
-#include "core/fracture/VoronoiPartition.h"
+#include "core/fracture/PatternPartition.h"
 
 namespace rubble {
 namespace {
@@ -41,13 +41,15 @@ constinit const PatternKind LloydRelaxation::kKind{
     .suitedTo = [](const Box2&) -> LayerParameters { return LloydRelaxation{}; }};
 
 Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const {
+    const Pattern none;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         if (context.task.isCancelled()) return TaskContext::cancelled();
-        const Result<Partition> partition = voronoiPartition(context.outline, seeds.positions, context.task);
-        if (!partition) return partition.error();
+        const Result<GrainedCells> cells =
+            cellsOf(context.pattern ? *context.pattern : none, seeds.positions, context.outline, context.task);
+        if (!cells) return cells.error();
         for (std::size_t seed = 0; seed < seeds.size(); ++seed) {
-            const std::uint32_t piece = partition->pieceOfSeed[seed];
-            if (piece != kNone && !seeds.isHeld[seed]) seeds.positions[seed] = centreOfCell(*partition, piece);
+            const std::uint32_t piece = cells->partition.pieceOfSeed[seed];
+            if (piece != kNone && !seeds.isHeld[seed]) seeds.positions[seed] = centreOfCell(cells->partition, piece);
         }
     }
     return success();

@@ -15,15 +15,19 @@ Ring pointsOf(const Partition& partition, std::uint32_t ring, Vec2 centre) {
     return points;
 }
 
+bool areNamesakes(const Partition& partition, std::uint32_t one, std::uint32_t other) {
+    return partition.seedOfPiece[one] == partition.seedOfPiece[other] &&
+           std::ranges::equal(partition.cutCellsOf(one), partition.cutCellsOf(other));
+}
+
 }  // namespace
 
 std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece) {
     if (!partition.partOfCell.empty()) return partition.partOfCell[piece];
-    const std::uint32_t seed = partition.seedOfPiece[piece];
-    if (seed == kNone) return kNone;
-    const std::uint32_t first = partition.pieceOfSeed[seed];
-    const bool isFollowed = piece + 1 < partition.pieceCount() && partition.seedOfPiece[piece + 1] == seed;
-    return first == piece && !isFollowed ? kNone : piece - first;
+    std::uint32_t first = piece, end = piece + 1;
+    while (first > 0 && areNamesakes(partition, first - 1, piece)) --first;
+    while (end < partition.pieceCount() && areNamesakes(partition, end, piece)) ++end;
+    return end - first > 1 ? piece - first : kNone;
 }
 
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre) {

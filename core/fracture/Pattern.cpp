@@ -101,10 +101,6 @@ Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, 
 
 std::string SeedId::text() const { return std::to_string(layer) + "." + std::to_string(index); }
 
-std::string pieceName(SeedId seed, std::uint32_t partOfCell) {
-    return partOfCell == kNone ? seed.text() : seed.text() + "." + std::to_string(partOfCell);
-}
-
 std::optional<std::string> verifyPattern(const Pattern& pattern) {
     for (const PatternLayer& layer : pattern.layers) {
         std::optional<std::string> fault =
@@ -121,10 +117,15 @@ Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const Task
     for (const PatternLayer& layer : pattern.layers) {
         if (!layer.isOn) continue;
         if (task.isCancelled()) return TaskContext::cancelled();
-        const LayerContext context{layer, outline, task};
+        const std::span before(pattern.layers.data(), &layer);
+        const LayerContext context{layer, outline, task, before, &pattern};
         const std::size_t first = seeds.size();
-        const Status applied =
-            std::visit([&](const auto& parameters) { return parameters.apply(context, seeds); }, layer.parameters);
+        const Status applied = std::visit(
+            [&](const auto& parameters) -> Status {
+                if constexpr (requires { parameters.apply(context, seeds); }) return parameters.apply(context, seeds);
+                return success();
+            },
+            layer.parameters);
         if (!applied) return applied.error();
         applyOverrides(context, first, seeds);
     }

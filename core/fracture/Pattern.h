@@ -3,15 +3,20 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/BlueNoise.h"
+#include "core/fracture/BrickBond.h"
 #include "core/fracture/Clusters.h"
 #include "core/fracture/DensityImage.h"
+#include "core/fracture/Grain.h"
 #include "core/fracture/ImpactScatter.h"
 #include "core/fracture/JitteredGrid.h"
 #include "core/fracture/LloydRelaxation.h"
 #include "core/fracture/PlacedSeeds.h"
 #include "core/fracture/RadialPattern.h"
 #include "core/fracture/Report.h"
+#include "core/fracture/Slices.h"
+#include "core/fracture/Strokes.h"
 #include "core/fracture/UniformScatter.h"
+#include "core/fracture/WeightedLloyd.h"
 #include "core/geometry/Polygon.h"
 
 #include <compare>
@@ -25,8 +30,9 @@ namespace rubble {
 
 /// What a layer does: one struct a kind. See PatternKind.h for what is known of each. Hashes and files hold a kind's place: new
 /// ones go to the end.
-using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters,
-                                     RadialPattern, ImpactScatter, DensityImage>;
+using LayerParameters =
+    std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters, RadialPattern,
+                 ImpactScatter, DensityImage, BrickBond, Slices, Strokes, Grain, WeightedLloyd>;
 
 /// A change made by hand to one scattered seed of a layer.
 struct SeedOverride {
@@ -60,9 +66,6 @@ struct SeedId {
     /// "layer.index"
     std::string text() const;
 };
-
-/// The name of a piece below what was broken: "layer.index", or "layer.index.part" where it is one part of a cell of several.
-std::string pieceName(SeedId seed, std::uint32_t partOfCell);
 
 /// What a pattern gives on an outline.
 struct Seeds {

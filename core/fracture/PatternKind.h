@@ -17,6 +17,8 @@ enum class LayerRole {
     Scatters,  // adds seeds that follow from a random seed and may be overridden
     Places,    // adds seeds that it holds itself
     Moves,     // adds none; moves those of the layers before
+    Cuts,      // adds none; cuts pieces along lines of its own: cut() in place of apply()
+    Measures,  // adds none; says how distances count between all seeds: nothing in place of apply()
 };
 
 /// What is told of a kind of layer. Texts for users are English, and the keys of their translations.
@@ -46,11 +48,13 @@ struct SeedSet {
     void add(SeedId id, Vec2 position, bool held);
 };
 
-/// What a layer works with. Its apply() adds seeds with ascending indices to those of the layers before, or moves those.
+/// What a layer works with, and what those before it are. Its apply() adds seeds with ascending indices to those of the layers before, or moves those.
 struct LayerContext {
     const PatternLayer& layer;
     const Polygon& outline;  // validated
     const TaskContext& task;
+    std::span<const PatternLayer> before = {};  // those that are off, too
+    const Pattern* pattern = nullptr;           // the whole recipe; null: the layer alone
 
     /// The layer's own stream of random numbers, always from its start.
     Random random() const { return Random(mixedWith(layer.randomSeed, layer.id)); }

@@ -7,6 +7,7 @@
 namespace rubble {
 
 // What the struct of every kind of layer names. See PatternKind.h.
+struct CutSet;
 struct LayerContext;
 struct PatternKind;
 struct SeedSet;

@@ -1,6 +1,7 @@
 #include "core/fracture/PieceDraft.h"
 
 #include "core/base/Assert.h"
+#include "core/fracture/PatternPartition.h"
 
 #include <algorithm>
 #include <numeric>
@@ -45,7 +46,7 @@ PieceDraft::PieceDraft(Partition partition) : m_partition(std::move(partition)) 
     const Partition& p = m_partition;
     m_pieces.resize(p.pieceCount());
     for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        m_pieces[piece] = {{}, p.seedOfPiece[piece], partOfCell(p, piece)};
+        m_pieces[piece] = {{}, piece, partOfCell(p, piece)};
         for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
             PieceRing& corners = m_pieces[piece].rings.emplace_back();
             for (std::uint32_t corner = p.cornersOfRing[ring]; corner < p.cornersOfRing[ring + 1]; ++corner) {
@@ -53,6 +54,16 @@ PieceDraft::PieceDraft(Partition partition) : m_partition(std::move(partition)) 
             }
         }
     }
+}
+
+std::string PieceDraft::nameOf(std::uint32_t piece, std::span<const SeedId> seeds) const {
+    const std::string cell = cellName(m_partition, m_pieces[piece].origin, seeds);
+    const std::uint32_t part = m_pieces[piece].part;
+    return part == kNone ? cell : cell + "." + std::to_string(part);
+}
+
+bool PieceDraft::areNamesakes(std::uint32_t piece, std::uint32_t other) const {
+    return seedOf(piece) == seedOf(other) && std::ranges::equal(cutCellsOf(piece), cutCellsOf(other));
 }
 
 bool PieceDraft::areNeighbours(std::uint32_t piece, std::uint32_t other) const {
@@ -157,7 +168,7 @@ void PieceDraft::merge(std::span<const std::uint32_t> receivers) {
 Partition PieceDraft::finished() && {
     std::vector<std::uint32_t> firstOfSeed(m_partition.pieceOfSeed.size() + 1, kNone);  // the last: of no seed
     const auto firstPlace = [&](std::uint32_t piece) -> std::uint32_t& {
-        const std::uint32_t seed = m_pieces[piece].seed;
+        const std::uint32_t seed = seedOf(piece);
         return firstOfSeed[seed == kNone ? firstOfSeed.size() - 1 : seed];
     };
     std::vector<std::uint32_t> order;
@@ -166,8 +177,10 @@ Partition PieceDraft::finished() && {
         order.push_back(piece);
         if (firstPlace(piece) == kNone) firstPlace(piece) = piece;
     }
-    std::ranges::sort(order, {}, [&](std::uint32_t piece) {
-        return std::array{firstPlace(piece), m_pieces[piece].part, piece};
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        if (firstPlace(a) != firstPlace(b)) return firstPlace(a) < firstPlace(b);
+        if (!areNamesakes(a, b)) return std::ranges::lexicographical_compare(cutCellsOf(a), cutCellsOf(b));
+        return std::pair(m_pieces[a].part, a) < std::pair(m_pieces[b].part, b);
     });
     std::vector<std::uint32_t> numbers(count(), kNone);
     for (std::uint32_t k = 0; k < order.size(); ++k) numbers[order[k]] = k;
@@ -175,14 +188,16 @@ Partition PieceDraft::finished() && {
     Partition result{.origin = m_partition.origin, .points = std::move(m_partition.points)};
     result.gap = m_partition.gap;
     result.reports = std::move(m_partition.reports);
+    result.cutLayers = m_partition.cutLayers;
     result.pieceOfSeed.assign(m_partition.pieceOfSeed.size(), kNone);
     result.ringsOfPiece = {0};
     result.cornersOfRing = {0};
     for (const std::uint32_t piece : order) {
-        const std::uint32_t seed = m_pieces[piece].seed;
+        const std::uint32_t seed = seedOf(piece);
         if (seed != kNone && result.pieceOfSeed[seed] == kNone) result.pieceOfSeed[seed] = numbers[piece];
         result.seedOfPiece.push_back(seed);
         result.partOfCell.push_back(m_pieces[piece].part);
+        for (const std::uint32_t cell : cutCellsOf(piece)) result.cutCells.push_back(cell);
         append(m_pieces[piece].rings, numbers, result);
     }
     return result;

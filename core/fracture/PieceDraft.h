@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fracture/Partition.h"
+#include "core/fracture/Pattern.h"
 #include "core/fracture/PieceRings.h"
 
 #include <vector>
@@ -22,8 +23,8 @@ public:
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_pieces.size()); }
     bool isThere(std::uint32_t piece) const { return !m_pieces[piece].rings.empty(); }
-    std::uint32_t seedOf(std::uint32_t piece) const { return m_pieces[piece].seed; }
-    std::uint32_t partOf(std::uint32_t piece) const { return m_pieces[piece].part; }  // see partOfCell()
+    /// Its name, see pieceName(Partition).
+    std::string nameOf(std::uint32_t piece, std::span<const SeedId> seeds) const;
     /// Whether two pieces share an edge.
     bool areNeighbours(std::uint32_t piece, std::uint32_t other) const;
 
@@ -42,8 +43,8 @@ public:
 private:
     struct Piece {
         PieceRings rings;
-        std::uint32_t seed;
-        std::uint32_t part;
+        std::uint32_t origin;  // the piece of the partition whose seed and cells it is named by
+        std::uint32_t part;    // see partOfCell()
     };
     struct Edge {
         std::size_t ring;
@@ -55,9 +56,14 @@ private:
     std::vector<std::uint32_t> addCrossings(std::uint32_t piece, const Line& line);
     std::vector<PieceRings> cutApart(std::uint32_t piece, const std::vector<std::uint32_t>& crossings);
     void takeParts(std::uint32_t piece, std::vector<PieceRings> parts);
-    std::uint32_t freePart(std::uint32_t seed) const;
+    std::uint32_t seedOf(std::uint32_t piece) const { return m_partition.seedOfPiece[m_pieces[piece].origin]; }
+    std::span<const std::uint32_t> cutCellsOf(std::uint32_t piece) const {
+        return m_partition.cutCellsOf(m_pieces[piece].origin);
+    }
+    bool areNamesakes(std::uint32_t piece, std::uint32_t other) const;
+    std::uint32_t freePart(std::uint32_t piece) const;
 
-    Partition m_partition;  // its points and reports; the rest when finished
+    Partition m_partition;  // its points, names and reports; the rest when finished
     std::vector<Piece> m_pieces;
 };
 

@@ -276,6 +276,8 @@ Result<Partition> shrunkPartition(const Partition& partition, double margin, con
                      .ringsOfPiece = {0},
                      .cornersOfRing = {0},
                      .pieceOfSeed = partition.pieceOfSeed,
+                     .cutLayers = partition.cutLayers,
+                     .cutCells = partition.cutCells,
                      .partOfCell = partition.partOfCell};
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
         append(pieces[piece], shapes);

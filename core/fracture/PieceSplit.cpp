@@ -130,7 +130,6 @@ std::vector<PieceRings> PieceDraft::cutApart(std::uint32_t piece, const std::vec
 
 /// Puts parts in a piece's place, and tells those around who is behind their edges now.
 void PieceDraft::takeParts(std::uint32_t piece, std::vector<PieceRings> parts) {
-    const std::uint32_t seed = m_pieces[piece].seed;
     const std::uint32_t first = count();
     const auto numberOf = [&](std::size_t part) {
         return part == 0 ? piece : first + static_cast<std::uint32_t>(part) - 1;
@@ -155,17 +154,17 @@ void PieceDraft::takeParts(std::uint32_t piece, std::vector<PieceRings> parts) {
             }
         }
     }
-    if (m_pieces[piece].part == kNone) m_pieces[piece].part = freePart(seed);
+    if (m_pieces[piece].part == kNone) m_pieces[piece].part = freePart(piece);
     m_pieces[piece].rings = std::move(parts[0]);
     for (std::size_t part = 1; part < parts.size(); ++part) {
-        m_pieces.push_back({std::move(parts[part]), seed, freePart(seed)});
+        m_pieces.push_back({std::move(parts[part]), m_pieces[piece].origin, freePart(piece)});
     }
 }
 
-std::uint32_t PieceDraft::freePart(std::uint32_t seed) const {
+std::uint32_t PieceDraft::freePart(std::uint32_t piece) const {
     std::uint32_t free = 0;
-    for (const Piece& piece : m_pieces) {
-        if (piece.seed == seed && piece.part != kNone) free = std::max(free, piece.part + 1);
+    for (std::uint32_t other = 0; other < count(); ++other) {
+        if (areNamesakes(other, piece) && m_pieces[other].part != kNone) free = std::max(free, m_pieces[other].part + 1);
     }
     return free;
 }

@@ -15,6 +15,7 @@ const char* nameOf(ReportCode code) {
         case ReportCode::DroppedSeed: return "DroppedSeed";
         case ReportCode::LostPiece: return "LostPiece";
         case ReportCode::VanishedPiece: return "VanishedPiece";
+        case ReportCode::LooseCut: return "LooseCut";
     }
     return "";
 }

@@ -21,6 +21,7 @@ enum class ReportCode {
     DroppedSeed,      // its cell was too small
     LostPiece,        // a piece that is to be merged, split or broken again is not there
     VanishedPiece,    // narrower than the gap between pieces, in whole or in part
+    LooseCut,         // a cut ends within a piece, or does not part it in two
 };
 
 /// The code's name as it stands in JSON and in messages: "DuplicateSeed".
@@ -31,7 +32,7 @@ struct Report {
     ReportCode code;
     std::uint32_t seed = kNone;  // whom it is about; LostOverride, DroppedSeed: its number in its layer
     std::uint32_t of = kNone;    // the other seed, where there is one; LostOverride, DroppedSeed: the layer's id
-    double amount = 0.0;         // m^2 of Gap, ThinPiece, MergedPiece, DroppedSeed, VanishedPiece
+    double amount = 0.0;         // m^2 of Gap, ThinPiece, MergedPiece, DroppedSeed, VanishedPiece; m of LooseCut
     std::string message;         // one sentence
 };
 

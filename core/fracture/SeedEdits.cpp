@@ -1,6 +1,7 @@
 #include "core/fracture/SeedEdits.h"
 
 #include "core/base/Assert.h"
+#include "core/fracture/PatternKind.h"
 
 #include <algorithm>
 
@@ -13,6 +14,7 @@ auto placeOf(std::vector<Element>& elements, std::uint32_t index) {
 }
 
 void setOverride(PatternLayer& layer, const SeedOverride& change) {
+    if (kindOf(layer.parameters).role != LayerRole::Scatters) return;
     const auto place = placeOf(layer.overrides, change.index);
     if (place != layer.overrides.end() && place->index == change.index) {
         *place = change;

@@ -68,6 +68,10 @@ std::string cellOf(std::uint32_t seed) { return "the cell of seed " + std::to_st
 
 Report mergedReport(const Partition& partition, std::uint32_t piece, std::uint32_t receiver, double area) {
     const std::uint32_t seed = partition.seedOfPiece[piece], of = partition.seedOfPiece[receiver];
+    if (seed == kNone) {
+        return {ReportCode::MergedPiece, kNone, kNone, area,
+                "A piece of " + messageText(area) + " m^2 is too small; it is merged into a neighbour."};
+    }
     const bool isPart = partOfCell(partition, piece) != kNone;
     return {ReportCode::MergedPiece, seed, of, area,
             "The piece of " + messageText(area) + " m^2 that is " + (isPart ? "a part of " : "") + cellOf(seed) +

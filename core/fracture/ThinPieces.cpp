@@ -20,7 +20,12 @@ std::uint32_t ownerAcross(const Partition& partition, std::uint32_t piece, const
 }
 
 std::string cellOf(const Partition& partition, std::uint32_t piece) {
+    if (partition.seedOfPiece[piece] == kNone) return "the outline";
     return "the cell of seed " + std::to_string(partition.seedOfPiece[piece]);
+}
+
+std::string receiverOf(const Partition& partition, std::uint32_t piece) {
+    return partition.seedOfPiece[piece] == kNone ? "a neighbour" : cellOf(partition, piece);
 }
 
 }  // namespace
@@ -61,7 +66,7 @@ Report thinPieceReport(const Partition& partition, ThinPieceGift gift) {
         return report;
     }
     report.of = partition.seedOfPiece[gift.receiver];
-    report.message += "; its mass goes to " + cellOf(partition, gift.receiver) + ".";
+    report.message += "; its mass goes to " + receiverOf(partition, gift.receiver) + ".";
     return report;
 }
 

@@ -115,7 +115,10 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
 }
 
 Fault orderFault(const Fragments& fragments) {
-    const auto key = [&](std::uint32_t i) { return std::pair(fragments[i].seed(), fragments[i].partOfCell()); };
+    const auto key = [&](std::uint32_t i) {
+        const std::span<const std::uint32_t> cells = fragments.partition.cutCellsOf(fragments[i].piece());
+        return std::tuple(fragments[i].seed(), std::vector(cells.begin(), cells.end()), fragments[i].partOfCell());
+    };
     for (std::uint32_t i = 1; i < fragments.count(); ++i) {
         if (!(key(i - 1) < key(i))) return "Fragment " + text(i) + " is out of order.";
     }

@@ -94,6 +94,22 @@ std::string_view heldKey(const PlacedSeeds&) { return "seeds"; }
 void writeHeld(JsonLayout& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
 void readHeld(const JsonValue& value, PlacedSeeds& placed) { placed.seeds = value.listOf(readSeed); }
 
+void writeStroke(JsonLayout& json, const Strokes::Stroke& stroke) {
+    json.openObject();
+    json.wholeNumber("index", stroke.index);
+    json.points("points", stroke.points);
+    json.close();
+}
+
+Strokes::Stroke readStroke(const JsonValue& value) {
+    value.requireObject({"index", "points"});
+    return {.index = value["index"].index(), .points = value["points"].points()};
+}
+
+std::string_view heldKey(const Strokes&) { return "strokes"; }
+void writeHeld(JsonLayout& json, const Strokes& layer) { json.list("strokes", layer.strokes, writeStroke); }
+void readHeld(const JsonValue& value, Strokes& layer) { layer.strokes = value.listOf(readStroke); }
+
 std::string_view heldKey(const DensityImage&) { return "image"; }
 void writeHeld(JsonLayout& json, const DensityImage& layer) { writeGreyImage(json, "image", layer.image.get()); }
 void readHeld(const JsonValue& value, DensityImage& layer) { layer.image = readGreyImage(value); }

@@ -1,6 +1,7 @@
 #include "editor/canvas/CanvasPainting.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/fracture/Partition.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/canvas/VoronoiLines.h"
 
@@ -78,7 +79,7 @@ public:
                 const std::uint32_t from = delaunay.origin(halfEdge);
                 const std::uint32_t to = delaunay.origin(Delaunay::next(halfEdge));
                 if (from == Delaunay::kGhost || to == Delaunay::kGhost || from > to) continue;
-                addLine(delaunay.sites[from], delaunay.sites[to], lines);
+                addLine(m_pattern.site(from), m_pattern.site(to), lines);
             }
         }
         drawLines(lines, isOnScale() ? m_colours.triangleOnScale : m_colours.triangle);
@@ -86,11 +87,15 @@ public:
 
     void paintWholeVoronoi() {
         // Rays end far out, at the same place whatever part is painted: so parts join without a seam.
-        Box2 box = boundsOf(m_pattern.seeds().positions);
+        const Asset& asset = *m_pattern.baked().asset;
+        const std::optional<GrainMap> grain = GrainMap::of(asset.pattern, asset.prism.outline);
+        Box2 box = boundsOf(m_pattern.baked().triangulation.sites);
         const Vec2 around(kVoronoiReach * box.diagonal());
         box = {box.min - around, box.max + around};
         QList<QLineF> lines;
-        for (const auto& [from, to] : voronoiLines(m_pattern.baked().triangulation, box)) addLine(from, to, lines);
+        for (const auto& [from, to] : voronoiLines(m_pattern.baked().triangulation, box)) {
+            addLine(grain ? grain->origin(from) : from, grain ? grain->origin(to) : to, lines);
+        }
         drawLines(lines, m_colours.wholeVoronoi);
     }
 
@@ -147,9 +152,8 @@ private:
     }
 
     bool isHidden(std::uint32_t piece) const {
-        const std::uint32_t seed = m_partition.seedOfPiece[piece];
-        return seed != kNone && !m_contents.hidden.isEmpty() &&
-               m_contents.hidden.holds(m_pattern.seeds().ids[seed], m_pattern.fragmentId(piece));
+        return !m_contents.hidden.isEmpty() &&
+               m_contents.hidden.holds(m_pattern.cellOf(piece), m_pattern.fragmentId(piece));
     }
 
     void fill(std::uint32_t piece, const QBrush& brush) {

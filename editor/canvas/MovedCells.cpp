@@ -31,8 +31,9 @@ private:
     bool takeLayer(const PatternLayer& old, const PatternLayer& now) {
         if (now.id != old.id || now.isOn != old.isOn || now.randomSeed != old.randomSeed) return false;
         if (!now.isOn) return true;
-        // It moves scattered seeds when others move.
-        if (kindOf(now.parameters).role == LayerRole::Moves) return false;
+        // It moves scattered seeds when others move, cuts their cells, or makes other cells of them.
+        const LayerRole role = kindOf(now.parameters).role;
+        if (role != LayerRole::Scatters && role != LayerRole::Places) return false;
         const auto* placedOld = std::get_if<PlacedSeeds>(&old.parameters);
         const auto* placed = std::get_if<PlacedSeeds>(&now.parameters);
         const bool isAlike = placed && placedOld ? takePlaced(now.id, placedOld->seeds, placed->seeds)

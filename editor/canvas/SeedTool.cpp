@@ -251,10 +251,9 @@ void SeedTool::chooseNeighbours() {
     const Partition& partition = m_state.pattern->partition();
     Selection::Seeds seeds = m_state.selection.seeds();
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const std::uint32_t seed = partition.seedOfPiece[piece];
-        if (seed == kNone || !m_state.selection.seeds().contains(m_state.pattern->seeds().ids[seed])) continue;
+        if (!m_state.selection.seeds().contains(m_state.pattern->cellOf(piece))) continue;
         for (const std::uint32_t neighbour : m_state.pattern->neighbours(piece)) {
-            seeds.insert(m_state.pattern->seeds().ids[partition.seedOfPiece[neighbour]]);
+            seeds.insert(m_state.pattern->cellOf(neighbour));
         }
     }
     m_state.selection.setSeeds(std::move(seeds));

@@ -1,6 +1,8 @@
 #include "editor/canvas/ShownPattern.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/fracture/PatternKind.h"
+#include "core/fracture/PatternPartition.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/fracture/VoronoiPartition.h"
 #include "core/geometry/Aspect.h"
@@ -29,6 +31,12 @@ public:
     Differences(const ShownPattern& before, const ShownPattern& after) : m_before(before), m_after(after) {}
 
     Box2 box() {
+        if (hasCuts(m_before) || hasCuts(m_after)) {
+            for (const ShownPattern* pattern : {&m_before, &m_after}) {
+                for (std::uint32_t piece = 0; piece < pattern->partition().pieceCount(); ++piece)
+                    include(m_box, pattern->box(piece));
+            }
+        }
         if (m_before.seeds().ids == m_after.seeds().ids) {
             for (std::uint32_t seed = 0; seed < m_after.seeds().ids.size(); ++seed) compare(seed, seed);
         } else {
@@ -38,6 +46,14 @@ public:
     }
 
 private:
+    /// Cuts change pieces whose seeds stay where they are.
+    static bool hasCuts(const ShownPattern& pattern) {
+        return std::ranges::any_of(pattern.baked().asset->pattern.layers, [](const PatternLayer& layer) {
+            const LayerRole role = kindOf(layer.parameters).role;
+            return layer.isOn && (role == LayerRole::Cuts || role == LayerRole::Measures);
+        });
+    }
+
     void compareByName() {
         std::unordered_map<std::uint64_t, std::uint32_t> seeds;
         const auto key = [](SeedId id) { return std::uint64_t{id.layer} << 32 | id.index; };
@@ -167,10 +183,10 @@ double ShownPattern::leastEdge() const {
 }
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
-    const std::uint32_t seed = partition().seedOfPiece[piece];
-    const std::string name = pieceName(seed == kNone ? SeedId{} : seeds().ids[seed], partOfCell(partition(), piece));
-    return std::to_string(m_baked->asset->id) + "/" + name;
+    return std::to_string(m_baked->asset->id) + "/" + pieceName(partition(), piece, seeds().ids);
 }
+
+SeedId ShownPattern::cellOf(std::uint32_t piece) const { return cellId(partition(), piece, seeds().ids); }
 
 IndexRange ShownPattern::piecesOf(std::uint32_t seed) const {
     const std::uint32_t first = partition().pieceOfSeed[seed];
@@ -215,7 +231,7 @@ std::uint32_t ShownPattern::triangleAt(Vec2 point) const {
     for (std::uint32_t k = 0; k < delaunay.triangles.size(); ++k) {
         const auto& corner = delaunay.triangles[k].corner;
         if (std::ranges::find(corner, Delaunay::kGhost) != std::end(corner)) continue;
-        const Vec2 a = delaunay.sites[corner[0]], b = delaunay.sites[corner[1]], c = delaunay.sites[corner[2]];
+        const Vec2 a = site(corner[0]), b = site(corner[1]), c = site(corner[2]);
         if (orient2d(a, b, point) >= 0 && orient2d(b, c, point) >= 0 && orient2d(c, a, point) >= 0) return k;
     }
     return kNone;

@@ -40,6 +40,9 @@ public:
     /// As the fragment is called that the piece becomes: "3/5.17".
     std::string fragmentId(std::uint32_t piece) const;
 
+    /// By what the piece is chosen: its seed, or its cell of a cut layer.
+    SeedId cellOf(std::uint32_t piece) const;
+
     /// The seed's pieces [begin, end); none where it has no cell.
     IndexRange piecesOf(std::uint32_t seed) const;
     /// Around a seed and its pieces.
@@ -48,6 +51,8 @@ public:
     std::uint32_t pieceAt(Vec2 point) const;
     /// The nearest seed within `reach` metres; kNone where there is none.
     std::uint32_t seedNear(Vec2 point, double reach) const;
+    /// Where a site of the triangulation stands: in a grain, not where the triangulation has it.
+    Vec2 site(std::uint32_t number) const { return seeds().positions[m_baked->triangulation.seedOf[number]]; }
     /// The triangle of the triangulation (no ghost) that holds a point; kNone where there is none.
     std::uint32_t triangleAt(Vec2 point) const;
 

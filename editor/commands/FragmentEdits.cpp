@@ -1,5 +1,6 @@
 #include "editor/commands/FragmentEdits.h"
 
+#include "core/fracture/PatternPartition.h"
 #include "core/geometry/AreaMoments.h"
 #include "editor/commands/ProjectEdits.h"
 
@@ -48,10 +49,9 @@ bool isOf(const FragmentEdit& edit, const std::set<SeedId>& seeds) {
 std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen) {
     std::vector<ChosenPiece> pieces;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const std::uint32_t seed = partition.seedOfPiece[piece];
-        if (seed == kNone || !chosen.contains(seeds.ids[seed])) continue;
+        if (!chosen.contains(cellId(partition, piece, seeds.ids))) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
-        pieces.push_back({pieceName(seeds.ids[seed], partOfCell(partition, piece)),
+        pieces.push_back({pieceName(partition, piece, seeds.ids),
                           moments.area,
                           {partition.origin + moments.centre, acrossOf(moments)}});
     }

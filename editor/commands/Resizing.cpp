@@ -40,6 +40,9 @@ void stretch(Pattern& pattern, const Stretch& map) {
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
         }
+        if (auto* drawn = std::get_if<Strokes>(&layer.parameters)) {
+            for (Strokes::Stroke& stroke : drawn->strokes) stretch(stroke.points, map);
+        }
     }
 }
 

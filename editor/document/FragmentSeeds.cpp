@@ -1,5 +1,7 @@
 #include "editor/document/FragmentSeeds.h"
 
+#include "core/fracture/PatternPartition.h"
+
 namespace rubble {
 
 std::vector<SeedId> seedsOfFragments(const Bake& bake) {
@@ -7,11 +9,11 @@ std::vector<SeedId> seedsOfFragments(const Bake& bake) {
     seeds.reserve(bake.fragmentCount());
     for (const BakedBreaking& breaking : bake.breakings) {
         for (std::uint32_t k = 0; k < breaking.fragments.count(); ++k) {
-            const std::uint32_t seed = breaking.fragments[k].seed();
+            const Fragment fragment = breaking.fragments[k];
             if (breaking.parent != kNone) {
                 seeds.push_back(seeds[breaking.parent]);  // numbered before its pieces
             } else {
-                seeds.push_back(seed == kNone ? SeedId{} : breaking.seeds.ids[seed]);
+                seeds.push_back(cellId(fragment.partition(), fragment.piece(), breaking.seeds.ids));
             }
         }
     }

@@ -107,7 +107,7 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole: return layerText(*layer, m_units, {});
         case Qt::DecorationRole: return iconNamed(kindIconName(layer->parameters));
         case Qt::CheckStateRole: return layer->isOn ? Qt::Checked : Qt::Unchecked;
-        case Qt::ToolTipRole: return tr("Layer %1. Ticked layers scatter seeds, from top to bottom").arg(layer->id);
+        case Qt::ToolTipRole: return tr("Layer %1. Ticked layers take part, from top to bottom").arg(layer->id);
         default: return {};
     }
 }

@@ -13,8 +13,9 @@ namespace {
 constexpr int kDigits = 4;
 
 // In the order of LayerParameters.
-constexpr std::array kIcons{"layer-uniform",  "layer-blue-noise", "layer-placed", "layer-lloyd",        "layer-grid",
-                            "layer-clusters", "layer-radial",     "layer-impact", "layer-density-image"};
+constexpr std::array kIcons{"layer-uniform",  "layer-blue-noise", "layer-placed", "layer-lloyd",         "layer-grid",
+                            "layer-clusters", "layer-radial",     "layer-impact", "layer-density-image", "layer-bricks",
+                            "layer-slices",   "layer-strokes",    "layer-grain",  "layer-weighted-lloyd"};
 static_assert(kIcons.size() == std::variant_size_v<LayerParameters>);
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
@@ -55,6 +56,21 @@ struct Describing {
     QString operator()(const ImpactScatter& scatter) const { return countText(scatter.count); }
     QString operator()(const DensityImage& layer) const {
         return layer.image ? countText(layer.count) : tr("no picture yet");
+    }
+
+    QString operator()(const BrickBond& layer) const {
+        const double side = layer.bond == BondKind::Header ? layer.width : layer.length;
+        return tr("%1 × %2").arg(length(side), length(layer.height));
+    }
+    QString operator()(const Slices& slices) const { return counted(slices.cuts, tr("1 cut"), tr("%1 cuts"), locale); }
+    QString operator()(const Strokes& layer) const {
+        return counted(layer.strokes.size(), tr("1 stroke"), tr("%1 strokes"), locale);
+    }
+    QString operator()(const Grain& grain) const {
+        return tr("1 : %1").arg(roundedText(grain.ratio, kDigits, {}, locale));
+    }
+    QString operator()(const WeightedLloyd& relaxation) const {
+        return counted(relaxation.rounds, tr("1 round"), tr("%1 rounds"), locale);
     }
 
     QString length(double value) const {

@@ -34,7 +34,21 @@ inline std::vector<LayerParameters> patternSamples() {
             ImpactScatter{.centre = {0.2, 0.1}, .count = 15},
             ImpactScatter{.centre = {3.0, 0.0}, .count = 10, .radius = 0.01, .falloff = 8.0},
             DensityImage{.count = 14, .dense = DenseWhere::Bright, .image = fourPixels()},
-            DensityImage{}};
+            DensityImage{},
+            BrickBond{.length = 0.5, .height = 0.2, .origin = {-1.0, -1.0}},
+            BrickBond{.bond = BondKind::Stack, .length = 0.24, .height = 0.24, .mortar = 0.01},
+            BrickBond{.bond = BondKind::English, .length = 0.51, .width = 0.25, .height = 0.3, .mortar = 0.0},
+            BrickBond{.bond = BondKind::Header, .width = 0.3, .height = 0.3, .origin = {0.013, 0.37}},
+            BrickBond{.bond = BondKind::Flemish, .length = 0.4, .width = 0.2, .height = 0.25},
+            Slices{},
+            Slices{.cuts = 7, .angle = 0.4, .offsetVariation = 1.0, .angleVariation = 0.7},
+            Slices{.cuts = 4, .angle = 0.0, .offsetVariation = 0.0, .angleVariation = 0.0},
+            Strokes{{{0, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}},
+                     {3, {{0.1, -2.0}, {-0.1, 2.0}}},
+                     {4, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}, {0.4, 0.4}}},
+                     {9, {{0.0, 0.0}, {0.3, 0.55}}}}},
+            Grain{.angle = 0.7, .ratio = 4.0},
+            WeightedLloyd{.rounds = 2}};
 }
 
 }  // namespace rubble

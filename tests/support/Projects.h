@@ -48,7 +48,13 @@ inline Project fullProject() {
         {.id = 16, .parameters = Clusters{3, 5, 0.2}},
         {.id = 17, .parameters = RadialPattern{{0.05, -0.1}, 0.9, 3, 5, 1.25, -0.5, 0.75}},
         {.id = 18, .parameters = ImpactScatter{{0.2, 0.1}, 15, 0.05, 3.5}},
-        {.id = 19, .parameters = DensityImage{14, DenseWhere::Bright, fourPixels()}}};
+        {.id = 19, .parameters = DensityImage{14, DenseWhere::Bright, fourPixels()}},
+        {.id = 28, .parameters = BrickBond{BondKind::Flemish, 0.4, 0.2, 0.25, 0.02, {0.1, -0.2}}},
+        {.id = 29, .parameters = Slices{7, -0.4, 0.75, 0.125}},
+        {.id = 36,
+         .parameters = Strokes{{{2, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}}, {5, {{0.1, -2.0}, {-0.1, 2.0}}}}}},
+        {.id = 37, .parameters = Grain{0.7, 4.0}},
+        {.id = 38, .parameters = WeightedLloyd{2}}};
     wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::PartOfWhole, 0.01},
                     .gap = 1.0 / 512.0,
                     .roughness = {.amplitude = 0.003, .frequency = 12.5, .octaves = 4, .randomSeed = 77}};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/fracture/Grain.h"
+#include "core/fracture/PatternPartition.h"
 #include "core/fracture/Prism.h"
 #include "core/fracture/Verify.h"
 #include "core/fracture/VoronoiPartition.h"
@@ -24,6 +26,26 @@ inline Result<Partition> verifiedPartition(const Polygon& outline, std::span<con
     if (const auto wrong = verifyPartition(*partition, prism->outline)) return fault("verifyPartition", *wrong);
     if (const auto wrong = verifyNearestSeed(*partition, seeds)) return fault("verifyNearestSeed", *wrong);
     return partition;
+}
+
+/// The whole way of a pattern on an outline, each stage verified.
+inline Result<PatternStages> verifiedStages(const Pattern& pattern, const Polygon& outline) {
+    const auto fault = [](const char* function, const std::string& sentence) {
+        return Error{ErrorCode::Degenerate, std::string(function) + ": " + sentence};
+    };
+    const Result<Prism> prism = validated(Prism{outline, 1.0});
+    if (!prism) return prism.error();
+    const Result<PatternStages> stages = partitionBy(pattern, prism->outline);
+    if (!stages) return stages.error();
+    const Partition& partition = stages->partition;
+    const std::optional<GrainMap> grain = GrainMap::of(pattern, prism->outline);
+    const std::vector<Vec2> seeds =
+        grain ? (*grain)(std::span<const Vec2>(stages->seeds.positions)) : stages->seeds.positions;
+    if (const auto wrong = verifyDelaunay(stages->delaunay, seeds)) return fault("verifyDelaunay", *wrong);
+    if (const auto wrong = verifyPartition(partition, prism->outline)) return fault("verifyPartition", *wrong);
+    if (const auto wrong = verifyNearestSeed(grain ? (*grain)(partition) : partition, seeds))
+        return fault("verifyNearestSeed", *wrong);
+    return stages;
 }
 
 /// The area of all pieces of a seed.

@@ -1,12 +1,18 @@
 #include "core/base/Trigonometry.h"
+#include "core/fracture/BrickCourses.h"
+#include "core/fracture/CutSet.h"
+#include "core/geometry/HalfPlaneClip.h"
 #include "tests/support/Outlines.h"
 #include "tests/support/PatternSamples.h"
 #include "tests/support/VerifiedPartition.h"
 
 #include <QTest>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -42,18 +48,132 @@ Pattern patternOf(const LayerParameters& parameters, std::uint64_t randomSeed) {
              {.id = 2, .randomSeed = randomSeed, .parameters = parameters}}};
 }
 
-/// What is wrong with the seeds of a layer on an outline, or nothing.
+/// The area of an outline within a box, from its rings clipped one by one.
+double areaWithin(const Polygon& outline, Vec2 min, Vec2 max) {
+    const auto clippedArea = [&](Ring ring) {
+        for (const HalfPlane& side : {HalfPlane{{-1.0, 0.0}, -min.x}, HalfPlane{{1.0, 0.0}, max.x},
+                                      HalfPlane{{0.0, -1.0}, -min.y}, HalfPlane{{0.0, 1.0}, max.y}}) {
+            Ring clipped;
+            clipByHalfPlane(ring, side, clipped);
+            ring.swap(clipped);
+        }
+        return ring.size() < 3 ? 0.0 : signedArea(ring);
+    };
+    double sum = clippedArea(outline.outer);
+    for (const Ring& hole : outline.holes) sum += clippedArea(hole);
+    return sum;
+}
+
+/// Where a brick's cell lies, from first principles: courses are laid one by one, and bricks in them.
+Box2 cellOfBrick(const BrickBond& bond, int course, int column) {
+    const double stretcher = bond.length + bond.mortar, header = bond.width + bond.mortar;
+    const bool isOdd = course % 2 != 0;
+    std::vector<double> bricks;  // that are repeated along the course
+    double start = 0.0;          // of brick 0
+    switch (bond.bond) {
+        case BondKind::Stretcher: bricks = {stretcher}, start = isOdd ? stretcher / 2.0 : 0.0; break;
+        case BondKind::Stack: bricks = {stretcher}; break;
+        case BondKind::Header: bricks = {header}, start = isOdd ? header / 2.0 : 0.0; break;
+        case BondKind::English: bricks = {isOdd ? header : stretcher}, start = isOdd ? header / 2.0 : 0.0; break;
+        case BondKind::Flemish: bricks = {stretcher, header}, start = isOdd ? (stretcher + header) / 2.0 : 0.0; break;
+    }
+    const int count = static_cast<int>(bricks.size());
+    const auto brickAt = [&](int k) { return bricks[static_cast<std::size_t>(((k % count) + count) % count)]; };
+    double left = bond.origin.x + start;
+    for (int k = 0; k < column; ++k) left += brickAt(k);
+    for (int k = -1; k >= column; --k) left -= brickAt(k);
+    const double rise = bond.height + bond.mortar, bottom = bond.origin.y + course * rise;
+    return {{left, bottom}, {left + brickAt(column), bottom + rise}};
+}
+
+/// Every cell of a bond holds as much of the outline as its pieces.
+QString brickFault(const Partition& partition, const Polygon& outline, const BrickBond& bond) {
+    std::map<std::uint32_t, double> areas;
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece)
+        areas[partition.cutCellsOf(piece)[0]] += pieceArea(partition, piece);
+    constexpr int kFar = 30;
+    std::size_t found = 0;
+    for (int course = -kFar; course <= kFar; ++course) {
+        for (int column = -kFar; column <= kFar; ++column) {
+            const Box2 cell = cellOfBrick(bond, course, column);
+            const double expected = areaWithin(outline, cell.min, cell.max);
+            const auto has = areas.find(BrickCourses::cellIndex(course, column));
+            const double area = has == areas.end() ? 0.0 : has->second;
+            if (std::abs(area - expected) > 1e-9)
+                return QString("course %1, column %2: %3 m^2, not %4").arg(course).arg(column).arg(area).arg(expected);
+            found += has != areas.end();
+        }
+    }
+    return found == areas.size() ? QString() : "Some bricks are too far away.";
+}
+
+/// No piece lies on both sides of a cut that goes right across.
+QString sliceFault(const Partition& partition, const CutSet& cuts) {
+    for (const CutEdge& cut : cuts.edges) {
+        const Vec2 from = cuts.points[cut.from], direction = glm::normalize(cuts.points[cut.to] - from);
+        for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+            double least = 0.0, most = 0.0;
+            forEachEdge(partition, piece, [&](std::uint32_t point, std::uint32_t, std::uint32_t) {
+                const double side = cross(direction, partition.points[point] + partition.origin - from);
+                least = std::min(least, side);
+                most = std::max(most, side);
+            });
+            if (least < -1e-9 && most > 1e-9)
+                return QString("Piece %1 lies on both sides of cut %2.").arg(piece).arg(cut.line);
+        }
+    }
+    return {};
+}
+
+/// The cuts along the edges of pieces and those that are reported as loose are all the cuts there are.
+QString strokeFault(const PatternStages& stages, const Polygon& outline, const CutSet& cuts) {
+    const Partition& partition = stages.partition;
+    double loose = 0.0, inside = 0.0, missed = 0.0;
+    for (const Report& report : partition.reports) loose += report.code == ReportCode::LooseCut ? report.amount : 0.0;
+    constexpr int kSamples = 400;
+    for (const CutEdge& cut : cuts.edges) {
+        const Vec2 from = cuts.points[cut.from], along = cuts.points[cut.to] - from;
+        for (int k = 0; k < kSamples; ++k) {
+            const Vec2 place = from + along * ((k + 0.5) / kSamples);
+            if (containment(outline, place) == Containment::Outside) continue;
+            double nearest = 1.0;
+            for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+                forEachEdge(partition, piece, [&](std::uint32_t a, std::uint32_t b, std::uint32_t) {
+                    const Vec2 start = partition.points[a] + partition.origin,
+                               edge = partition.points[b] - partition.points[a];
+                    const double share = std::clamp(glm::dot(place - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
+                    nearest = std::min(nearest, glm::distance(place, start + share * edge));
+                });
+            }
+            inside += glm::length(along) / kSamples;
+            missed += nearest > 1e-9 ? glm::length(along) / kSamples : 0.0;
+        }
+    }
+    const bool isAllThere = std::abs(missed - loose) <= 0.02 * inside;
+    return isAllThere ? QString() : QString("%1 m of cuts are missing, %2 m reported").arg(missed).arg(loose);
+}
+
+/// What is wrong with the pieces of a pattern on an outline, or nothing.
 QString faultOn(const Polygon& outline, const Pattern& pattern) {
-    const Result<Seeds> seeds = seedsOf(pattern, outline);
-    if (!seeds) return QString::fromStdString(seeds.error().message);
-    if (!std::ranges::is_sorted(seeds->ids)) return "The seeds are not in the order of their ids.";
-    if (std::ranges::adjacent_find(seeds->ids) != seeds->ids.end()) return "Two seeds have one id.";
-    if (seeds->positions != seedsOf(pattern, outline)->positions) return "The same recipe gives other seeds.";
-    const Result<Partition> partition = verifiedPartition(outline, seeds->positions);
-    if (!partition) return QString::fromStdString(partition.error().message);
+    const Result<PatternStages> stages = verifiedStages(pattern, outline);
+    if (!stages) return QString::fromStdString(stages.error().message);
+    const std::vector<SeedId>& ids = stages->seeds.ids;
+    if (!std::ranges::is_sorted(ids)) return "The seeds are not in the order of their ids.";
+    if (std::ranges::adjacent_find(ids) != ids.end()) return "Two seeds have one id.";
+    const Partition& partition = stages->partition;
     double sum = 0.0;
-    for (std::uint32_t piece = 0; piece < partition->pieceCount(); ++piece) sum += pieceArea(*partition, piece);
-    return std::abs(sum - area(outline)) <= 1e-9 * area(outline) ? QString() : "Area is lost.";
+    std::set<std::string> names;
+    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+        sum += pieceArea(partition, piece);
+        if (!names.insert(pieceName(partition, piece, ids)).second) return "Two pieces have one name.";
+    }
+    if (std::abs(sum - area(outline)) > 1e-9 * area(outline)) return "Area is lost.";
+    const LayerParameters& last = pattern.layers.back().parameters;
+    if (const auto* bond = std::get_if<BrickBond>(&last)) return brickFault(partition, outline, *bond);
+    const CutSet cuts = cutsOf(pattern, outline).value();
+    if (std::holds_alternative<Slices>(last)) return sliceFault(partition, cuts);
+    if (std::holds_alternative<Strokes>(last)) return strokeFault(*stages, outline, cuts);
+    return {};
 }
 
 std::string faultOfLayer(const LayerParameters& parameters) {
@@ -111,6 +231,7 @@ private slots:
                 QVERIFY2(seeds, kind->caption);
                 const bool isEmpty =
                     kind->role != LayerRole::Scatters || std::holds_alternative<DensityImage>(parameters);
+                QVERIFY2(partitionBy({{{.id = 1, .randomSeed = 1, .parameters = parameters}}}, outline), kind->caption);
                 QVERIFY2(isEmpty == seeds->positions.empty(), kind->caption);
                 QVERIFY2(seeds->positions.size() < 300, kind->caption);
             }
@@ -122,13 +243,19 @@ private slots:
         for (const LayerParameters& sample : patternSamples()) {
             const auto* image = std::get_if<DensityImage>(&sample);
             if (std::holds_alternative<PlacedSeeds>(sample) || (image && !image->image)) continue;
+            if (std::holds_alternative<Grain>(sample)) continue;
             const PatternLayer layer{.id = 1, .parameters = sample};
             const Polygon outline = unitSquare();
             SeedSet seeds;
+            CutSet cuts;
             seeds.add({0, 0}, {0.5, 0.5}, false);
             const Status applied = std::visit(
-                [&](const auto& parameters) {
-                    return parameters.apply({layer, outline, task}, seeds);
+                [&](const auto& parameters) -> Status {
+                    const LayerContext context{layer, outline, task};
+                    if constexpr (requires { parameters.apply(context, seeds); })
+                        return parameters.apply(context, seeds);
+                    if constexpr (requires { parameters.cut(context, cuts); }) return parameters.cut(context, cuts);
+                    return success();
                 },
                 sample);
             QVERIFY2(!applied && applied.error().code == ErrorCode::Cancelled, kindOf(sample).caption);
@@ -158,6 +285,7 @@ private slots:
             for (const LayerParameter& parameter : kind.parameters) parameter.write(copy, parameter.read(sample));
             if (auto* placed = std::get_if<PlacedSeeds>(&copy)) *placed = std::get<PlacedSeeds>(sample);
             if (auto* density = std::get_if<DensityImage>(&copy)) density->image = std::get<DensityImage>(sample).image;
+            if (auto* strokes = std::get_if<Strokes>(&copy)) *strokes = std::get<Strokes>(sample);
             QVERIFY2(copy == sample, kind.caption);
         }
     }

@@ -218,8 +218,9 @@ private slots:
         row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
             "/assets/0/prism/outline/2", "[1, 2, 3]");
         row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
-            "\"clusters\", \"radial\", \"impact\" or \"densityImage\", found \"bricks\".",
-            "/assets/0/pattern/0/kind", "\"bricks\"");
+            "\"clusters\", \"radial\", \"impact\", \"densityImage\", \"bricks\", \"slices\", \"strokes\", \"grain\" or "
+            "\"weightedLloyd\", found \"tiles\".",
+            "/assets/0/pattern/0/kind", "\"tiles\"");
         row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
         row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
             "{\"each\": 5}");
