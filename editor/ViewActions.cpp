@@ -57,6 +57,11 @@ void ViewActions::addTools() {
          {"tool-seed", tr("&Seeds"), tr("Place, choose, drag and delete seeds"), QKeySequence("Alt+Q")}},
         {CanvasToolKind::Outline,
          {"tool-outline", tr("&Outline"), tr("Drag, add and delete points of the outline"), QKeySequence("Alt+W")}},
+        {CanvasToolKind::Strokes,
+         {"tool-stroke", tr("S&trokes"), tr("Draw cracks by hand, drag and delete their points"),
+          QKeySequence("Alt+D")}},
+        {CanvasToolKind::Brush,
+         {"tool-brush", tr("&Brush"), tr("Paint where pieces are small"), QKeySequence("Alt+B")}},
         {CanvasToolKind::Measure,
          {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};
     for (const auto& [kind, look] : tools) {

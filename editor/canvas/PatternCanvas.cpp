@@ -1,11 +1,13 @@
 #include "editor/canvas/PatternCanvas.h"
 
+#include "editor/canvas/BrushTool.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/canvas/LabelPainting.h"
 #include "editor/canvas/LegendPainting.h"
 #include "editor/canvas/MeasureTool.h"
 #include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/SeedTool.h"
+#include "editor/canvas/StrokeTool.h"
 #include "editor/canvas/VoronoiLines.h"
 
 #include <QContextMenuEvent>
@@ -40,6 +42,8 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
       m_colours(canvasColours(palette())),
       m_outlineTool(std::make_unique<OutlineTool>(m_state)),
       m_seedTool(std::make_unique<SeedTool>(m_state)),
+      m_strokeTool(std::make_unique<StrokeTool>(m_state)),
+      m_brushTool(std::make_unique<BrushTool>(m_state)),
       m_measureTool(std::make_unique<MeasureTool>(m_state)),
       m_tool(m_seedTool.get()) {
     setFocusPolicy(Qt::StrongFocus);
@@ -60,8 +64,8 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {
         if (asset == m_state.selection.asset() && m_contents.layers.colouring == CellColouring::Level) takeBake();
     });
-    for (CanvasTool* tool :
-         std::initializer_list<CanvasTool*>{m_outlineTool.get(), m_seedTool.get(), m_measureTool.get()}) {
+    for (CanvasTool* tool : std::initializer_list<CanvasTool*>{
+             m_outlineTool.get(), m_seedTool.get(), m_strokeTool.get(), m_brushTool.get(), m_measureTool.get()}) {
         connect(tool, &CanvasTool::changed, this, &PatternCanvas::toolChanged);
         connect(tool, &CanvasTool::said, this, &PatternCanvas::said);
     }
@@ -77,6 +81,8 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
     switch (kind) {
         case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
         case CanvasToolKind::Seeds: m_tool = m_seedTool.get(); break;
+        case CanvasToolKind::Strokes: m_tool = m_strokeTool.get(); break;
+        case CanvasToolKind::Brush: m_tool = m_brushTool.get(); break;
         case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
     }
     toolChanged();
@@ -324,9 +330,13 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
     const bool isFine = choice.seeds.size() <= kMostRings;
     QColor wash = m_colours.accent;
     wash.setAlpha(70);
+    Selection::Seeds cells;  // of cut layers
     for (const SeedId id : m_state.selection.seeds()) {
         const auto [shown, seed] = m_contents.find(id);
-        if (seed == kNone) continue;
+        if (seed == kNone) {
+            cells.insert(id);
+            continue;
+        }
         const QPointF at = m_state.view.pixels(shown->seeds().positions[seed]);
         if (isFine) {
             const IndexRange pieces = shown->piecesOf(seed);
@@ -341,6 +351,13 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
         } else {
             painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
         }
+    }
+    if (cells.empty() || !m_contents.layers.hasCells) return;
+    painter.setBrush(wash);
+    const ShownPattern& pattern = *m_contents.pattern;
+    for (std::uint32_t piece = 0; piece < pattern.partition().pieceCount(); ++piece) {
+        if (pattern.partition().seedOfPiece[piece] == kNone && cells.contains(pattern.cellOf(piece)))
+            painter.drawPath(pathOfPiece(pattern, piece, m_state.view));
     }
 }
 
@@ -367,7 +384,8 @@ void PatternCanvas::paintCircle(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.circle, 1.5));
-    if (const std::optional<Circle> circle = circumcircle(delaunay, triangle)) {
+    const bool hasGrain = GrainMap::of(m_contents.asset()->pattern, m_contents.asset()->prism.outline).has_value();
+    if (const std::optional<Circle> circle = circumcircle(delaunay, triangle); circle && !hasGrain) {
         const double radius = circle->radius * m_state.view.scale;
         if (radius < kLargestCircle) painter.drawEllipse(m_state.view.pixels(circle->centre), radius, radius);
     }
@@ -376,14 +394,16 @@ void PatternCanvas::paintCircle(QPainter& painter) const {
     painter.setBrush(fill);
     QPolygonF corners;
     for (const std::uint32_t corner : delaunay.triangles[triangle].corner) {
-        corners.push_back(m_state.view.pixels(delaunay.sites[corner]));
+        corners.push_back(m_state.view.pixels(m_contents.pattern->site(corner)));
     }
     painter.drawPolygon(corners);
 }
 
 void PatternCanvas::paintHoverLabel(QPainter& painter) const {
     if (m_hovered == kNone || !m_contents.pattern || !m_pointer || !m_contents.layers.hasCells) return;
-    if (m_toolKind == CanvasToolKind::Measure || m_outlineTool->isDrawing() || m_panFrom || m_isPressed) return;
+    if (m_toolKind == CanvasToolKind::Measure || m_toolKind == CanvasToolKind::Brush || m_outlineTool->isDrawing() ||
+        m_strokeTool->isDrawing() || m_panFrom || m_isPressed)
+        return;
     const ShownPattern& pattern = *m_contents.pattern;
     const std::size_t neighbours = pattern.neighbours(m_hovered).size();
     const QStringList lines = {

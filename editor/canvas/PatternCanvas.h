@@ -11,11 +11,13 @@
 
 namespace rubble {
 
+class BrushTool;
 class MeasureTool;
 class OutlineTool;
 class SeedTool;
+class StrokeTool;
 
-enum class CanvasToolKind { Outline, Seeds, Measure };
+enum class CanvasToolKind { Outline, Seeds, Strokes, Brush, Measure };
 
 /// Shows the pattern of the asset at hand in the plane, and is where it is drawn: outline, seeds and what they make, with
 /// tools to change them. What was painted is kept; only what changed is painted again. While seeds are dragged, the cells
@@ -30,6 +32,8 @@ public:
     void setTool(CanvasToolKind kind);
     OutlineTool& outlineTool() { return *m_outlineTool; }
     SeedTool& seedTool() { return *m_seedTool; }
+    StrokeTool& strokeTool() { return *m_strokeTool; }
+    BrushTool& brushTool() { return *m_brushTool; }
     MeasureTool& measureTool() { return *m_measureTool; }
 
     const CanvasLayers& layers() const { return m_contents.layers; }
@@ -113,6 +117,8 @@ private:
     CanvasColours m_colours;
     std::unique_ptr<OutlineTool> m_outlineTool;
     std::unique_ptr<SeedTool> m_seedTool;
+    std::unique_ptr<StrokeTool> m_strokeTool;
+    std::unique_ptr<BrushTool> m_brushTool;
     std::unique_ptr<MeasureTool> m_measureTool;
     CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
     CanvasTool* m_tool = nullptr;  // the one of that kind

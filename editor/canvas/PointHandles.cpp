@@ -1,11 +1,14 @@
 #include "editor/canvas/PointHandles.h"
 
+#include "core/base/Trigonometry.h"
 #include "core/fracture/SeedEdits.h"
 #include "editor/canvas/Snapping.h"
 #include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QCoreApplication>
+
+#include <cmath>
 
 namespace rubble {
 
@@ -16,6 +19,9 @@ constexpr double kReach = 10.0;  // from its middle within which a press takes i
 constexpr double kCross = 11.0;  // how far its cross reaches
 constexpr double kWidth = 1.75;
 constexpr double kHaloWidth = 4.5;
+constexpr double kReachOfAngle = 0.3;  // of the asset's diameter: from its middle to a handle that turns
+constexpr double kNextAngle = 0.8;     // of the one before: handles of one angle lie beside each other
+constexpr std::string_view kDirection = "angle";
 
 QString tr(const char* text) { return QCoreApplication::translate("PointHandles", text); }
 
@@ -29,14 +35,45 @@ void paintHandle(QPainter& painter, QPointF at, const QColor& colour) {
     }
 }
 
+/// A line through the pivot to where the direction is held.
+void paintDirection(QPainter& painter, QPointF pivot, QPointF at, const QColor& colour) {
+    for (const QColor& stroke : {QColor(255, 255, 255, 200), colour}) {
+        painter.setPen(
+            QPen(stroke, stroke == colour ? kWidth : kHaloWidth, stroke == colour ? Qt::DashLine : Qt::SolidLine));
+        painter.drawLine(pivot - (at - pivot), at);
+    }
+}
+
+/// Whether a parameter is the angle in which all cuts of the layer, or its grain, run.
+bool isDirection(const LayerParameter& parameter, const PatternLayer& layer) {
+    const LayerRole role = kindOf(layer.parameters).role;
+    return parameter.name == kDirection && (role == LayerRole::Cuts || role == LayerRole::Measures);
+}
+
+/// What a handle's parameter is where the handle is held.
+ParameterValue valueAt(const PointHandle& handle, Vec2 position) {
+    if (!handle.pivot) return position;
+    const Vec2 along = position - *handle.pivot;
+    return std::atan2(along.y, along.x);
+}
+
 }  // namespace
 
-std::vector<PointHandle> pointHandles(const Pattern& pattern) {
+std::vector<PointHandle> pointHandles(const Asset& asset) {
     std::vector<PointHandle> handles;
-    for (const PatternLayer& layer : pattern.layers) {
+    const Box2 box = boundsOf(asset.prism.outline.outer);
+    const Vec2 middle = (box.min + box.max) / 2.0;
+    double reach = kReachOfAngle * box.diagonal();
+    for (const PatternLayer& layer : asset.pattern.layers) {
+        if (!layer.isOn) continue;
         for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
-            if (!layer.isOn || parameter.type != ParameterType::Point) continue;
-            handles.push_back({layer.id, &parameter, std::get<Vec2>(parameter.read(layer.parameters))});
+            if (parameter.type == ParameterType::Point) {
+                handles.push_back({layer.id, &parameter, std::get<Vec2>(parameter.read(layer.parameters))});
+            } else if (isDirection(parameter, layer)) {
+                const double angle = std::get<double>(parameter.read(layer.parameters));
+                handles.push_back({layer.id, &parameter, middle + reach * Vec2(cosine(angle), sine(angle)), middle});
+                reach *= kNextAngle;
+            }
         }
     }
     return handles;
@@ -46,7 +83,7 @@ std::optional<PointHandle> PointHandles::handleAt(QPointF pixels) const {
     std::optional<PointHandle> nearest;
     double least = kReach * kReach;
     if (!m_state.asset()) return nearest;
-    for (const PointHandle& handle : pointHandles(m_state.asset()->pattern)) {
+    for (const PointHandle& handle : pointHandles(*m_state.asset())) {
         const QPointF off = m_state.view.pixels(handle.position) - pixels;
         const double squared = QPointF::dotProduct(off, off);
         if (squared > least) continue;
@@ -71,9 +108,10 @@ void PointHandles::move(const CanvasPointer& pointer, bool hasMoved) {
 void PointHandles::push(const Drag& drag, Vec2 position) {
     Asset asset = drag.before;
     if (PatternLayer* layer = findLayer(asset.pattern, drag.handle.layer)) {
-        drag.handle.parameter->write(layer->parameters, position);
+        drag.handle.parameter->write(layer->parameters, valueAt(drag.handle, position));
     }
-    const QString text = tr("Move %1").arg(patternText(drag.handle.parameter->caption).toLower());
+    const QString text =
+        (drag.handle.pivot ? tr("Turn %1") : tr("Move %1")).arg(patternText(drag.handle.parameter->caption).toLower());
     m_state.document.push(altered(text, std::move(asset), drag.stroke));
 }
 
@@ -88,10 +126,13 @@ void PointHandles::paint(QPainter& painter, const CanvasColours& colours) const 
     if (!m_state.asset()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const PointHandle& handle : pointHandles(m_state.asset()->pattern)) {
+    for (const PointHandle& handle : pointHandles(*m_state.asset())) {
         const bool isHovered =
             m_hovered && m_hovered->layer == handle.layer && m_hovered->parameter == handle.parameter;
-        paintHandle(painter, m_state.view.pixels(handle.position), isHovered ? colours.hover : colours.accent);
+        const QColor colour = isHovered ? colours.hover : colours.accent;
+        if (handle.pivot)
+            paintDirection(painter, m_state.view.pixels(*handle.pivot), m_state.view.pixels(handle.position), colour);
+        paintHandle(painter, m_state.view.pixels(handle.position), colour);
     }
 }
 

@@ -6,14 +6,16 @@
 
 namespace rubble {
 
-/// A point that a layer has as a parameter, as the centre of a radial one.
+/// A point that a layer has as a parameter, as the centre of a radial one; or one that stands for the angle in which its cuts or its
+/// grain run, seen from the middle of the asset.
 struct PointHandle {
     Id layer = 0;
     const LayerParameter* parameter = nullptr;
-    Vec2 position{0.0, 0.0};  // m
+    Vec2 position{0.0, 0.0};         // m
+    std::optional<Vec2> pivot = {};  // m: of an angle
 };
-/// Those of all layers that are on.
-std::vector<PointHandle> pointHandles(const Pattern& pattern);
+/// Those of all layers of the asset that are on.
+std::vector<PointHandle> pointHandles(const Asset& asset);
 
 /// Shows such points on a canvas and lets them be dragged: what a tool does first of all.
 class PointHandles {

@@ -1,0 +1,190 @@
+#include "editor/canvas/BrushTool.h"
+
+#include "core/fracture/DensityArea.h"
+#include "core/fracture/SeedEdits.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QImage>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kLeastRadius = 3.0;  // pixels
+constexpr double kMostRadius = 400.0;
+constexpr double kRadiusFactor = 1.25;  // a step of a key
+constexpr double kStrengthStep = 0.1;
+constexpr int kMostAlpha = 150;  // of the picture over the cells, of 255
+
+/// The value that stands for most seeds, or for none.
+double valueOf(DenseWhere dense, bool isErasing) { return (dense == DenseWhere::Bright) != isErasing ? 1.0 : 0.0; }
+
+}  // namespace
+
+const PatternLayer* BrushTool::layer() const {
+    const Asset* asset = m_state.asset();
+    if (!asset) return nullptr;
+    const auto isOpen = [](const PatternLayer& each) {
+        return each.isOn && std::holds_alternative<DensityImage>(each.parameters);
+    };
+    const auto& layers = asset->pattern.layers;
+    const auto found = std::find_if(layers.rbegin(), layers.rend(), isOpen);
+    return found == layers.rend() ? nullptr : &*found;
+}
+
+void BrushTool::press(const CanvasPointer& pointer) {
+    if (!m_state.asset()) return;
+    m_pointer = pointer;
+    const PatternLayer* of = layer();
+    m_painting = Painting{.before = *m_state.asset(), .last = pointer.metres, .stroke = m_state.document.newStroke()};
+    if (of) {
+        m_painting->layer = of->id;
+        m_painting->picture = std::get<DensityImage>(of->parameters).image;
+    } else {
+        m_painting->newId = m_painting->layer = m_state.document.project().nextId;
+    }
+    dabTo(pointer);
+}
+
+void BrushTool::dabTo(const CanvasPointer& pointer) {
+    const Box2 box = boundsOf(m_painting->before.prism.outline.outer);
+    const PatternLayer* of = layer();
+    const DenseWhere dense = of ? std::get<DensityImage>(of->parameters).dense : DenseWhere::Dark;
+    const bool isErasing = m_isErasing != pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const Brush brush{m_radiusPixels / m_state.view.scale, m_strength, valueOf(dense, isErasing)};
+    GreyImage picture = m_painting->picture ? *m_painting->picture : evenPicture(box, valueOf(dense, true));
+    picture = painted(std::move(picture), box, m_painting->last, pointer.metres, brush);
+    m_painting->last = pointer.metres;
+    push(std::make_shared<const GreyImage>(std::move(picture)));
+}
+
+void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
+    m_painting->picture = picture;
+    Asset asset = m_painting->before;
+    Edit edit{.text = tr("Paint density"), .stroke = m_painting->stroke};
+    if (m_painting->newId != 0) {
+        const bool isThere = findLayer(m_state.asset()->pattern, m_painting->newId) != nullptr;
+        const Id id = isThere ? m_painting->newId : edit.takeId(m_state.document.project());
+        m_painting->newId = m_painting->layer = id;
+        asset.pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
+    }
+    if (PatternLayer* of = findLayer(asset.pattern, m_painting->layer)) {
+        std::get<DensityImage>(of->parameters).image = std::move(picture);
+        edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
+        m_state.document.push(std::move(edit));
+    }
+    emit changed();
+}
+
+void BrushTool::move(const CanvasPointer& pointer) {
+    m_pointer = pointer;
+    if (m_painting && pointer.metres != m_painting->last) dabTo(pointer);
+    emit changed();
+}
+
+void BrushTool::release(const CanvasPointer&) {
+    m_painting.reset();
+    emit changed();
+}
+
+void BrushTool::setRadiusPixels(double radius) {
+    m_radiusPixels = std::clamp(radius, kLeastRadius, kMostRadius);
+    emit changed();
+}
+
+void BrushTool::setStrength(double strength) {
+    m_strength = std::clamp(strength, kStrengthStep, 1.0);
+    emit changed();
+}
+
+bool BrushTool::key(const QKeyEvent& event) {
+    switch (event.key()) {
+        case Qt::Key_BracketLeft: setRadiusPixels(m_radiusPixels / kRadiusFactor); return true;
+        case Qt::Key_BracketRight: setRadiusPixels(m_radiusPixels * kRadiusFactor); return true;
+        case Qt::Key_Comma: setStrength(m_strength - kStrengthStep); return true;
+        case Qt::Key_Period: setStrength(m_strength + kStrengthStep); return true;
+        case Qt::Key_X:
+            m_isErasing = !m_isErasing;
+            emit changed();
+            return true;
+        case Qt::Key_Escape: return cancel();
+        default: return false;
+    }
+}
+
+bool BrushTool::cancel() {
+    if (!m_painting) return false;
+    const Painting painting = *std::exchange(m_painting, std::nullopt);
+    if (m_state.asset() && m_state.asset()->id == painting.before.id) {
+        m_state.document.push(altered(tr("Paint density"), painting.before, painting.stroke));
+    }
+    emit changed();
+    return true;
+}
+
+void BrushTool::letGo() {
+    m_painting.reset();
+    emit changed();
+}
+
+void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) const {
+    const PatternLayer* of = layer();
+    const auto* density = of ? &std::get<DensityImage>(of->parameters) : nullptr;
+    if (!density || !density->image) return;
+    const GreyImage& picture = *density->image;
+    QImage overlay(static_cast<int>(picture.width), static_cast<int>(picture.height), QImage::Format_ARGB32);
+    for (int row = 0; row < overlay.height(); ++row) {
+        for (int column = 0; column < overlay.width(); ++column) {
+            const Vec2 place((column + 0.5) / overlay.width(), 1.0 - (row + 0.5) / overlay.height());
+            QColor colour = colours.fault;
+            colour.setAlpha(static_cast<int>(kMostAlpha * densityAt(picture, density->dense, place)));
+            overlay.setPixelColor(column, row, colour);
+        }
+    }
+    const Box2 box = boundsOf(m_state.asset()->prism.outline.outer);
+    const QRectF target(m_state.view.pixels({box.min.x, box.max.y}), m_state.view.pixels({box.max.x, box.min.y}));
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(target, overlay);
+}
+
+void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
+    if (!m_state.asset()) return;
+    paintPicture(painter, colours);
+    if (!m_pointer) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const bool isErasing = m_isErasing != m_pointer->modifiers.testFlag(Qt::ShiftModifier);
+    for (const double radius : {m_radiusPixels, m_radiusPixels / 2.0}) {
+        painter.setPen(QPen(colours.halo, 3.0));
+        painter.drawEllipse(m_pointer->pixels, radius, radius);
+        painter.setPen(QPen(isErasing ? colours.text : colours.fault, 1.5, isErasing ? Qt::DashLine : Qt::SolidLine));
+        painter.drawEllipse(m_pointer->pixels, radius, radius);
+    }
+}
+
+QString BrushTool::hint() const {
+    const QString what = m_isErasing ? tr("Drag: erase") : tr("Drag: paint where pieces are small");
+    return tr("%1 · Shift or X: the other way · [ ]: size · , .: strength %2 %")
+        .arg(what)
+        .arg(std::lround(100.0 * m_strength));
+}
+
+void BrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
+    menu.addAction(tr("&Larger brush"), this, [this] { setRadiusPixels(m_radiusPixels * kRadiusFactor); });
+    menu.addAction(tr("S&maller brush"), this, [this] { setRadiusPixels(m_radiusPixels / kRadiusFactor); });
+    menu.addSeparator();
+    menu.addAction(tr("&Stronger brush"), this, [this] { setStrength(m_strength + kStrengthStep); });
+    menu.addAction(tr("&Weaker brush"), this, [this] { setStrength(m_strength - kStrengthStep); });
+    menu.addSeparator();
+    QAction* erase = menu.addAction(tr("&Erase"), this, [this](bool isOn) {
+        m_isErasing = isOn;
+        emit changed();
+    });
+    erase->setCheckable(true);
+    erase->setChecked(m_isErasing);
+}
+
+}  // namespace rubble
