@@ -89,20 +89,38 @@ void appendPolygon(SvgText& svg, const Frame& frame, const Polygon& polygon, Vec
     for (const Ring& hole : polygon.holes) appendRing(svg, frame, hole, origin);
 }
 
-/// One colour a piece: the same for all pieces of a seed, another than its neighbours' where the palette allows.
+/// A number for a piece's seed and the cells of cut layers it lies in.
+std::uint64_t keyOf(const Partition& partition, std::uint32_t piece) {
+    std::uint64_t key = partition.seedOfPiece[piece];
+    for (const std::uint32_t cell : partition.cutCellsOf(piece)) key = mixedWith(key, cell);
+    return key;
+}
+
+/// Whether a piece is of the same seed as the ones from `first` up to it, and in the same cells, and no cut parts it from them.
+bool isAlike(const Partition& partition, std::uint32_t first, std::uint32_t piece) {
+    if (partition.seedOfPiece[piece] == kNone || partition.seedOfPiece[piece] != partition.seedOfPiece[first])
+        return false;
+    bool isParted = !std::ranges::equal(partition.cutCellsOf(piece), partition.cutCellsOf(first));
+    forEachEdge(partition, piece, [&](std::uint32_t, std::uint32_t, std::uint32_t across) {
+        isParted = isParted || (across >= first && across < piece);
+    });
+    return !isParted;
+}
+
+/// One colour a piece: the same for all pieces of a seed that no cut parts, another than its neighbours' where the palette allows.
 std::vector<std::size_t> pieceColours(const Partition& partition) {
     constexpr std::size_t kUncoloured = kCellColours.size();
     std::vector<std::size_t> colours(partition.pieceCount(), kUncoloured);
     for (std::uint32_t first = 0, end = 0; first < partition.pieceCount(); first = end) {
-        const std::uint32_t seed = partition.seedOfPiece[first];
-        while (end < partition.pieceCount() && partition.seedOfPiece[end] == seed) ++end;
+        end = first + 1;
+        while (end < partition.pieceCount() && isAlike(partition, first, end)) ++end;
         std::array<bool, kCellColours.size() + 1> isTaken{};
         const std::uint32_t firstCorner = partition.cornersOfRing[partition.ringsOfPiece[first]];
         const std::uint32_t endCorner = partition.cornersOfRing[partition.ringsOfPiece[end]];
         for (std::uint32_t corner = firstCorner; corner < endCorner; ++corner) {
             if (partition.across[corner] != kNone) isTaken[colours[partition.across[corner]]] = true;
         }
-        std::size_t colour = mixed(seed) % kCellColours.size();
+        std::size_t colour = mixed(keyOf(partition, first)) % kCellColours.size();
         for (std::size_t tried = 0; tried < kCellColours.size() && isTaken[colour]; ++tried) {
             colour = (colour + 1) % kCellColours.size();
         }
@@ -177,7 +195,9 @@ void drawTitle(SvgText& svg, const Frame& frame, double top, const PatternPanel&
     svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top << "\" font-size=\"17\" font-weight=\"bold\">";
     svg << escapedXml(panel.title) << "</text>\n";
     svg << "<text x=\"" << frame.corner.x << "\" y=\"" << top + 19.0 << "\" font-size=\"12\" fill=\"#555\">";
-    svg << countText(panel.seeds.size(), "seed") << ", " << countText(cells, "cell") << "; ";
+    const bool isCut = !panel.partition.cutLayers.empty() || (cells == 0 && panel.partition.pieceCount() > 1);
+    if (!isCut || !panel.seeds.empty()) svg << countText(panel.seeds.size(), "seed") << ", ";
+    svg << (isCut ? countText(panel.partition.pieceCount(), "piece") : countText(cells, "cell")) << "; ";
     svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth) << " m</text>\n";
 }
 
