@@ -246,13 +246,25 @@ private:
         const auto cellsOf = [this](const NewPiece& piece) {
             return std::span(m_cells).subspan(piece.cells, m_namingLayers);
         };
-        std::sort(m_pieces.begin(), m_pieces.end(), [&](const NewPiece& a, const NewPiece& b) {
-            if (a.rank != b.rank) return a.rank < b.rank;
+        const auto isBefore = [&](const NewPiece& a, const NewPiece& b) {
             const auto order = std::lexicographical_compare_three_way(cellsOf(a).begin(), cellsOf(a).end(),
                                                                       cellsOf(b).begin(), cellsOf(b).end());
             if (order != 0) return order < 0;
             return a.smallest != b.smallest ? isSmaller(a.smallest, b.smallest) : a.face < b.face;
-        });
+        };
+        // By rank alone first: hardly any two have the same.
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> ranks;
+        ranks.reserve(m_pieces.size());
+        for (std::uint32_t k = 0; k < m_pieces.size(); ++k) ranks.push_back({m_pieces[k].rank, k});
+        std::ranges::sort(ranks);
+        std::vector<NewPiece> sorted;
+        sorted.reserve(m_pieces.size());
+        for (const auto& [rank, k] : ranks) sorted.push_back(m_pieces[k]);
+        for (auto first = sorted.begin(), end = first; first != sorted.end(); first = end) {
+            while (end != sorted.end() && end->rank == first->rank) ++end;
+            std::sort(first, end, isBefore);
+        }
+        m_pieces = std::move(sorted);
         return true;
     }
 

@@ -37,8 +37,6 @@ void addHull(std::span<const Vec2> ring, double depth, std::vector<Polytope>& hu
 
 }  // namespace
 
-const Partition& Fragment::partition() const { return m_all->partition; }
-
 std::uint32_t Fragment::piece() const { return m_all->pieceOfFragment[m_index]; }
 
 const PieceRecord& Fragment::record() const { return m_all->records[piece()]; }

@@ -54,7 +54,13 @@ std::vector<PlaneEdge> joinedEdges(const PlaneDrawing& drawing) {
     for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
         while (end < sorted.size() && lower(sorted[end]) == lower(sorted[begin])) ++end;
         const auto at = [&](std::size_t k) { return sorted.begin() + static_cast<std::ptrdiff_t>(k); };
-        std::stable_sort(at(begin), at(end), [&](const auto& a, const auto& b) { return upper(a) < upper(b); });
+        // Hardly ever more than three: each is put behind those that are not above it.
+        for (std::size_t k = begin + 1; k < end; ++k) {
+            const auto isAbove = [&](const PlaneEdge& one, const PlaneEdge& other) {
+                return upper(one) < upper(other);
+            };
+            std::rotate(std::upper_bound(at(begin), at(k), sorted[k], isAbove), at(k), at(k + 1));
+        }
         for (std::size_t first = begin, last = begin; first < end; first = last) {
             while (last < end && upper(sorted[last]) == upper(sorted[first])) ++last;
             if (last - first == 1) {

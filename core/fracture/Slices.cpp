@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMostCutsOfLayer = 2000;  // where they are turned, all may cross each other
 constexpr double kOvershoot = 0.01;               // of the outline's reach, that cuts go beyond it
+constexpr double kRoom = 1.0 + 1e-9;              // far more than rounding takes
 constexpr double kMostTurn = std::numbers::pi / 4.0;
 
 constexpr std::array kParameters{
@@ -90,7 +91,7 @@ public:
 
 private:
     Vec2 m_normal;
-    double m_reach;  // m: from the pivots to anywhere in the outline
+    double m_reach;  // m: along the direction, from the pivots to the ends of the outline
     std::vector<Cut> m_cuts;
     std::vector<double> m_highest;  // along the normal, of all cuts up to each
     std::vector<double> m_lowest;   // of all cuts from each on
@@ -115,7 +116,7 @@ Status Slices::cut(const LayerContext& context, CutSet& set) const {
     Box2 around = boundsOf(context.outline.outer);
     around.min -= Vec2(kOvershoot * reach);
     around.max += Vec2(kOvershoot * reach);
-    auto row = std::make_shared<CutRow>(direction, reach);
+    auto row = std::make_shared<CutRow>(direction, kRoom * turned.size().x / 2.0);
     for (std::uint32_t k = 0; k < cuts; ++k) {
         if (context.isCancelledAt(k)) return TaskContext::cancelled();
         Random random = context.randomOf(k);

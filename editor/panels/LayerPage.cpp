@@ -141,7 +141,7 @@ void LayerPage::refresh() {
     const PatternLayer& layer = layers.front();
     rowsOf(layer).refresh(layer, areaToFill());
     const bool scatters = kindOf(layer.parameters).role == LayerRole::Scatters;
-    m_common->setRowVisible(m_randomSeed, scatters);
+    m_common->setRowVisible(m_randomSeed, scatters || std::holds_alternative<Slices>(layer.parameters));
     m_common->setRowVisible(m_overrides, scatters);
     const auto* density = std::get_if<DensityImage>(&layer.parameters);
     m_common->setRowVisible(m_picture, density != nullptr);
