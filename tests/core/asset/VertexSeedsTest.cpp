@@ -1,0 +1,51 @@
+#include "core/asset/VertexSeeds.h"
+#include "tests/support/Outlines.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace rubble;
+
+namespace {
+
+SourceScene meshOf(std::vector<Vec3> points) { return {.objects = {{.name = "mesh", .points = std::move(points)}}}; }
+
+}  // namespace
+
+class VertexSeedsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void pointsAreSeenAlongTheAxis() {
+        const auto found = seedsAtVertices(meshOf({{0.25, 0.5, -3.0}, {0.75, 0.5, 7.0}}), 1.0, unitSquare());
+        QCOMPARE(found->seeds, (PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}}));
+        QCOMPARE(found->report(), std::string());
+    }
+    void whatIsOutsideOrTwiceIsLeftOutAndTold() {
+        const auto found = seedsAtVertices(
+            meshOf({{0.5, 0.5, 0.0}, {2.0, 0.5, 0.0}, {0.5, 0.5, 1.0}, {0.0, 0.5, 0.0}, {-0.0, 0.5, 1.0}}), 1.0,
+            unitSquare());
+        QCOMPARE(found->seeds.seeds.size(), std::size_t{2});
+        QCOMPARE(
+            found->report(),
+            std::string("1 point of the mesh outside the outline and 2 points in the place of others were left out."));
+        const auto one = seedsAtVertices(meshOf({{0.5, 0.5, 0.0}, {2.0, 0.5, 0.0}}), 1.0, unitSquare());
+        QCOMPARE(one->report(), std::string("1 point of the mesh outside the outline was left out."));
+    }
+    void pointsInHolesAreOutside() {
+        QCOMPARE(seedsAtVertices(meshOf({{2.0, 2.0, 0.0}, {0.5, 0.5, 0.0}}), 1.0, squareRing())->outside, 1u);
+    }
+    void unitsAreScaled() {
+        QCOMPARE(seedsAtVertices(meshOf({{50.0, 25.0, 0.0}}), 0.01, unitSquare())->seeds.seeds[0].position,
+                 Vec2(0.5, 0.25));
+    }
+    void faultsAreToldInASentence() {
+        QCOMPARE(seedsAtVertices(meshOf({{2.0, 2.0, 0.0}}), 1.0, unitSquare()).error().message,
+                 std::string("No point of the mesh lies in the outline."));
+        for (const double scale : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+            QCOMPARE(seedsAtVertices(meshOf({{0.5, 0.5, 0.0}}), scale, unitSquare()).error().code, ErrorCode::BadInput);
+    }
+};
+
+QTEST_APPLESS_MAIN(VertexSeedsTest)
+#include "VertexSeedsTest.moc"
