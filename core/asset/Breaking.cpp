@@ -2,6 +2,7 @@
 
 #include "core/base/Hash.h"
 #include "core/base/Random.h"
+#include "core/fracture/CutSet.h"
 #include "core/fracture/PatternPartition.h"
 
 namespace rubble {
@@ -67,8 +68,7 @@ Result<Breaking> brokenBy(const Recipe& recipe, Prism prism, const TaskContext& 
     Result<PlaneBreaking> cut = cutBy(recipe, std::move(prism), task.stage(0.0, 0.8));
     if (!cut) return cut.error();
     const double gap = std::max(recipe.shaping.gap, jointWidthOf(recipe.pattern));
-    Result<Fragments> fragments =
-        extrudedFragments(cut->prism, std::move(cut->partition), gap, task.stage(0.8, 1.0));
+    Result<Fragments> fragments = extrudedFragments(cut->prism, std::move(cut->partition), gap, task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
     return Breaking{std::move(cut->prism), std::move(cut->seeds), std::move(cut->delaunay), std::move(*fragments)};
 }

@@ -21,6 +21,7 @@ std::optional<ProblemKind> kindOf(ReportCode code) {
         case ReportCode::SeedWithoutCell: return ProblemKind::SeedWithoutCell;
         case ReportCode::LostOverride: return ProblemKind::LostOverride;
         case ReportCode::LostPiece: return ProblemKind::LostPiece;
+        case ReportCode::LooseCut: return ProblemKind::LooseCut;
         case ReportCode::NoRoom: return ProblemKind::NoRoom;
         case ReportCode::Gap: return ProblemKind::Gap;
         case ReportCode::ThinPiece: return ProblemKind::ThinPiece;
@@ -159,7 +160,7 @@ Problem outlineProblem(const Asset& asset, const PolygonFault& fault) {
 
 const char* nameOf(ProblemKind kind) {
     static constexpr std::array kNames = {
-        "FaultyOutline", "DuplicateSeed", "SeedWithoutCell", "LostOverride", "LostPiece", "NoRoom",
+        "FaultyOutline", "DuplicateSeed", "SeedWithoutCell", "LostOverride", "LostPiece", "LooseCut", "NoRoom",
         "Gap",           "ThinPiece",     "VanishedPiece",   "Sliver",       "TinyPiece", "ManyHulls"};
     static_assert(kNames.size() == kProblemKinds);
     return kNames[static_cast<std::size_t>(kind)];

@@ -17,6 +17,7 @@ enum class ProblemKind {
     SeedWithoutCell,  // its cell lies outside the outline
     LostOverride,     // a change by hand to a seed that is not there any more
     LostPiece,        // a piece that is merged, split or broken by hand and is not there any more
+    LooseCut,         // a stretch of a cut that parts nothing
     NoRoom,           // a scatter found fewer places than it was asked for
     Gap,              // area that no piece covers
     ThinPiece,        // too thin for a hull; its mass went to a neighbour
@@ -25,7 +26,7 @@ enum class ProblemKind {
     TinyPiece,        // much smaller than the pieces it was made with
     ManyHulls,        // so bent that it takes many convex hulls to collide
 };
-inline constexpr int kProblemKinds = 12;
+inline constexpr int kProblemKinds = 13;
 
 /// "Sliver", as it stands in messages and lists.
 const char* nameOf(ProblemKind kind);

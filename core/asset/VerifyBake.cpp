@@ -1,5 +1,6 @@
 #include "core/asset/Bake.h"
 #include "core/asset/Breaking.h"
+#include "core/fracture/CutSet.h"
 #include "core/fracture/Grain.h"
 #include "core/fracture/PatternPartition.h"
 #include "core/fracture/Verify.h"

@@ -44,7 +44,7 @@ Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const
     const Pattern none;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         if (context.task.isCancelled()) return TaskContext::cancelled();
-        const Result<GrainedCells> cells =
+        const Result<CutCells> cells =
             cellsOf(context.pattern ? *context.pattern : none, seeds.positions, context.outline, context.task);
         if (!cells) return cells.error();
         for (std::size_t seed = 0; seed < seeds.size(); ++seed) {

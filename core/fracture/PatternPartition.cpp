@@ -7,7 +7,7 @@
 namespace rubble {
 
 Result<CutCells> cellsOf(const Pattern& pattern, std::span<const Vec2> seeds, const Polygon& outline,
-                             const TaskContext& task) {
+                         const TaskContext& task) {
     const std::optional<GrainMap> grain = GrainMap::of(pattern, outline);
     Result<Delaunay> delaunay =
         grain ? triangulate((*grain)(seeds), task.stage(0.0, 0.7)) : triangulate(seeds, task.stage(0.0, 0.7));
@@ -15,8 +15,7 @@ Result<CutCells> cellsOf(const Pattern& pattern, std::span<const Vec2> seeds, co
     Result<Partition> partition =
         voronoiPartition(grain ? (*grain)(outline) : outline, *delaunay, task.stage(0.7, 1.0));
     if (!partition) return partition.error();
-    return CutCells{std::move(*delaunay),
-                        grain ? grain->back(std::move(*partition), outline) : std::move(*partition)};
+    return CutCells{std::move(*delaunay), grain ? grain->back(std::move(*partition), outline) : std::move(*partition)};
 }
 
 Result<CutCells> partitionOf(const Pattern& pattern, std::span<const Vec2> seeds, const Polygon& outline,

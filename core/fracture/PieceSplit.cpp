@@ -164,7 +164,8 @@ void PieceDraft::takeParts(std::uint32_t piece, std::vector<PieceRings> parts) {
 std::uint32_t PieceDraft::freePart(std::uint32_t piece) const {
     std::uint32_t free = 0;
     for (std::uint32_t other = 0; other < count(); ++other) {
-        if (areNamesakes(other, piece) && m_pieces[other].part != kNone) free = std::max(free, m_pieces[other].part + 1);
+        if (areNamesakes(other, piece) && m_pieces[other].part != kNone)
+            free = std::max(free, m_pieces[other].part + 1);
     }
     return free;
 }

@@ -111,7 +111,7 @@ Status WeightedLloyd::apply(const LayerContext& context, SeedSet& seeds) const {
     const Pattern none;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         if (context.task.isCancelled()) return TaskContext::cancelled();
-        const Result<GrainedCells> cells =
+        const Result<CutCells> cells =
             cellsOf(context.pattern ? *context.pattern : none, seeds.positions, context.outline, context.task);
         if (!cells) return cells.error();
         const Partition& partition = cells->partition;

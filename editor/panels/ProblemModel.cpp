@@ -24,6 +24,7 @@ QString textOf(ProblemKind kind) {
         case ProblemKind::SeedWithoutCell: return ProblemModel::tr("Seed without a cell");
         case ProblemKind::LostOverride: return ProblemModel::tr("Change without a seed");
         case ProblemKind::LostPiece: return ProblemModel::tr("Change without a piece");
+        case ProblemKind::LooseCut: return ProblemModel::tr("Cut that parts nothing");
         case ProblemKind::NoRoom: return ProblemModel::tr("No room for seeds");
         case ProblemKind::Gap: return ProblemModel::tr("Gap");
         case ProblemKind::ThinPiece: return ProblemModel::tr("Thin piece");
