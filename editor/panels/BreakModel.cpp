@@ -62,9 +62,8 @@ QVariant BreakModel::headerData(int section, Qt::Orientation orientation, int ro
     if (role == Qt::TextAlignmentRole && section != kName) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && section == kRatio) return tr("Impact ÷ threshold");
     if (role != Qt::DisplayRole) return {};
-    const std::array titles = {tr("Time, s"),     tr("What"),           tr("Ratio"),
-                               tr("Impact, N·s"), tr("Threshold, N·s"), tr("Pieces"),
-                               tr("Swap, ms")};
+    const std::array titles = {tr("Time, s"),        tr("What"),   tr("Ratio"),   tr("Impact, N·s"),
+                               tr("Threshold, N·s"), tr("Pieces"), tr("Swap, ms")};
     return titles[static_cast<std::size_t>(section)];
 }
 

@@ -67,7 +67,8 @@ void PlayPanel::widenColumns() {
     header.setStretchLastSection(false);
     const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kColumnMargin;
     for (int column = 0; column < BreakModel::kColumns; ++column) {
-        const int title = fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        const int title =
+            fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         header.resizeSection(column, std::max(least, title + kColumnMargin));
     }
     header.setSectionResizeMode(BreakModel::kName, QHeaderView::Stretch);
