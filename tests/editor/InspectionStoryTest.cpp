@@ -181,6 +181,7 @@ private:
         return baked && baked->bake && baked->bake->fragmentCount() == fragments;
     }
     void lookFromTheFront() {
+        QTRY_COMPARE(hiddenBodies(), 0);  // the scene is made when the events before are done
         viewport().turnTo(StandardView::Front);
         viewport().setProjection(Projection::Orthographic);
         viewport().frameAll();

@@ -33,11 +33,12 @@ private slots:
         const auto baked = std::make_shared<const Bake>(*bake(project.assets[0]));
         const RenderScene scene = sceneOf(project, {{{2, 0}, baked}});
         const Pose& pose = project.instances[0].pose;
+        const Vec3 middle = pose.position + pose.orientation * Vec3(0.5, 0.5, 0.0);
         Random random(31);
         int hits = 0;
         for (int k = 0; k < 500; ++k) {
             const Vec3 from(random.between(-3.0, 5.0), random.between(0.0, 5.0), random.between(8.0, 10.0));
-            const Vec3 to = pose.position + Vec3(random.between(-1.5, 1.5), random.between(-1.5, 1.5), 0.0);
+            const Vec3 to = middle + Vec3(random.between(-0.7, 0.7), random.between(-0.7, 0.7), 0.0);
             const Ray ray{from, glm::normalize(to - from)};
             double nearest = 1e308;
             std::uint32_t expected = kNone;
