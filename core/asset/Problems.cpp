@@ -62,7 +62,7 @@ private:
             problem.level = breaking->level;
             problem.fragment = breaking->parent;
             problem.where = Vec2{m_bake.fragment(breaking->parent).solid.offset()};
-        } else if (report.code == ReportCode::LostOverride) {
+        } else if (report.code == ReportCode::LostOverride || report.code == ReportCode::LooseCut) {
             problem.seed = SeedId{report.of, report.seed};
         } else if (const Seeds& seeds = m_bake.breakings.front().seeds; report.seed < seeds.ids.size()) {
             problem.seed = seeds.ids[report.seed];

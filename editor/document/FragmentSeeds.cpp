@@ -13,7 +13,7 @@ std::vector<SeedId> seedsOfFragments(const Bake& bake) {
             if (breaking.parent != kNone) {
                 seeds.push_back(seeds[breaking.parent]);  // numbered before its pieces
             } else {
-                seeds.push_back(cellId(fragment.partition(), fragment.piece(), breaking.seeds.ids));
+                seeds.push_back(cellId(fragment.all().partition, fragment.piece(), breaking.seeds.ids));
             }
         }
     }

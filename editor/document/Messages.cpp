@@ -20,6 +20,7 @@ Severity severityOf(ReportCode code) {
         case ReportCode::LostOverride:
         case ReportCode::NoRoom:
         case ReportCode::LostPiece:
+        case ReportCode::LooseCut:
         case ReportCode::VanishedPiece: return Severity::Warning;
     }
     return Severity::Warning;
@@ -27,7 +28,8 @@ Severity severityOf(ReportCode code) {
 
 /// The seed of the first level that a report is about. Those of deeper levels begin with their fragment's name.
 std::optional<SeedId> seedOf(const Report& report, const Seeds& seeds) {
-    const bool isOfLayer = report.code == ReportCode::LostOverride || report.code == ReportCode::DroppedSeed;
+    const bool isOfLayer = report.code == ReportCode::LostOverride || report.code == ReportCode::DroppedSeed ||
+                           report.code == ReportCode::LooseCut;
     if (isOfLayer) return SeedId{report.of, report.seed};
     const bool isOfDeeperLevel = report.message.starts_with("Fragment ");
     if (isOfDeeperLevel || report.seed >= seeds.ids.size()) return std::nullopt;

@@ -237,8 +237,8 @@ private slots:
         }
         while (desk.document.undoStack().canUndo()) desk.document.undoStack().undo();
         QCOMPARE(projectText(desk.document.project()), before);
-        // Four layers of the whole, one of the first level, seven of the second, one of a fragment that breaks in its own way.
-        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), 13);
+        // Four layers of the whole, one of the first level, twelve of the second, one of a fragment that breaks in its own way.
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), 18);
     }
 };
 
