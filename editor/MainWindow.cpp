@@ -63,10 +63,9 @@ MainWindow::MainWindow(Program& program, Project project)
     m_viewActions = new ViewActions(*this);
     m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
-    for (QMenu* menu :
-         {m_fileActions->menu(), m_editActions->menu(), m_selectActions->menu(), m_viewActions->menu(),
-          m_assetActions->menu(), m_fragmentActions->menu(), m_instanceActions->menu(), m_playActions->menu(),
-          m_helpActions->menu()}) {
+    for (QMenu* menu : {m_fileActions->menu(), m_editActions->menu(), m_selectActions->menu(), m_viewActions->menu(),
+                        m_assetActions->menu(), m_fragmentActions->menu(), m_instanceActions->menu(),
+                        m_playActions->menu(), m_helpActions->menu()}) {
         menuBar()->addMenu(menu);
     }
     auto* start = new StartPage(program.recentFiles());

@@ -13,7 +13,7 @@ using namespace rubble;
 
 namespace {
 
-using Seeds = std::vector<Vec2>;
+using SeedPoints = std::vector<Vec2>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -21,23 +21,23 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 double nextUp(double value) { return std::nextafter(value, kInfinity); }
 
 /// The sentence that comes back instead of a partition, or nothing.
-std::string faultOf(const Polygon& outline, const Seeds& seeds) {
+std::string faultOf(const Polygon& outline, const SeedPoints& seeds) {
     const Result<Partition> partition = verifiedPartition(outline, seeds);
     return partition ? "" : partition.error().message;
 }
 
 /// columns × rows points, the first in the middle of a rectangle of one step.
-Seeds grid(int columns, int rows, Vec2 corner, double step) {
-    Seeds seeds;
+SeedPoints grid(int columns, int rows, Vec2 corner, double step) {
+    SeedPoints seeds;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) seeds.push_back(corner + step * Vec2{column + 0.5, row + 0.5});
     }
     return seeds;
 }
 
-Seeds scattered(std::size_t count, Vec2 min, Vec2 max, std::uint64_t randomSeed) {
+SeedPoints scattered(std::size_t count, Vec2 min, Vec2 max, std::uint64_t randomSeed) {
     Random random(randomSeed);
-    Seeds seeds(count);
+    SeedPoints seeds(count);
     for (Vec2& seed : seeds) seed = {random.between(min.x, max.x), random.between(min.y, max.y)};
     return seeds;
 }
@@ -65,25 +65,25 @@ class HardCasesTest : public QObject {
     Q_OBJECT
 private slots:
     void noSeedLeavesTheOutlineWhole() {
-        const Result<Partition> partition = verifiedPartition(lShape(), Seeds{});
+        const Result<Partition> partition = verifiedPartition(lShape(), SeedPoints{});
         QCOMPARE(partition->pieceCount(), 1u);
         QCOMPARE(pieceArea(*partition, 0), 3.0);
     }
     void oneSeedHasTheWholeOutline() {
         for (const Vec2 seed : {Vec2{0.5, 0.5}, Vec2{0.0, 0.0}, Vec2{40.0, -3.0}}) {
-            const Result<Partition> partition = verifiedPartition(squareRing(), Seeds{seed});
+            const Result<Partition> partition = verifiedPartition(squareRing(), SeedPoints{seed});
             QCOMPARE(partition->pieceCount(), 1u);
             QCOMPARE(areaOfSeed(*partition, 0), 12.0);
         }
     }
     void twoSeedsHalveTheSquare() {
-        const Result<Partition> partition = verifiedPartition(unitSquare(), Seeds{{0.25, 0.5}, {0.75, 0.5}});
+        const Result<Partition> partition = verifiedPartition(unitSquare(), SeedPoints{{0.25, 0.5}, {0.75, 0.5}});
         QCOMPARE(areaOfSeed(*partition, 0), 0.5);
         QCOMPARE(areaOfSeed(*partition, 1), 0.5);
     }
     void collinearSeedsGiveStrips() {
         for (const Vec2 step : {Vec2{0.125, 0.0}, Vec2{0.0, 0.125}}) {
-            Seeds seeds;
+            SeedPoints seeds;
             for (int i = 0; i < 8; ++i) seeds.push_back(Vec2{0.0625, 0.0625} + static_cast<double>(i) * step);
             const Result<Partition> partition = verifiedPartition(unitSquare(), seeds);
             for (std::uint32_t seed = 0; seed < 8; ++seed) QCOMPARE(areaOfSeed(*partition, seed), 0.125);
@@ -91,7 +91,7 @@ private slots:
     }
     void collinearSeedsOnADiagonalGiveSlantedStrips() {
         const Result<Partition> partition =
-            verifiedPartition(unitSquare(), Seeds{{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.75}});
+            verifiedPartition(unitSquare(), SeedPoints{{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.75}});
         QCOMPARE(areaOfSeed(*partition, 0), 9.0 / 32.0);
         QCOMPARE(areaOfSeed(*partition, 1), 14.0 / 32.0);
         QCOMPARE(areaOfSeed(*partition, 2), 9.0 / 32.0);
@@ -110,7 +110,7 @@ private slots:
     }
     void aRoundedGridVerifies() { QCOMPARE(faultOf(unitSquare(), grid(100, 100, {0.0, 0.0}, 0.01)), std::string()); }
     void ofEqualSeedsTheFirstStays() {
-        const Seeds seeds = {{0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}};
+        const SeedPoints seeds = {{0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}};
         const Result<Partition> partition = verifiedPartition(unitSquare(), seeds);
         QCOMPARE(areaOfSeed(*partition, 0), 0.5);
         QCOMPARE(areaOfSeed(*partition, 1), 0.5);
@@ -120,12 +120,12 @@ private slots:
         QCOMPARE(partition->reports[2].message, std::string("Seed 4 equals seed 0 and was left out."));
     }
     void allSeedsEqualIsOneSeed() {
-        const Result<Partition> partition = verifiedPartition(unitSquare(), Seeds(50, Vec2{0.5, 0.5}));
+        const Result<Partition> partition = verifiedPartition(unitSquare(), SeedPoints(50, Vec2{0.5, 0.5}));
         QCOMPARE(areaOfSeed(*partition, 0), 1.0);
         QCOMPARE(partition->reports.size(), std::size_t{49});
     }
     void seedsOneUnitApartAreTwo() {
-        const Result<Partition> partition = verifiedPartition(unitSquare(), Seeds{{0.5, 0.5}, {nextUp(0.5), 0.5}});
+        const Result<Partition> partition = verifiedPartition(unitSquare(), SeedPoints{{0.5, 0.5}, {nextUp(0.5), 0.5}});
         QCOMPARE(areaOfSeed(*partition, 0), 0.5);
         QCOMPARE(areaOfSeed(*partition, 1), 0.5);
         QVERIFY(partition->reports.empty());
@@ -133,18 +133,18 @@ private slots:
     void aCellThinnerThanCoordinatesIsReported() {
         const double second = nextUp(0.5), third = nextUp(second);
         const Result<Partition> partition =
-            verifiedPartition(unitSquare(), Seeds{{0.5, 0.5}, {second, 0.5}, {third, 0.5}});
+            verifiedPartition(unitSquare(), SeedPoints{{0.5, 0.5}, {second, 0.5}, {third, 0.5}});
         QCOMPARE(codesOf(*partition), std::vector<ReportCode>{ReportCode::SeedWithoutCell});
         QCOMPARE(partition->reports[0].seed, 1u);
     }
     void aClusterOfNeighbouringDoublesVerifies() {
-        Seeds seeds = scattered(20, {0.0, 0.0}, {1.0, 1.0}, 5);
+        SeedPoints seeds = scattered(20, {0.0, 0.0}, {1.0, 1.0}, 5);
         for (int i = 0; i < 16; ++i) seeds.push_back({0.5 + 0x1p-53 * (i % 4), 0.5 + 0x1p-53 * (i / 4)});
         QCOMPARE(faultOf(unitSquare(), seeds), std::string());
     }
     void seedsOnTheOutlineHaveCells() {
         const Result<Partition> partition =
-            verifiedPartition(unitSquare(), Seeds{{0.5, 0.0}, {1.0, 0.5}, {0.5, 1.0}, {0.0, 0.5}});
+            verifiedPartition(unitSquare(), SeedPoints{{0.5, 0.0}, {1.0, 0.5}, {0.5, 1.0}, {0.0, 0.5}});
         for (std::uint32_t seed = 0; seed < 4; ++seed) QCOMPARE(areaOfSeed(*partition, seed), 0.25);
     }
     void seedsOnTheCornersHaveQuarters() {
@@ -153,14 +153,14 @@ private slots:
     }
     void everyCornerOfAConcaveOutlineAsASeedVerifies() {
         const Polygon ring = squareRing();
-        Seeds seeds = ring.outer;
+        SeedPoints seeds = ring.outer;
         seeds.insert(seeds.end(), ring.holes[0].begin(), ring.holes[0].end());
         QCOMPARE(faultOf(ring, seeds), std::string());
         QCOMPARE(faultOf(lShape(), lShape().outer), std::string());
     }
     void seedsOutsideCompete() {
         const Result<Partition> partition =
-            verifiedPartition(unitSquare(), Seeds{{0.5, 0.5}, {1.25, 0.5}, {-7.0, 0.5}, {1e20, 0.0}});
+            verifiedPartition(unitSquare(), SeedPoints{{0.5, 0.5}, {1.25, 0.5}, {-7.0, 0.5}, {1e20, 0.0}});
         QCOMPARE(areaOfSeed(*partition, 0), 0.875);
         QCOMPARE(areaOfSeed(*partition, 1), 0.125);
         QCOMPARE(codesOf(*partition), (std::vector{ReportCode::SeedWithoutCell, ReportCode::SeedWithoutCell}));
@@ -183,7 +183,7 @@ private slots:
     void sliversVerify() {
         const Polygon sliver{rectangle({0.0, 0.0}, {1.0, 0.001}), {}};
         for (std::uint64_t randomSeed = 0; randomSeed < 200; ++randomSeed) {
-            const Seeds seeds = scattered(5 + randomSeed % 100, {0.0, 0.0}, {1.0, 0.001}, randomSeed);
+            const SeedPoints seeds = scattered(5 + randomSeed % 100, {0.0, 0.0}, {1.0, 0.001}, randomSeed);
             QCOMPARE(faultOf(sliver, seeds), std::string());
         }
     }

@@ -97,12 +97,12 @@ private slots:
     void aPieceCutApartKeepsItsLargestPart() {
         // A dumbbell, its bar narrower than the gap above and below would leave.
         const Polygon outline{rectangle({0, 0}, {4, 3}), {}};
-        Partition partition =
+        const Partition cells =
             *voronoiPartition(outline, std::vector<Vec2>{{0.5, 1.5}, {1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}});
-        PieceDraft draft(std::move(partition));
+        PieceDraft draft(cells);
         std::vector<std::uint32_t> bar;
         for (std::uint32_t piece = 0; piece < 4; ++piece) {
-            if (draft.seedOf(piece) != 1) continue;
+            if (cells.seedOfPiece[piece] != 1) continue;
             QCOMPARE(draft.split(piece, {{0, 1.4}, {1, 0}}), 2u);
             QCOMPARE(draft.split(piece, {{0, 1.6}, {1, 0}}), 1u);
             bar = {piece, 4};
@@ -111,9 +111,9 @@ private slots:
         std::vector<std::uint32_t> receivers(draft.count());
         std::iota(receivers.begin(), receivers.end(), 0u);
         std::uint32_t left = kNone, right = kNone;
-        for (std::uint32_t piece = 0; piece < draft.count(); ++piece) {
-            if (draft.seedOf(piece) == 0) left = piece;
-            if (draft.seedOf(piece) == 2) right = piece;
+        for (std::uint32_t piece = 0; piece < cells.pieceCount(); ++piece) {
+            if (cells.seedOfPiece[piece] == 0) left = piece;
+            if (cells.seedOfPiece[piece] == 2) right = piece;
         }
         receivers[4] = receivers[right] = left;  // what is between the cuts joins both sides
         draft.merge(receivers);
