@@ -142,9 +142,9 @@ constinit const PatternKind BrickBond::kKind{
     .suitedTo = [](const Box2& bounds) -> LayerParameters {
         const double side = std::max(bounds.size().x, bounds.size().y);
         const double scale = std::max(std::min(1.0, side / kSmallWall), side / kLargeWall);
-        BrickBond bond{.origin = bounds.min};
-        for (double* size : {&bond.length, &bond.width, &bond.height, &bond.mortar}) *size *= scale;
-        return bond;
+        BrickBond wall{.origin = bounds.min};
+        for (double* size : {&wall.length, &wall.width, &wall.height, &wall.mortar}) *size *= scale;
+        return wall;
     }};
 
 Status BrickBond::cut(const LayerContext& context, CutSet& cuts) const {
