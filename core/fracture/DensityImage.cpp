@@ -48,12 +48,7 @@ Status DensityImage::apply(const LayerContext& context, SeedSet& seeds) const {
         if (*wanted > 0) seeds.reports.push_back(noDensity(dense, context, *wanted));
         return success();
     }
-    Random random = context.random();
-    for (std::uint32_t index = 0; index < *wanted; ++index) {
-        if (context.isCancelledAt(index)) return TaskContext::cancelled();
-        seeds.add({context.layer.id, index}, area->point(random), false);
-    }
-    return success();
+    return scatter(*wanted, *area, context, seeds);
 }
 
 }  // namespace rubble

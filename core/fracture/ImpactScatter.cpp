@@ -44,12 +44,7 @@ Status ImpactScatter::apply(const LayerContext& context, SeedSet& seeds) const {
     if (!wanted) return wanted.error();
     const Result<FalloffArea> area = FalloffArea::of(context.outline, {centre, radius, falloff}, context.task);
     if (!area) return area.error();
-    Random random = context.random();
-    for (std::uint32_t index = 0; index < *wanted; ++index) {
-        if (context.isCancelledAt(index)) return TaskContext::cancelled();
-        seeds.add({context.layer.id, index}, area->point(random), false);
-    }
-    return success();
+    return scatter(*wanted, *area, context, seeds);
 }
 
 }  // namespace rubble

@@ -1,18 +1,17 @@
+#include "core/fracture/LloydRelaxation.h"
+
 #include "core/fracture/PatternKind.h"
-#include "core/fracture/PatternPartition.h"
+#include "core/fracture/Relaxation.h"
 
 namespace rubble {
 namespace {
-
-/// More rounds move seeds by less than anybody sees, and a slip of the finger must not cost an hour.
-constexpr std::uint32_t kMostRounds = 1000;
 
 constexpr std::array kParameters{
     parameter<&LloydRelaxation::rounds>(
         {.name = "rounds",
          .caption = "Rounds",
          .hint = "How often the seeds above move to the middle of their cells: more make cells even",
-         .range = {0.0, kMostRounds},
+         .range = {0.0, kMostRelaxationRounds},
          .usual = {0.0, 20.0}}),
 };
 
@@ -41,18 +40,8 @@ constinit const PatternKind LloydRelaxation::kKind{
     .suitedTo = [](const Box2&) -> LayerParameters { return LloydRelaxation{}; }};
 
 Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const {
-    const Pattern none;
-    for (std::uint32_t round = 0; round < rounds; ++round) {
-        if (context.task.isCancelled()) return TaskContext::cancelled();
-        const Result<CutCells> cells =
-            cellsOf(context.pattern ? *context.pattern : none, seeds.positions, context.outline, context.task);
-        if (!cells) return cells.error();
-        for (std::size_t seed = 0; seed < seeds.size(); ++seed) {
-            const std::uint32_t piece = cells->partition.pieceOfSeed[seed];
-            if (piece != kNone && !seeds.isHeld[seed]) seeds.positions[seed] = centreOfCell(cells->partition, piece);
-        }
-    }
-    return success();
+    return relax(rounds, context, seeds,
+                 [](const Partition& partition, std::uint32_t piece, Vec2) { return centreOfCell(partition, piece); });
 }
 
 }  // namespace rubble

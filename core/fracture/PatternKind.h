@@ -75,4 +75,15 @@ Error tooManySeeds(const LayerContext& context);
 Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, const LayerContext& context,
                                  const SeedSet& seeds);
 
+/// Adds a layer's first `count` seeds where area.point(random) says, one after the other. Errors: Cancelled.
+template <class Area>
+Status scatter(std::uint32_t count, const Area& area, const LayerContext& context, SeedSet& seeds) {
+    Random random = context.random();
+    for (std::uint32_t index = 0; index < count; ++index) {
+        if (context.isCancelledAt(index)) return TaskContext::cancelled();
+        seeds.add({context.layer.id, index}, area.point(random), false);
+    }
+    return success();
+}
+
 }  // namespace rubble

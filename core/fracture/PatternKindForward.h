@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-// What the struct of every kind of layer names. See PatternKind.h.
+/// What the struct of every kind of layer names, see PatternKind.h: so that Pattern.h, which holds all of them, stays light.
 struct CutSet;
 struct LayerContext;
 struct PatternKind;

@@ -25,12 +25,7 @@ Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const 
     if (!wanted) return wanted.error();
     const Result<ScatterArea> area = ScatterArea::of(filled);
     if (!area) return area.error();
-    Random random = context.random();
-    for (std::uint32_t index = 0; index < *wanted; ++index) {
-        if (context.isCancelledAt(index)) return TaskContext::cancelled();
-        seeds.add({context.layer.id, index}, area->point(random), false);
-    }
-    return success();
+    return scatter(*wanted, *area, context, seeds);
 }
 
 }  // namespace rubble

@@ -1,10 +1,9 @@
 #include "core/fracture/WeightedLloyd.h"
 
-#include "core/base/Parallel.h"
 #include "core/fracture/DensityArea.h"
 #include "core/fracture/FalloffArea.h"
 #include "core/fracture/PatternKind.h"
-#include "core/fracture/PatternPartition.h"
+#include "core/fracture/Relaxation.h"
 #include "core/geometry/ConvexParts.h"
 
 #include <glm/geometric.hpp>
@@ -14,7 +13,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kMostRounds = 1000;
 constexpr int kPartsOfSide = 6;  // each triangle of a cell is weighed at the middles of so many squared
 
 constexpr std::array kParameters{
@@ -23,7 +21,7 @@ constexpr std::array kParameters{
          .caption = "Rounds",
          .hint = "How often seeds move to the middle of their cells, each place of them weighed by the "
                  "pictures and impacts above",
-         .range = {0.0, kMostRounds},
+         .range = {0.0, kMostRelaxationRounds},
          .usual = {0.0, 50.0}}),
 };
 
@@ -108,23 +106,9 @@ constinit const PatternKind WeightedLloyd::kKind{
 
 Status WeightedLloyd::apply(const LayerContext& context, SeedSet& seeds) const {
     const WishedDensity density(context);
-    const Pattern none;
-    for (std::uint32_t round = 0; round < rounds; ++round) {
-        if (context.task.isCancelled()) return TaskContext::cancelled();
-        const Result<CutCells> cells =
-            cellsOf(context.pattern ? *context.pattern : none, seeds.positions, context.outline, context.task);
-        if (!cells) return cells.error();
-        const Partition& partition = cells->partition;
-        std::atomic<bool> isCancelled = false;
-        forEachIndex(seeds.size(), context.task.threads, [&](std::size_t seed) {
-            const std::uint32_t piece = partition.pieceOfSeed[seed];
-            if (piece == kNone || seeds.isHeld[seed] || isCancelled) return;
-            seeds.positions[seed] = middleOfCell(partition, piece, density, seeds.positions[seed]);
-            if (context.isCancelledAt(seed)) isCancelled = true;
-        });
-        if (isCancelled) return TaskContext::cancelled();
-    }
-    return success();
+    return relax(rounds, context, seeds, [&](const Partition& partition, std::uint32_t piece, Vec2 seed) {
+        return middleOfCell(partition, piece, density, seed);
+    });
 }
 
 }  // namespace rubble
