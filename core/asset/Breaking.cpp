@@ -24,10 +24,20 @@ void dropSeeds(const std::vector<std::uint32_t>& dropped, Seeds& seeds) {
         seeds.reports.push_back({ReportCode::DroppedSeed, id.index, id.layer, 0.0,
                                  "Seed " + id.text() + " is dropped, since its cell is too small."});
     }
-    for (std::size_t k = dropped.size(); k-- > 0;) {
-        seeds.positions.erase(seeds.positions.begin() + dropped[k]);
-        seeds.ids.erase(seeds.ids.begin() + dropped[k]);
+    std::size_t next = 0;
+    const auto isDropped = [&](std::size_t seed) {
+        if (next == dropped.size() || dropped[next] != seed) return false;
+        ++next;
+        return true;
+    };
+    std::size_t kept = 0;
+    for (std::size_t seed = 0; seed < seeds.ids.size(); ++seed) {
+        if (isDropped(seed)) continue;
+        seeds.positions[kept] = seeds.positions[seed];
+        seeds.ids[kept++] = seeds.ids[seed];
     }
+    seeds.positions.resize(kept);
+    seeds.ids.resize(kept);
 }
 
 }  // namespace
@@ -42,6 +52,8 @@ Recipe recipeOf(const Asset& asset) { return {asset.pattern, asset.shaping, asse
 Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset) {
     return {patternFor(fragmentId, level.pattern), asset.shaping, asset.edits, pathOfId(fragmentId), offset};
 }
+
+double gapOf(const Recipe& recipe) { return std::max(recipe.shaping.gap, jointWidthOf(recipe.pattern)); }
 
 Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
@@ -67,8 +79,8 @@ Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext
 Result<Breaking> brokenBy(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<PlaneBreaking> cut = cutBy(recipe, std::move(prism), task.stage(0.0, 0.8));
     if (!cut) return cut.error();
-    const double gap = std::max(recipe.shaping.gap, jointWidthOf(recipe.pattern));
-    Result<Fragments> fragments = extrudedFragments(cut->prism, std::move(cut->partition), gap, task.stage(0.8, 1.0));
+    Result<Fragments> fragments =
+        extrudedFragments(cut->prism, std::move(cut->partition), gapOf(recipe), task.stage(0.8, 1.0));
     if (!fragments) return fragments.error();
     return Breaking{std::move(cut->prism), std::move(cut->seeds), std::move(cut->delaunay), std::move(*fragments)};
 }

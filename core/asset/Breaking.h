@@ -20,6 +20,9 @@ struct Recipe {
 Recipe recipeOf(const Asset& asset);
 Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset);
 
+/// How wide the gaps between its pieces are, m: as wide as the artist and the pattern's joints ask for.
+double gapOf(const Recipe& recipe);
+
 /// The stages of breaking a solid as far as they lie in the plane.
 struct PlaneBreaking {
     Prism prism;  // validated

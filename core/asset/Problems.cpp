@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/fracture/PatternPartition.h"
 #include "core/geometry/Aspect.h"
 #include "core/geometry/PolygonFaults.h"
 
@@ -80,16 +81,15 @@ private:
         return nullptr;
     }
 
-    /// The seed of the asset's own pattern that each fragment comes from.
+    /// By what of the asset's own pattern each fragment is chosen.
     std::vector<SeedId> rootSeeds() const {
         std::vector<SeedId> seeds;
         for (const BakedBreaking& breaking : m_bake.breakings) {
             for (std::uint32_t k = 0; k < breaking.fragments.count(); ++k) {
-                const std::uint32_t seed = breaking.fragments[k].seed();
-                const bool isOfWhole = breaking.parent == kNone;
-                seeds.push_back(!isOfWhole      ? seeds[breaking.parent]
-                                : seed == kNone ? SeedId{}
-                                                : breaking.seeds.ids[seed]);
+                const Fragment fragment = breaking.fragments[k];
+                seeds.push_back(breaking.parent != kNone
+                                    ? seeds[breaking.parent]
+                                    : cellId(fragment.all().partition, fragment.piece(), breaking.seeds.ids));
             }
         }
         return seeds;

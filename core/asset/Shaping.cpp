@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 namespace rubble {
 namespace {
@@ -14,7 +15,9 @@ namespace {
 class PieceEditing {
 public:
     PieceEditing(Partition&& partition, const Seeds& seeds, Vec2 offset)
-        : m_draft(std::move(partition)), m_seeds(seeds), m_offset(offset) {}
+        : m_draft(std::move(partition)), m_seeds(seeds), m_offset(offset) {
+        for (std::uint32_t piece = 0; piece < m_draft.count(); ++piece) takeName(piece);
+    }
 
     void apply(const FragmentMerge& merge) {
         const std::uint32_t into = find(merge.into);
@@ -37,10 +40,12 @@ public:
     }
 
     void apply(const FragmentSplit& split) {
-        const std::uint32_t piece = find(split.fragment);
+        const std::uint32_t piece = find(split.fragment), firstNew = m_draft.count();
         if (piece == kNone) return lost(split.fragment, "is not there; it is not split.");
         const Line line{split.line.point - m_offset, split.line.direction};
-        if (m_draft.split(piece, line) == 1) lost(split.fragment, "is missed by the line that is to split it.");
+        if (m_draft.split(piece, line) == 1) return lost(split.fragment, "is missed by the line that is to split it.");
+        takeName(piece);
+        for (std::uint32_t part = firstNew; part < m_draft.count(); ++part) takeName(part);
     }
 
     Partition finished() && {
@@ -52,11 +57,12 @@ public:
 private:
     std::uint32_t find(const FragmentPath& path) const {
         const std::string name = path.substr(path.rfind('/') + 1);
-        for (std::uint32_t piece = 0; piece < m_draft.count(); ++piece) {
-            if (m_draft.isThere(piece) && m_draft.nameOf(piece, m_seeds.ids) == name) return piece;
-        }
-        return kNone;
+        const auto found = m_pieces.find(name);
+        if (found == m_pieces.end() || !m_draft.isThere(found->second)) return kNone;
+        return m_draft.nameOf(found->second, m_seeds.ids) == name ? found->second : kNone;
     }
+
+    void takeName(std::uint32_t piece) { m_pieces[m_draft.nameOf(piece, m_seeds.ids)] = piece; }
 
     /// Merges those that touch, and those that touch them; the others stay in the list.
     void mergeTouching(std::uint32_t into, std::vector<std::uint32_t>& waiting) {
@@ -81,6 +87,7 @@ private:
     PieceDraft m_draft;
     const Seeds& m_seeds;
     Vec2 m_offset;
+    std::unordered_map<std::string, std::uint32_t> m_pieces;  // by name; some are merged or renamed meanwhile
     std::vector<Report> m_reports;
 };
 

@@ -1,6 +1,5 @@
 #include "core/asset/Bake.h"
 #include "core/asset/Breaking.h"
-#include "core/fracture/CutSet.h"
 #include "core/fracture/Grain.h"
 #include "core/fracture/PatternPartition.h"
 #include "core/fracture/Verify.h"
@@ -14,25 +13,23 @@ std::string idOf(const Bake& bake, std::uint32_t fragment) {
     return fragment == kNone ? std::to_string(bake.asset) : bake.fragmentId(fragment);
 }
 
-/// By what a fragment (kNone: the whole) was broken, but for random seeds.
-const Pattern& patternOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
-    if (parent == kNone) return asset.pattern;
-    return levelFor(asset, pathOfId(bake.fragmentId(parent)), bake.fragment(parent).level)->pattern;
-}
-
-/// Breaks a fragment (kNone: the whole) once more, as bake() did.
-Result<Breaking> brokenAgain(const Bake& bake, const Asset& asset, std::uint32_t parent) {
-    if (parent == kNone) return brokenBy(recipeOf(asset), asset.prism, {});
+/// How a fragment (kNone: the whole) was broken.
+Recipe recipeOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
+    if (parent == kNone) return recipeOf(asset);
     const BakedFragment fragment = bake.fragment(parent);
     const std::string id = bake.fragmentId(parent);
-    const Level& level = *levelFor(asset, pathOfId(id), fragment.level);
-    const Recipe recipe = recipeOf(asset, id, level, Vec2{fragment.solid.offset()});
-    return brokenBy(recipe, {fragment.solid.outline(), fragment.solid.depth()}, {});
+    return recipeOf(asset, id, *levelFor(asset, pathOfId(id), fragment.level), Vec2{fragment.solid.offset()});
+}
+
+Prism prismOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
+    if (parent == kNone) return asset.prism;
+    const BakedFragment fragment = bake.fragment(parent);
+    return {fragment.solid.outline(), fragment.solid.depth()};
 }
 
 /// The stored stages are sound, and the triangulation they came from is.
-Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Pattern& pattern,
-                    const Shaping& shaping) {
+Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Recipe& recipe) {
+    const Pattern& pattern = recipe.pattern;
     const Partition& partition = stored.fragments.partition;
     const std::optional<GrainMap> grain = GrainMap::of(pattern, again.prism.outline);
     const std::vector<Vec2>& positions = again.seeds.positions;
@@ -44,8 +41,8 @@ Sentence stageFault(const BakedBreaking& stored, const Breaking& again, const Pa
         areMerged ? cellsOf(pattern, positions, again.prism.outline) : CutCells{{}, partition};
     if (!cells) return cells.error().message;
     if (Sentence fault = verifyNearestSeed(grain ? (*grain)(cells->partition) : cells->partition, seeds)) return fault;
-    if (Sentence fault = verifyNoSmallPieces(partition, shaping.smallPieces, again.prism.depth)) return fault;
-    if (Sentence fault = verifyGap(stored.fragments, std::max(shaping.gap, jointWidthOf(pattern)))) return fault;
+    if (Sentence fault = verifyNoSmallPieces(partition, recipe.shaping.smallPieces, again.prism.depth)) return fault;
+    if (Sentence fault = verifyGap(stored.fragments, gapOf(recipe))) return fault;
     return verifyFragments(stored.fragments, again.prism);
 }
 
@@ -68,10 +65,11 @@ Sentence placeFault(const Bake& bake, const BakedBreaking& stored, const Breakin
 }
 
 Sentence breakingFault(const Bake& bake, const Asset& asset, const BakedBreaking& stored) {
-    const Result<Breaking> again = brokenAgain(bake, asset, stored.parent);
+    const Recipe recipe = recipeOf(bake, asset, stored.parent);
+    const Result<Breaking> again = brokenBy(recipe, prismOf(bake, asset, stored.parent), {});
     if (!again) return again.error().message;
     if (Sentence fault = placeFault(bake, stored, *again)) return fault;
-    return stageFault(stored, *again, patternOf(bake, asset, stored.parent), asset.shaping);
+    return stageFault(stored, *again, recipe);
 }
 
 /// The k-th breaking is of a fragment that stands before it, of the next one that is broken, and one level below it.
