@@ -1,14 +1,21 @@
 #include "editor/AssetActions.h"
 
 #include "core/geometry/OutlineShapes.h"
+#include "core/io/MeshImport.h"
 #include "editor/Action.h"
+#include "editor/FileActions.h"
 #include "editor/MainWindow.h"
+#include "editor/MeshReading.h"
+#include "editor/MeshSeedsDialog.h"
 #include "editor/ShapeDialog.h"
 #include "editor/Views.h"
 #include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/LayerText.h"
 
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 
 namespace rubble {
@@ -41,7 +48,9 @@ AssetActions::AssetActions(MainWindow& window)
     for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind);
     m_forAsset = layers->actions();
     m_forAsset +=
-        {add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),
+        {add({"layer-mesh", tr("&Seeds from Mesh…"), tr("Add a layer of seeds, one at each point of a mesh file")},
+             &AssetActions::addSeedsOfMesh),
+         add({"asset-shuffle", tr("Scatter A&gain"), tr("Give every scattered layer another random seed"),
               QKeySequence("Ctrl+R")},
              &AssetActions::shuffle),
          add({"asset-duplicate", tr("D&uplicate Asset"), tr("Add a copy of the asset at hand"), QKeySequence("Ctrl+D")},
@@ -98,6 +107,19 @@ void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind) {
         const Asset& asset = *workspace.asset();
         workspace.document().push(addLayer(workspace.project(), asset.id, kind.suitedTo(boundsToFill(asset))).edit);
     });
+}
+
+void AssetActions::addSeedsOfMesh() {
+    Workspace& workspace = m_window.workspace();
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Seeds from Mesh"), {}, meshFilter());
+    if (path.isEmpty()) return;
+    const std::filesystem::path importer = importerBeside(QApplication::applicationDirPath().toStdString());
+    std::optional<SourceScene> mesh = readMesh(path, importer, &m_window);
+    if (!mesh) return;
+    const Asset& asset = *workspace.asset();
+    MeshSeedsDialog dialog(QFileInfo(path).fileName(), std::move(*mesh), asset.prism.outline, &m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    workspace.document().push(addLayer(workspace.project(), asset.id, dialog.seeds()).edit);
 }
 
 void AssetActions::shuffle() {

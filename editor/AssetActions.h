@@ -27,6 +27,7 @@ private:
     void drawOutline();
     void addShape(const QString& name, const Polygon& outline, double depth);
     void addLayerAction(QMenu& menu, const PatternKind& kind);
+    void addSeedsOfMesh();
     void shuffle();
     void duplicate();
     void remove();

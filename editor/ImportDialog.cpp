@@ -1,19 +1,16 @@
 #include "editor/ImportDialog.h"
 
-#include "core/io/MeshImport.h"
 #include "editor/ChoiceBox.h"
 #include "editor/ImportView.h"
+#include "editor/MeshReading.h"
 #include "editor/OutlinePreview.h"
-#include "editor/TaskDialog.h"
 #include "editor/commands/ProjectEdits.h"
 
-#include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 
@@ -24,13 +21,6 @@ namespace {
 enum Column { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
 QString text(const std::string& sentence) { return QString::fromStdString(sentence); }
-
-/// A file's unit in metres; none: as the file says.
-std::optional<double> metresOf(int unit) {
-    constexpr std::array kMetres = {0.0, 1.0, 0.01, 0.001, 0.0254, 0.3048};
-    if (unit <= 0) return std::nullopt;
-    return kMetres[static_cast<std::size_t>(unit)];
-}
 
 QString sizeText(const FoundPrism& prism) {
     const Vec2 size = boundsOf(prism.outline.outer).size();
@@ -51,19 +41,11 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
 }
 
 bool ImportDialog::read(const std::filesystem::path& importer) {
-    const QString name = QFileInfo(m_path).fileName();
-    TaskDialog dialog(tr("Reading %1…").arg(name), parentWidget());
-    Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
-        [&](const TaskContext& task) { return rubble::importMesh(m_path.toStdString(), importer, task); });
-    if (scene) {
-        m_scene = std::move(*scene);
-        showMesh();
-        return true;
-    }
-    if (scene.error().code != ErrorCode::Cancelled) {
-        QMessageBox::warning(parentWidget(), QApplication::applicationDisplayName(), text(scene.error().message));
-    }
-    return false;
+    std::optional<SourceScene> scene = readMesh(m_path, importer, parentWidget());
+    if (!scene) return false;
+    m_scene = std::move(*scene);
+    showMesh();
+    return true;
 }
 
 Edit ImportDialog::edit() const {
@@ -86,9 +68,7 @@ Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
 void ImportDialog::makeFields() {
     m_found = new QLabel;
     m_found->setWordWrap(true);
-    m_unit = choiceBox(
-        {tr("As the file says"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
-        tr("What one unit of the file is"));
+    m_unit = unitBox();
     m_up = choiceBox({tr("Y"), tr("Z")}, tr("Which axis of the file points up"));
     m_axis = choiceBox({tr("Where it is thinnest"), tr("X"), tr("Y (up)"), tr("Z")},
                        tr("Along which axis of the world the outline is extruded"));
@@ -146,7 +126,7 @@ QWidget* ImportDialog::makeOptions() {
 }
 
 ImportOptions ImportDialog::options() const {
-    ImportOptions options{.metresPerUnit = metresOf(m_unit->currentIndex())};
+    ImportOptions options{.metresPerUnit = metresOf(*m_unit)};
     options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
     options.axis = static_cast<AxisChoice>(m_axis->currentIndex());
     if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
@@ -156,7 +136,7 @@ ImportOptions ImportDialog::options() const {
 
 double ImportDialog::metresPerUnit() const {
     const double inFile = m_scene.metresPerUnit > 0.0 ? m_scene.metresPerUnit : 1.0;
-    return metresOf(m_unit->currentIndex()).value_or(inFile);
+    return metresOf(*m_unit).value_or(inFile);
 }
 
 void ImportDialog::showMesh() {

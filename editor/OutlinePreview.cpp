@@ -10,6 +10,7 @@ namespace rubble {
 namespace {
 
 constexpr double kMargin = 12.0;  // pixels around the outline
+constexpr double kDot = 2.0;      // pixels, a point's radius
 
 QPolygonF ringOf(const Ring& ring) {
     QPolygonF points;
@@ -24,8 +25,9 @@ OutlinePreview::OutlinePreview(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Outline"));
 }
 
-void OutlinePreview::setOutline(const Polygon& outline) {
+void OutlinePreview::setOutline(const Polygon& outline, std::vector<Vec2> points) {
     m_outline = outline;
+    m_points = std::move(points);
     update();
 }
 
@@ -54,6 +56,9 @@ void OutlinePreview::paintEvent(QPaintEvent*) {
     painter.setBrush(fill);
     painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
     painter.drawPath(path);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Text));
+    for (const Vec2 point : m_points) painter.drawEllipse(pixels.map(QPointF(point.x, point.y)), kDot, kDot);
 }
 
 }  // namespace rubble

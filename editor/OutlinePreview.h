@@ -6,12 +6,12 @@
 
 namespace rubble {
 
-/// A small picture of an outline, as large as fits.
+/// A small picture of an outline, and points in it, as large as fits.
 class OutlinePreview : public QWidget {
     Q_OBJECT
 public:
     explicit OutlinePreview(QWidget* parent = nullptr);
-    void setOutline(const Polygon& outline);
+    void setOutline(const Polygon& outline, std::vector<Vec2> points = {});
     QSize sizeHint() const override { return {220, 220}; }
 
 protected:
@@ -19,6 +19,7 @@ protected:
 
 private:
     Polygon m_outline;
+    std::vector<Vec2> m_points;
 };
 
 }  // namespace rubble

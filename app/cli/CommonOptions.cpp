@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <map>
 #include <thread>
 
 namespace rubble {
@@ -19,6 +20,20 @@ CLI::Validator validatorOf(Number min, Number max, const std::string& kind) {
         return isNumber ? std::string() : '"' + given + fault;
     };
     return CLI::Validator(check, "");
+}
+
+const std::map<std::string, std::string> kUnits = {
+    {"mm", "0.001"}, {"cm", "0.01"}, {"m", "1"}, {"in", "0.0254"}, {"ft", "0.3048"}};
+
+/// Turns the name of a unit into metres; a sentence where the text is neither a name nor a number.
+std::string inMetres(std::string& text) {
+    double number = 0.0;
+    if (const auto unit = kUnits.find(text); unit != kUnits.end()) {
+        text = unit->second;
+    } else if (!CLI::detail::lexical_cast(text, number)) {
+        return '"' + text + "\" is neither mm, cm, m, in, ft nor a number of metres";
+    }
+    return {};
 }
 
 }  // namespace
@@ -46,6 +61,12 @@ void addThreadsOption(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "How many threads to use: all processors if not given")
         ->check(numberBetween(1, 1024))
         ->option_text("N");
+}
+
+void addUnitOption(CLI::App& command, std::optional<double>& metresPerUnit) {
+    command.add_option("--unit", metresPerUnit, "What one unit of the file is, by name or in metres")
+        ->transform(CLI::Validator(inMetres, ""))
+        ->option_text("mm|cm|m|in|ft|NUMBER");
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ CLI::Validator numberBetween(double min, double max);
 
 /// Adds --threads, which is all processors unless it is given.
 void addThreadsOption(CLI::App& command, int& threads);
+
+/// Adds --unit, which says what one unit of a mesh file is; as the file says where it is not given.
+void addUnitOption(CLI::App& command, std::optional<double>& metresPerUnit);
 
 /// `words` as "a, b, c".
 std::string joinedText(const std::vector<std::string>& words);

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -43,20 +42,6 @@ struct ImportVerbOptions {
     std::string asset;
     std::string fallback;
 };
-
-const std::map<std::string, std::string> kUnits = {
-    {"mm", "0.001"}, {"cm", "0.01"}, {"m", "1"}, {"in", "0.0254"}, {"ft", "0.3048"}};
-
-/// Turns the name of a unit into metres; a sentence where the text is neither a name nor a number.
-std::string inMetres(std::string& text) {
-    double number = 0.0;
-    if (const auto unit = kUnits.find(text); unit != kUnits.end()) {
-        text = unit->second;
-    } else if (!CLI::detail::lexical_cast(text, number)) {
-        return '"' + text + "\" is neither mm, cm, m, in, ft nor a number of metres";
-    }
-    return {};
-}
 
 /// The project to import into and where it is to be written; a new one where there is none yet.
 struct Target {
@@ -138,9 +123,7 @@ Verb addImport(CLI::App& program) {
     command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
     command->add_option("--into", options->project, "The project to import into; made where there is none")
         ->option_text("PROJECT");
-    command->add_option("--unit", options->metresPerUnit, "What one unit of the file is, by name or in metres")
-        ->transform(CLI::Validator(inMetres, ""))
-        ->option_text("mm|cm|m|in|ft|NUMBER");
+    addUnitOption(*command, options->metresPerUnit);
     command->add_option("--up", options->up, "Which axis of the file is up: y if not given")
         ->check(oneOf({"y", "z"}))
         ->option_text("y|z");

@@ -23,6 +23,7 @@ struct Verb {
 /// Each adds its verb with options and help to the program.
 Verb addNew(CLI::App& program);
 Verb addImport(CLI::App& program);
+Verb addSeeds(CLI::App& program);
 Verb addFracture(CLI::App& program);
 Verb addExport(CLI::App& program);
 Verb addCheck(CLI::App& program);

@@ -3,13 +3,50 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/Pattern.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace rubble {
 namespace {
 
 std::string points(std::uint32_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); }
+
+Vec2 seenAlong(FileAxis axis, Vec3 point) {
+    switch (axis) {
+        case FileAxis::X: return {-point.z, point.y};
+        case FileAxis::Y: return {point.x, -point.z};
+        case FileAxis::Z: break;
+    }
+    return Vec2{point};
+}
+
+/// All points as they are seen, in the file's unit.
+std::vector<Vec2> seenPoints(const SourceScene& mesh, FileAxis axis) {
+    std::vector<Vec2> seen;
+    for (const SourceObject& object : mesh.objects) {
+        for (const Vec3 point : object.points) seen.push_back(seenAlong(axis, point));
+    }
+    return seen;
+}
+
+/// Brings points evenly into the middle of a box.
+void fit(std::vector<Vec2>& points, const Box2& into) {
+    const Box2 from = boundsOf(points);
+    const Vec2 size = from.size(), room = into.size();
+    double scale = std::numeric_limits<double>::infinity();
+    if (size.x > 0.0) scale = room.x / size.x;
+    if (size.y > 0.0) scale = std::min(scale, room.y / size.y);
+    if (!std::isfinite(scale)) scale = 1.0;  // a single point
+    const Vec2 fromMiddle = (from.min + from.max) / 2.0, middle = (into.min + into.max) / 2.0;
+    for (Vec2& point : points) {
+        point =
+            glm::clamp(middle + scale * (point - fromMiddle), into.min, into.max);  // by rounding it may lie outside
+    }
+}
 
 }  // namespace
 
@@ -21,25 +58,28 @@ std::string VertexSeeds::report() const {
     return text + (outside + duplicates == 1 ? " was left out." : " were left out.");
 }
 
-Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, double scale, const Polygon& outline) {
+Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, const VertexView& view, const Polygon& outline) {
+    const double inFile = mesh.metresPerUnit > 0.0 ? mesh.metresPerUnit : 1.0;
+    const double scale = view.metresPerUnit.value_or(inFile);
     if (!std::isfinite(scale) || scale <= 0.0) {
-        return Error{ErrorCode::BadInput, "The mesh cannot be scaled by " + messageText(scale) + "."};
+        return Error{ErrorCode::BadInput,
+                     "The unit is " + messageText(scale) + " m; it must be finite and greater than zero."};
     }
+    std::vector<Vec2> seen = seenPoints(mesh, view.along);
+    for (Vec2& point : seen) point *= scale;
+    if (view.isFitted && !seen.empty()) fit(seen, boundsOf(outline.outer));
     VertexSeeds found;
     std::set<std::pair<double, double>> taken;
-    for (const SourceObject& object : mesh.objects) {
-        for (const Vec3 point : object.points) {
-            const Vec2 place = scale * Vec2{point};
-            if (containment(outline, place) == Containment::Outside) {
-                ++found.outside;
-            } else if (!taken.insert({place.x + 0.0, place.y + 0.0}).second) {  // -0 is 0
-                ++found.duplicates;
-            } else if (found.seeds.seeds.size() == kMostSeeds) {
-                return Error{ErrorCode::Limit,
-                             "The mesh has more than " + std::to_string(kMostSeeds) + " points in the outline."};
-            } else {
-                found.seeds.seeds.push_back({static_cast<std::uint32_t>(found.seeds.seeds.size()), place});
-            }
+    for (const Vec2 place : seen) {
+        if (containment(outline, place) == Containment::Outside) {
+            ++found.outside;
+        } else if (!taken.insert({place.x + 0.0, place.y + 0.0}).second) {  // -0 is 0
+            ++found.duplicates;
+        } else if (found.seeds.seeds.size() == kMostSeeds) {
+            return Error{ErrorCode::Limit,
+                         "The mesh has more than " + std::to_string(kMostSeeds) + " points in the outline."};
+        } else {
+            found.seeds.seeds.push_back({static_cast<std::uint32_t>(found.seeds.seeds.size()), place});
         }
     }
     if (found.seeds.seeds.empty()) return Error{ErrorCode::Degenerate, "No point of the mesh lies in the outline."};
