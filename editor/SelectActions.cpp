@@ -7,6 +7,7 @@
 #include "editor/SelectDialogs.h"
 #include "editor/Views.h"
 #include "editor/canvas/PatternCanvas.h"
+#include "editor/document/CellChoice.h"
 #include "editor/document/FragmentHiding.h"
 #include "viewport/ViewportWidget.h"
 
@@ -21,31 +22,6 @@ namespace {
 
 std::shared_ptr<const BakedPattern> patternOf(Workspace& workspace) {
     return workspace.bakes().findPattern(workspace.selection().asset());
-}
-
-/// The seeds of the asset at hand, as far as its pattern was made.
-Selection::Seeds allSeeds(Workspace& workspace) {
-    const auto pattern = patternOf(workspace);
-    if (!pattern) return {};
-    return {pattern->seeds.ids.begin(), pattern->seeds.ids.end()};
-}
-
-/// The chosen seeds and those whose cells touch theirs.
-Selection::Seeds withNeighbourSeeds(Workspace& workspace) {
-    Selection::Seeds chosen = workspace.selection().seeds();
-    const auto pattern = patternOf(workspace);
-    if (!pattern) return chosen;
-    const std::vector<SeedId>& ids = pattern->seeds.ids;
-    const Partition& partition = pattern->partition;
-    const Selection::Seeds before = chosen;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const std::uint32_t seed = partition.seedOfPiece[piece];
-        if (seed == kNone || !before.contains(ids[seed])) continue;
-        for (const PieceContact& contact : contactsOf(partition, piece, 0.0)) {
-            chosen.insert(ids[partition.seedOfPiece[contact.piece]]);
-        }
-    }
-    return chosen;
 }
 
 }  // namespace
@@ -145,7 +121,10 @@ std::shared_ptr<const Bake> SelectActions::bake() const {
     return baked ? baked->bake : nullptr;
 }
 
-void SelectActions::chooseAll() { m_window.workspace().selection().setSeeds(allSeeds(m_window.workspace())); }
+void SelectActions::chooseAll() {
+    if (const auto pattern = patternOf(m_window.workspace()))
+        m_window.workspace().selection().setSeeds(allCells(*pattern));
+}
 
 void SelectActions::chooseNone() { m_window.workspace().selection().setSeeds({}); }
 
@@ -153,15 +132,15 @@ void SelectActions::chooseNone() { m_window.workspace().selection().setSeeds({})
 void SelectActions::invert() {
     Selection& selection = m_window.workspace().selection();
     if (selection.choice().ids) return change(invertedFragments, tr("All pieces were chosen."));
-    Selection::Seeds rest = allSeeds(m_window.workspace());
-    for (const SeedId seed : selection.seeds()) rest.erase(seed);
-    selection.setSeeds(std::move(rest));
+    if (const auto pattern = patternOf(m_window.workspace()))
+        selection.setSeeds(otherCells(*pattern, selection.seeds()));
 }
 
 void SelectActions::chooseNeighbours() {
     Selection& selection = m_window.workspace().selection();
     if (selection.choice().ids) return change(withNeighbours, {});
-    selection.setSeeds(withNeighbourSeeds(m_window.workspace()));
+    const auto pattern = patternOf(m_window.workspace());
+    if (pattern) selection.setSeeds(withNeighbourCells(*pattern, selection.seeds()));
 }
 
 void SelectActions::chooseSiblings() { change(siblingsOf, tr("What is chosen has no pieces.")); }

@@ -7,6 +7,7 @@
 #include <QImage>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubble {
@@ -113,6 +114,12 @@ bool BrushTool::key(const QKeyEvent& event) {
         case Qt::Key_Escape: return cancel();
         default: return false;
     }
+}
+
+/// Brackets choose parents and children elsewhere.
+bool BrushTool::ownsKey(int key) const {
+    constexpr std::array kOwn{Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_Comma, Qt::Key_Period, Qt::Key_X};
+    return std::ranges::find(kOwn, key) != kOwn.end();
 }
 
 bool BrushTool::cancel() {

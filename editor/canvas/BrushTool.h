@@ -20,6 +20,7 @@ public:
     void release(const CanvasPointer& pointer) override;
     void doubleClick(const CanvasPointer& pointer) override { press(pointer); }
     bool key(const QKeyEvent& event) override;
+    bool ownsKey(int key) const override;
     bool cancel() override;
     void letGo() override;
     void paint(QPainter& painter, const CanvasColours& colours) const override;

@@ -51,6 +51,8 @@ public:
     virtual void doubleClick(const CanvasPointer& pointer) { press(pointer); }
     /// True where the key means something to the tool.
     virtual bool key(const QKeyEvent& event) = 0;
+    /// True for a key without modifiers that is the tool's own, though it is elsewhere the shortcut of an action.
+    virtual bool ownsKey(int /*key*/) const { return false; }
     /// Puts back what is being dragged or drawn; false where nothing is.
     virtual bool cancel() = 0;
     /// Ends what is being dragged, leaving things as they are now: a step was undone or done again meanwhile.

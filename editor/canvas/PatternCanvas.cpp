@@ -456,6 +456,13 @@ bool PatternCanvas::event(QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() == Qt::NoModifier && m_tool->ownsKey(key->key())) {
+            event->accept();
+            return true;
+        }
+    }
     return QWidget::event(event);
 }
 

@@ -4,6 +4,7 @@
 #include "editor/canvas/CanvasPainting.h"
 #include "editor/canvas/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/CellChoice.h"
 
 #include <QApplication>
 
@@ -117,12 +118,8 @@ void SeedTool::dragBy(Vec2 by) {
 void SeedTool::release(const CanvasPointer& pointer) {
     if (m_catch && m_hasMoved) {
         m_state.selection.setSeeds(caught());
-    } else if (m_catch && !m_catch->isAdding) {
-        if (m_state.selection.seeds().empty()) {
-            place(snapped(m_state, pointer, outlineTargets(m_state)));
-        } else {
-            m_state.selection.setSeeds({});
-        }
+    } else if (m_catch) {
+        click(pointer);
     }
     m_catch.reset();
     m_drag.reset();
@@ -130,16 +127,40 @@ void SeedTool::release(const CanvasPointer& pointer) {
     emit changed();
 }
 
+/// Where no seed is: on a piece that cuts alone have made it chooses that one, as a click on a seed does its own.
+void SeedTool::click(const CanvasPointer& pointer) {
+    const bool isAdding = m_catch->isAdding;
+    const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
+    if (piece != kNone && (isAdding || hasCutsAlone())) {
+        const SeedId cell = m_state.pattern->cellOf(piece);
+        if (isAdding) return m_state.selection.toggleSeed(cell);
+        return m_state.selection.setSeeds({cell});
+    }
+    if (isAdding) return;
+    if (!m_state.selection.seeds().empty()) return m_state.selection.setSeeds({});
+    place(snapped(m_state, pointer, outlineTargets(m_state)));
+}
+
+bool SeedTool::hasCutsAlone() const {
+    return m_state.pattern && m_state.pattern->seeds().ids.empty() && !m_state.pattern->partition().cutLayers.empty();
+}
+
 Selection::Seeds SeedTool::caught() const {
     Selection::Seeds seeds;
     if (m_catch->isAdding) seeds = m_state.selection.seeds();
     if (!m_state.pattern) return seeds;
     const QRectF box = QRectF(m_catch->path.front(), m_catch->path.back()).normalized();
+    const auto isCaught = [&](Vec2 place) {
+        const QPointF at = m_state.view.pixels(place);
+        return m_catch->isLasso ? m_catch->path.containsPoint(at, Qt::OddEvenFill) : box.contains(at);
+    };
     const std::vector<Vec2>& positions = m_state.pattern->seeds().positions;
     for (std::size_t seed = 0; seed < positions.size(); ++seed) {
-        const QPointF at = m_state.view.pixels(positions[seed]);
-        const bool isCaught = m_catch->isLasso ? m_catch->path.containsPoint(at, Qt::OddEvenFill) : box.contains(at);
-        if (isCaught) seeds.insert(m_state.pattern->seeds().ids[seed]);
+        if (isCaught(positions[seed])) seeds.insert(m_state.pattern->seeds().ids[seed]);
+    }
+    if (!hasCutsAlone()) return seeds;
+    for (std::uint32_t piece = 0; piece < m_state.pattern->partition().pieceCount(); ++piece) {
+        if (isCaught(m_state.pattern->middle(piece))) seeds.insert(m_state.pattern->cellOf(piece));
     }
     return seeds;
 }
@@ -202,6 +223,7 @@ void SeedTool::nudge(Vec2 by, bool isRepeated) {
     if (!m_state.asset() || !m_state.pattern || m_drag || m_state.selection.seeds().empty()) return;
     Asset asset = *m_state.asset();
     const std::map<SeedId, Vec2> positions = chosenPositions();
+    if (positions.empty()) return;
     for (const auto& [id, from] : positions) moveSeed(asset.pattern, id, from + by);
     m_state.document.push(altered(moveText(positions.size()), std::move(asset), nudgeStroke(isRepeated)));
 }
@@ -216,10 +238,19 @@ void SeedTool::chooseNext(int by) {
     m_state.selection.setSeeds({ids[static_cast<std::size_t>((now + by + count) % count)]});
 }
 
+/// Bricks and slices are chosen by the same names, but are no seeds.
+Selection::Seeds SeedTool::chosenSeeds() const {
+    Selection::Seeds seeds;
+    for (const SeedId id : m_state.selection.seeds()) {
+        if (m_state.pattern && m_state.pattern->find(id) != kNone) seeds.insert(id);
+    }
+    return seeds;
+}
+
 void SeedTool::deleteChosen() {
-    if (!m_state.asset() || m_state.selection.seeds().empty()) return;
+    const Selection::Seeds seeds = chosenSeeds();
+    if (!m_state.asset() || seeds.empty()) return;
     Asset asset = *m_state.asset();
-    const Selection::Seeds& seeds = m_state.selection.seeds();
     // In the order in which the lists that they are taken from and noted in have little to move.
     for (const SeedId seed : seeds) {
         if (!isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
@@ -236,36 +267,21 @@ void SeedTool::deleteChosen() {
 void SeedTool::restoreChosen() {
     if (!m_state.asset()) return;
     Asset asset = *m_state.asset();
-    for (const SeedId seed : m_state.selection.seeds()) restoreSeed(asset.pattern, seed);
+    for (const SeedId seed : chosenSeeds()) restoreSeed(asset.pattern, seed);
     m_state.document.push(altered(tr("Restore seeds"), std::move(asset)));
 }
 
 void SeedTool::chooseAll() {
-    if (!m_state.pattern) return;
-    const std::vector<SeedId>& ids = m_state.pattern->seeds().ids;
-    m_state.selection.setSeeds({ids.begin(), ids.end()});
+    if (m_state.pattern) m_state.selection.setSeeds(allCells(m_state.pattern->baked()));
 }
 
 void SeedTool::chooseNeighbours() {
     if (!m_state.pattern) return;
-    const Partition& partition = m_state.pattern->partition();
-    Selection::Seeds seeds = m_state.selection.seeds();
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (!m_state.selection.seeds().contains(m_state.pattern->cellOf(piece))) continue;
-        for (const std::uint32_t neighbour : m_state.pattern->neighbours(piece)) {
-            seeds.insert(m_state.pattern->cellOf(neighbour));
-        }
-    }
-    m_state.selection.setSeeds(std::move(seeds));
+    m_state.selection.setSeeds(withNeighbourCells(m_state.pattern->baked(), m_state.selection.seeds()));
 }
 
 void SeedTool::invertChoice() {
-    if (!m_state.pattern) return;
-    Selection::Seeds seeds;
-    for (const SeedId id : m_state.pattern->seeds().ids) {
-        if (!m_state.selection.seeds().contains(id)) seeds.insert(id);
-    }
-    m_state.selection.setSeeds(std::move(seeds));
+    if (m_state.pattern) m_state.selection.setSeeds(otherCells(m_state.pattern->baked(), m_state.selection.seeds()));
 }
 
 void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
@@ -300,6 +316,10 @@ Qt::CursorShape SeedTool::cursor() const {
 QString SeedTool::hint() const {
     if (m_handles.isPointedAt() && !m_handles.isHeld()) return tr("%1: drag to move").arg(m_handles.text());
     if (m_drag || m_handles.isHeld()) return tr("Release to drop · Shift: without snapping · Esc: put back");
+    if (hasCutsAlone()) {
+        return tr(
+            "Click: choose a piece · Ctrl+click: add · drag: choose by a box, with Alt by a lasso · Esc: choose none");
+    }
     if (!m_state.selection.seeds().empty()) {
         const std::size_t count = m_state.selection.seeds().size();
         return (count == 1 ? tr("1 seed chosen") : tr("%1 seeds chosen").arg(count)) +
@@ -323,7 +343,7 @@ void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
         menu.addAction(tr("&Place seed here"), this, [this, position] { place(position); });
         menu.addSeparator();
     }
-    menu.addAction(tr("&Delete seeds"), this, &SeedTool::deleteChosen)->setEnabled(hasChoice);
+    menu.addAction(tr("&Delete seeds"), this, &SeedTool::deleteChosen)->setEnabled(!chosenSeeds().empty());
     menu.addAction(tr("&Restore moved seeds"), this, &SeedTool::restoreChosen)->setEnabled(hasMoved);
     menu.addSeparator();
     menu.addAction(tr("Choose &all"), this, &SeedTool::chooseAll)->setEnabled(m_state.pattern != nullptr);

@@ -54,6 +54,10 @@ private:
     std::map<SeedId, Vec2> chosenPositions() const;
     void beginDrag(std::uint32_t seed);
     void dragBy(Vec2 by);
+    void click(const CanvasPointer& pointer);
+    /// Whether the pattern has no seeds, and its pieces names all the same.
+    bool hasCutsAlone() const;
+    Selection::Seeds chosenSeeds() const;
     void place(Vec2 position);
     void nudge(Vec2 by, bool isRepeated);
     void chooseNext(int by);

@@ -4,9 +4,9 @@
 #include "core/fracture/PatternKind.h"
 #include "core/fracture/PatternPartition.h"
 #include "core/fracture/SeedEdits.h"
-#include "core/fracture/VoronoiPartition.h"
 #include "core/geometry/Aspect.h"
 #include "core/geometry/Predicates.h"
+#include "editor/document/CellChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,9 +178,7 @@ std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
     return neighbours;
 }
 
-double ShownPattern::leastEdge() const {
-    return kLeastSharedEdge * boundsOf(m_baked->asset->prism.outline.outer).diagonal();
-}
+double ShownPattern::leastEdge() const { return leastSharedEdge(*m_baked); }
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
     return std::to_string(m_baked->asset->id) + "/" + pieceName(partition(), piece, seeds().ids);

@@ -50,6 +50,13 @@ void relax(Pattern& pattern, const Project& project, Edit& edit) {
     pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = LloydRelaxation{kRounds}});
 }
 
+/// Merged by the limit below which pieces are told of; the mean of what is left is above that of what there is, so none stays.
+void mergeTinyPieces(SmallPieces& small) {
+    if (small.rule == SmallPieceRule::Keep) small.rule = SmallPieceRule::Merge;
+    small.measure = PieceMeasure::PartOfMean;
+    small.limit = ProblemLimits{}.meanShare;
+}
+
 bool isOfSeed(ProblemKind kind) {
     return kind == ProblemKind::DuplicateSeed || kind == ProblemKind::SeedWithoutCell ||
            kind == ProblemKind::ThinPiece || kind == ProblemKind::Sliver || kind == ProblemKind::TinyPiece;
@@ -67,6 +74,7 @@ bool canFix(const Project& project, const Problem& problem, ProblemFix fix) {
         case ProblemFix::DeletePoint:
             return problem.kind == ProblemKind::FaultyOutline && repeatedPoint(asset->prism.outline);
         case ProblemFix::Relax: return problem.kind == ProblemKind::Sliver || problem.kind == ProblemKind::TinyPiece;
+        case ProblemFix::MergePieces: return problem.kind == ProblemKind::TinyPiece;
     }
     return false;
 }
@@ -77,6 +85,7 @@ QString textOf(ProblemFix fix) {
         case ProblemFix::ForgetChange: return tr("Forget Change");
         case ProblemFix::DeletePoint: return tr("Delete Point");
         case ProblemFix::Relax: return tr("Relax");
+        case ProblemFix::MergePieces: return tr("Merge Tiny Pieces");
     }
     return {};
 }
@@ -89,6 +98,9 @@ QString hintOf(ProblemFix fix) {
         case ProblemFix::Relax:
             return tr(
                 "Let the pattern end with a relaxation, which moves scattered seeds to the middles of their cells");
+        case ProblemFix::MergePieces:
+            return tr(
+                "Let all pieces of the asset that are as small go into the neighbour with the longest shared edge");
     }
     return {};
 }
@@ -104,6 +116,7 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
             case ProblemFix::DeleteSeed: deleteSeed(asset.pattern, *problem.seed); break;
             case ProblemFix::ForgetChange: restoreSeed(asset.pattern, *problem.seed); break;
             case ProblemFix::DeletePoint: deleteRepeatedPoints(asset.prism.outline); break;
+            case ProblemFix::MergePieces: mergeTinyPieces(asset.shaping.smallPieces); break;
             case ProblemFix::Relax: {
                 Pattern* pattern = patternOfLevel(asset, problem.level);
                 if (pattern && relaxed.insert({asset.id, problem.level}).second) relax(*pattern, project, edit);

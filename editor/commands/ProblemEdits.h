@@ -14,9 +14,10 @@ enum class ProblemFix {
     ForgetChange,  // the change by hand that names a seed which is not there
     DeletePoint,   // of an outline, that repeats the one before it
     Relax,         // move scattered seeds to the middles of their cells
+    MergePieces,   // tiny ones, each into the neighbour with the longest shared edge
 };
 inline constexpr ProblemFix kProblemFixes[] = {ProblemFix::DeleteSeed, ProblemFix::ForgetChange,
-                                               ProblemFix::DeletePoint, ProblemFix::Relax};
+                                               ProblemFix::DeletePoint, ProblemFix::Relax, ProblemFix::MergePieces};
 
 /// Whether a fix can be tried on a problem.
 bool canFix(const Project& project, const Problem& problem, ProblemFix fix);

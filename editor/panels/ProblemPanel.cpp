@@ -25,6 +25,7 @@ QString iconOf(ProblemFix fix) {
         case ProblemFix::ForgetChange: return QStringLiteral("seed-restore");
         case ProblemFix::DeletePoint: return QStringLiteral("remove");
         case ProblemFix::Relax: return QStringLiteral("layer-lloyd");
+        case ProblemFix::MergePieces: return QStringLiteral("fragment-merge");
     }
     return {};
 }

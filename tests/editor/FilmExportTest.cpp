@@ -1,11 +1,9 @@
 #include "editor/FilmDialog.h"
-#include "editor/MainWindow.h"
-#include "editor/Program.h"
 #include "tests/support/Dialogs.h"
+#include "tests/support/EditorStory.h"
 #include "tests/support/Ffmpeg.h"
 #include "tests/support/FileLimits.h"
 #include "tests/support/Pictures.h"
-#include "tests/support/TestSettings.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,7 +13,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QSpinBox>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -24,34 +21,26 @@ using namespace rubble;
 
 namespace {
 
-constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
 constexpr double kStep = 1.0 / 60.0;
 
 }  // namespace
 
 /// What was played is filmed from the window: pictures with and without destruction, a film where there is ffmpeg, and nothing
 /// where it is cancelled or cannot be written.
-class FilmExportTest : public QObject {
+class FilmExportTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        test::keepSettingsIn(m_folder.path());
-        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        m_program = std::make_unique<Program>();
-        m_window = m_program->open(RUBBLE_SOURCE_DIR "/projects/house.rubble");
-        QVERIFY(m_window);
-        QApplication::setActiveWindow(m_window);  // there may be no window manager
-        QVERIFY(QTest::qWaitForWindowExposed(m_window, kPatience));
+        openFile(RUBBLE_SOURCE_DIR "/projects/house.rubble");
         play().thread().useSteppedClock();
-        QVERIFY(!action().isEnabled());  // nothing was played yet
+        QVERIFY(!film().isEnabled());  // nothing was played yet
         play().play();
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
-        play().fire(m_window->workspace().project().shots.front());
+        play().fire(project().shots.front());
         for (int k = 0; k < 90; ++k) play().thread().advance(kStep);
         play().takeNews();
         QVERIFY(!play().breaks().empty());
-        QVERIFY(action().isEnabled());
+        QVERIFY(film().isEnabled());
     }
     void init() { m_place = std::make_unique<QTemporaryDir>(); }
 
@@ -90,7 +79,7 @@ private slots:
             QTest::mouseClick(&okButton(dialog), Qt::LeftButton);
         });
         QVERIFY(films().isBusy() && progress().isVisible());
-        QVERIFY(m_window->isEnabled() && !QApplication::activeModalWidget());  // one goes on working meanwhile
+        QVERIFY(window().isEnabled() && !QApplication::activeModalWidget());  // one goes on working meanwhile
         QTRY_VERIFY_WITH_TIMEOUT(!films().isBusy(), kPatience);
         QVERIFY(!progress().isVisible());
         QCOMPARE(QDir(m_place->filePath("film")).entryList(QDir::Files),
@@ -99,7 +88,7 @@ private slots:
         QCOMPARE(picture(0).size(), QSize(328, 90));
         QVERIFY(test::meanDifference(picture(0).copy(left), picture(0).copy(right)) == 0.0);
         QVERIFY(test::meanDifference(picture(3).copy(left), picture(3).copy(right)) > 0.2);
-        QVERIFY(m_window->statusBar()->currentMessage().startsWith("4 pictures in "));
+        QVERIFY(window().statusBar()->currentMessage().startsWith("4 pictures in "));
     }
     void ffmpegMakesAFilm() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
@@ -122,7 +111,7 @@ private slots:
         });
         QTRY_VERIFY_WITH_TIMEOUT(progress().value() > 0, kPatience);
         QVERIFY(QFile::exists(m_place->filePath("film/frame-0000.png")));
-        QTest::mouseClick(m_window->findChild<QToolButton*>("film-cancel"), Qt::LeftButton);
+        QTest::mouseClick(window().findChild<QToolButton*>("film-cancel"), Qt::LeftButton);
         QVERIFY(!films().isBusy() && !progress().isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(m_place->path()).isEmpty(), kPatience);
     }
@@ -165,22 +154,24 @@ private slots:
             dialog.accept();
         });
         test::whenAsked<QMessageBox>([](QMessageBox& box) { box.reject(); });
-        QVERIFY(!m_window->close());
+        QVERIFY(!window().close());
         QVERIFY(films().isBusy());
         films().cancel();
-        m_window->workspace().document().setSaved();
-        QVERIFY(m_window->close());
+        window().workspace().document().setSaved();
+        QVERIFY(window().close());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(m_place->path()).isEmpty(), kPatience);
     }
 
+    void cleanupTestCase() { close(); }
+
 private:
-    PlayController& play() { return m_window->workspace().play(); }
-    FilmMaker& films() { return m_window->workspace().films(); }
-    QAction& action() { return *m_window->findChild<QAction*>("play-film"); }
-    QProgressBar& progress() { return *m_window->findChild<QProgressBar*>("film-progress"); }
+    PlayController& play() { return window().workspace().play(); }
+    FilmMaker& films() { return window().workspace().films(); }
+    QAction& film() { return *action("play-film"); }
+    QProgressBar& progress() { return *window().findChild<QProgressBar*>("film-progress"); }
     void ask(const std::function<void(FilmDialog&)>& answer) {
         test::whenAsked<FilmDialog>(answer);
-        action().trigger();
+        film().trigger();
     }
     static QString summary(FilmDialog& dialog) { return dialog.findChild<QLabel*>("film-summary")->text(); }
     static QPushButton& okButton(FilmDialog& dialog) {
@@ -211,10 +202,7 @@ private:
         return QImage(m_place->filePath(QString("film/frame-000%1.png").arg(k))).convertToFormat(QImage::Format_RGB888);
     }
 
-    QTemporaryDir m_folder;
     std::unique_ptr<QTemporaryDir> m_place;
-    std::unique_ptr<Program> m_program;
-    MainWindow* m_window = nullptr;
 };
 
 QTEST_MAIN(FilmExportTest)

@@ -1,22 +1,11 @@
 #include "core/io/ProjectFile.h"
-#include "editor/MainWindow.h"
-#include "editor/Program.h"
-#include "editor/SceneView.h"
 #include "editor/ViewMeasure.h"
-#include "editor/Views.h"
-#include "editor/canvas/PatternCanvas.h"
 #include "editor/panels/ProblemPanel.h"
 #include "editor/panels/VolumeHistogram.h"
+#include "tests/support/EditorStory.h"
 #include "tests/support/Projects.h"
-#include "tests/support/TestSettings.h"
-#include "viewport/ViewportWidget.h"
 
-#include <QApplication>
 #include <QDockWidget>
-#include <QMouseEvent>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -26,8 +15,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 20000;  // ms, for baking on a busy machine
 
 /// A box of 1 m in four columns, the last of them a sliver of 5 cm, and a seed that equals the first.
 Project columns() {
@@ -43,40 +30,34 @@ Project columns() {
 }  // namespace
 
 /// A look at what was broken, by mouse and keys: choosing, hiding, isolating, measuring, and from a problem to its fix.
-class InspectionStoryTest : public QObject {
+class InspectionStoryTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        test::keepSettingsIn(m_folder.path());
-        QApplication::setQuitOnLastWindowClosed(false);
-        m_program = std::make_unique<Program>();
-        m_window = m_program->showNew(columns(), true);
-        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window));
-        QTRY_VERIFY_WITH_TIMEOUT(isBaked(4), kPatience);
-        viewport().setFlights(false);
-        m_window->views().fit();
+        open(columns());
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 4), kPatience);
+        window().views().fit();
         m_before = projectText(project());
     }
-    void cleanupTestCase() { delete m_window; }
+    void cleanupTestCase() { close(); }
 
     void aBoxAndALassoChoose() {
         canvas().setFocus();
-        drag({0.05, 0.9}, {0.5, 0.1}, {});
+        drag(canvas(), pixels({0.05, 0.9}), pixels({0.5, 0.1}));
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 4}}));
         QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.6, 0.9}));
-        for (const Vec2 corner : {Vec2(0.6, 0.1), Vec2(0.95, 0.1), Vec2(0.95, 0.9)}) moveTo(corner, Qt::AltModifier);
+        for (const Vec2 corner : {Vec2(0.6, 0.1), Vec2(0.95, 0.1), Vec2(0.95, 0.9)}) {
+            moveTo(canvas(), pixels(corner), Qt::AltModifier, Qt::LeftButton);
+        }
         QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.95, 0.9}));
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
     }
     void neighboursAndTheRestAreChosenByKeys() {
-        QTest::keyClick(m_window, Qt::Key_G, Qt::ControlModifier);
+        QTest::keyClick(&window(), Qt::Key_G, Qt::ControlModifier);
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}, {3, 2}, {3, 3}}));
-        QTest::keyClick(m_window, Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&window(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 4}}));
-        QTest::keyClick(m_window, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&window(), Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(selection().seeds().size(), std::size_t{4});  // a seed without a piece has no siblings
     }
     void piecesAreHiddenIsolatedAndShownAgain() {
@@ -89,13 +70,13 @@ private slots:
         selection().setSeeds({{3, 2}});
         QTest::keyClick(&canvas(), Qt::Key_Slash);
         QVERIFY((selection().hidden().seeds == Selection::Seeds{{3, 0}, {3, 1}, {3, 3}}));
-        if (viewport().fault().isEmpty()) QTRY_COMPARE(hiddenBodies(), 3);
+        if (hasView()) QTRY_COMPARE(hiddenBodies(), 3);
         QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
         QCOMPARE(projectText(project()), m_before);  // nothing of it is saved
         QCOMPARE(stack().count(), 0);
     }
     void inTheViewKeysMeanThePieceThatWasClicked() {
-        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        if (!hasView()) QSKIP("There is no OpenGL here.");
         lookFromTheFront();
         const QPoint second = viewport().pointOf({0.45, 0.12, 0.25})->toPoint();  // off the handles
         selection().setSeeds({});
@@ -110,10 +91,10 @@ private slots:
         QTRY_COMPARE(hiddenBodies(), 0);
     }
     void twoClicksMeasureFromCornerToCorner() {
-        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        if (!hasView()) QSKIP("There is no OpenGL here.");
         lookFromTheFront();
         QTest::keyClick(&viewport(), Qt::Key_M);
-        ViewMeasure& measure = m_window->views().scene().measure();
+        ViewMeasure& measure = window().views().scene().measure();
         QVERIFY(measure.isOn());
         const QPoint from = viewport().pointOf({0.0, 0.0, 0.25})->toPoint(),
                      to = viewport().pointOf({1.0, 1.0, 0.25})->toPoint();
@@ -127,14 +108,14 @@ private slots:
         QVERIFY(!measure.isOn());
     }
     void aBarOfTheHistogramChoosesItsPieces() {
-        auto& histogram = *m_window->findChild<VolumeHistogram*>();
+        auto& histogram = *window().findChild<VolumeHistogram*>();
         selection().setSeeds({});
         QTest::mouseClick(&histogram, Qt::LeftButton, {}, histogram.placeOf(0).center().toPoint());
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 3}}));
         QCOMPARE(histogram.bars().front().chosen, 1u);
     }
     void aProblemLeadsToItsPlace() {
-        auto* dock = m_window->findChild<QDockWidget*>("dock-problems");
+        auto* dock = window().findChild<QDockWidget*>("dock-problems");
         dock->raise();
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
         QCOMPARE(dock->windowTitle(), QString("Problems (2)"));
@@ -158,27 +139,18 @@ private slots:
         QCOMPARE(seeds.size(), std::size_t{3});
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 0, kPatience);
         QVERIFY(!button("Delete Seed")->isVisible());
-        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(projectText(project()), m_before);
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
     }
 
 private:
-    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
-    PatternCanvas& canvas() { return m_window->views().canvas(); }
-    ProblemPanel& problems() { return *m_window->findChild<ProblemPanel*>(); }
-    Selection& selection() { return m_window->workspace().selection(); }
-    const Project& project() { return m_window->workspace().project(); }
-    QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
+    ProblemPanel& problems() { return *window().findChild<ProblemPanel*>(); }
     QToolButton* button(const QString& text) {
         for (QToolButton* button : problems().findChildren<QToolButton*>()) {
             if (button->text() == text) return button;
         }
         return nullptr;
-    }
-    bool isBaked(std::uint32_t fragments) {
-        const auto baked = m_window->workspace().bakes().find(2);
-        return baked && baked->bake && baked->bake->fragmentCount() == fragments;
     }
     void lookFromTheFront() {
         QTRY_COMPARE(hiddenBodies(), 0);  // the scene is made when the events before are done
@@ -190,23 +162,7 @@ private:
         return static_cast<int>(std::ranges::count_if(
             viewport().scene().looks, [](const BodyLook& look) { return (look.marks & kHidden) != 0; }));
     }
-    QPoint pixels(Vec2 metres) { return canvas().view().pixels(metres).toPoint(); }
-    void moveTo(Vec2 at, Qt::KeyboardModifiers modifiers) {
-        const QPointF position(pixels(at));
-        QMouseEvent event(QEvent::MouseMove, position, canvas().mapToGlobal(position), Qt::NoButton, Qt::LeftButton,
-                          modifiers);
-        QCoreApplication::sendEvent(&canvas(), &event);
-    }
-    void drag(Vec2 from, Vec2 to, Qt::KeyboardModifiers modifiers) {
-        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, pixels(from));
-        moveTo((from + to) / 2.0, modifiers);
-        moveTo(to, modifiers);
-        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, pixels(to));
-    }
 
-    QTemporaryDir m_folder;
-    std::unique_ptr<Program> m_program;
-    MainWindow* m_window = nullptr;
     std::string m_before;
 };
 

@@ -2,32 +2,20 @@
 #include "editor/ArrayDialogs.h"
 #include "editor/InstanceGizmo.h"
 #include "editor/InstancePlacing.h"
-#include "editor/MainWindow.h"
-#include "editor/Program.h"
-#include "editor/SceneView.h"
-#include "editor/Views.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/DraggedAsset.h"
 #include "tests/support/Dialogs.h"
+#include "tests/support/EditorStory.h"
 #include "tests/support/Projects.h"
-#include "tests/support/TestSettings.h"
-#include "viewport/ViewportWidget.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
-#include <QMouseEvent>
 #include <QSpinBox>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 20000;  // ms, for baking on a busy machine
 
 Project threeBoxes() {
     Project project;
@@ -45,29 +33,21 @@ Project threeBoxes() {
 }  // namespace
 
 /// What is done to instances in the 3D view, by mouse and keys.
-class InstancesTest : public QObject {
+class InstancesTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        test::keepSettingsIn(m_folder.path());
-        QApplication::setQuitOnLastWindowClosed(false);
-        m_program = std::make_unique<Program>();
-        m_window = m_program->showNew(threeBoxes(), true);
-        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window));
-        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
-        viewport().setFlights(false);
+        open(threeBoxes());
+        if (!hasView()) QSKIP("There is no OpenGL here.");
         viewport().frameAll();
     }
     void init() {
-        m_window->workspace().document().replace(threeBoxes());
+        window().workspace().document().replace(threeBoxes());
         choose({11});
         viewport().setFocus();
         m_before = projectText(project());
     }
-    void cleanupTestCase() { delete m_window; }
+    void cleanupTestCase() { close(); }
 
     void anArrowIsDraggedAlongItsAxisAsOneStep() {
         const QPoint tip = gripOf(GizmoHandle::MoveX);
@@ -77,7 +57,7 @@ private slots:
         QVERIFY(place.y == 0.0 && place.z == 0.0);
         QVERIFY(placeOf(10) == Vec3(0.0));
         QCOMPARE(stack().count(), 1);
-        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(projectText(project()), m_before);
     }
     void withCtrlItGoesByTenthsOfAMetre() {
@@ -146,7 +126,7 @@ private slots:
     void endLetsThemDown() {
         Instance raised = *findInstance(project(), 11);
         raised.pose.position.y = 3.0;
-        m_window->workspace().document().push(altered("Raise", raised));
+        window().workspace().document().push(altered("Raise", raised));
         QTest::keyClick(&viewport(), Qt::Key_End);
         QCOMPARE(placeOf(11).y, 0.0);
     }
@@ -154,7 +134,7 @@ private slots:
         choose({10, 11, 12});
         QTest::keyClick(&viewport(), Qt::Key_V);
         QCOMPARE(findInstance(project(), 12)->variant, 2u);
-        const Bakes& bakes = m_window->workspace().bakes();
+        const Bakes& bakes = window().workspace().bakes();
         QTRY_VERIFY_WITH_TIMEOUT(bakes.areCurrent(project()), kPatience);
         QTRY_COMPARE(viewport().scene().batches.size(), std::size_t{3});
         QVERIFY(viewport().scene().batches[0].geometry != viewport().scene().batches[2].geometry);
@@ -166,7 +146,7 @@ private slots:
         const Vec3 place = project().instances.back().pose.position;
         QVERIFY(std::abs(place.y - 1.0) < 1e-9);
         QVERIFY(glm::distance(place, Vec3(0.0, 1.0, 0.0)) < 0.05);  // the middle over the point, up to a pixel
-        QVERIFY(m_window->workspace().selection().instances().contains(project().instances.back().id));
+        QVERIFY(window().workspace().selection().instances().contains(project().instances.back().id));
     }
     void anAssetIsPlacedByClicksUntilEscape() {
         beginPlacing();
@@ -206,12 +186,12 @@ private slots:
     void whereNothingIsNothingIsPlaced() {
         Project floating = threeBoxes();
         floating.ground.isOn = false;
-        m_window->workspace().document().replace(floating);
+        window().workspace().document().replace(floating);
         beginPlacing();
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, QPoint(3, 3));
         QCOMPARE(project().instances.size(), std::size_t{3});
         QVERIFY(placing().isClicking());
-        m_window->workspace().document().replace(Project());  // nor is there anything to place
+        window().workspace().document().replace(Project());  // nor is there anything to place
         QVERIFY(!placing().isClicking());
     }
     void rowsAreCopiedFromTheirDialogAsOneStep() {
@@ -259,8 +239,8 @@ private slots:
     void anOverlapIsToldAndLeadsToThePlace() {
         Instance moved = *findInstance(project(), 11);
         moved.pose.position.x = 0.75;
-        m_window->workspace().document().push(altered("Move", moved));
-        const std::vector<Message>& list = m_window->views().messages().list();
+        window().workspace().document().push(altered("Move", moved));
+        const std::vector<Message>& list = window().views().messages().list();
         const auto told = [&] {
             return std::ranges::find(list, QString("\"box 1\" and \"box 2\" overlap by 250 mm."), &Message::text);
         };
@@ -271,20 +251,16 @@ private slots:
     }
 
 private:
-    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
-    InstancePlacing& placing() { return m_window->views().scene().placing(); }
+    InstancePlacing& placing() { return window().views().scene().placing(); }
     void beginPlacing() {
         QTest::keyClick(&viewport(), Qt::Key_A, Qt::ShiftModifier);
         QVERIFY(placing().isClicking());
     }
-    InstanceGizmo& gizmo() { return m_window->views().scene().gizmo(); }
-    const Project& project() { return m_window->workspace().project(); }
-    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
-    QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
+    InstanceGizmo& gizmo() { return window().views().scene().gizmo(); }
     Vec3 placeOf(Id id) { return findInstance(project(), id)->pose.position; }
     void choose(std::set<Id> instances) {
-        m_window->workspace().selection().setSeeds({});
-        m_window->workspace().selection().setInstances(project(), std::move(instances));
+        window().workspace().selection().setSeeds({});
+        window().workspace().selection().setInstances(project(), std::move(instances));
     }
     bool isMarkedHidden(Id instance) {
         const RenderScene& scene = viewport().scene();
@@ -306,14 +282,10 @@ private:
         QVERIFY(gizmo().isDragging());
     }
     void moveTo(QPoint at, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButtons buttons = Qt::NoButton) {
-        QMouseEvent event(QEvent::MouseMove, at, viewport().mapToGlobal(at), Qt::NoButton, buttons, modifiers);
-        QCoreApplication::sendEvent(&viewport(), &event);
+        EditorStory::moveTo(viewport(), at, modifiers, buttons);
     }
     void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
-        press(from);
-        moveTo((from + to) / 2, modifiers, Qt::LeftButton);
-        moveTo(to, modifiers, Qt::LeftButton);
-        QTest::mouseRelease(&viewport(), Qt::LeftButton, modifiers, to);
+        EditorStory::drag(viewport(), from, to, modifiers);
     }
     void drop(QPointF at) {
         const std::unique_ptr<QMimeData> data(mimeDataOf(2));
@@ -324,9 +296,6 @@ private:
         QCoreApplication::sendEvent(&viewport(), &event);
     }
 
-    QTemporaryDir m_folder;
-    std::unique_ptr<Program> m_program;
-    MainWindow* m_window = nullptr;
     std::string m_before;
 };
 

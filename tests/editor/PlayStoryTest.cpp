@@ -1,29 +1,18 @@
 #include "core/io/ReplayFile.h"
-#include "editor/MainWindow.h"
 #include "editor/PlayView.h"
-#include "editor/Program.h"
-#include "editor/SceneView.h"
 #include "editor/TimelineBar.h"
-#include "editor/Views.h"
-#include "editor/canvas/PatternCanvas.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/Dialogs.h"
+#include "tests/support/EditorStory.h"
 #include "tests/support/Pictures.h"
-#include "tests/support/TestSettings.h"
-#include "viewport/ViewportWidget.h"
 
-#include <QApplication>
 #include <QProcess>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTreeView>
 
 using namespace rubble;
 
 namespace {
 
-constexpr int kPatience = 30000;  // ms, for baking on a busy machine
 constexpr double kStep = 1.0 / 60.0;
 const Vec3 kBesideTheDoor{1.5, 1.5, 3.0};
 
@@ -31,33 +20,26 @@ const Vec3 kBesideTheDoor{1.5, 1.5, 3.0};
 
 /// A play by mouse and keys, on a clock that the test moves on: the house stands, a wall breaks, the play is gone back in, written
 /// down, played again, and another threshold makes another end.
-class PlayStoryTest : public QObject {
+class PlayStoryTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        test::keepSettingsIn(m_folder.path());
-        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        m_program = std::make_unique<Program>();
-        QVERIFY(QFile::copy(RUBBLE_SOURCE_DIR "/projects/house.rubble", m_folder.filePath("house.rubble")));
-        m_window = m_program->open(m_folder.filePath("house.rubble"));
-        QVERIFY(m_window);
-        QApplication::setActiveWindow(m_window);  // there may be no window manager
-        QVERIFY(QTest::qWaitForWindowExposed(m_window, kPatience));
-        if (!viewport().fault().isEmpty()) QSKIP("There is no OpenGL here.");
+        QVERIFY(QFile::copy(RUBBLE_SOURCE_DIR "/projects/house.rubble", pathOf("house.rubble")));
+        openFile(pathOf("house.rubble"));
+        if (!hasView()) QSKIP("There is no OpenGL here.");
         play().thread().useSteppedClock();
         m_bytes = bytesOf("house.rubble");
     }
 
     void itStands() {
-        QTest::keyClick(m_window, Qt::Key_P, Qt::ControlModifier);
+        QTest::keyClick(&window(), Qt::Key_P, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
         const QImage before = picture();
         advance(60);
         QCOMPARE(play().frame()->step, 60u);
         QVERIFY(play().breaks().empty());
         QVERIFY(test::meanDifference(before.copy(around()), picture().copy(around())) < 0.5);
-        QVERIFY(!m_window->views().canvas().isVisible());  // the 3D view has the middle to itself
+        QVERIFY(!canvas().isVisible());  // the 3D view has the middle to itself
     }
     void whatIsThrownIsSeenWithinTwoFrames() {
         m_unbroken = picture();
@@ -103,12 +85,12 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
     }
     void itIsWrittenDownAndTheCommandLineComesToTheSame() {
-        const QString path = m_folder.filePath("shot.replay");
+        const QString path = pathOf("shot.replay");
         test::whenAsked<QFileDialog>([path](QFileDialog& dialog) { test::takeFile(dialog, path); });
         action("play-save")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
         QProcess cli;
-        cli.start(RUBBLE_CLI, {"replay", path, m_folder.filePath("house.rubble")});
+        cli.start(RUBBLE_CLI, {"replay", path, pathOf("house.rubble")});
         QVERIFY(cli.waitForFinished(kPatience));
         const QByteArray out = cli.readAllStandardOutput();
         QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError());
@@ -116,7 +98,7 @@ private slots:
         QVERIFY(out.contains("\"matches\": true"));
     }
     void itIsPlayedAgainFromTheFile() {
-        const Result<Replay> replay = loadReplay(m_folder.filePath("shot.replay").toStdString());
+        const Result<Replay> replay = loadReplay(pathOf("shot.replay").toStdString());
         QVERIFY(replay.hasValue());
         play().replay(scriptOf(*replay));
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
@@ -126,9 +108,9 @@ private slots:
     void anotherThresholdMakesAnotherEnd() {
         QTest::keyClick(&viewport(), Qt::Key_R);
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying() && play().frame()->step == 0, kPatience);
-        Asset wall = m_window->workspace().project().assets[0];
+        Asset wall = project().assets[0];
         wall.threshold = 1e7;
-        m_window->workspace().document().push(altered("Change threshold", wall));
+        window().workspace().document().push(altered("Change threshold", wall));
         viewport().frameAll();
         QTest::qWait(400);
         QTest::mouseMove(&viewport(), target() + QPoint(30, 20));  // it was there before
@@ -139,36 +121,30 @@ private slots:
         advance(90);
         QVERIFY(play().lastShot().has_value());
         QVERIFY(play().breaks().empty());
-        m_window->workspace().document().undoStack().undo();
+        stack().undo();
         QVERIFY(play().isPlaying());
     }
     void whatWasThrownIsKept() {
-        QApplication::setActiveWindow(m_window);
+        QApplication::setActiveWindow(&window());
         viewport().setFocus();
         QTRY_VERIFY(action("play-keep")->isEnabled());
         QTest::keyClick(&viewport(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_COMPARE(QString::fromStdString(m_window->workspace().project().shots.back().name), QString("throw"));
-        m_window->workspace().document().undoStack().undo();
+        QTRY_COMPARE(QString::fromStdString(project().shots.back().name), QString("throw"));
+        stack().undo();
     }
     void theProjectIsWhatItWas() {
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QCOMPARE(play().state(), PlayState::Stopped);
-        QVERIFY(m_window->views().canvas().isVisible());
-        QVERIFY(!m_window->workspace().document().isModified());
+        QVERIFY(canvas().isVisible());
+        QVERIFY(!window().workspace().document().isModified());
         QCOMPARE(bytesOf("house.rubble"), m_bytes);
     }
-    void cleanupTestCase() {
-        if (!m_window) return;
-        m_window->workspace().document().setSaved();  // or closing it would ask
-        m_window->close();
-    }
+    void cleanupTestCase() { close(); }
 
 private:
-    PlayController& play() { return m_window->workspace().play(); }
-    ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
-    TimelineBar& timeline() { return *m_window->findChild<TimelineBar*>("timeline"); }
-    QTreeView& breaks() { return *m_window->findChild<QTreeView*>("breaks"); }
-    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
+    PlayController& play() { return window().workspace().play(); }
+    TimelineBar& timeline() { return *window().findChild<TimelineBar*>("timeline"); }
+    QTreeView& breaks() { return *window().findChild<QTreeView*>("breaks"); }
     QPoint target() { return viewport().pointOf(kBesideTheDoor)->toPoint(); }
     QRect around() { return QRect(target() - QPoint(40, 40), QSize(80, 80)); }
     void advance(int steps) {
@@ -176,7 +152,7 @@ private:
         play().takeNews();
     }
     QImage picture() {
-        m_window->views().scene().playView().refresh();
+        window().views().scene().playView().refresh();
         return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
     }
     ContentHash hash() {
@@ -186,13 +162,10 @@ private:
         return hash;
     }
     QByteArray bytesOf(const QString& name) {
-        QFile file(m_folder.filePath(name));
+        QFile file(pathOf(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
-    QTemporaryDir m_folder;
-    std::unique_ptr<Program> m_program;
-    MainWindow* m_window = nullptr;
     QByteArray m_bytes;
     QImage m_unbroken;
     ContentHash m_hash;

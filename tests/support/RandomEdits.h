@@ -3,6 +3,7 @@
 #include "core/base/Random.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/geometry/OutlineShapes.h"
+#include "editor/commands/FragmentEdits.h"
 #include "editor/commands/ProjectEdits.h"
 
 namespace rubble {
@@ -10,7 +11,7 @@ namespace rubble {
 /// Some edit that a user may make of a project, chosen at random.
 inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random.below(count)); };
-    const std::size_t kind = below(10);
+    const std::size_t kind = below(13);
     if (project.assets.empty() || kind == 0) {
         return addAsset(project, "wall", {rectangleOutline(1.0 + random.unit(), 2.0), 0.5}).edit;
     }
@@ -29,6 +30,16 @@ inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
             SceneSettings scene = sceneSettings(project);
             scene.ground.height = random.unit();
             return altered("Move ground", scene, stroke);
+        }
+        case 9:
+            asset.shaping.gap = 0.01 * random.unit();
+            asset.shaping.smallPieces.rule = random.below(2) == 0 ? SmallPieceRule::Merge : SmallPieceRule::DropSeeds;
+            return altered("Shape pieces", std::move(asset), stroke);
+        case 10:
+        case 11: {
+            const std::string id = std::to_string(asset.pattern.layers[0].id) + ".";
+            const std::vector<ChosenPiece> pieces{{.path = id + "0", .area = 2.0}, {.path = id + "1", .area = 1.0}};
+            return kind == 10 ? mergeFragments(project, asset.id, pieces) : splitFragments(project, asset.id, pieces);
         }
         default: {
             const PatternLayer& layer = asset.pattern.layers[below(asset.pattern.layers.size())];

@@ -75,6 +75,14 @@ private slots:
         swapInto(project, edit);
         QCOMPARE(project.assets[0].pattern.layers[0].overrides.size(), std::size_t{1});
     }
+    void tinyPiecesAreMerged() {
+        const PlacedSeeds seeds{{{0, {0.25, 0.5}}, {1, {0.5, 0.5}}, {2, {0.995, 0.5}}, {3, {1.003, 0.5}}}};
+        const Project project = projectWith(seeds);
+        const std::vector<Problem> problems = problemsIn(project);
+        const auto isTiny = [](const Problem& problem) { return problem.kind == ProblemKind::TinyPiece; };
+        QCOMPARE(std::ranges::count_if(problems, isTiny), std::ptrdiff_t{1});
+        QVERIFY(std::ranges::none_of(leftAfter(project, ProblemFix::MergePieces), isTiny));
+    }
     void relaxingAddsRoundsAtTheEnd() {
         Project project = projectWith(UniformScatter{.count = 60});
         std::vector<Problem> problems = problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 2.0});

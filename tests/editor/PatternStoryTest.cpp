@@ -1,0 +1,83 @@
+#include "core/fracture/PatternPartition.h"
+#include "core/io/ProjectFile.h"
+#include "editor/canvas/BrushTool.h"
+#include "tests/support/EditorStory.h"
+#include "tests/support/Projects.h"
+
+#include <set>
+
+using namespace rubble;
+
+namespace {
+
+/// A box of 1 m in courses of bricks, which no seed names.
+Project bricks() {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "brick"}};
+    project.assets = {boxAsset(2, 3, BrickBond{.length = 0.49, .height = 0.24})};
+    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
+    return project;
+}
+
+}  // namespace
+
+/// Patterns that are made and looked at by mouse and keys.
+class PatternStoryTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        open(bricks());
+        QTRY_VERIFY_WITH_TIMEOUT(window().workspace().bakes().areCurrent(project()), kPatience);
+        window().views().fit();
+    }
+    void cleanupTestCase() { close(); }
+
+    void bricksAreChosenLikeSeeds() {
+        canvas().setFocus();
+        QTest::keyClick(&canvas(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(selection().seeds(), cells());
+        QTest::keyClick(&canvas(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(selection().seeds().empty());
+    }
+    void aBoxCatchesBricksAndDeletingTouchesNone() {
+        const std::string before = projectText(project());
+        drag(canvas(), pixels({-0.02, 0.24}), pixels({1.02, -0.02}));
+        QVERIFY(selection().seeds().size() >= 2 && selection().seeds().size() <= 3);  // the lowest course
+        QTest::keyClick(&canvas(), Qt::Key_Delete);
+        QTest::keyClick(&canvas(), Qt::Key_Right);
+        QCOMPARE(projectText(project()), before);
+        QTest::keyClick(&canvas(), Qt::Key_Escape);
+        QVERIFY(selection().seeds().empty());
+    }
+    void neighboursOfABrickAreThoseItTouches() {
+        QTest::mouseClick(&canvas(), Qt::LeftButton, {}, pixels({0.25, 0.375}));
+        QCOMPARE(selection().seeds().size(), std::size_t{1});
+        QTest::keyClick(&canvas(), Qt::Key_G, Qt::ControlModifier);
+        const std::size_t some = selection().seeds().size();
+        QVERIFY2(some >= 4 && some <= 7, qPrintable(QString::number(some)));  // above, below and beside in running bond
+    }
+    void bracketsAreTheBrushesWhileItIsInHand() {
+        QTest::keyClick(&canvas(), Qt::Key_B, Qt::AltModifier);
+        const double radius = canvas().brushTool().radiusPixels();
+        const Selection::Seeds chosen = selection().seeds();
+        QTest::keyClick(&canvas(), Qt::Key_BracketRight);
+        QVERIFY(canvas().brushTool().radiusPixels() > radius);
+        QTest::keyClick(&canvas(), Qt::Key_BracketLeft);
+        QCOMPARE(canvas().brushTool().radiusPixels(), radius);
+        QCOMPARE(selection().seeds(), chosen);
+    }
+
+private:
+    Selection::Seeds cells() {
+        const auto pattern = window().workspace().bakes().findPattern(2);
+        Selection::Seeds all;
+        for (std::uint32_t piece = 0; piece < pattern->partition.pieceCount(); ++piece) {
+            all.insert(cellId(pattern->partition, piece, pattern->seeds.ids));
+        }
+        return all;
+    }
+};
+
+QTEST_MAIN(PatternStoryTest)
+#include "PatternStoryTest.moc"
