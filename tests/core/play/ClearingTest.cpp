@@ -69,6 +69,31 @@ private slots:
         QCOMPARE(test::countOf(session, PlayRole::Piece), 9u);
         QCOMPARE(test::countOf(session, PlayRole::Missile), 1u);  // smaller than all, but awake
     }
+    void ofEqualOnesTheOldestGo() {
+        Project project = test::floatingBlock();
+        project.debris = {.mostPieces = 2};
+        Session session = test::sessionOf(project);
+        Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {0.0, 41.0, 0.0}};
+        for (int shot = 0; shot < 4; ++shot) {
+            thrown.from.x = thrown.to.x = 3.0 * shot;
+            test::give(session, ShotInput{"box", thrown});
+        }
+        session.step();
+        std::vector<std::uint32_t> gone, left;
+        for (const PlayBody& body : session.events().removed) gone.push_back(body.number);
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role == PlayRole::Missile) left.push_back(body.number);
+        }
+        QCOMPARE(gone.size(), std::size_t{2});
+        QCOMPARE(left.size(), std::size_t{2});
+        QVERIFY(std::ranges::is_sorted(gone));
+        QVERIFY(gone.back() < left.front());
+    }
+    void whatGoesIsToldInTheOrderOfNumbers() {
+        Session session = brokenBlock({.mostPieces = 4});
+        QVERIFY(std::ranges::is_sorted(session.events().removed, {}, &PlayBody::number));
+        for (const PlayBody& body : session.events().removed) QVERIFY(session.body(body.number) == nullptr);
+    }
     /// The time of a piece runs from when it came, not from the start.
     void lateDebrisLivesAsLong() {
         Project project = test::floatingBlock(10);

@@ -26,6 +26,7 @@ private slots:
             const auto cut = cutAtImpact(asset, point, static_cast<std::uint64_t>(round));
             QVERIFY(cut.hasValue());
             const Bake& bake = *(*cut)->bake;
+            QCOMPARE(bake.fragmentCount(), 40u);
             double near = 0.0, far = 0.0, total = 0.0;
             int nearCount = 0, farCount = 0;
             for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
@@ -39,6 +40,31 @@ private slots:
             QVERIFY(nearCount >= 10);
             QVERIFY2(near / nearCount < 0.4 * far / farCount, QByteArray::number(round));
         }
+    }
+    /// What was done by hand to pieces of the pattern means others here, though the names may be the same.
+    void whatIsSaidOfThePatternsPiecesDoesNotCount() {
+        Asset asset = cutWhereHit(12).assets[0];
+        const auto plain = cutAtImpact(asset, {0.1, 0.1}, 5);
+        asset.leaves = {{.fragment = "2.0", .level = Level{.pattern = asset.pattern}}};
+        asset.edits = {FragmentMerge{.into = "2.0", .merged = {"2.1", "2.2", "2.3", "2.4", "2.5"}}};
+        const auto cut = cutAtImpact(asset, {0.1, 0.1}, 5);
+        QVERIFY(cut.hasValue());
+        QCOMPARE((*cut)->bake->fragmentCount(), 12u);
+        QCOMPARE((*cut)->bake->breakings[0].seeds.positions, (*plain)->bake->breakings[0].seeds.positions);
+        QVERIFY((*cut)->bake->breakings[0].seeds.reports.empty());
+    }
+    void halfOfThePiecesBelongToThePlaceThatWasHit() {
+        const auto cut = cutAtImpact(cutWhereHit().assets[0], {0.1, 0.1}, 5);
+        const std::vector<SeedId>& seeds = (*cut)->bake->breakings[0].seeds.ids;
+        QCOMPARE(std::ranges::count(seeds, 1u, &SeedId::layer), std::ptrdiff_t{20});
+        QCOMPARE(std::ranges::count(seeds, 2u, &SeedId::layer), std::ptrdiff_t{20});
+    }
+    void otherAssetsAreCutDifferentlyByTheSameNumber() {
+        Asset asset = cutWhereHit().assets[0];
+        const auto one = cutAtImpact(asset, {0.1, 0.1}, 5);
+        asset.id += 1;
+        const auto other = cutAtImpact(asset, {0.1, 0.1}, 5);
+        QVERIFY((*one)->bake->breakings[0].seeds.positions != (*other)->bake->breakings[0].seeds.positions);
     }
     void theSameNumberCutsTheSame() {
         const Asset asset = cutWhereHit().assets[0];

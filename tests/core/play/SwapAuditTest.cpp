@@ -94,6 +94,15 @@ private slots:
             QCOMPARE(audit.gapShare > 0.0, asset.shaping.gap > 0.0);
         }
     }
+    void whatAGapTakesIsTold() {
+        Project project = twoPieces();
+        project.assets[0].shaping.gap = 0.02;  // of a block of 1 m in two
+        const SwapAudit audit = auditsOf(project)[0];
+        QVERIFY2(std::abs(audit.gapShare - 0.02) < 1e-9, QByteArray::number(audit.gapShare));
+        QCOMPARE(joined(audit.notices),
+                 std::string("The gap between pieces takes 2 % of the mass, and of all that moves with it.\n"));
+        QVERIFY(std::abs(audit.massDrift - 0.02) < 1e-6);
+    }
     void countsWhatTouches() {
         Project project = test::floatingBlock();
         project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.3, 0.0}}, {1, {0.3, 0.0}}}}});
@@ -148,6 +157,11 @@ private slots:
         // The lighter one is the one to mend where it is it that collides as another.
         spoilt.notices = {"Piece " + lighter + ": It collides as a box."};
         const Result<SwapAudit> other = swapAudit(project, std::make_shared<const PlayAsset>(spoilt));
+        spoilt.notices.clear();
+        const Result<SwapAudit> third = swapAudit(project, std::make_shared<const PlayAsset>(spoilt));
+        QVERIFY2(joined(third->faults).find("is clean. Move its seed away from its neighbours', or delete it.") !=
+                     std::string::npos,
+                 joined(third->faults).c_str());
         QVERIFY2(
             joined(other->faults).find("It collides as a simpler solid than it is: move its seed") != std::string::npos,
             joined(other->faults).c_str());
@@ -167,6 +181,10 @@ private slots:
         QVERIFY2(faults.find("solids than they are: move their seeds") != std::string::npos ||
                      faults.find("It collides as a simpler solid than it is: move its seed") != std::string::npos,
                  faults.c_str());
+        QVERIFY2(
+            faults.find(" mm/s 30 steps after the swap as it lies flat on the ground; at most 10 mm/s is clean.") !=
+                std::string::npos,
+            faults.c_str());
         QVERIFY2(faults.find("In flight the swap changes the mass by ") != std::string::npos, faults.c_str());
     }
     void whatHasNoPiecesIsRefused() {
