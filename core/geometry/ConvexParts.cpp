@@ -8,26 +8,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace rubble {
 
 namespace {
-
-/// True where a ring never turns right, goes round once and nowhere turns back on itself.
-bool isSimpleAndConvex(const Ring& ring) {
-    const std::size_t count = ring.size();
-    if (count < 3 || !std::all_of(ring.begin(), ring.end(), [](Vec2 point) { return isExactlyUsable(point); }))
-        return false;
-    int turningPoints = 0;  // corners at which the ring goes over from left to right or back
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec2 before = ring[i == 0 ? count - 1 : i - 1], here = ring[i], after = ring[i + 1 == count ? 0 : i + 1];
-        const bool turnsBack = sweepsBefore(before, here) != sweepsBefore(here, after);
-        const int turn = orient2d(before, here, after);
-        if (before == here || turn < 0 || (turn == 0 && turnsBack)) return false;
-        turningPoints += turnsBack ? 1 : 0;
-    }
-    return turningPoints == 2;
-}
 
 /// True where a sweep can look at the corners: usable, and no two neighbours equal.
 bool areSweepable(const NumberedCorners& corners) {
@@ -110,9 +95,47 @@ IndexLoops loopsOf(const Faces& faces, const LinkedTriangles& triangles) {
     return loops;
 }
 
+/// The triangulation that makeDelaunay() comes to, for a convex ring, whose edges and diagonals each have one Delaunay triangle on
+/// their left: that of the corner whose circle through their ends holds no other. O(n^2), which is quicker for few corners.
+class ConvexTriangulation {
+public:
+    explicit ConvexTriangulation(std::span<const Vec2> ring) : m_ring(ring) {}
+
+    /// None where four corners lie on a circle or three on a line: then it is not the only one.
+    std::optional<IndexLoops> triangles() {
+        m_triangles.reserve(m_ring.size() - 2);
+        if (!cutOff(0, static_cast<std::uint32_t>(m_ring.size()) - 1)) return std::nullopt;
+        std::ranges::sort(m_triangles);
+        return std::move(m_triangles);
+    }
+
+private:
+    /// The corners from first to last, beyond the diagonal between these.
+    bool cutOff(std::uint32_t first, std::uint32_t last) {
+        if (last - first < 2) return true;
+        std::uint32_t apex = first + 1;
+        for (std::uint32_t corner = first + 2; corner < last; ++corner) {
+            const int side = inCircle(m_ring[first], m_ring[apex], m_ring[last], m_ring[corner]);
+            if (side == 0) return false;
+            if (side > 0) apex = corner;
+        }
+        if (orient2d(m_ring[first], m_ring[apex], m_ring[last]) == 0) return false;
+        m_triangles.push_back({first, apex, last});
+        return cutOff(first, apex) && cutOff(apex, last);
+    }
+
+    std::span<const Vec2> m_ring;
+    IndexLoops m_triangles;
+};
+
+constexpr std::size_t kFewCorners = 24;
+
 }  // namespace
 
 Result<IndexLoops> triangles(const Polygon& polygon) {
+    if (polygon.holes.empty() && polygon.outer.size() <= kFewCorners && isSimpleAndConvex(polygon.outer)) {
+        if (std::optional<IndexLoops> found = ConvexTriangulation(polygon.outer).triangles()) return std::move(*found);
+    }
     const std::optional<LinkedTriangles> linkedTriangles = delaunayTriangles(polygon);
     if (!linkedTriangles) return notCuttable(polygon);
     return loopsOf(Faces(*linkedTriangles), *linkedTriangles);

@@ -81,6 +81,19 @@ Clearance clearanceOf(const Polygon& polygon) {
     return {distance, distance / (kVisiblePart * boundsOf(polygon.outer).diagonal())};
 }
 
+bool isClearlyWide(std::span<const Vec2> ring, const Clearance& clearance) {
+    const double distance = 2.0 * clearance.distance, sine = 2.0 * clearance.sine;
+    const std::size_t count = ring.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 here = ring[i], edge = ring[(i + 1) % count] - here, back = ring[(i + count - 1) % count] - here;
+        const double length = glm::length(edge);
+        const double nearest = std::min(cross(edge, back), cross(edge, ring[(i + 2) % count] - here));
+        if (nearest <= distance * length) return false;  // beside a short edge, too
+        if (glm::dot(edge, back) > 0.0 && cross(edge, back) <= sine * length * glm::length(back)) return false;
+    }
+    return true;
+}
+
 std::vector<NarrowPlace> narrowPlaces(const NumberedCorners& corners, const Clearance& clearance) {
     std::vector<NarrowPlace> places;
     addOwnPlaces(corners, clearance, places);

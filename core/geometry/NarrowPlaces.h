@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rubble {
@@ -32,6 +33,10 @@ struct NarrowPlace {
     Kind kind = Kind::ShortEdge;
     auto operator<=>(const NarrowPlace&) const = default;
 };
+
+/// True only for a ring isSimpleAndConvex() that keeps its clearance with room to spare: told at once of nearly all pieces. There the
+/// corners nearest to an edge's line are those beside the edge. O(n).
+bool isClearlyWide(std::span<const Vec2> ring, const Clearance& clearance);
 
 /// All narrow places of a polygon without polygonFaults(), ascending; where edges are short, no corners near edges. Distances
 /// are computed to a hundredth of the clearance. O(n log n) for n edges of which few overlap in x; at worst O(n^2).

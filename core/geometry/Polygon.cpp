@@ -1,5 +1,6 @@
 #include "core/geometry/Polygon.h"
 
+#include "core/geometry/NumberedCorners.h"
 #include "core/geometry/Predicates.h"
 
 #include <glm/geometric.hpp>
@@ -146,6 +147,21 @@ bool isConvex(std::span<const Vec2> ring) {
     for (std::size_t i = 0; i < count; ++i)
         if (orient2d(ring[i], ring[(i + 1) % count], ring[(i + 2) % count]) < 0) return false;
     return true;
+}
+
+bool isSimpleAndConvex(std::span<const Vec2> ring) {
+    const std::size_t count = ring.size();
+    if (count < 3 || !std::all_of(ring.begin(), ring.end(), [](Vec2 point) { return isExactlyUsable(point); }))
+        return false;
+    int turningPoints = 0;  // corners at which the ring goes over from left to right or back
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 before = ring[i == 0 ? count - 1 : i - 1], here = ring[i], after = ring[i + 1 == count ? 0 : i + 1];
+        const bool turnsBack = sweepsBefore(before, here) != sweepsBefore(here, after);
+        const int turn = orient2d(before, here, after);
+        if (before == here || turn < 0 || (turn == 0 && turnsBack)) return false;
+        turningPoints += turnsBack ? 1 : 0;
+    }
+    return turningPoints == 2;
 }
 
 }  // namespace rubble

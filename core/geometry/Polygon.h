@@ -49,5 +49,8 @@ enum class Containment { Outside, OnBoundary, Inside };
 Containment containment(const Polygon& polygon, Vec2 point);
 /// True where the corners of a counter-clockwise ring never turn right; decided exactly.
 bool isConvex(std::span<const Vec2> ring);
+/// True where a ring of usable points never turns right, goes round once and nowhere turns back on itself: a valid outline without
+/// holes. Decided exactly.
+bool isSimpleAndConvex(std::span<const Vec2> ring);
 
 }  // namespace rubble

@@ -229,6 +229,10 @@ std::optional<PolygonFault> narrowFault(const Polygon& polygon) {
 }
 
 Result<Polygon> validated(Polygon polygon) {
+    if (polygon.holes.empty() && isSimpleAndConvex(polygon.outer) &&
+        isClearlyWide(polygon.outer, clearanceOf(polygon))) {
+        return polygon;
+    }
     const std::vector<PolygonFault> faults = polygonFaults(polygon);
     if (!faults.empty()) return Error{codeOf(faults[0].kind), faults[0].message};
     if (const std::optional<PolygonFault> fault = narrowFault(polygon))

@@ -90,6 +90,23 @@ std::string faultOf(const Polygon& polygon) {
     return fault.empty() ? faultOf(polygon, *parts) : fault;
 }
 
+/// Counter-clockwise (Andrew 1979).
+Ring hullOf(std::vector<Vec2> points) {
+    std::ranges::sort(points, {}, [](Vec2 point) { return std::pair(point.x, point.y); });
+    Ring hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = hull.size();
+        for (const Vec2 point : points) {
+            while (hull.size() >= first + 2 && orient2d(hull[hull.size() - 2], hull.back(), point) <= 0)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::ranges::reverse(points);
+    }
+    return hull;
+}
+
 Ring randomStar(Random& random, std::uint64_t corners, Vec2 centre, double radius) {
     Ring ring;
     for (std::uint64_t i = 0; i < corners; ++i) {
@@ -179,6 +196,26 @@ private slots:
     void theShorterDiagonalIsTaken() {
         const Polygon kite{{{0, 0}, {4, -1}, {8, 0}, {4, 1}}, {}};
         QCOMPARE(*triangles(kite), (IndexLoops{{0, 1, 3}, {1, 2, 3}}));
+    }
+    /// Any other triangulation of a convex ring has a circle with a corner in it, unless four lie on one.
+    void convexRingsAreDelaunayToo() {
+        Random random(11);
+        for (int round = 0; round < 2000; ++round) {
+            std::vector<Vec2> points(3 + random.below(40));
+            for (Vec2& point : points) point = {random.unit(), random.unit()};
+            const Polygon polygon{hullOf(std::move(points)), {}};
+            const Ring& ring = polygon.outer;
+            const Result<IndexLoops> cut = triangles(polygon);
+            QVERIFY(cut.hasValue());
+            QCOMPARE(cut->size(), ring.size() - 2);
+            QVERIFY(std::ranges::is_sorted(*cut));
+            for (const std::vector<std::uint32_t>& part : *cut) {
+                QCOMPARE(orient2d(ring[part[0]], ring[part[1]], ring[part[2]]), 1);
+                QCOMPARE(std::ranges::min(part), part[0]);
+                for (const Vec2 corner : ring)
+                    QVERIFY(inCircle(ring[part[0]], ring[part[1]], ring[part[2]], corner) <= 0);
+            }
+        }
     }
     void straightCornersAreKept() {
         Ring ring;  // a square of side 10 with a corner every metre, and a notch so that it is not convex

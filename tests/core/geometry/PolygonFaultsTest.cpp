@@ -139,6 +139,23 @@ Ring star(int corners, Vec2 centre, double radius) {
     return ring;
 }
 
+double logBetween(Random& random, double least, double most) { return least * std::pow(most / least, random.unit()); }
+
+/// About 1 m long, and in one way near the limits of what is too narrow: sharp, flat, with a short edge, or with a short one at a
+/// sharp corner.
+Ring narrowConvexRing(Random& random, int kind) {
+    const double wide = 0.2 + random.unit(), tiny = logBetween(random, 1e-15, 1e-11);
+    switch (kind) {
+        case 0: return {{0.0, 0.0}, {1.0, 0.0}, {1.0, logBetween(random, 1e-6, 1e-3)}};
+        case 1: return {{0.0, 0.0}, {1.0, 0.0}, {1.0, tiny}, {0.0, tiny * (0.2 + random.unit())}};
+        case 2: return {{tiny, 0.0}, {1.0, 0.0}, {1.0, wide}, {0.0, wide}, {0.0, tiny}};
+        default: {
+            const double side = logBetween(random, 1e-12, 1e-8), sine = logBetween(random, 1e-6, 1e-1);
+            return {{0.0, 0.0}, {1.0, 0.0}, {0.9, 0.7 * sine}, {side, side * sine}};
+        }
+    }
+}
+
 }  // namespace
 
 class PolygonFaultsTest : public QObject {
@@ -297,6 +314,29 @@ private slots:
         QVERIFY(
             message(holed).starts_with("Point 0 of hole 0 is nearer than 2.3e-13 m to the edge from point 3 to 0 "
                                        "of the outline, at (1.13"));
+    }
+    /// validated() tells convex outlines at once; what comes near the limits it must tell as the others are.
+    void narrowConvexOutlinesAreToldLikeOthers() {
+        Random random(17);
+        std::array<int, 2> told{};
+        for (int round = 0; round < 20000; ++round) {
+            const double turn = 6.283185307179586 * random.unit();
+            Polygon polygon{narrowConvexRing(random, round % 4), {}};
+            if (round % 8 >= 4) {  // in a mirror
+                for (Vec2& point : polygon.outer) point.x = -point.x;
+                std::ranges::reverse(polygon.outer);
+            }
+            for (Vec2& point : polygon.outer) {
+                point = {std::cos(turn) * point.x - std::sin(turn) * point.y,
+                         std::sin(turn) * point.x + std::cos(turn) * point.y};
+            }
+            if (!isSimpleAndConvex(polygon.outer)) continue;
+            const bool isFaulty = narrowFault(polygon).has_value();
+            QVERIFY(polygonFaults(polygon).empty());
+            QVERIFY2(validated(polygon).hasValue() == !isFaulty, QByteArray::number(round));
+            ++told[isFaulty];
+        }
+        QVERIFY(told[0] > 1000 && told[1] > 1000);
     }
     void agreesWithTheOracleOnRandomLatticePolygons() {
         const std::uint64_t seed = 20240607;
