@@ -65,6 +65,7 @@ LevelWork brokenLevel(const Asset& asset, std::uint32_t level, std::uint32_t fir
 /// Breaks the fragments of a level, from `first` on; a fragment that would give one piece stays whole.
 Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake) {
     LevelWork work = brokenLevel(asset, level, first, bake, task);
+    bake.breakings.reserve(bake.breakings.size() + work.parents.size());
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         Result<Breaking>& breaking = *work.breakings[k];
         const std::uint32_t parent = work.parents[k];

@@ -69,7 +69,9 @@ Result<PlaneBreaking> cutBy(const Recipe& recipe, Prism prism, const TaskContext
         dropSeeds(dropped, cut.seeds);
         if (const Status made = makePieces(recipe.pattern, cut, task.stage(0.9, 0.9)); !made) return made.error();
     }
-    cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
+    if (!recipe.edits.empty()) {
+        cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
+    }
     if (small.rule != SmallPieceRule::Keep) {
         cut.partition = withoutSmallPieces(std::move(cut.partition), small, cut.prism.depth);
     }

@@ -1,5 +1,6 @@
 #include "core/asset/Problems.h"
 
+#include "core/asset/Breaking.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/PatternPartition.h"
@@ -40,7 +41,7 @@ std::string rounded(double value) { return roundedText(value, kDigits); }
 class BakeProblems {
 public:
     BakeProblems(const Asset& asset, const Bake& bake, const ProblemLimits& limits)
-        : m_asset(asset), m_bake(bake), m_limits(limits) {}
+        : m_asset(asset), m_bake(bake), m_limits(limits), m_hasGap(gapOf(recipeOf(asset)) > 0.0) {}
 
     std::vector<Problem> found(int threads) {
         for (const Report& report : m_bake.reports) add(report);
@@ -56,7 +57,7 @@ private:
     /// Of deeper levels a report begins with the name of what was broken; then it is about that.
     void add(const Report& report) {
         const std::optional<ProblemKind> kind = kindOf(report.code);
-        const bool isAskedFor = report.code == ReportCode::Gap && m_asset.shaping.gap > 0.0;
+        const bool isAskedFor = report.code == ReportCode::Gap && m_hasGap;
         if (!kind || isAskedFor) return;
         Problem problem{.kind = *kind, .asset = m_asset.id, .value = report.amount, .message = report.message};
         if (const BakedBreaking* breaking = deeperBreakingOf(report)) {
@@ -149,6 +150,7 @@ private:
     const Asset& m_asset;
     const Bake& m_bake;
     const ProblemLimits& m_limits;
+    const bool m_hasGap;  // that was asked for
     std::vector<Problem> m_problems;
 };
 

@@ -5,12 +5,19 @@
 #include <algorithm>
 
 namespace rubble {
+namespace {
+
+bool isCutting(const PatternLayer& layer) { return layer.isOn && kindOf(layer.parameters).role == LayerRole::Cuts; }
+
+}  // namespace
+
+bool hasCuts(const Pattern& pattern) { return std::ranges::any_of(pattern.layers, isCutting); }
 
 Result<CutSet> cutsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task) {
     if (std::optional<std::string> fault = verifyPattern(pattern)) return Error{ErrorCode::BadInput, *fault};
     CutSet cuts;
     for (const PatternLayer& layer : pattern.layers) {
-        if (!layer.isOn || kindOf(layer.parameters).role != LayerRole::Cuts) continue;
+        if (!isCutting(layer)) continue;
         if (task.isCancelled()) return TaskContext::cancelled();
         const LayerContext context{layer, outline, task};
         const Status cut = std::visit(

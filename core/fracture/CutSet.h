@@ -40,6 +40,9 @@ struct CutSet {
 /// Straight cuts that one pattern may make; beyond it memory and patience end.
 inline constexpr std::uint32_t kMostCuts = 3 * kMostSeeds;
 
+/// Whether a layer of a pattern that is on cuts.
+bool hasCuts(const Pattern& pattern);
+
 /// The cuts of a pattern's layers on a validated() outline. Same pattern, same outline, same bits.
 ///
 /// Errors: BadInput where verifyPattern() finds a fault; Limit above kMostCuts; Cancelled.

@@ -20,6 +20,7 @@ Result<CutCells> cellsOf(const Pattern& pattern, std::span<const Vec2> seeds, co
 
 Result<CutCells> partitionOf(const Pattern& pattern, std::span<const Vec2> seeds, const Polygon& outline,
                              const TaskContext& task) {
+    if (!hasCuts(pattern)) return cellsOf(pattern, seeds, outline, task);
     Result<CutCells> cells = cellsOf(pattern, seeds, outline, task.stage(0.0, 0.8));
     if (!cells) return cells.error();
     const Result<CutSet> cuts = cutsOf(pattern, outline, task);
