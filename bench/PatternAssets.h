@@ -44,7 +44,7 @@ inline std::vector<std::pair<std::string, Asset>> patternAssets(std::uint32_t pi
             {"strokes", assetOf({scatter, Strokes{{{0, crack}}}})},
             {"stretcher", assetOf({bricks(BondKind::Stretcher, side)})},
             {"stack", assetOf({bricks(BondKind::Stack, side)})},
-            {"english", assetOf({bricks(BondKind::English, 1.1547 * side)})},
+            {"english", assetOf({bricks(BondKind::English, 1.2247 * side)})},
             {"header", assetOf({bricks(BondKind::Header, 1.4142 * side)})},
             {"flemish", assetOf({bricks(BondKind::Flemish, 1.1547 * side)})},
             {"slices", assetOf({Slices{.cuts = cuts, .angleVariation = 0.0},

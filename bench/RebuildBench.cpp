@@ -55,6 +55,7 @@ double paintingOf(const Asset& asset) {
                                                                  .fault = {}}));
     canvas.resize(kCanvas);
     canvas.show();
+    QCoreApplication::processEvents();  // only then is it painted
     canvas.fit();
     CanvasView view = canvas.view();
     int turn = 0;
