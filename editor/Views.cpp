@@ -82,12 +82,6 @@ Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(
 
 QWidget& Views::centre() { return *m_centre; }
 
-QList<QAction*> Views::dockActions() const {
-    QList<QAction*> actions;
-    for (QDockWidget* dock : m_docks) actions.append(dock->toggleViewAction());
-    return actions;
-}
-
 void Views::makeDocks() {
     Workspace& workspace = m_window.workspace();
     m_tree = new ProjectTree(workspace.document(), workspace.selection());
@@ -139,11 +133,25 @@ QDockWidget* Views::addDock(const char* name, const QString& title, QWidget* con
     auto* dock = new QDockWidget(title, &m_window);
     dock->setObjectName(name);
     dock->setWidget(content);
-    dock->toggleViewAction()->setIcon(iconNamed(name));
-    dock->toggleViewAction()->setStatusTip(tr("Show or hide this dock: %1").arg(title));
     m_window.addDockWidget(area, dock);
     m_docks.append(dock);
+    addDockAction(*dock);
     return dock;
+}
+
+/// A dock behind another one comes to the front; only one that is seen is hidden.
+void Views::addDockAction(QDockWidget& dock) {
+    auto* action = new QAction(iconNamed(dock.objectName()), dock.windowTitle(), this);
+    action->setStatusTip(tr("Show or hide this dock: %1").arg(dock.windowTitle()));
+    action->setCheckable(true);
+    connect(&dock, &QDockWidget::visibilityChanged, action, [action, &dock] { action->setChecked(!dock.isHidden()); });
+    connect(action, &QAction::triggered, this, [action, &dock] {
+        const bool isSeen = dock.isVisible() && !dock.visibleRegion().isEmpty();
+        dock.setVisible(!isSeen);
+        if (!isSeen) dock.raise();
+        action->setChecked(!isSeen);
+    });
+    m_dockActions.append(action);
 }
 
 /// The layout that everybody begins with.

@@ -34,7 +34,7 @@ public:
     PatternCanvas& canvas() { return *m_canvas; }
     SceneView& scene() { return *m_scene; }
     Messages& messages() { return m_messages; }
-    QList<QAction*> dockActions() const;
+    const QList<QAction*>& dockActions() const { return m_dockActions; }
 
     void showDocks(bool areShown);
     /// Hides all docks, or brings back those that were hidden so.
@@ -62,6 +62,7 @@ signals:
 
 private:
     QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void addDockAction(QDockWidget& dock);
     void makeDocks();
     void arrange();
     void takePlayState();
@@ -83,6 +84,7 @@ private:
     bool m_isPlaying = false;
     bool m_hadCanvas = true;  // before it was played
     QList<QDockWidget*> m_docks;
+    QList<QAction*> m_dockActions;
     QList<QDockWidget*> m_hidden;
 };
 

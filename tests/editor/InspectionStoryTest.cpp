@@ -116,7 +116,17 @@ private slots:
     }
     void aProblemLeadsToItsPlace() {
         auto* dock = window().findChild<QDockWidget*>("dock-problems");
-        dock->raise();
+        QVERIFY(dock->visibleRegion().isEmpty());  // behind another one
+        QAction* action = nullptr;
+        for (QAction* one : window().views().dockActions()) {
+            if (one->text() == "Problems") action = one;
+        }
+        action->trigger();
+        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+        action->trigger();
+        QVERIFY(dock->isHidden() && !action->isChecked());
+        action->trigger();
+        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
         QCOMPARE(dock->windowTitle(), QString("Problems (2)"));
         QCOMPARE(problems().model().problem(0).kind, ProblemKind::Sliver);  // the worst comes first
