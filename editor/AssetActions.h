@@ -28,6 +28,7 @@ private:
     void addShape(const QString& name, const Polygon& outline, double depth);
     void addLayerAction(QMenu& menu, const PatternKind& kind);
     void shuffle();
+    void showSheet();
     void duplicate();
     void remove();
     void place();
