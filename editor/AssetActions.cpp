@@ -3,12 +3,14 @@
 #include "core/geometry/OutlineShapes.h"
 #include "core/io/MeshImport.h"
 #include "editor/Action.h"
+#include "editor/ContactSheetWindow.h"
 #include "editor/FileActions.h"
 #include "editor/MainWindow.h"
 #include "editor/MeshReading.h"
 #include "editor/MeshSeedsDialog.h"
 #include "editor/ShapeDialog.h"
 #include "editor/Views.h"
+#include "editor/WhatChanged.h"
 #include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/LayerText.h"
@@ -59,6 +61,11 @@ AssetActions::AssetActions(MainWindow& window)
              &AssetActions::place),
          add({"asset-delete", tr("De&lete Asset"), tr("Delete the asset at hand and its instances")},
              &AssetActions::remove)};
+    m_menu->addSeparator();
+    m_forAsset += add({"asset-sheet", tr("Contact &Sheet…"), tr("Look at variants of the asset at hand side by side"),
+                       QKeySequence("Ctrl+T")},
+                      &AssetActions::showSheet);
+    m_menu->addActions((new WhatChanged(window))->actions());
     connect(&window.workspace().selection(), &Selection::assetChanged, this, &AssetActions::update);
     update();
 }
@@ -126,6 +133,12 @@ void AssetActions::shuffle() {
     Asset asset = *m_window.workspace().asset();
     for (PatternLayer& layer : asset.pattern.layers) ++layer.randomSeed;
     m_window.workspace().document().push(altered(tr("Scatter again"), std::move(asset)));
+}
+
+void AssetActions::showSheet() {
+    auto* sheet = new ContactSheetWindow(m_window);
+    sheet->show();
+    sheet->make();
 }
 
 void AssetActions::duplicate() {
