@@ -2,6 +2,7 @@
 #include "app/cli/CommonOptions.h"
 #include "app/cli/Verb.h"
 #include "core/asset/AssetBakes.h"
+#include "core/asset/Threshold.h"
 #include "core/io/IntentReportJson.h"
 #include "core/io/ProjectFile.h"
 
@@ -40,7 +41,7 @@ Result<std::vector<IntentReport>> reportsOn(const Project& project, std::span<co
         if (!whole) return whole.error();
         Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
         if (!interval) return interval.error();
-        reports.push_back({asset, std::move(*interval)});
+        reports.push_back({asset, thresholdOf(project, asset), std::move(*interval)});
     }
     return reports;
 }
@@ -48,10 +49,10 @@ Result<std::vector<IntentReport>> reportsOn(const Project& project, std::span<co
 /// Whether the threshold of an asset satisfies its intents, and which would.
 std::string verdictOn(const IntentReport& report) {
     const ThresholdInterval& interval = report.interval;
-    const std::string threshold = "threshold " + impulseText(report.asset.threshold);
+    const std::string threshold = "threshold " + impulseText(report.threshold);
     if (report.asset.intents.empty()) return threshold + ", no intents\n";
     if (interval.isEmpty()) return threshold + ", but the intents conflict\n";
-    if (interval.contains(report.asset.threshold)) {
+    if (interval.contains(report.threshold)) {
         return threshold + ", fits: it must be " + intervalText(interval) + "\n";
     }
     return threshold + ", does not fit: it must be " + intervalText(interval) + "; " +

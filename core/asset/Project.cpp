@@ -21,9 +21,9 @@ bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::share
 bool Asset::operator==(const Asset& other) const {
     return id == other.id && name == other.name && material == other.material && prism == other.prism &&
            pattern == other.pattern && shaping == other.shaping && levels == other.levels && leaves == other.leaves &&
-           edits == other.edits && threshold == other.threshold && insideUvScale == other.insideUvScale &&
-           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact && intents == other.intents &&
-           isSameSurface(surface, other.surface);
+           edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&
+           insideUvScale == other.insideUvScale && insideMaterial == other.insideMaterial &&
+           cutAtImpact == other.cutAtImpact && intents == other.intents && isSameSurface(surface, other.surface);
 }
 
 AssetMaterials materialsOf(const Project& project, const Asset& asset) {

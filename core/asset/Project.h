@@ -31,9 +31,11 @@ struct Colour {
 struct Material {
     Id id = 0;
     std::string name;
-    double density = 1000.0;   // kg/m^3, > 0
-    double friction = 0.6;     // Coulomb's coefficient, >= 0
-    double restitution = 0.0;  // in [0, 1]
+    double density = 1000.0;                  // kg/m^3, > 0
+    double friction = 0.6;                    // Coulomb's coefficient, >= 0
+    double restitution = 0.0;                 // in [0, 1]
+    std::optional<double> tensileStrength;    // Pa, > 0; none: not told
+    std::optional<double> fractureToughness;  // Pa·√m, > 0; none: not told
     Colour outside;
     Colour inside;
     bool operator==(const Material&) const = default;
@@ -93,7 +95,8 @@ struct Asset {
     std::vector<Level> levels;               // below the first: levels[0] breaks the pattern's fragments
     std::vector<FragmentLevel> leaves;       // fragments that are broken in their own way: ascending path
     std::vector<FragmentEdit> edits;         // fragments merged and split by hand, in the order that it was done
-    double threshold = 100.0;                // N·s, > 0; an impact at or above it breaks the whole
+    double threshold = 100.0;                // N·s, > 0, as typed; what is in force: see thresholdOf()
+    std::optional<double> contactTime;       // s, > 0: the threshold follows from the material's strength; none: typed
     double insideUvScale = 1.0;              // UV units a metre on the inside faces
     Id insideMaterial = 0;                   // whose inside the cuts lay open; 0: the asset's own material
     std::optional<CutAtImpact> cutAtImpact;  // none: it breaks into the pieces of its pattern

@@ -1,6 +1,7 @@
 #include "core/asset/PlayFaults.h"
 #include "core/asset/ProjectFaults.h"
 #include "core/asset/Quantities.h"
+#include "core/asset/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
@@ -23,9 +24,12 @@ Sentence colourFault(const std::string& owner, const Colour& colour) {
 
 Sentence faultOf(const Material& material) {
     const std::string owner = ownerText("Material", material.id, material.name);
-    if (Sentence fault = quantityFault(owner, {{"density", material.density, Range::AboveZero},
-                                               {"friction", material.friction, Range::ZeroOrAbove},
-                                               {"restitution", material.restitution, Range::ZeroToOne}})) {
+    if (Sentence fault = quantityFault(
+            owner, {{"density", material.density, Range::AboveZero},
+                    {"friction", material.friction, Range::ZeroOrAbove},
+                    {"restitution", material.restitution, Range::ZeroToOne},
+                    {"tensile strength", material.tensileStrength.value_or(1.0), Range::AboveZero},
+                    {"fracture toughness", material.fractureToughness.value_or(1.0), Range::AboveZero}})) {
         return fault;
     }
     if (Sentence fault = colourFault(owner, material.outside)) return fault;
@@ -92,6 +96,7 @@ Sentence shapeFault(const Asset& asset) {
 Sentence faultOf(const Asset& asset) {
     const std::string owner = ownerText("Asset", asset.id, asset.name);
     if (Sentence fault = quantityFault(owner, {{"threshold", asset.threshold, Range::AboveZero},
+                                               {"contact time", asset.contactTime.value_or(1.0), Range::AboveZero},
                                                {"inside UV scale", asset.insideUvScale, Range::AboveZero}})) {
         return fault;
     }
@@ -109,6 +114,17 @@ Sentence faultOf(const Asset& asset) {
         if (Sentence fault = levelFault(owner, *leaf.level)) return fault;
     }
     return playFault(asset);
+}
+
+/// Numbers that are all right may still give one that is beyond doubles.
+Sentence thresholdFault(const Project& project) {
+    for (const Asset& asset : project.assets) {
+        if (Sentence fault = quantityFault(ownerText("Asset", asset.id, asset.name),
+                                           {{"derived threshold", thresholdOf(project, asset), Range::AboveZero}})) {
+            return fault;
+        }
+    }
+    return std::nullopt;
 }
 
 Sentence faultOf(const Instance& instance) {
@@ -144,6 +160,7 @@ Sentence worldFault(const Project& project) {
 std::optional<std::string> valueFault(const Project& project) {
     if (Sentence fault = firstFault(project.materials)) return fault;
     if (Sentence fault = firstFault(project.assets)) return fault;
+    if (Sentence fault = thresholdFault(project)) return fault;
     if (Sentence fault = firstFault(project.instances)) return fault;
     if (Sentence fault = worldFault(project)) return fault;
     if (Sentence fault = faultOf(project.debris)) return fault;

@@ -7,15 +7,6 @@
 namespace rubble {
 namespace {
 
-void writeColour(JsonLayout& json, std::string_view key, const Colour& colour) {
-    json.numbers(key, {colour.red, colour.green, colour.blue});
-}
-
-Colour readColour(const JsonValue& value) {
-    const auto [red, green, blue] = value.numbers<3>();
-    return {red, green, blue};
-}
-
 void writePrism(JsonLayout& json, const Prism& prism) {
     json.openObject("prism");
     json.number("depth", prism.depth);
@@ -133,6 +124,29 @@ std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
                                              .triangles = value["triangles"].listOf(readTriangle)});
 }
 
+void writeFigures(JsonLayout& json, const Material& material) {
+    json.wholeNumber("id", material.id);
+    json.text("name", material.name);
+    json.number("density", material.density);
+    json.number("friction", material.friction);
+    json.number("restitution", material.restitution);
+}
+
+void writeColours(JsonLayout& json, const Material& material) {
+    writeColour(json, "outside", material.outside);
+    writeColour(json, "inside", material.inside);
+}
+
+Material readWhatVersion1KnewOfMaterials(const JsonValue& value) {
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .density = value["density"].number(),
+            .friction = value["friction"].number(),
+            .restitution = value["restitution"].number(),
+            .outside = readColour(value["outside"]),
+            .inside = readColour(value["inside"])};
+}
+
 Asset readWhatVersion1Knew(const JsonValue& value) {
     return {.id = value["id"].index(),
             .name = value["name"].text(),
@@ -152,29 +166,55 @@ Asset readWhatVersion2Knew(const JsonValue& value) {
     return asset;
 }
 
+Asset readWhatVersion4Knew(const JsonValue& value) {
+    Asset asset = readWhatVersion2Knew(value);
+    const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
+    asset.insideMaterial = value["insideMaterial"].orNone(readId).value_or(0);
+    asset.shaping = readShaping(value["shaping"]);
+    asset.leaves = value["leaves"].listOf(readLeaf);
+    asset.edits = value["edits"].listOf(readEdit);
+    return asset;
+}
+
 }  // namespace
+
+void writeColour(JsonLayout& json, std::string_view key, const Colour& colour) {
+    json.numbers(key, {colour.red, colour.green, colour.blue});
+}
+
+Colour readColour(const JsonValue& value) {
+    const auto [red, green, blue] = value.numbers<3>();
+    return {red, green, blue};
+}
 
 void writeMaterial(JsonLayout& json, const Material& material) {
     json.openObject();
-    json.wholeNumber("id", material.id);
-    json.text("name", material.name);
-    json.number("density", material.density);
-    json.number("friction", material.friction);
-    json.number("restitution", material.restitution);
-    writeColour(json, "outside", material.outside);
-    writeColour(json, "inside", material.inside);
+    writeFigures(json, material);
+    json.number("tensileStrength", material.tensileStrength);
+    json.number("fractureToughness", material.fractureToughness);
+    writeColours(json, material);
     json.close();
 }
 
-Material readMaterial(const JsonValue& value) {
+void writeMaterialVersion1(JsonLayout& json, const Material& material) {
+    json.openObject();
+    writeFigures(json, material);
+    writeColours(json, material);
+    json.close();
+}
+
+Material readMaterialVersion1(const JsonValue& value) {
     value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"});
-    return {.id = value["id"].index(),
-            .name = value["name"].text(),
-            .density = value["density"].number(),
-            .friction = value["friction"].number(),
-            .restitution = value["restitution"].number(),
-            .outside = readColour(value["outside"]),
-            .inside = readColour(value["inside"])};
+    return readWhatVersion1KnewOfMaterials(value);
+}
+
+Material readMaterial(const JsonValue& value) {
+    value.requireObject({"id", "name", "density", "friction", "restitution", "tensileStrength", "fractureToughness",
+                         "outside", "inside"});
+    Material material = readWhatVersion1KnewOfMaterials(value);
+    material.tensileStrength = value["tensileStrength"].numberOrNone();
+    material.fractureToughness = value["fractureToughness"].numberOrNone();
+    return material;
 }
 
 void writeAsset(JsonLayout& json, const Asset& asset) {
@@ -183,6 +223,7 @@ void writeAsset(JsonLayout& json, const Asset& asset) {
     json.text("name", asset.name);
     json.wholeNumber("material", asset.material);
     json.number("threshold", asset.threshold);
+    json.number("contactTime", asset.contactTime);
     json.number("insideUvScale", asset.insideUvScale);
     json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
     writePrism(json, asset.prism);
@@ -213,15 +254,18 @@ Asset readAssetVersion2(const JsonValue& value) {
     return readWhatVersion2Knew(value);
 }
 
-Asset readAsset(const JsonValue& value) {
+Asset readAssetVersion4(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "insideMaterial", "prism", "pattern",
                          "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"});
-    Asset asset = readWhatVersion2Knew(value);
-    const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
-    asset.insideMaterial = value["insideMaterial"].orNone(readId).value_or(0);
-    asset.shaping = readShaping(value["shaping"]);
-    asset.leaves = value["leaves"].listOf(readLeaf);
-    asset.edits = value["edits"].listOf(readEdit);
+    return readWhatVersion4Knew(value);
+}
+
+Asset readAsset(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial",
+                         "prism", "pattern", "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents",
+                         "surface"});
+    Asset asset = readWhatVersion4Knew(value);
+    asset.contactTime = value["contactTime"].numberOrNone();
     return asset;
 }
 

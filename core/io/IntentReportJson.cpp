@@ -27,12 +27,12 @@ void writeReport(JsonLayout& json, const IntentReport& report) {
     const ThresholdInterval& interval = report.interval;
     json.openObject();
     json.text("name", report.asset.name);
-    json.number("threshold", report.asset.threshold);
+    json.number("threshold", report.threshold);
     writeIntents(json, report);
     writeBound(json, "above", interval.low, interval.lowIntent);
     writeBound(json, "atMost", interval.high, interval.highIntent);
     json.number("suggested", interval.suggested());
-    json.boolean("isSatisfied", interval.contains(report.asset.threshold));
+    json.boolean("isSatisfied", interval.contains(report.threshold));
     const std::optional<std::string> conflict = conflictText(report.asset, interval);
     if (conflict) {
         json.text("conflict", *conflict);

@@ -11,6 +11,7 @@ namespace rubble {
 /// What the intents of an asset ask of its threshold.
 struct IntentReport {
     Asset asset;
+    double threshold = 0.0;  // N s, that is in force
     ThresholdInterval interval;
 };
 

@@ -105,6 +105,8 @@ public:
 
     bool boolean() const;
     double number(NumberRange range = anyNumber()) const;
+    /// A number, or none for null.
+    std::optional<double> numberOrNone() const { return isNull() ? std::nullopt : std::optional<double>(number()); }
     /// A whole number; 3.0 and 3e2 count as whole.
     std::uint32_t index(std::uint32_t min = 0, std::uint32_t max = 0xffffffffu) const;
     std::uint64_t wholeNumber(std::uint64_t min = 0, std::uint64_t max = ~std::uint64_t{0}) const;

@@ -1,5 +1,6 @@
 #include "core/io/PackExport.h"
 
+#include "core/asset/Threshold.h"
 #include "core/asset/Variants.h"
 #include "core/base/Parallel.h"
 #include "core/io/MadeFolders.h"
@@ -120,6 +121,12 @@ ContentHash packSource(const Project& project, const Asset& asset, const MeshOpt
     alone.assets = {asset};
     alone.assets[0].cutAtImpact.reset();
     alone.assets[0].intents.clear();
+    alone.assets[0].threshold = thresholdOf(asset, material.own);
+    alone.assets[0].contactTime.reset();
+    for (Material& each : alone.materials) {
+        each.tensileStrength.reset();
+        each.fractureToughness.reset();
+    }
     Hasher hasher;
     hasher.add(kMeshVersion);
     hasher.add(std::uint64_t{kPackVersion});

@@ -1,5 +1,6 @@
 #include "core/io/PackFile.h"
 
+#include "core/asset/Threshold.h"
 #include "core/base/Parallel.h"
 #include "core/io/JsonText.h"
 #include "core/io/NumberText.h"
@@ -59,7 +60,7 @@ std::string headJson(const Asset& asset, const AssetMaterials& material, std::sp
     appendText(json, ",\"name\":", asset.name);
     if (asset.shaping.gap > 0.0) appendValue(json, ",\"gap\":", asset.shaping.gap);
     json += "},\n\"hash\":\"" + packHash(asset, material, meshes).hex() + "\",\n";
-    appendValue(json, "\"threshold\":", asset.threshold);
+    appendValue(json, "\"threshold\":", thresholdOf(asset, material.own));
     json += ",\n";
     appendMaterial(json, material);
     appendMeshes(json, meshes);
@@ -114,7 +115,7 @@ ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::sp
     hasher.add(std::uint64_t{kPackVersion});
     addText(hasher, bakeInputHash(asset).hex());
     addText(hasher, asset.name);
-    hasher.add(asset.threshold);
+    hasher.add(thresholdOf(asset, material.own));
     addText(hasher, material.own.name);
     for (const double value : {material.own.density, material.own.friction, material.own.restitution})
         hasher.add(value);

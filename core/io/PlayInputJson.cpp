@@ -24,7 +24,7 @@ void writeInput(JsonLayout& json, const ThresholdInput& input) {
 
 void writeInput(JsonLayout& json, const MaterialInput& input) {
     json.openArray("materials");
-    writeMaterial(json, input.material);
+    writeMaterialVersion1(json, input.material);  // strength comes as thresholds
     json.close();
 }
 
@@ -56,7 +56,7 @@ PlayInput readInput(std::size_t kind, const JsonValue& value) {
             return ThresholdInput{value["asset"].index(), value["instance"].index(), value["threshold"].number()};
         case 2: {
             value.requireObject({"step", "input", "materials"});
-            const std::vector<Material> materials = value["materials"].listOf(readMaterial);
+            const std::vector<Material> materials = value["materials"].listOf(readMaterialVersion1);
             if (materials.size() != 1) value["materials"].refuse("must hold one material");
             return MaterialInput{materials.empty() ? Material{} : materials[0]};
         }

@@ -13,13 +13,19 @@ namespace {
 
 constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
-/// What a project held from the first version on, with its assets and instances as a version has them.
-Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&),
-                   Instance (*readInstanceOfVersion)(const JsonValue&)) {
+/// How the parts of a project are read that are not the same in all versions.
+struct Parts {
+    Material (*material)(const JsonValue&);
+    Asset (*asset)(const JsonValue&);
+    Instance (*instance)(const JsonValue&);
+};
+
+/// What a project held from the first version on.
+Project readCommon(const JsonValue& root, const Parts& read) {
     return {.nextId = root["nextId"].index(),
-            .materials = root["materials"].listOf(readMaterial),
-            .assets = root["assets"].listOf(readAssetOfVersion),
-            .instances = root["instances"].listOf(readInstanceOfVersion),
+            .materials = root["materials"].listOf(read.material),
+            .assets = root["assets"].listOf(read.asset),
+            .instances = root["instances"].listOf(read.instance),
             .ground = readGround(root["ground"]),
             .gravity = readVector(root["gravity"]),
             .damage = readDamage(root["damage"]),
@@ -30,32 +36,40 @@ Project readCommon(const JsonValue& root, Asset (*readAssetOfVersion)(const Json
 Project readVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
-    return readCommon(root, readAssetVersion1, readInstanceVersion2);
+    return readCommon(root, {readMaterialVersion1, readAssetVersion1, readInstanceVersion2});
 }
 
 /// With debris; of what else came after the first version its callers tell.
-Project readWithDebris(const JsonValue& root, Asset (*readAssetOfVersion)(const JsonValue&),
-                       Instance (*readInstanceOfVersion)(const JsonValue&)) {
+Project readWithDebris(const JsonValue& root, const Parts& read) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "debris", "shots", "playTests"});
-    Project project = readCommon(root, readAssetOfVersion, readInstanceOfVersion);
+    Project project = readCommon(root, read);
     project.debris = readDebris(root["debris"]);
     return project;
 }
 
 /// Knows debris, cuts at impact and intents.
-Project readVersion2(const JsonValue& root) { return readWithDebris(root, readAssetVersion2, readInstanceVersion2); }
+Project readVersion2(const JsonValue& root) {
+    return readWithDebris(root, {readMaterialVersion1, readAssetVersion2, readInstanceVersion2});
+}
 
 /// Knows variants of instances, and which are hidden and locked.
-Project readVersion3(const JsonValue& root) { return readWithDebris(root, readAssetVersion2, readInstance); }
+Project readVersion3(const JsonValue& root) {
+    return readWithDebris(root, {readMaterialVersion1, readAssetVersion2, readInstance});
+}
 
 /// Knows what is done to pieces: small ones, gaps, roughness, merges and splits, fragments broken in their own way.
-Project readVersion4(const JsonValue& root) { return readWithDebris(root, readAsset, readInstance); }
+Project readVersion4(const JsonValue& root) {
+    return readWithDebris(root, {readMaterialVersion1, readAssetVersion4, readInstance});
+}
+
+/// Knows strength and toughness of materials, and thresholds that follow from them.
+Project readVersion5(const JsonValue& root) { return readWithDebris(root, {readMaterial, readAsset, readInstance}); }
 
 /// How each version is read, the first at 0. A new version comes as one more reader; those of older ones stay, and fill
 /// in what their files did not know.
-constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{&readVersion1, &readVersion2,
-                                                                              &readVersion3, &readVersion4};
+constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{
+    &readVersion1, &readVersion2, &readVersion3, &readVersion4, &readVersion5};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
     const Result<std::uint32_t> version = versionOf(document, kFormat);

@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// The version of the project files that are written; older ones are read, newer ones refused.
-inline constexpr std::uint32_t kProjectVersion = 4;
+inline constexpr std::uint32_t kProjectVersion = 5;
 
 /// A project as JSON: keys in a fixed order, arrays in id order, a small value a line, every number the shortest that
 /// reads back as the same double. The same project gives the same bytes. The project passes verifyProject().

@@ -8,7 +8,6 @@ namespace {
 // In the order of their enumerators.
 constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
 
-double readNumber(const JsonValue& value) { return value.number(); }
 std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
 
 /// What every version knows of an instance.
@@ -18,7 +17,7 @@ Instance readPlaced(const JsonValue& value) {
             .name = value["name"].text(),
             .asset = value["asset"].index(),
             .pose = {readVector(value["position"]), Quat{w, x, y, z}},
-            .threshold = value["threshold"].orNone(readNumber),
+            .threshold = value["threshold"].numberOrNone(),
             .isFixed = value["fixed"].boolean()};
 }
 
@@ -106,7 +105,7 @@ void writeDebris(JsonLayout& json, const Debris& debris) {
 
 Debris readDebris(const JsonValue& value) {
     value.requireObject({"lifetime", "fade", "mostPieces"});
-    return {.lifetime = value["lifetime"].orNone(readNumber),
+    return {.lifetime = value["lifetime"].numberOrNone(),
             .fade = value["fade"].number(),
             .mostPieces = value["mostPieces"].orNone(readIndex)};
 }

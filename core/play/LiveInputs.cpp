@@ -1,5 +1,7 @@
 #include "core/play/LiveInputs.h"
 
+#include "core/asset/Threshold.h"
+
 namespace rubble {
 namespace {
 
@@ -18,17 +20,23 @@ void takeMaterials(Project& played, const Project& now, std::vector<PlayInput>& 
         const bool isOther = take(material.density, other.density) | take(material.friction, other.friction) |
                              take(material.restitution, other.restitution);
         material.name = other.name;
+        material.tensileStrength = other.tensileStrength;
+        material.fractureToughness = other.fractureToughness;
         if (isOther) inputs.push_back(MaterialInput{other});
     }
 }
 
-void takeAssets(Project& played, const Project& now, std::vector<PlayInput>& inputs) {
+/// `played` is `before` with the materials of now: those are taken first.
+void takeAssets(const Project& before, Project& played, const Project& now, std::vector<PlayInput>& inputs) {
     for (std::size_t k = 0; k < played.assets.size(); ++k) {
         Asset& asset = played.assets[k];
         const Asset& other = now.assets[k];
-        if (take(asset.threshold, other.threshold)) {
-            inputs.push_back(ThresholdInput{.asset = asset.id, .threshold = asset.threshold});
+        const double inForce = thresholdOf(now, other);
+        if (thresholdOf(before, before.assets[k]) != inForce) {
+            inputs.push_back(ThresholdInput{.asset = asset.id, .threshold = inForce});
         }
+        asset.threshold = other.threshold;
+        asset.contactTime = other.contactTime;
         asset.name = other.name;
         asset.intents = other.intents;
     }
@@ -59,7 +67,7 @@ std::optional<std::vector<PlayInput>> liveInputs(const Project& played, const Pr
     Project taken = played;
     std::vector<PlayInput> inputs;
     takeMaterials(taken, now, inputs);
-    takeAssets(taken, now, inputs);
+    takeAssets(played, taken, now, inputs);
     takeInstances(taken, now, inputs);
     if (take(taken.gravity, now.gravity)) inputs.push_back(GravityInput{now.gravity});
     taken.shots = now.shots;

@@ -1,3 +1,4 @@
+#include "core/asset/Threshold.h"
 #include "core/base/Assert.h"
 #include "core/play/SessionState.h"
 
@@ -114,7 +115,7 @@ Status placeScene(const SessionParts& parts) {
     SessionState& state = parts.state;
     const Project& project = parts.scene.project;
     state.materials = project.materials;
-    for (const Asset& asset : project.assets) state.assetThresholds[asset.id] = asset.threshold;
+    for (const Asset& asset : project.assets) state.assetThresholds[asset.id] = thresholdOf(project, asset);
     state.lowest = project.ground.height - kFallDepth;
     if (const Status placed = placeGround(parts); !placed) return placed.error();
     for (const Instance& instance : project.instances) {

@@ -27,6 +27,8 @@ inline Project fullProject() {
                           .density = 2500.1,
                           .friction = 0.1,
                           .restitution = 0.3,
+                          .tensileStrength = 4.5e7,
+                          .fractureToughness = 1.0 / 3.0,
                           .outside = {0.1, 0.2, 0.3},
                           .inside = {1.0, 0.0, 1.0 / 3.0}}};
 
@@ -66,6 +68,7 @@ inline Project fullProject() {
                   FragmentSplit{.fragment = "4.2/8.1", .line = {{0.1, -2.5}, {1.0, 1.0 / 3.0}}}};
     wall.insideMaterial = 2;
     wall.threshold = 55.5;
+    wall.contactTime = 0.00125;
     wall.insideUvScale = 2.0;
     wall.cutAtImpact = {.pieces = 17, .reach = 0.45};
     wall.intents = {{.outcome = IntentOutcome::Breaks, .event = HitIntent{.mass = 2.5, .speed = 1.0 / 3.0}},

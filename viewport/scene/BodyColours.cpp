@@ -1,6 +1,7 @@
 #include "viewport/scene/BodyColours.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/asset/Threshold.h"
 #include "core/play/PlayAsset.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ double thresholdOf(const Project& project, const AssetModel& model, Id instance)
     const auto placed = std::ranges::find(project.instances, instance, &Instance::id);
     if (placed != project.instances.end() && placed->threshold) return *placed->threshold;
     const Asset* asset = findAsset(project, model.asset.id);
-    return (asset != nullptr ? *asset : model.asset).threshold;
+    return asset != nullptr ? rubble::thresholdOf(project, *asset) : model.asset.threshold;
 }
 
 /// Gives the figures of one instance's pieces.

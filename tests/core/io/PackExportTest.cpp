@@ -122,6 +122,12 @@ private slots:
         }));
         QVERIFY(differs([](Project& p, Asset&) { p.materials[0].density = 2.0; }));
         QVERIFY(differs([](Project& p, Asset&) { p.materials[0].inside.red = 0.1; }));
+        QVERIFY(differs([](Project& p, Asset& a) {
+            p.materials[0].tensileStrength = 1e6;
+            a.contactTime = 1e-3;
+        }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].tensileStrength = 1e6; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].fractureToughness = 1e6; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.nextId = 2000; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));

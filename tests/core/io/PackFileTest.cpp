@@ -43,6 +43,13 @@ private slots:
         Asset stronger = asset;
         stronger.threshold += 1.0;
         QVERIFY(packHash(stronger, heavyBrick(), packMeshes()) != hash);
+        Material strong = heavyBrick();
+        strong.tensileStrength = 1e6;
+        QCOMPARE(packHash(asset, strong, packMeshes()), hash);  // the threshold is typed
+        Asset derived = asset;
+        derived.contactTime = 1e-3;
+        QCOMPARE(packHash(derived, heavyBrick(), packMeshes()), hash);
+        QVERIFY(packHash(derived, strong, packMeshes()) != hash);
         Asset deeper = asset;
         deeper.prism.depth += 1.0;
         QVERIFY(packHash(deeper, heavyBrick(), packMeshes()) != hash);

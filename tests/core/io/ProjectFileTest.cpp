@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEmptyProject = R"({
   "format": "rubble-project",
-  "version": 4,
+  "version": 5,
   "nextId": 2,
   "materials": [
     {
@@ -25,6 +25,8 @@ constexpr const char* kEmptyProject = R"({
       "density": 1000,
       "friction": 0.6,
       "restitution": 0,
+      "tensileStrength": null,
+      "fractureToughness": null,
       "outside": [0.8, 0.8, 0.8],
       "inside": [0.8, 0.8, 0.8]
     }
@@ -88,7 +90,7 @@ nlohmann::json version3Json() {
     return json;
 }
 
-/// The same as version 4 has it.
+/// The same as version 4 has it, which knows nothing of strength.
 nlohmann::json version4Json() {
     nlohmann::json json = version3Json();
     json["version"] = 4;
@@ -102,6 +104,17 @@ nlohmann::json version4Json() {
     return json;
 }
 
+/// The same as version 5 has it.
+nlohmann::json version5Json() {
+    nlohmann::json json = version4Json();
+    json["version"] = 5;
+    for (nlohmann::json& material : json["materials"]) {
+        material["tensileStrength"] = material["fractureToughness"] = nullptr;
+    }
+    for (nlohmann::json& asset : json["assets"]) asset["contactTime"] = nullptr;
+    return json;
+}
+
 /// Where a value of another type is as good: in the places that are there or not.
 bool fits(const std::string& place, const nlohmann::json& value) {
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
@@ -109,6 +122,9 @@ bool fits(const std::string& place, const nlohmann::json& value) {
     if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
     if (place.ends_with(".image") || place.ends_with(".opacity")) return value.is_null();
     if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
+    const bool isStrength =
+        place.ends_with("ensileStrength") || place.ends_with("fractureToughness") || place.ends_with("].contactTime");
+    if (isStrength) return value.is_null() || value.is_number();
     const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
     return isOwnThreshold && (value.is_null() || value.is_number());
 }
@@ -209,8 +225,8 @@ private slots:
         };
         row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
         row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
-        row("The project is of version 5, but this program knows none above 4; open it with a newer one.", "/version",
-            "5");
+        row("The project is of version 6, but this program knows none above 5; open it with a newer one.", "/version",
+            "6");
         row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
         row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
         row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
@@ -256,6 +272,12 @@ private slots:
         row("assets[0].edits[0]: unknown key \"into\".", "/assets/0/edits/0/kind", "\"split\"");
         row("Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
             "/assets/0/edits/1/direction", "[0, 0]");
+        row("Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be finite and above zero.",
+            "/materials/1/tensileStrength", "0");
+        row("materials[1].fractureToughness: expected a number, found \"high\".", "/materials/1/fractureToughness",
+            "\"high\"");
+        row("Asset 3 \"wall\": the contact time is -1, but it must be finite and above zero.", "/assets/0/contactTime",
+            "-1");
         row("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact", "{\"pieces\": 5}");
         row("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
             "/assets/0/cutAtImpact/pieces", "2.5");
@@ -306,9 +328,17 @@ private slots:
             QCOMPARE(asset.insideMaterial, Id{0});
         }
     }
-    void olderVersionsAreSavedAsVersion4ValueForValue() {
-        const nlohmann::json expected = version4Json();
-        for (const nlohmann::json& old : {version1Json(), version2Json(), version3Json()}) {
+    void version4IsReadWithWhatChangesNothing() {
+        const Result<Project> project = readProjectText(version4Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        for (const Material& material : project->materials) {
+            QVERIFY(!material.tensileStrength && !material.fractureToughness);
+        }
+        for (const Asset& asset : project->assets) QVERIFY(!asset.contactTime);
+    }
+    void olderVersionsAreSavedAsVersion5ValueForValue() {
+        const nlohmann::json expected = version5Json();
+        for (const nlohmann::json& old : {version1Json(), version2Json(), version3Json(), version4Json()}) {
             QVERIFY(writeFileAtomically(inFolder("old.rubble"), old.dump()));
             const Result<Project> project = loadProject(inFolder("old.rubble"));
             QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
@@ -338,6 +368,12 @@ private slots:
         json = version3Json();
         json["version"] = 4;
         QCOMPARE(faultOf(json.dump()), std::string("assets[0]: the key \"insideMaterial\" is missing."));
+        json = version4Json();
+        json["materials"][0]["tensileStrength"] = 1e6;
+        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: unknown key \"tensileStrength\"."));
+        json = version4Json();
+        json["version"] = 5;
+        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: the key \"tensileStrength\" is missing."));
     }
     void truncatedTextIsRefusedAnywhere() {
         const std::string text = projectText(fullProject());

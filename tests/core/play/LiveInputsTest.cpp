@@ -1,5 +1,6 @@
 #include "core/play/LiveInputs.h"
 
+#include "core/asset/Threshold.h"
 #include "tests/support/Sessions.h"
 
 using namespace rubble;
@@ -34,6 +35,23 @@ private slots:
         Material heavy = block.materials[0];
         heavy.density = 5000.0;
         QCOMPARE(after([&](Project& now) { now.materials[0] = heavy; }), (Inputs{MaterialInput{heavy}}));
+    }
+    void derivedThresholdsFollowWhileItGoesOn() {
+        Project played = test::floatingBlock();
+        played.materials[0].tensileStrength = 1e6;
+        played.assets[0].contactTime = 1e-3;
+        const Id asset = played.assets[0].id;
+        const double section = smallestSection(played.assets[0].prism);
+        Project now = played;
+        now.materials[0].tensileStrength = 3e6;
+        QCOMPARE(liveInputs(played, now), (Inputs{ThresholdInput{.asset = asset, .threshold = 3e6 * section * 1e-3}}));
+        now.assets[0].contactTime.reset();
+        now.assets[0].threshold = 7.0;
+        QCOMPARE(liveInputs(played, now), (Inputs{ThresholdInput{.asset = asset, .threshold = 7.0}}));
+        now = played;
+        now.assets[0].threshold = 7.0;  // not in force
+        now.materials[0].fractureToughness = 1e6;
+        QCOMPARE(liveInputs(played, now), Inputs{});
     }
     void severalAtOnce() {
         const auto inputs = after([](Project& now) {

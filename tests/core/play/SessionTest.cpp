@@ -1,5 +1,6 @@
 #include "core/play/Session.h"
 
+#include "core/asset/Threshold.h"
 #include "tests/support/House.h"
 #include "tests/support/Sessions.h"
 
@@ -157,6 +158,16 @@ private slots:
         QVERIFY2(speed < 12.0 - 200.0 / 100.0 && speed > 12.0 - 400.0 / 100.0 - 0.1, QByteArray::number(speed));
     }
 
+    void derivedThresholdsAreInForce() {
+        Project project = floatingBlock(7);
+        project.assets[0].threshold = 1e6;  // as typed: out of reach
+        project.assets[0].contactTime = 1e-3;
+        project.materials[0].tensileStrength = 200.0 / (1e-3 * smallestSection(project.assets[0].prism));
+        Session session = sessionOf(project, {.sleeping = false});
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role == PlayRole::Instance) QVERIFY(std::abs(session.thresholdOf(body) - 200.0) < 1e-9);
+        }
+    }
     void twoThatBreakEachOtherKeepTheirMomenta() {
         Project project = floatingBlock(7);
         project.assets[0].threshold = 100.0;

@@ -1,0 +1,30 @@
+#include "core/asset/Threshold.h"
+
+#include "core/geometry/CentreSection.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+double smallestSection(const Prism& prism) {
+    return std::min(prism.depth * shortestCentreCut(prism.outline), area(prism.outline));
+}
+
+std::optional<double> derivedThreshold(const Asset& asset, const Material& material) {
+    if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
+    return *material.tensileStrength * smallestSection(asset.prism) * *asset.contactTime;
+}
+
+double thresholdOf(const Asset& asset, const Material& material) {
+    return derivedThreshold(asset, material).value_or(asset.threshold);
+}
+
+double thresholdOf(const Project& project, const Asset& asset) {
+    return thresholdOf(asset, *findMaterial(project, asset.material));
+}
+
+bool lacksStrength(const Asset& asset, const Material& material) {
+    return asset.contactTime.has_value() && !material.tensileStrength;
+}
+
+}  // namespace rubble
