@@ -1,7 +1,8 @@
 # Text files as part of a program, so that it finds them wherever it lies.
 
 # rubble_embed(<folder> <name>): the files in a folder as the library <name>, whose header generated/<name>.h has
-# std::string_view rubble::<name in lowerCamelCase>(std::string_view fileName), empty where there is no such file.
+# std::string_view rubble::<name in lowerCamelCase>(std::string_view fileName), empty where there is no such file, and
+# std::span<const std::string_view> rubble::<name in lowerCamelCase>Names(), what files there are, by name.
 function(rubble_embed folder name)
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*)
   string(REGEX REPLACE "_(.)" ";\\1" words ${name})

@@ -1,6 +1,28 @@
 #include "core/asset/StarterProject.h"
 
+#include "core/asset/Threshold.h"
+
 namespace rubble {
+namespace {
+
+/// Puts a wall and an instance of it into a project with one material. A pattern without layers is 20 scattered seeds.
+Project withWall(Project project, Pattern pattern, std::optional<double> contactTime) {
+    Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
+    wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
+    wall.contactTime = contactTime;
+    wall.pattern = std::move(pattern);
+    if (wall.pattern.layers.empty()) {
+        wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
+    }
+    for (PatternLayer& layer : wall.pattern.layers) layer.id = project.nextId++;
+    const Id asset = wall.id;
+    project.assets = {std::move(wall)};
+    project.instances = {
+        {.id = project.nextId++, .name = "wall", .asset = asset, .pose = {.position = {0.0, 0.5, 0.0}}}};
+    return project;
+}
+
+}  // namespace
 
 Project emptyProject() {
     Project project;
@@ -12,16 +34,18 @@ Project emptyProject() {
     return project;
 }
 
-Project starterProject() {
-    Project project = emptyProject();
-    Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
-    wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
-    wall.pattern.layers = {{.id = project.nextId++, .randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
-    const Id asset = wall.id;
-    project.assets = {std::move(wall)};
-    project.instances = {
-        {.id = project.nextId++, .name = "wall", .asset = asset, .pose = {.position = {0.0, 0.5, 0.0}}}};
+Project emptyProject(const MaterialPreset& material) {
+    Project project;
+    project.materials = {materialOf(material, project.nextId++)};
     return project;
+}
+
+Project starterProject() { return withWall(emptyProject(), {}, std::nullopt); }
+
+Project starterProject(const MaterialPreset& material) {
+    const std::optional<double> contactTime =
+        material.tensileStrength ? std::optional(kUsualContactTime) : std::nullopt;
+    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}), contactTime);
 }
 
 }  // namespace rubble

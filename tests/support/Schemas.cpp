@@ -13,10 +13,24 @@ struct Schema::Compiled {
     valijson::Schema schema;
 };
 
-Schema::Schema(const std::string& name) : m_compiled(std::make_unique<Compiled>()) {
+namespace {
+
+nlohmann::json schemaFile(const std::string& name) {
     std::ifstream file(RUBBLE_SOURCE_DIR "/resources/schemas/" + name);
-    const nlohmann::json json = nlohmann::json::parse(file);
-    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(json), m_compiled->schema);
+    return nlohmann::json::parse(file);
+}
+
+}  // namespace
+
+Schema::Schema(const std::string& name) : m_compiled(std::make_unique<Compiled>()) {
+    const nlohmann::json json = schemaFile(name);
+    // One schema may speak of parts of another, which lies beside it.
+    const auto fetch = [](const std::string& uri) {
+        return new nlohmann::json(schemaFile(uri.substr(uri.rfind('/') + 1)));
+    };
+    const auto free = [](const nlohmann::json* fetched) { delete fetched; };
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(json), m_compiled->schema, fetch,
+                                            free);
 }
 
 Schema::~Schema() = default;
