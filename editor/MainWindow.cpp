@@ -8,6 +8,7 @@
 #include "editor/FragmentActions.h"
 #include "editor/HelpActions.h"
 #include "editor/InstanceActions.h"
+#include "editor/MaterialActions.h"
 #include "editor/PlayActions.h"
 #include "editor/Program.h"
 #include "editor/SelectActions.h"
@@ -57,6 +58,10 @@ MainWindow::MainWindow(Program& program, Project project)
     m_fileActions = new FileActions(*this);
     m_editActions = new EditActions(*this);
     m_assetActions = new AssetActions(*this);
+    m_materialActions = new MaterialActions(*this);
+    m_assetActions->menu()->addSeparator();
+    m_assetActions->menu()->addActions(m_materialActions->actions());
+    m_views->setMaterialActions(m_materialActions->actions());
     m_fragmentActions = new FragmentActions(*this);
     m_instanceActions = new InstanceActions(*this);
     m_selectActions = new SelectActions(*this);  // whose keys come before those of instances

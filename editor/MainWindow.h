@@ -17,6 +17,7 @@ class FileActions;
 class FragmentActions;
 class HelpActions;
 class InstanceActions;
+class MaterialActions;
 class PlayActions;
 class Program;
 class SelectActions;
@@ -67,6 +68,7 @@ private:
     AssetActions* m_assetActions = nullptr;
     FragmentActions* m_fragmentActions = nullptr;
     InstanceActions* m_instanceActions = nullptr;
+    MaterialActions* m_materialActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     PlayActions* m_playActions = nullptr;
     HelpActions* m_helpActions = nullptr;

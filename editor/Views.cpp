@@ -253,6 +253,11 @@ void Views::takePreferences(const Preferences& preferences) {
 
 void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
 
+void Views::setMaterialActions(const QList<QAction*>& actions) {
+    m_tree->setMaterialActions(actions);
+    m_inspector->setMaterialActions(actions);
+}
+
 /// Brings what a message is about into view.
 void Views::jump(const Message& message) {
     if (!message.instances.empty()) return jumpTo(message.instances);

@@ -52,6 +52,8 @@ public:
     void takePreferences(const Preferences& preferences);
     /// What the tree offers for chosen instances.
     void setInstanceActions(const QList<QAction*>& actions);
+    /// What tree and inspector offer for materials: the library first.
+    void setMaterialActions(const QList<QAction*>& actions);
 
 signals:
     /// What the tool at hand does.

@@ -20,7 +20,8 @@ struct CanvasContents {
     CanvasLayers layers;
     ShownPattern::Range range;  // of layers.colouring
     FragmentChoice hidden;
-    double density = 0.0;  // kg/m^3
+    double density = 0.0;    // kg/m^3
+    double threshold = 0.0;  // N s, that is in force
     std::map<std::string, int>
         depths;  // by Level: through how many levels fragments are broken again, of those that are
 

@@ -46,12 +46,12 @@ QString scaleTitle(CellColouring colouring) {
     return {};
 }
 
-QString scaleText(CellColouring colouring, double value, double density) {
+QString scaleText(CellColouring colouring, double value, const CanvasContents& contents) {
     switch (colouring) {
         case CellColouring::Area: return areaText(value);
         case CellColouring::Volume: return volumeText(value);
-        case CellColouring::Mass: return massText(density * value);
-        case CellColouring::Threshold: return impulseText(value);
+        case CellColouring::Mass: return massText(contents.density * value);
+        case CellColouring::Threshold: return impulseText(contents.threshold * value);
         case CellColouring::Neighbours:
         case CellColouring::Level: return QLocale().toString(value, 'f', 0);
         default: return QLocale().toString(value, 'f', 1);
@@ -196,11 +196,11 @@ private:
         const auto& [least, most] = m_contents.range;
         if (least == most) {
             painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
-                             tr("all: %1").arg(scaleText(colouring, least, m_contents.density)));
+                             tr("all: %1").arg(scaleText(colouring, least, m_contents)));
             return;
         }
-        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents.density));
-        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents.density));
+        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents));
+        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents));
     }
 
     const CanvasContents& m_contents;

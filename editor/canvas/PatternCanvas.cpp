@@ -1,5 +1,6 @@
 #include "editor/canvas/PatternCanvas.h"
 
+#include "core/asset/Threshold.h"
 #include "editor/canvas/BrushTool.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/canvas/LabelPainting.h"
@@ -200,6 +201,7 @@ void PatternCanvas::takeMaterial() {
     const Asset* asset = m_state.asset();
     const Material* material = asset ? findMaterial(m_state.document.project(), asset->material) : nullptr;
     m_contents.density = material ? material->density : 0.0;
+    m_contents.threshold = material ? thresholdOf(*asset, *material) : 0.0;
     update();
 }
 

@@ -265,7 +265,7 @@ double ShownPattern::value(std::uint32_t piece, CellColouring colouring) const {
         case CellColouring::Aspect: return aspect(piece);
         case CellColouring::Volume:
         case CellColouring::Mass: return volume(piece);
-        case CellColouring::Threshold: return m_baked->asset->threshold;
+        case CellColouring::Threshold: return 1.0;
         case CellColouring::Level:
         case CellColouring::None:
         case CellColouring::Piece: break;

@@ -94,6 +94,7 @@ private:
     void measure(std::uint32_t piece);
     void takeReports();
     void countSorts();
+    /// Of Mass without the density, of Threshold without that of the whole: those are not the pattern's.
     double value(std::uint32_t piece, CellColouring colouring) const;
 
     std::shared_ptr<const BakedPattern> m_baked;

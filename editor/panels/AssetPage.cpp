@@ -1,7 +1,9 @@
 #include "editor/panels/AssetPage.h"
 
+#include "core/asset/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/commands/Resizing.h"
+#include "editor/panels/Icons.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -12,6 +14,8 @@ namespace {
 
 constexpr double kLeastUsualThreshold = 1.0;  // N·s, the slider's ends
 constexpr double kMostUsualThreshold = 1e5;
+constexpr Id kTyped = 1;  // choices of where the threshold is from
+constexpr Id kDerived = 2;
 constexpr int kSummaryDigits = 4;
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
@@ -31,18 +35,18 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
       m_selection(selection),
       m_form(
           document, [this] { return chosen(); }, pushOf<Asset>(document)) {
-    auto* asset = new Section("asset", tr("Asset"), this);
+    m_asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
     m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
+    for (Section* section : {m_asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
-    buildAsset(*asset);
+    buildAsset(*m_asset);
     buildShape(*shape);
     m_pattern = new PatternEditor(document);
     pattern->addWide(m_pattern);
@@ -69,12 +73,7 @@ void AssetPage::buildAsset(Section& section) {
         [](Asset& asset, const QString& entered) { asset.name = entered.trimmed().toStdString(); });
     m_material = section.addRow(tr("Material"), new QComboBox, tr("What the asset is made of"));
     m_form.bind(m_material, tr("Set material"), &Asset::material);
-    auto* threshold = section.addRow(
-        tr("Threshold"),
-        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
-        tr("The impulse of a blow at which it breaks"));
-    threshold->setFormat({tr("N·s"), 0});
-    m_form.bind(threshold, tr("Set threshold"), &Asset::threshold);
+    buildThreshold(section);
     auto* scale = section.addRow(tr("Inside UVs"), new NumberField,
                                  tr("How often a texture repeats in a metre of the faces where it broke"));
     scale->setFormat({tr("per m"), 0});
@@ -85,6 +84,65 @@ void AssetPage::buildAsset(Section& section) {
                        tr("Of which material the faces look where it broke; it weighs what its own material weighs"));
     m_form.bind(m_inside, tr("Set inside material"), &Asset::insideMaterial);
 }
+
+void AssetPage::buildThreshold(Section& section) {
+    m_threshold = section.addRow(
+        tr("Threshold"),
+        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
+        tr("The impulse of a blow at which it breaks"));
+    m_threshold->setFormat({tr("N·s"), 0});
+    m_form.bind(
+        m_threshold, tr("Set threshold"),
+        [this](const Asset& asset) { return thresholdOf(m_document.project(), asset); },
+        [](Asset& asset, double entered) { asset.threshold = entered; });
+    auto* source =
+        section.addRow(tr("From"), new QComboBox, tr("Whether the threshold is typed or follows from strength"));
+    offer(*source, {{kTyped, tr("Typed"), {}}, {kDerived, tr("Derived from strength"), {}}});
+    m_form.bind(
+        source, tr("Set source of threshold"), [](const Asset& asset) { return asset.contactTime ? kDerived : kTyped; },
+        [this](Asset& asset, Id chosen) {
+            if (asset.contactTime && chosen == kDerived) return;
+            asset.threshold = thresholdOf(m_document.project(), asset);  // typed from now on, it stays what it was
+            asset.contactTime.reset();
+            if (chosen == kDerived) asset.contactTime = kUsualContactTime;
+        });
+    m_contactTime =
+        section.addRow(tr("Contact"), new NumberField,
+                       tr("How long a blow presses: the threshold is strength × smallest section × this time"));
+    m_contactTime->setFormat({tr("ms"), 3});
+    m_contactTime->setRange(FieldRange::aboveZero());
+    m_form.bind(
+        m_contactTime, tr("Set contact time"),
+        [](const Asset& asset) { return asset.contactTime.value_or(kUsualContactTime); },
+        [](Asset& asset, double entered) { asset.contactTime = entered; });
+    m_derivation = new QLabel;
+    m_derivation->setObjectName("derivation");
+    m_derivation->setWordWrap(true);
+    section.addWide(m_derivation);
+}
+
+/// Whether the threshold can be typed, and how it follows where it cannot.
+void AssetPage::showThreshold(const Asset& asset) {
+    const Material& material = *findMaterial(m_document.project(), asset.material);
+    const bool isDerived = derivedThreshold(asset, material).has_value();
+    m_threshold->setEnabled(!isDerived);
+    m_asset->setRowVisible(m_contactTime, asset.contactTime.has_value());
+    m_derivation->setVisible(asset.contactTime.has_value());
+    if (!asset.contactTime) return;
+    const auto text = [&](double value, const NumberFormat& format) {
+        return withUnit(roundedText(value, kSummaryDigits, format, locale()), format);
+    };
+    if (!isDerived) {
+        return m_derivation->setText(
+            tr("The material \"%1\" tells no strength: the typed threshold is in force.").arg(textOf(material.name)));
+    }
+    m_derivation->setText(
+        tr("%1 × %2 × %3 = %4")
+            .arg(text(*material.tensileStrength, {tr("MPa"), -6}), text(smallestSection(asset.prism), m_units.areas()),
+                 text(*asset.contactTime, {tr("ms"), 3}), text(thresholdOf(asset, material), {tr("N·s"), 0})));
+}
+
+void AssetPage::setLibraryAction(QAction* action) { m_asset->addWide(actionButton(action)); }
 
 void AssetPage::buildShape(Section& section) {
     m_summary = new QLabel;
@@ -150,6 +208,7 @@ void AssetPage::refresh() {
     m_form.refresh();
     const std::vector<Asset> assets = chosen();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
+    if (!assets.empty()) showThreshold(assets.front());
     m_outline->refresh(m_selection.asset());
     m_shaping->refresh();
     m_pattern->refresh(m_selection.asset());

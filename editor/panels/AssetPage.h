@@ -16,6 +16,8 @@ public:
     AssetPage(Document& document, const Selection& selection, QWidget* parent = nullptr);
 
     void refresh();
+    /// What opens the library of materials: offered as a button.
+    void setLibraryAction(QAction* action);
     void setUnits(const Units& units);
 
 signals:
@@ -25,7 +27,9 @@ private:
     std::vector<Asset> chosen() const;
     QString faultOf(const Asset& asset) const;
     void buildAsset(Section& section);
+    void buildThreshold(Section& section);
     void buildShape(Section& section);
+    void showThreshold(const Asset& asset);
     QString summary(const Asset& asset) const;
 
     Document& m_document;
@@ -34,6 +38,10 @@ private:
     Form<Asset> m_form;
     QComboBox* m_material = nullptr;
     QComboBox* m_inside = nullptr;
+    Section* m_asset = nullptr;
+    SliderField* m_threshold = nullptr;
+    NumberField* m_contactTime = nullptr;
+    QLabel* m_derivation = nullptr;  // how the threshold follows, or why it does not
     QLabel* m_summary = nullptr;
     std::array<NumberField*, 3> m_size{};
     OutlineEditor* m_outline = nullptr;

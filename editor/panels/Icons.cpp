@@ -25,4 +25,12 @@ QToolButton* panelButton(const QString& icon, const QString& text, const QString
     return button;
 }
 
+QToolButton* actionButton(QAction* action) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    return button;
+}
+
 }  // namespace rubble

@@ -19,4 +19,7 @@ QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const
 /// A small button of a panel: an icon, or its text where that is missing, with a tooltip.
 QToolButton* panelButton(const QString& icon, const QString& text, const QString& hint, QWidget* parent);
 
+/// A button as wide as its panel that does what an action does, and looks as it does.
+QToolButton* actionButton(QAction* action);
+
 }  // namespace rubble

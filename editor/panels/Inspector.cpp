@@ -73,6 +73,11 @@ void Inspector::refresh() {
     }
 }
 
+void Inspector::setMaterialActions(const QList<QAction*>& actions) {
+    m_material->setActions(actions);
+    m_asset->setLibraryAction(actions.front());
+}
+
 void Inspector::setUnits(const Units& units) {
     m_asset->setUnits(units);
     m_instance->setUnits(units);

@@ -4,9 +4,11 @@
 #include "editor/document/Selection.h"
 #include "editor/panels/Units.h"
 
+#include <QList>
 #include <QStringList>
 #include <QWidget>
 
+class QAction;
 class QScrollArea;
 class QStackedWidget;
 
@@ -24,6 +26,8 @@ public:
     Inspector(Document& document, Selection& selection, QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
+    /// What is offered as buttons: on the page of a material all, on that of an asset the first, the library.
+    void setMaterialActions(const QList<QAction*>& actions);
     /// The names of the sections that are folded; kept by whoever keeps the window's layout.
     QStringList folded() const;
     void setFolded(const QStringList& names);

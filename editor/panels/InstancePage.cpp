@@ -1,5 +1,6 @@
 #include "editor/panels/InstancePage.h"
 
+#include "core/asset/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/panels/EulerAngles.h"
 
@@ -21,7 +22,7 @@ QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
 double assetThreshold(const Project& project, const Instance& instance) {
     const Asset* asset = findAsset(project, instance.asset);
-    return asset ? asset->threshold : 0.0;
+    return asset ? thresholdOf(project, *asset) : 0.0;
 }
 
 }  // namespace

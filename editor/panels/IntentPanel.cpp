@@ -1,5 +1,6 @@
 #include "editor/panels/IntentPanel.h"
 
+#include "core/asset/Threshold.h"
 #include "core/fracture/SeedEdits.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/icons/Icon.h"
@@ -136,7 +137,8 @@ void IntentPanel::fill() {
         }
     }
     fillRows(*at, interval ? &*interval : nullptr);
-    m_bar->setInterval(at->intents, interval.value_or(ThresholdInterval{}), at->threshold);
+    const double threshold = thresholdOf(m_document.project(), *at);
+    m_bar->setInterval(at->intents, interval.value_or(ThresholdInterval{}), threshold);
     if (interval) {
         const std::optional<std::string> conflict = conflictText(*at, *interval);
         m_suggested = interval->suggested();
@@ -145,8 +147,8 @@ void IntentPanel::fill() {
         } else if (at->intents.empty()) {
             m_verdict->setText(tr("Any threshold fits as long as nothing is asked of it."));
         } else {
-            m_verdict->setText((interval->contains(at->threshold) ? tr("Its threshold fits: %1.")
-                                                                  : tr("Its threshold does not fit: it must be %1."))
+            m_verdict->setText((interval->contains(threshold) ? tr("Its threshold fits: %1.")
+                                                              : tr("Its threshold does not fit: it must be %1."))
                                    .arg(textOf(intervalText(*interval))));
         }
     }
@@ -243,7 +245,10 @@ void IntentPanel::addIntent(const Intent& intent) {
 
 void IntentPanel::useSuggested() {
     if (!m_suggested) return;
-    change(tr("Set threshold"), [threshold = *m_suggested](Asset& changed) { changed.threshold = threshold; });
+    change(tr("Set threshold"), [threshold = *m_suggested](Asset& changed) {
+        changed.threshold = threshold;
+        changed.contactTime.reset();  // typed from now on
+    });
 }
 
 void IntentPanel::showAudit() {

@@ -1,6 +1,7 @@
 #include "editor/panels/MaterialPage.h"
 
 #include "editor/commands/Renaming.h"
+#include "editor/panels/Icons.h"
 #include "editor/panels/Section.h"
 
 #include <QLabel>
@@ -14,12 +15,20 @@ namespace {
 
 constexpr double kLeastDensity = 10.0;      // kg/m^3, the slider's ends: foam ...
 constexpr double kMostDensity = 20'000.0;   // ... and gold
+constexpr double kLeastStrength = 1e4;      // Pa: crumbling mortar ...
+constexpr double kMostStrength = 2e9;       // ... and hard steel
+constexpr double kLeastToughness = 1e4;     // Pa·√m
+constexpr double kMostToughness = 2e8;      // ductile steel
 constexpr double kMostUsualFriction = 1.5;  // the slider's end: rubber on stone
 
 std::vector<Material> chosenMaterials(const Document& document, const Selection& selection) {
     const Material* material = findMaterial(document.project(), selection.material());
     return material ? std::vector{*material} : std::vector<Material>{};
 }
+
+/// A number that need not be told is shown as 0 where it is not.
+double shown(const std::optional<double>& number) { return number.value_or(0.0); }
+std::optional<double> entered(double number) { return number > 0.0 ? std::optional(number) : std::nullopt; }
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
@@ -31,8 +40,9 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
       m_selection(selection),
       m_form(
           document, [&] { return chosenMaterials(document, selection); }, pushOf<Material>(document)),
+      m_section(new Section("material", tr("Material"), this)),
       m_uses(new QLabel(this)) {
-    auto* section = new Section("material", tr("Material"), this);
+    auto* section = m_section;
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(section);
@@ -59,12 +69,35 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
     auto* restitution = section->addRow(tr("Restitution"), new SliderField(FieldRange::zeroToOne(), 0.0, 1.0),
                                         tr("How much bodies bounce: 0 not at all, 1 as high as they fell from"));
     m_form.bind(restitution, tr("Set restitution"), &Material::restitution);
+    bindStrength(*section);
     auto* outside = section->addRow(tr("Outside"), new ColourButton, tr("Colour of the surface of the whole"));
     m_form.bind(outside, tr("Set outside colour"), &Material::outside);
     auto* inside = section->addRow(tr("Inside"), new ColourButton, tr("Colour of the faces where it broke"));
     m_form.bind(inside, tr("Set inside colour"), &Material::inside);
     section->addRow(tr("Used by"), m_uses, tr("The assets that are made of this material"));
     m_uses->setWordWrap(true);
+}
+
+void MaterialPage::bindStrength(Section& section) {
+    const auto add = [&](const QString& label, double from, double to, const QString& unit, const QString& hint,
+                         const QString& step, std::optional<double> Material::*member) {
+        auto* field =
+            section.addRow(label, new SliderField(FieldRange::zeroOrAbove(), from, to, SliderScale::Logarithmic), hint);
+        field->setFormat({unit, -6});
+        m_form.bind(
+            field, step, [member](const Material& material) { return shown(material.*member); },
+            [member](Material& material, double number) { material.*member = entered(number); });
+    };
+    add(tr("Strength"), kLeastStrength, kMostStrength, tr("MPa"),
+        tr("Tensile strength: thresholds of assets can follow from it; 0 where it is not known"),
+        tr("Set tensile strength"), &Material::tensileStrength);
+    add(tr("Toughness"), kLeastToughness, kMostToughness, tr("MPa√m"),
+        tr("Fracture toughness: how well it withstands cracks; kept with the material; 0 where it is not known"),
+        tr("Set fracture toughness"), &Material::fractureToughness);
+}
+
+void MaterialPage::setActions(const QList<QAction*>& actions) {
+    for (QAction* action : actions) m_section->addWide(actionButton(action));
 }
 
 void MaterialPage::refresh() {

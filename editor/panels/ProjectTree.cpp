@@ -78,10 +78,10 @@ void ProjectTree::buildButtons() {
     row->setContentsMargins(4, 2, 4, 2);
     row->setSpacing(2);
     QToolButton* add = panelButton("add", tr("Add"), tr("Add a material, an asset or an instance"), this);
-    auto* menu = new QMenu(add);
-    menu->setToolTipsVisible(true);
-    fillAddMenu(*menu);
-    add->setMenu(menu);
+    m_addMenu = new QMenu(add);
+    m_addMenu->setToolTipsVisible(true);
+    fillAddMenu(*m_addMenu);
+    add->setMenu(m_addMenu);
     add->setPopupMode(QToolButton::InstantPopup);
     QToolButton* duplicate = panelButton("edit-copy", tr("Duplicate"), tr("Duplicate what is chosen (Ctrl+D)"), this);
     QToolButton* remove = panelButton("edit-delete", tr("Delete"), tr("Delete what is chosen (Delete)"), this);
@@ -104,6 +104,12 @@ void ProjectTree::fillAddMenu(QMenu& menu) {
     menuAction(menu, "instance", tr("Instance of the asset at hand"),
                tr("Place the asset at hand in the scene once more"), [this] { addInstance(); });
     menuAction(menu, "material", tr("Material"), tr("Add a material"), [this] { addMaterial(); });
+    if (!m_materialActions.isEmpty()) menu.addAction(m_materialActions.front());
+}
+
+void ProjectTree::setMaterialActions(const QList<QAction*>& actions) {
+    m_materialActions = actions;
+    m_addMenu->addAction(actions.front());
 }
 
 void ProjectTree::showMenu(const QPoint& position) {
@@ -127,6 +133,7 @@ void ProjectTree::showMenu(const QPoint& position) {
     if (!chosen(Kind::Instance).empty() && !m_instanceActions.isEmpty()) {
         menu.addMenu(iconNamed("instance"), tr("Instance"))->addActions(m_instanceActions);
     }
+    if (!chosen(Kind::Material).empty()) menu.addActions(m_materialActions);
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

@@ -24,6 +24,8 @@ public:
     void setUnits(const Units& units) { m_model->setUnits(units); }
     /// What the context menu offers where instances are chosen.
     void setInstanceActions(const QList<QAction*>& actions) { m_instanceActions = actions; }
+    /// What the context menu offers where materials are chosen; the first, the library, is offered beside new materials, too.
+    void setMaterialActions(const QList<QAction*>& actions);
 
     /// Begins to edit the name of the current row.
     void renameCurrent();
@@ -64,6 +66,8 @@ private:
     ProjectModel* m_model;
     QTreeView* m_view;
     QList<QAction*> m_instanceActions;
+    QList<QAction*> m_materialActions;
+    QMenu* m_addMenu = nullptr;
     bool m_isTaking = false;
 };
 

@@ -1,0 +1,88 @@
+#include "editor/commands/MaterialEdits.h"
+
+#include "core/asset/StarterProject.h"
+#include "core/asset/Threshold.h"
+#include "core/io/MaterialFile.h"
+#include "core/io/ProjectFile.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+MaterialPreset preset(const char* name) { return findMaterial(materialLibrary(), name)->preset; }
+
+/// Carries an edit out; the project must be sound then, and undoing it must give the same bytes again.
+Project after(Project project, Edit edit) {
+    const std::string before = projectText(project);
+    swapInto(project, edit);
+    Project result = project;
+    if (const auto fault = verifyProject(result)) qFatal("%s", fault->c_str());
+    swapInto(project, edit);
+    if (projectText(project) != before) qFatal("Undoing gives another project.");
+    return result;
+}
+
+}  // namespace
+
+class MaterialEditsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void anAddedPresetIsACopyOnce() {
+        Addition first = addMaterial(starterProject(), preset("glass"));
+        const Project project = after(starterProject(), first.edit);
+        QCOMPARE(project.materials.size(), std::size_t{2});
+        QCOMPARE(*findMaterial(project, first.id)->tensileStrength, 4.5e7);
+        const Addition again = addMaterial(project, preset("glass"));
+        QVERIFY(again.edit.isEmpty());
+        QCOMPARE(again.id, first.id);
+    }
+    void aTakenNameIsNumbered() {
+        const Addition added = addMaterial(starterProject(), preset("plaster"));  // another plaster than the starter's
+        const Project project = after(starterProject(), added.edit);
+        QCOMPARE(findMaterial(project, added.id)->name, std::string("plaster 2"));
+    }
+    void anAssetIsMadeOfItWithPatternAndThreshold() {
+        const Project before = starterProject();
+        const Id wall = before.assets[0].id;
+        const Project project = after(before, makeOf(before, wall, preset("glass"), {true, true}));
+        const Asset& asset = *findAsset(project, wall);
+        QCOMPARE(findMaterial(project, asset.material)->name, std::string("glass"));
+        QCOMPARE(asset.pattern.layers.size(), std::size_t{2});
+        QVERIFY(std::holds_alternative<RadialPattern>(asset.pattern.layers[0].parameters));
+        QCOMPARE(asset.contactTime.value_or(0.0), kUsualContactTime);
+        QCOMPARE(thresholdOf(project, asset), 4.5e7 * 0.5 * 1e-3);
+    }
+    void nothingElseIsTakenWhereItIsNotAskedFor() {
+        const Project before = starterProject();
+        const Id wall = before.assets[0].id;
+        const Project project = after(before, makeOf(before, wall, preset("ice"), {}));
+        QVERIFY(findAsset(project, wall)->pattern == before.assets[0].pattern);
+        QVERIFY(!findAsset(project, wall)->contactTime);
+    }
+    void whatWasSaidOfOldFragmentsGoesWithTheirPattern() {
+        Project before = starterProject();
+        Asset& wall = before.assets[0];
+        const std::string layer = std::to_string(wall.pattern.layers[0].id);
+        wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
+        wall.leaves = {{.fragment = layer + ".3", .level = {}}};
+        const Project project = after(before, makeOf(before, wall.id, preset("stone"), {.takesPattern = true}));
+        QVERIFY(project.assets[0].edits.empty() && project.assets[0].leaves.empty());
+        const Project kept = after(before, makeOf(before, wall.id, preset("stone"), {}));
+        QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].leaves.empty());
+    }
+    void aPresetIsMadeOfAMaterialAndItsAssetsPattern() {
+        const Project before = starterProject();
+        const MaterialPreset made = presetFrom(before, before.materials[0].id, 0);
+        QCOMPARE(made.name, std::string("plaster"));
+        QCOMPARE(made.pattern.layers.size(), std::size_t{1});
+        QCOMPARE(made.pattern.layers[0].id, Id{1});
+        QVERIFY(!verifyPreset(made));
+        const Project alone = emptyProject();
+        QVERIFY(presetFrom(alone, alone.materials[0].id, 0).pattern.layers.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(MaterialEditsTest)
+#include "MaterialEditsTest.moc"
