@@ -69,7 +69,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     const std::vector<Verb> verbs = {addNew(program),    addImport(program),   addSeeds(program),  addFracture(program),
                                      addExport(program), addCheck(program),    addDraw(program),   addRender(program),
                                      addFilm(program),   addSimulate(program), addReplay(program), addTest(program),
-                                     addIntent(program), addAudit(program)};
+                                     addIntent(program), addAudit(program),    addDiff(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(

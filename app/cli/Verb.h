@@ -35,6 +35,7 @@ Verb addReplay(CLI::App& program);
 Verb addTest(CLI::App& program);
 Verb addIntent(CLI::App& program);
 Verb addAudit(CLI::App& program);
+Verb addDiff(CLI::App& program);
 
 /// The whole of a file, or of `context.in` where `path` is "-".
 ///

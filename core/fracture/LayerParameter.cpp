@@ -1,20 +1,12 @@
 #include "core/fracture/LayerParameter.h"
 
 #include "core/base/MessageText.h"
+#include "core/fracture/ParameterText.h"
 
 #include <cmath>
 
 namespace rubble {
 namespace {
-
-std::string unitText(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::Length: return " m";
-        case Quantity::Angle: return " rad";
-        case Quantity::Number: break;
-    }
-    return {};
-}
 
 /// What a value must be: "finite and above zero".
 std::string demand(const LayerParameter& parameter) {
@@ -30,13 +22,8 @@ std::string demand(const LayerParameter& parameter) {
 std::optional<std::string> countFault(const SeedCount& count, const LayerParameter& parameter) {
     if (count.by == CountBy::Number && parameter.range.contains(count.amount)) return std::nullopt;
     if (count.by != CountBy::Number && kAboveZero.contains(count.amount)) return std::nullopt;
-    const std::string found = '"' + std::string(parameter.caption) + "\" is " + messageText(count.amount);
-    switch (count.by) {
-        case CountBy::Number: break;
-        case CountBy::Density: return found + " a square metre, but must be finite and above zero";
-        case CountBy::PieceSize: return found + " m a piece, but must be finite and above zero";
-    }
-    return found + ", but must be " + demand(parameter);
+    const std::string wanted = count.by == CountBy::Number ? demand(parameter) : "finite and above zero";
+    return '"' + std::string(parameter.caption) + "\" is " + countText(count) + ", but must be " + wanted;
 }
 
 }  // namespace
@@ -49,7 +36,7 @@ std::optional<std::string> parameterFault(const LayerParameter& parameter, const
     };
     if (const auto* point = std::get_if<Vec2>(&value)) {
         if (std::isfinite(point->x) && std::isfinite(point->y)) return std::nullopt;
-        return fault("(" + messageText(point->x) + ", " + messageText(point->y) + ")");
+        return fault(pointText(*point));
     }
     if (const auto* count = std::get_if<SeedCount>(&value)) return countFault(*count, parameter);
     const double number = std::get<double>(value);
