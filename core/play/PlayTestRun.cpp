@@ -1,6 +1,7 @@
 #include "core/play/PlayTestRun.h"
 
 #include "core/base/MessageText.h"
+#include "core/play/BodyHeight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,21 +12,6 @@ namespace {
 constexpr double kUntouched = 0.01;  // m
 
 double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
-
-/// The highest point of a body.
-double topOf(const PlayBody& body, const World& world) {
-    const Pose pose = world.state(body.body).pose;
-    double top = pose.position.y;
-    bool isFirst = true;
-    for (const Polytope& hull : hullsOf(body)) {
-        for (const Vec3& vertex : hull.vertices) {
-            const double height = (pose.position + pose.orientation * vertex).y;
-            top = isFirst ? height : std::max(top, height);
-            isFirst = false;
-        }
-    }
-    return top;
-}
 
 /// What a run of a test has seen so far.
 class Watch {

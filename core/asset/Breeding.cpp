@@ -1,0 +1,246 @@
+#include "core/asset/Breeding.h"
+
+#include "core/asset/Variants.h"
+#include "core/base/MessageText.h"
+#include "core/fracture/PatternKind.h"
+#include "core/geometry/Polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rubble {
+namespace {
+
+constexpr std::uint32_t kFreshSeedEvery = 3;  // children: so many, one of them with a random seed of its own
+constexpr double kAngleSpread =
+    std::numbers::pi / 2.0;  // rad: angles are changed by a share of it, for they have no size
+
+bool scatters(const PatternLayer& layer) { return kindOf(layer.parameters).role == LayerRole::Scatters; }
+
+const LayerParameter* findParameter(const LayerParameters& of, std::string_view name) {
+    const std::span<const LayerParameter> all = kindOf(of).parameters;
+    const auto found = std::ranges::find(all, name, &LayerParameter::name);
+    return found != all.end() ? &*found : nullptr;
+}
+
+bool hasNumbers(const LayerParameter& parameter) {
+    return parameter.type == ParameterType::Whole || parameter.type == ParameterType::Real ||
+           parameter.type == ParameterType::Count;
+}
+
+double numberOf(const LayerParameter& parameter, const LayerParameters& of) {
+    const ParameterValue value = parameter.read(of);
+    const auto* count = std::get_if<SeedCount>(&value);
+    return count ? count->amount : std::get<double>(value);
+}
+
+/// Writes a number, whole where it has to be.
+void setNumber(const LayerParameter& parameter, LayerParameters& of, double number) {
+    const ParameterValue value = parameter.read(of);
+    if (const auto* count = std::get_if<SeedCount>(&value)) {
+        const bool isWhole = count->by == CountBy::Number;
+        return parameter.write(of, SeedCount(count->by, isWhole ? std::round(number) : number));
+    }
+    parameter.write(of, parameter.type == ParameterType::Whole ? std::round(number) : number);
+}
+
+/// Whether a number is one that the parameter takes, as it is counted now.
+bool takes(const LayerParameter& parameter, const LayerParameters& of, double number) {
+    LayerParameters tried = of;
+    setNumber(parameter, tried, number);
+    return !parameterFault(parameter, tried);
+}
+
+/// Throws enough seeds for index `last`, where they are told by number.
+void reach(std::uint32_t last, LayerParameters& parameters) {
+    const LayerParameter* count = findParameter(parameters, "count");
+    if (!count || count->type != ParameterType::Count) return;
+    const auto now = std::get<SeedCount>(count->read(parameters));
+    if (now.by == CountBy::Number) setNumber(*count, parameters, std::max(now.amount, last + 1.0));
+}
+
+/// Holds the locked seeds of a layer in place.
+void hold(std::span<const LockedSeed> locked, PatternLayer& layer) {
+    for (const LockedSeed& seed : locked) {
+        if (seed.id.layer != layer.id || !scatters(layer)) continue;
+        layer.overrides.push_back({.index = seed.id.index, .position = seed.position});
+        reach(seed.id.index, layer.parameters);
+    }
+    std::ranges::sort(layer.overrides, {}, &SeedOverride::index);
+}
+
+/// The kind in place of a layer's own, throwing as many seeds.
+void takeKind(const PatternKind& kind, const Box2& bounds, PatternLayer& layer) {
+    LayerParameters parameters = kind.suitedTo(bounds);
+    const LayerParameter* from = findParameter(layer.parameters, "count");
+    const LayerParameter* to = findParameter(parameters, "count");
+    if (from && to && from->type == to->type) to->write(parameters, from->read(layer.parameters));
+    if (kindOf(layer.parameters).name != kind.name) layer.parameters = parameters;
+}
+
+const PatternKind* findKind(std::string_view name) {
+    const std::vector<const PatternKind*> kinds = variedKinds();
+    const auto found = std::ranges::find(kinds, name, &PatternKind::name);
+    return found != kinds.end() ? *found : nullptr;
+}
+
+Asset variant(const Asset& asset, const BreedingRecipe& recipe, std::uint32_t number) {
+    Asset made = variantOf(asset, number);
+    made.name = asset.name;
+    Random random(mixedWith(recipe.randomSeed, number));
+    for (PatternLayer& layer : made.pattern.layers) layer.randomSeed = mixedWith(layer.randomSeed, recipe.randomSeed);
+    const auto first = std::ranges::find_if(made.pattern.layers, scatters);
+    if (!recipe.kinds.empty() && first != made.pattern.layers.end()) {
+        const PatternKind* kind = findKind(recipe.kinds[(number - 1) % recipe.kinds.size()]);
+        takeKind(*kind, boundsOf(asset.prism.outline.outer), *first);
+    }
+    for (const VariedParameter& varied : recipe.varied) {
+        const double value = random.between(varied.from, varied.to);
+        const auto layer = std::ranges::find(made.pattern.layers, varied.layer, &PatternLayer::id);
+        const LayerParameter* parameter = findParameter(layer->parameters, varied.parameter);
+        if (parameter && takes(*parameter, layer->parameters, value)) setNumber(*parameter, layer->parameters, value);
+    }
+    for (PatternLayer& layer : made.pattern.layers) hold(recipe.locked, layer);
+    return made;
+}
+
+/// The number that a parent's becomes in a child.
+double mutated(double number, const LayerParameter& parameter, double spread, Random& random) {
+    const double share = random.between(-spread, spread);
+    if (parameter.quantity == Quantity::Angle) return number + share * kAngleSpread;
+    return share < 0.0 ? number / (1.0 - share) : number * (1.0 + share);  // up and down alike
+}
+
+void mutate(const BreedingRecipe& recipe, Random& random, PatternLayer& layer) {
+    for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+        if (!hasNumbers(parameter) || (parameter.isUsed && !parameter.isUsed(layer.parameters))) continue;
+        double number = mutated(numberOf(parameter, layer.parameters), parameter, recipe.spread, random);
+        for (const VariedParameter& varied : recipe.varied) {
+            if (varied.layer == layer.id && varied.parameter == parameter.name) {
+                number = std::clamp(number, varied.from, varied.to);
+            }
+        }
+        if (takes(parameter, layer.parameters, number)) setNumber(parameter, layer.parameters, number);
+    }
+}
+
+const PatternLayer& layerOf(const Asset& parent, const PatternLayer& like) {
+    const auto found = std::ranges::find(parent.pattern.layers, like.id, &PatternLayer::id);
+    return found != parent.pattern.layers.end() ? *found : like;
+}
+
+Asset child(std::span<const Asset> parents, const BreedingRecipe& recipe, std::uint32_t number) {
+    Random random(mixedWith(mixed(recipe.randomSeed), number));
+    Asset made = parents[random.below(parents.size())];
+    bool isChanged = false;
+    std::vector<PatternLayer*> scattering;
+    for (PatternLayer& layer : made.pattern.layers) {
+        layer = layerOf(parents[random.below(parents.size())], layer);
+        const LayerParameters before = layer.parameters;
+        mutate(recipe, random, layer);
+        isChanged = isChanged || layer.parameters != before;
+        if (!scatters(layer)) continue;
+        layer.overrides.clear();
+        hold(recipe.locked, layer);
+        scattering.push_back(&layer);
+    }
+    const bool isFresh = !isChanged || number % kFreshSeedEvery == 0;
+    if (isFresh && !scattering.empty()) scattering[random.below(scattering.size())]->randomSeed = random.next();
+    made.leaves.clear();  // this and the next: made by hand for fragments that are elsewhere now
+    made.edits.clear();
+    return made;
+}
+
+std::optional<std::string> fault(const VariedParameter& varied, const Asset& asset) {
+    const auto layer = std::ranges::find(asset.pattern.layers, varied.layer, &PatternLayer::id);
+    const std::string name = "Layer " + std::to_string(varied.layer);
+    if (layer == asset.pattern.layers.end()) return name + " is to vary, but \"" + asset.name + "\" has no such layer.";
+    const LayerParameter* parameter = findParameter(layer->parameters, varied.parameter);
+    if (!parameter || !hasNumbers(*parameter)) {
+        return name + ": \"" + varied.parameter + "\" is to vary, but is no number of " +
+               std::string(kindOf(layer->parameters).name) + ".";
+    }
+    const std::string range = messageText(varied.from) + " to " + messageText(varied.to);
+    const bool isOrdered = varied.from <= varied.to;  // false for NaN, too
+    if (!isOrdered) return name + ": \"" + varied.parameter + "\" is to vary from " + range + ", which is no range.";
+    if (takes(*parameter, layer->parameters, varied.from) && takes(*parameter, layer->parameters, varied.to)) {
+        return std::nullopt;
+    }
+    return name + ": \"" + varied.parameter + "\" is to vary from " + range + ", which is beyond what it takes.";
+}
+
+std::optional<std::string> fault(const LockedSeed& locked, const Asset& asset) {
+    const auto layer = std::ranges::find(asset.pattern.layers, locked.id.layer, &PatternLayer::id);
+    const bool isThere = layer != asset.pattern.layers.end();
+    if (isThere && (scatters(*layer) || kindOf(layer->parameters).role == LayerRole::Places)) return std::nullopt;
+    return "Seed " + locked.id.text() + " cannot be locked: \"" + asset.name + "\" has no such layer of seeds.";
+}
+
+/// What is wrong with a recipe but for what varies, which children leave aside: a parent may be of another kind.
+std::optional<std::string> faultForChildren(const BreedingRecipe& recipe, const Asset& asset) {
+    if (recipe.count == 0 || recipe.count > BreedingRecipe::kMostVariants) {
+        return std::to_string(recipe.count) + " variants are asked for, but it must be 1 to " +
+               std::to_string(BreedingRecipe::kMostVariants) + ".";
+    }
+    const bool isSpread = recipe.spread >= 0.0 && recipe.spread < 1.0;  // false for NaN, too
+    if (!isSpread) return "The spread is " + messageText(recipe.spread) + ", but must be from 0 to less than 1.";
+    for (const std::string& kind : recipe.kinds) {
+        if (!findKind(kind)) return '"' + kind + "\" is no kind of layer that variants can scatter seeds by.";
+    }
+    for (const LockedSeed& locked : recipe.locked) {
+        if (std::optional<std::string> found = fault(locked, asset)) return found;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> verifyRecipe(const BreedingRecipe& recipe, const Asset& asset) {
+    for (const VariedParameter& varied : recipe.varied) {
+        if (std::optional<std::string> found = fault(varied, asset)) return found;
+    }
+    return faultForChildren(recipe, asset);
+}
+
+std::vector<const PatternKind*> variedKinds() {
+    std::vector<const PatternKind*> kinds;
+    for (const PatternKind* kind : patternKinds()) {
+        const bool needsPicture = kind == &DensityImage::kKind;
+        if (kind->role == LayerRole::Scatters && !needsPicture) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+Result<std::vector<Asset>> variantsOf(const Asset& asset, const BreedingRecipe& recipe) {
+    if (const auto wrong = verifyRecipe(recipe, asset)) return Error{ErrorCode::BadInput, *wrong};
+    std::vector<Asset> variants{asset};
+    for (std::uint32_t k = 1; k < recipe.count; ++k) variants.push_back(variant(asset, recipe, k));
+    return variants;
+}
+
+Result<std::vector<Asset>> childrenOf(std::span<const Asset> parents, const BreedingRecipe& recipe) {
+    if (parents.empty()) return Error{ErrorCode::BadInput, "No variant is chosen to breed from."};
+    for (const Asset& parent : parents) {
+        if (const auto wrong = faultForChildren(recipe, parent)) return Error{ErrorCode::BadInput, *wrong};
+    }
+    std::vector<Asset> children(parents.begin(), parents.end());
+    if (children.size() > recipe.count) children.resize(recipe.count);
+    while (children.size() < recipe.count) {
+        children.push_back(child(parents, recipe, static_cast<std::uint32_t>(children.size())));
+    }
+    return children;
+}
+
+std::vector<LockedSeed> lockedIn(const Bake& bake, std::span<const SeedId> seeds) {
+    std::vector<LockedSeed> locked;
+    if (bake.breakings.empty()) return locked;
+    const Seeds& all = bake.breakings.front().seeds;
+    for (std::size_t k = 0; k < all.ids.size(); ++k) {
+        if (std::ranges::find(seeds, all.ids[k]) != seeds.end()) locked.push_back({all.ids[k], all.positions[k]});
+    }
+    std::ranges::sort(locked, {}, &LockedSeed::id);
+    return locked;
+}
+
+}  // namespace rubble

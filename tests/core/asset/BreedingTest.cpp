@@ -1,0 +1,206 @@
+#include "core/asset/Breeding.h"
+#include "core/fracture/PatternKind.h"
+#include "tests/support/Projects.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+namespace rubble {
+namespace {
+
+/// The unit square with clusters in layer 4 and seeds by hand in layer 5.
+Asset heaps() {
+    Asset asset = boxAsset(1, 4, Clusters{.clusters = 4, .seedsPerCluster = 5, .radius = 0.2});
+    asset.pattern.layers.push_back({.id = 5, .parameters = PlacedSeeds{{{0, {0.5, 0.5}}}}});
+    return asset;
+}
+
+const Clusters& clustersOf(const Asset& asset) { return std::get<Clusters>(asset.pattern.layers[0].parameters); }
+
+std::vector<Asset> variants(const Asset& asset, const BreedingRecipe& recipe) {
+    return variantsOf(asset, recipe).value();
+}
+std::vector<Asset> bredFrom(std::span<const Asset> parents, const BreedingRecipe& recipe) {
+    return childrenOf(parents, recipe).value();
+}
+
+Vec2 positionOf(const Asset& asset, SeedId id) { return lockedIn(*bake(asset), std::vector{id}).at(0).position; }
+
+}  // namespace
+
+class BreedingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theFirstVariantIsTheAssetAndTheOthersDiffer() {
+        const Asset asset = fullProject().assets[0];
+        const std::vector<Asset> made = variants(asset, {.count = 5});
+        QCOMPARE(made.size(), std::size_t{5});
+        QVERIFY(made[0] == asset);
+        for (std::size_t k = 1; k < made.size(); ++k) {
+            QVERIFY(bakeInputHash(made[k]) != bakeInputHash(made[k - 1]));
+            QCOMPARE(made[k].id, asset.id);
+            QCOMPARE(made[k].name, asset.name);
+            QVERIFY(made[k].prism == asset.prism && made[k].threshold == asset.threshold);
+        }
+    }
+    void theSameRecipeGivesTheSameAndAnotherRandomSeedOthers() {
+        const BreedingRecipe recipe{.varied = {{4, "radius", 0.1, 0.3}}};
+        BreedingRecipe other = recipe;
+        other.randomSeed = 2;
+        const std::vector<Asset> made = variants(heaps(), recipe);
+        QVERIFY(made == variants(heaps(), recipe));
+        QVERIFY(made != variants(heaps(), other));
+        QVERIFY(bredFrom(made, recipe) == bredFrom(made, recipe));
+    }
+    void variedParametersStayInTheirRangesAndOthersAsTheyAre() {
+        const BreedingRecipe recipe{.count = 50, .varied = {{4, "radius", 0.1, 0.3}, {4, "clusters", 2.0, 6.0}}};
+        std::set<std::uint32_t> counts;
+        for (const Asset& variant : variants(heaps(), recipe)) {
+            const Clusters& clusters = clustersOf(variant);
+            QVERIFY(clusters.radius >= 0.1 && clusters.radius <= 0.3);
+            QVERIFY(clusters.clusters >= 2 && clusters.clusters <= 6);
+            QCOMPARE(clusters.seedsPerCluster, 5u);
+            counts.insert(clusters.clusters);
+        }
+        QCOMPARE(counts.size(), std::size_t{5});
+    }
+    void variantsTakeTurnsInTheirKinds() {
+        const Asset asset = boxAsset(1, 4, UniformScatter{33});
+        const std::vector<Asset> made = variants(asset, {.count = 5, .kinds = {"blueNoise", "radial"}});
+        for (std::size_t k : {1, 3}) {
+            QCOMPARE(std::get<BlueNoise>(made[k].pattern.layers[0].parameters).count, SeedCount(33));
+        }
+        for (std::size_t k : {2, 4}) {
+            QVERIFY(std::holds_alternative<RadialPattern>(made[k].pattern.layers[0].parameters));
+            QCOMPARE(made[k].pattern.layers[0].id, 4u);
+        }
+    }
+    void everyKindThatIsOfferedMakesSomething() {
+        QVERIFY(variedKinds().size() >= 6);
+        for (const PatternKind* kind : variedKinds()) {
+            const BreedingRecipe recipe{.count = 2, .kinds = {std::string(kind->name)}};
+            const Asset variant = variants(boxAsset(1, 4, UniformScatter{20}), recipe)[1];
+            QVERIFY2(bake(variant)->fragmentCount() > 1, kind->caption);
+        }
+    }
+    void lockedSeedsStayInEveryVariantAndChild() {
+        for (std::uint64_t randomSeed = 0; randomSeed < 10; ++randomSeed) {
+            const Asset asset = heaps();
+            const std::vector<SeedId> chosen{{4, 3}, {4, 11}, {5, 0}};
+            BreedingRecipe recipe{.count = 6, .randomSeed = randomSeed};
+            recipe.locked = lockedIn(*bake(asset), chosen);
+            QCOMPARE(recipe.locked.size(), std::size_t{3});
+            const std::vector<Asset> made = variants(asset, recipe);
+            std::vector<Asset> all = bredFrom(std::span(made).subspan(1, 2), recipe);
+            all.insert(all.end(), made.begin(), made.end());
+            for (const Asset& one : all) {
+                for (const LockedSeed& seed : recipe.locked) {
+                    QVERIFY2(positionOf(one, seed.id) == seed.position,
+                             qPrintable(QString("random seed %1").arg(randomSeed)));
+                }
+            }
+        }
+    }
+    void aLockedSeedIsReachedWhateverTheCountIs() {
+        const Asset asset = boxAsset(1, 4, UniformScatter{20});
+        BreedingRecipe recipe{.count = 10, .varied = {{4, "count", 2.0, 4.0}}};
+        recipe.locked = lockedIn(*bake(asset), std::vector{SeedId{4, 12}});
+        for (const Asset& variant : variants(asset, recipe)) {
+            QVERIFY(positionOf(variant, {4, 12}) == recipe.locked[0].position);
+            QVERIFY(bake(variant)->reports.empty());
+        }
+    }
+    void aRelaxedSeedIsLockedWhereItCameTo() {
+        Asset asset = boxAsset(1, 4, UniformScatter{12});
+        asset.pattern.layers.push_back({.id = 6, .parameters = LloydRelaxation{5}});
+        BreedingRecipe recipe{.count = 4};
+        recipe.locked = lockedIn(*bake(asset), std::vector{SeedId{4, 2}});
+        for (const Asset& variant : variants(asset, recipe)) {
+            QVERIFY(positionOf(variant, {4, 2}) == recipe.locked[0].position);
+        }
+    }
+    void childrenHaveTheLayersOfTheirParentsChangedALittle() {
+        Asset one = heaps(), other = heaps();
+        one.pattern.layers[0].randomSeed = 100;
+        other.pattern.layers[0].randomSeed = 200;
+        other.pattern.layers[0].parameters = Clusters{.clusters = 40, .seedsPerCluster = 5, .radius = 0.02};
+        const BreedingRecipe recipe{.count = 40, .spread = 0.1};
+        const std::vector<Asset> bred = bredFrom(std::vector{one, other}, recipe);
+        QVERIFY(bred[0] == one && bred[1] == other);
+        std::size_t inherited = 0;
+        for (std::size_t k = 2; k < bred.size(); ++k) {
+            const Clusters& made = clustersOf(bred[k]);
+            const bool isOfOne = made.clusters < 10;
+            const double radius = isOfOne ? 0.2 : 0.02, clusters = isOfOne ? 4.0 : 40.0;
+            QVERIFY(made.radius >= radius / 1.1 - 1e-12 && made.radius <= radius * 1.1 + 1e-12);
+            QVERIFY(std::abs(made.clusters - clusters) <= 0.1 * clusters + 0.5);
+            QVERIFY(!(bred[k] == one) && !(bred[k] == other));
+            const std::uint64_t randomSeed = bred[k].pattern.layers[0].randomSeed;
+            if (randomSeed == (isOfOne ? 100u : 200u)) ++inherited;
+        }
+        QVERIFY(inherited > 20);  // two of three
+    }
+    void childrenStayInTheRangesThatAreVaried() {
+        const BreedingRecipe recipe{.count = 60, .varied = {{4, "radius", 0.19, 0.21}}, .spread = 0.5};
+        for (const Asset& child : bredFrom(std::vector{heaps()}, recipe)) {
+            QVERIFY(clustersOf(child).radius >= 0.19 && clustersOf(child).radius <= 0.21);
+        }
+    }
+    void withoutSpreadChildrenDifferByTheirRandomSeeds() {
+        const std::vector<Asset> made = bredFrom(std::vector{heaps()}, {.count = 4, .spread = 0.0});
+        for (std::size_t k = 1; k < made.size(); ++k) {
+            QVERIFY(made[k].pattern.layers[0].parameters == heaps().pattern.layers[0].parameters);
+            QVERIFY(made[k].pattern.layers[0].randomSeed != made[k - 1].pattern.layers[0].randomSeed);
+        }
+    }
+    void allThatIsBredCanBeBroken() {
+        std::vector<Asset> generation = variants(fullProject().assets[0], {.count = 4});
+        for (std::uint64_t k = 0; k < 20; ++k) {
+            generation = bredFrom(generation, {.count = 4, .randomSeed = k, .spread = 0.9});
+            for (const Asset& asset : generation) {
+                const std::optional<std::string> fault = verifyPattern(asset.pattern);
+                QVERIFY2(!fault, fault ? fault->c_str() : "");
+            }
+        }
+    }
+    void wrongRecipesAreRefused_data() {
+        QTest::addColumn<BreedingRecipe>("recipe");
+        QTest::addColumn<QString>("word");
+        const auto row = [](const char* word, BreedingRecipe recipe) {
+            QTest::newRow(word) << recipe << QString(word);
+        };
+        row("0 variants", {.count = 0});
+        row("1001 variants", {.count = 1001});
+        row("spread is 1", {.spread = 1.0});
+        row("spread is -0.1", {.spread = -0.1});
+        row("spread is nan", {.spread = std::nan("")});
+        row("\"voronoi\" is no kind", {.kinds = {"voronoi"}});
+        row("\"placed\" is no kind", {.kinds = {"placed"}});
+        row("no such layer", {.varied = {{9, "radius", 0.1, 0.2}}});
+        row("no number of", {.varied = {{4, "centre", 0.1, 0.2}}});
+        row("which is no range", {.varied = {{4, "radius", 0.2, 0.1}}});
+        row("from nan", {.varied = {{4, "radius", std::nan(""), 0.1}}});
+        row("beyond what it takes", {.varied = {{4, "radius", -0.2, 0.1}}});
+        row("Seed 7.1 cannot be locked", {.locked = {{{7, 1}, {}}}});
+    }
+    void wrongRecipesAreRefused() {
+        QFETCH(const BreedingRecipe, recipe);
+        QFETCH(const QString, word);
+        const Result<std::vector<Asset>> made = variantsOf(heaps(), recipe);
+        QVERIFY(!made);
+        QVERIFY2(QString::fromStdString(made.error().message).contains(word), made.error().message.c_str());
+        if (!recipe.varied.empty()) return;  // children may be of another kind
+        const Result<std::vector<Asset>> bred = childrenOf(std::vector{heaps()}, recipe);
+        QVERIFY(!bred);
+        QCOMPARE(bred.error().message, made.error().message);
+    }
+    void nothingIsBredFromNobody() { QVERIFY(!childrenOf({}, {}).hasValue()); }
+};
+
+}  // namespace rubble
+
+QTEST_APPLESS_MAIN(rubble::BreedingTest)
+#include "BreedingTest.moc"
