@@ -9,6 +9,7 @@
 #include "editor/MeshSeedsDialog.h"
 #include "editor/ShapeDialog.h"
 #include "editor/Views.h"
+#include "editor/WhatChanged.h"
 #include "editor/commands/LayerKind.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/LayerText.h"
@@ -59,6 +60,8 @@ AssetActions::AssetActions(MainWindow& window)
              &AssetActions::place),
          add({"asset-delete", tr("De&lete Asset"), tr("Delete the asset at hand and its instances")},
              &AssetActions::remove)};
+    m_menu->addSeparator();
+    m_menu->addActions((new WhatChanged(window))->actions());
     connect(&window.workspace().selection(), &Selection::assetChanged, this, &AssetActions::update);
     update();
 }

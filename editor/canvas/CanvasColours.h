@@ -13,6 +13,8 @@ struct CanvasColours {
     QColor cell, cellEdge, outline, halo;  // `cell`: where cells are not coloured
     QColor triangle, circle, wholeVoronoi, bond;
     QColor edgeOnScale, triangleOnScale;  // over cells whose colours show a value, from dark to light
+    QColor added, gone, moved,
+        reshaped;  // since an earlier state; told apart by people who see no red or no green, too
     QColor accent, hover, fault, measure, panel, panelEdge, text;
 };
 CanvasColours canvasColours(const QPalette& palette);

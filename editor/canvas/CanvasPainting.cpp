@@ -2,6 +2,7 @@
 
 #include "core/asset/PieceColours.h"
 #include "core/fracture/Partition.h"
+#include "editor/canvas/ChangePainting.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/canvas/VoronoiLines.h"
 
@@ -57,7 +58,7 @@ public:
     void fillCells() {
         m_painter.setRenderHint(QPainter::Antialiasing, false);
         m_painter.setPen(Qt::NoPen);
-        const bool isColoured = m_contents.layers.colouring != CellColouring::None;
+        const bool isColoured = m_contents.colouring() != CellColouring::None;
         for (const std::uint32_t piece : m_pieces) {
             const QColor colour = isColoured ? m_contents.colour(m_pattern, piece) : m_colours.cell;
             fill(piece, colour);
@@ -217,7 +218,9 @@ private:
     }
 
     /// Cells have the colours of a scale, of which some are dark.
-    bool isOnScale() const { return m_contents.layers.hasCells && m_contents.range.most > m_contents.range.least; }
+    bool isOnScale() const {
+        return m_contents.layers.hasCells && !m_contents.compared && m_contents.range.most > m_contents.range.least;
+    }
 
     void paintSeed(std::uint32_t seed, QPointF at, double radius) {
         const QColor colour = layerColour(m_pattern.layerNumber(seed));
@@ -261,6 +264,7 @@ void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view,
         baked.drawCellEdges();
         if (moved) moved->drawCellEdges();
     }
+    if (contents.compared) paintChanges(painter, view, *contents.compared, colours);
     if (layers.hasWholeVoronoi) baked.paintWholeVoronoi();
     if (layers.hasTriangles) baked.paintTriangles();
     if (layers.hasBonds) baked.paintBonds();

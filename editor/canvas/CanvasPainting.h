@@ -4,6 +4,7 @@
 #include "editor/canvas/CanvasView.h"
 #include "editor/canvas/MovedCells.h"
 #include "editor/document/FragmentChoice.h"
+#include "editor/document/StateComparison.h"
 
 #include <QPainter>
 
@@ -23,6 +24,10 @@ struct CanvasContents {
     double density = 0.0;  // kg/m^3
     std::map<std::string, int>
         depths;  // by Level: through how many levels fragments are broken again, of those that are
+    std::shared_ptr<const ComparedAsset> compared;  // what changed since an earlier state; null where that is not shown
+
+    /// By what cells are coloured: by nothing where changes are shown, so that these stand out.
+    CellColouring colouring() const { return compared ? CellColouring::None : layers.colouring; }
 
     QColor colour(const ShownPattern& shown, std::uint32_t piece) const;
     /// The state of the asset that is shown; null where there is no pattern.

@@ -1,6 +1,7 @@
 #include "editor/canvas/LegendPainting.h"
 
 #include "core/asset/PieceColours.h"
+#include "editor/canvas/ChangePainting.h"
 #include "editor/canvas/LabelPainting.h"
 #include "editor/commands/LayerKind.h"
 
@@ -62,6 +63,7 @@ QString scaleText(CellColouring colouring, double value, double density) {
 class Legend {
 public:
     Legend(const CanvasContents& contents, const CanvasColours& colours) : m_contents(contents), m_colours(colours) {
+        if (contents.compared) addChanges(*contents.compared);
         if (contents.layers.hasSeeds) addSeeds();
         if (contents.layers.hasTriangles)
             addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
@@ -102,8 +104,20 @@ public:
 
 private:
     bool hasScale() const {
-        const CellColouring colouring = m_contents.layers.colouring;
+        const CellColouring colouring = m_contents.colouring();
         return m_contents.layers.hasCells && colouring != CellColouring::None && colouring != CellColouring::Piece;
+    }
+
+    void addChanges(const ComparedAsset& compared) {
+        if (compared.isNone()) m_rows.push_back({[](QPainter&, QPointF) {}, tr("nothing changed")});
+        for (int k = 0; k < kPieceChanges; ++k) {
+            const auto change = static_cast<PieceChange>(k);
+            const std::size_t count = compared.pieces.count(change);
+            if (count == 0) continue;
+            m_rows.push_back(
+                {[this, change](QPainter& painter, QPointF at) { paintChangeSign(painter, at, change, m_colours); },
+                 changeText(change, count)});
+        }
     }
 
     void addSeeds() {

@@ -133,6 +133,12 @@ void PatternCanvas::frameChosen(std::optional<Vec2> place) {
     setView(fitted(m_state.view, {box.min - around, box.max + around}, kMargin));
 }
 
+void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
+    if (compared == m_contents.compared) return;
+    m_contents.compared = std::move(compared);
+    repaintAll();
+}
+
 void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }
 
 QString PatternCanvas::hint() const { return m_tool->hint(); }
@@ -527,6 +533,7 @@ void PatternCanvas::keyPressEvent(QKeyEvent* event) {
         m_hasSpace = true;
         return toolChanged();
     }
+    if (event->key() == Qt::Key_Escape && m_contents.compared && !m_tool->cancel()) return emit comparisonDismissed();
     if (m_tool->key(*event)) return;
     if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoomBy(kZoomPerNotch);
     if (event->key() == Qt::Key_Minus) return zoomBy(1.0 / kZoomPerNotch);

@@ -48,6 +48,9 @@ public:
     /// Brings the cells of the chosen seeds close, with a place that may lie elsewhere.
     void frameChosen(std::optional<Vec2> place = std::nullopt);
 
+    /// Shows what became of pieces since an earlier state, in place of the cells' colours; null: no more.
+    void setCompared(std::shared_ptr<const ComparedAsset> compared);
+
     /// What can be done now, for a status bar.
     QString hint() const;
     /// What was baked last; null where nothing was.
@@ -66,6 +69,8 @@ signals:
     void pointerLeft();
     void layersChanged();
     void toolKindChanged(rubble::CanvasToolKind kind);
+    /// Escape was pressed while changes were shown and nothing else was going on.
+    void comparisonDismissed();
 
 protected:
     bool event(QEvent* event) override;
