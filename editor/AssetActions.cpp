@@ -3,6 +3,7 @@
 #include "core/geometry/OutlineShapes.h"
 #include "core/io/MeshImport.h"
 #include "editor/Action.h"
+#include "editor/ContactSheetWindow.h"
 #include "editor/FileActions.h"
 #include "editor/MainWindow.h"
 #include "editor/MeshReading.h"
@@ -61,6 +62,9 @@ AssetActions::AssetActions(MainWindow& window)
          add({"asset-delete", tr("De&lete Asset"), tr("Delete the asset at hand and its instances")},
              &AssetActions::remove)};
     m_menu->addSeparator();
+    m_forAsset += add({"asset-sheet", tr("Contact &Sheet…"), tr("Look at variants of the asset at hand side by side"),
+                       QKeySequence("Ctrl+T")},
+                      &AssetActions::showSheet);
     m_menu->addActions((new WhatChanged(window))->actions());
     connect(&window.workspace().selection(), &Selection::assetChanged, this, &AssetActions::update);
     update();
@@ -129,6 +133,12 @@ void AssetActions::shuffle() {
     Asset asset = *m_window.workspace().asset();
     for (PatternLayer& layer : asset.pattern.layers) ++layer.randomSeed;
     m_window.workspace().document().push(altered(tr("Scatter again"), std::move(asset)));
+}
+
+void AssetActions::showSheet() {
+    auto* sheet = new ContactSheetWindow(m_window);
+    sheet->show();
+    sheet->make();
 }
 
 void AssetActions::duplicate() {

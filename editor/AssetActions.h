@@ -29,6 +29,7 @@ private:
     void addLayerAction(QMenu& menu, const PatternKind& kind);
     void addSeedsOfMesh();
     void shuffle();
+    void showSheet();
     void duplicate();
     void remove();
     void place();

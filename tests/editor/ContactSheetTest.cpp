@@ -1,0 +1,202 @@
+#include "core/io/ProjectFile.h"
+#include "editor/ContactSheetWindow.h"
+#include "editor/MainWindow.h"
+#include "editor/Program.h"
+#include "editor/SheetVariety.h"
+#include "editor/Views.h"
+#include "editor/WhatChanged.h"
+#include "editor/canvas/PatternCanvas.h"
+#include "editor/panels/ChangesPanel.h"
+#include "tests/support/Projects.h"
+#include "tests/support/TestSettings.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
+
+/// A box of 1 m that stands on the ground, and a box that is thrown at it.
+Project pane() {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, UniformScatter{8})};
+    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
+    project.shots = {
+        {.id = 11, .name = "stone", .action = Throw{.mass = 50.0, .from = {0.5, 0.5, 3.0}, .to = {0.5, 0.5, 0.0}}}};
+    return project;
+}
+
+}  // namespace
+
+/// Variants and what changed, by mouse and keys: a sheet is made, sorted, bred under a shot, one is used; then what that changed is
+/// looked at.
+class ContactSheetTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_folder.path());
+        QApplication::setQuitOnLastWindowClosed(false);
+        m_path = m_folder.filePath("pane.rubble");
+        QVERIFY(saveProject(m_path.toStdString(), pane()).hasValue());
+        m_program = std::make_unique<Program>();
+        m_window = m_program->showNew(pane(), true);
+        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+        QVERIFY(m_window->workspace().file().open(m_path).hasValue());
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        m_window->workspace().selection().setAsset(2);
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
+    }
+    void cleanupTestCase() { delete m_window; }
+
+    void aKeyOpensASheetThatFills() {
+        QTest::keyClick(m_window, Qt::Key_T, Qt::ControlModifier);
+        QTRY_VERIFY(sheet() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->maker().isBusy(), kPatience);
+        QCOMPARE(sheet()->list().count(), 12);
+        QVERIFY(sheet()->list().item(0)->text().startsWith("As it is · 8 pieces"));
+        QVERIFY(!sheet()->list().item(5)->icon().isNull());
+        QVERIFY(!sheet()->findChild<QPushButton*>()->text().isEmpty());
+        QCOMPARE(stack().count(), 0);  // nothing of it is an edit
+    }
+    void itIsSortedByWhatIsChosen() {
+        auto* sort = sheet()->findChild<QComboBox*>("sheet-sort");
+        sort->setFocus();
+        QTest::keyClick(sort, Qt::Key_Down);
+        QTest::keyClick(sort, Qt::Key_Down);
+        QCOMPARE(sort->currentText(), QString("Smallest piece"));
+        std::vector<std::uint32_t> numbers = sheet()->shownNumbers();
+        QVERIFY(!std::ranges::is_sorted(numbers));
+        std::ranges::sort(numbers);
+        QCOMPARE(numbers.size(), std::size_t{12});
+        QVERIFY(std::ranges::adjacent_find(numbers) == numbers.end());
+    }
+    void aTickedNumberVaries() {
+        auto& variety = *sheet()->findChild<SheetVariety*>();
+        QTreeWidgetItem* count = variety.topLevelItem(0)->child(0);
+        QCOMPARE(count->text(0), QString("Count"));
+        const QRect row = variety.visualItemRect(count);
+        QTest::mouseClick(variety.viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(10, row.height() / 2));
+        QCOMPARE(variety.varied(), (std::vector<VariedParameter>{{3, "count", 4.0, 12.0}}));
+        click("Make Others");
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->maker().isBusy(), kPatience);
+        QStringList texts;
+        for (int k = 0; k < sheet()->list().count(); ++k) texts += sheet()->list().item(k)->text().section('\n', 0, 0);
+        QVERIFY2(std::ranges::count_if(texts, [](const QString& text) { return text.contains("· 8 pieces"); }) < 12,
+                 qPrintable(texts.join(" / ")));
+    }
+    void theChosenAreBredUnderAShotWithLockedSeeds() {
+        m_window->workspace().selection().setSeeds({{3, 1}, {3, 4}});
+        click("Lock Chosen Seeds");
+        QCOMPARE(sheet()->locked().size(), std::size_t{2});
+        auto* shot = sheet()->findChild<QComboBox*>("sheet-shot");
+        shot->setFocus();
+        QTest::keyClick(shot, Qt::Key_Down);
+        QCOMPARE(shot->currentText(), QString("stone"));
+        QListWidget& list = sheet()->list();
+        for (const int k : {2, 3}) {
+            QTest::mouseClick(list.viewport(), Qt::LeftButton, k == 2 ? Qt::NoModifier : Qt::ControlModifier,
+                              list.visualItemRect(list.item(k)).center());
+        }
+        QCOMPARE(list.selectedItems().size(), 2);
+        click("Breed");
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->maker().isBusy(), kPatience);
+        QCOMPARE(list.count(), 12);
+        QVERIFY2(list.item(0)->text().contains("broke at"), qPrintable(list.item(0)->text()));
+    }
+    void oneIsUsedInOneStep() {
+        QListWidget& list = sheet()->list();
+        const std::vector<std::uint32_t> numbers = sheet()->shownNumbers();
+        const auto child = std::ranges::find_if(numbers, [](std::uint32_t number) { return number > 1; });
+        const int row = static_cast<int>(child - numbers.begin());
+        list.scrollToItem(list.item(row));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(row)).center());
+        const Asset before = asset();
+        QTest::keyClick(&list, Qt::Key_Return);
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(asset().pattern != before.pattern && asset().prism == before.prism);
+        for (const LockedSeed& seed : sheet()->locked()) {
+            const auto& overrides = asset().pattern.layers[0].overrides;
+            const auto held = std::ranges::find(overrides, seed.id.index, &SeedOverride::index);
+            QVERIFY(held != overrides.end() && held->position == seed.position);
+        }
+    }
+    void escapeClosesTheSheet() {
+        QPointer<ContactSheetWindow> open = sheet();
+        QTest::keyClick(&sheet()->list(), Qt::Key_Escape);
+        QTRY_VERIFY(!open);
+    }
+    void whatChangedIsShownAndTold() {
+        m_window->activateWindow();
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
+        QTest::keyClick(m_window, Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+        auto& changed = *m_window->findChild<WhatChanged*>();
+        QTRY_VERIFY_WITH_TIMEOUT(changed.comparison().asset() != nullptr, kPatience);
+        QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+        QStringList rows;
+        QListWidget& list = changed.panel().list();
+        for (int k = 0; k < list.count(); ++k) rows += list.item(k)->text();
+        QVERIFY2(rows.filter("seeds changed by hand: 2, was 0").size() == 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter("moved").size() > 1, qPrintable(rows.join('\n')));
+    }
+    void itFollowsUndo() {
+        auto& changed = *m_window->findChild<WhatChanged*>();
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(changed.comparison().asset()->isNone(), kPatience);
+        QVERIFY(changed.panel().list().item(0)->text().startsWith("Nothing changed"));
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!changed.comparison().asset()->isNone(), kPatience);
+    }
+    void enterGoesToAPiece() {
+        auto& changed = *m_window->findChild<WhatChanged*>();
+        QListWidget& list = changed.panel().list();
+        list.setCurrentRow(list.count() - 1);
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Return);
+        const PieceDifference& last = changed.comparison().asset()->pieces.pieces.back();
+        if (last.after != kNone) QCOMPARE(m_window->workspace().selection().seeds().size(), std::size_t{1});
+    }
+    void escapeEndsIt() {
+        PatternCanvas& canvas = m_window->views().canvas();
+        canvas.setFocus();
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+        QVERIFY(!m_window->findChild<WhatChanged*>()->comparison().isOn());
+        QVERIFY(!m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+    }
+
+private:
+    ContactSheetWindow* sheet() const { return m_window->findChild<ContactSheetWindow*>(); }
+    const Asset& asset() const { return m_window->workspace().project().assets[0]; }
+    QUndoStack& stack() const { return m_window->workspace().document().undoStack(); }
+    bool isBaked() const { return m_window->workspace().bakes().areCurrent(m_window->workspace().project()); }
+    void click(const QString& text) {
+        for (auto* button : sheet()->findChildren<QPushButton*>()) {
+            if (button->text().remove('&').startsWith(text)) return QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QFAIL(qPrintable(text));
+    }
+
+    QTemporaryDir m_folder;
+    QString m_path;
+    std::unique_ptr<Program> m_program;
+    MainWindow* m_window = nullptr;
+};
+
+QTEST_MAIN(ContactSheetTest)
+#include "ContactSheetTest.moc"
