@@ -66,10 +66,11 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // none is told below, in our words
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    const std::vector<Verb> verbs = {addNew(program),    addImport(program),   addSeeds(program),    addFracture(program),
-                                     addExport(program), addCheck(program),    addDraw(program),     addRender(program),
-                                     addFilm(program),   addSimulate(program), addReplay(program),   addTest(program),
-                                     addIntent(program), addAudit(program),    addMaterials(program), addDiff(program)};
+    const std::vector<Verb> verbs = {
+        addNew(program),    addImport(program), addSeeds(program),  addFracture(program), addExport(program),
+        addCheck(program),  addDraw(program),   addRender(program), addFilm(program),     addSimulate(program),
+        addReplay(program), addTest(program),   addIntent(program), addAudit(program),    addMaterials(program),
+        addDiff(program),   addSheet(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(

@@ -37,6 +37,7 @@ Verb addIntent(CLI::App& program);
 Verb addAudit(CLI::App& program);
 Verb addMaterials(CLI::App& program);
 Verb addDiff(CLI::App& program);
+Verb addSheet(CLI::App& program);
 
 /// The whole of a file, or of `context.in` where `path` is "-".
 ///

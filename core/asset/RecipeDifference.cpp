@@ -1,5 +1,6 @@
 #include "core/asset/RecipeDifference.h"
 
+#include "core/asset/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/ParameterText.h"
 #include "core/fracture/PatternKind.h"
@@ -66,6 +67,13 @@ std::string shapingText(const SmallPieces& small) {
 std::string roughnessText(const Roughness& rough) {
     return messageText(rough.amplitude) + " m, " + messageText(rough.frequency) + " bumps a metre, " +
            countText(rough.octaves, "octave", "octaves") + ", random seed " + std::to_string(rough.randomSeed);
+}
+
+std::string thresholdText(const Project& project, const Asset& asset) {
+    const std::string typed = messageText(asset.threshold) + " N s";
+    if (!asset.contactTime) return typed;
+    return messageText(thresholdOf(project, asset)) + " N s from strength, by a contact of " +
+           messageText(*asset.contactTime) + " s; typed " + typed;
 }
 
 std::string materialText(const Project& project, Id id) {
@@ -170,7 +178,7 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
     changes.note("material", materialText(before, earlier.material), materialText(after, later.material));
     changes.note("inside material", materialText(before, earlier.insideMaterial),
                  materialText(after, later.insideMaterial));
-    changes.note("threshold", messageText(earlier.threshold) + " N s", messageText(later.threshold) + " N s");
+    changes.note("threshold", thresholdText(before, earlier), thresholdText(after, later));
     changes.note("inside UV scale", messageText(earlier.insideUvScale), messageText(later.insideUvScale));
     changes.note("cut at impact", cutText(earlier.cutAtImpact), cutText(later.cutAtImpact));
     changes.compare(earlier.pattern, later.pattern, "");

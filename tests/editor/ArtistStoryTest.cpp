@@ -90,18 +90,24 @@ private slots:
             auto& least = *dialog.findChildren<NumberField*>().front();
             least.setFocus();
             least.selectAll();
-            QTest::keyClicks(&least, QString::number(0.3 * dialog.most(), 'g', 6));
+            QTest::keyClicks(&least, QString::number(0.6 * dialog.most(), 'g', 6));
             QTest::keyClick(&least, Qt::Key_Return);
+            for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+                if (button->text().remove('&') == "Select") QTest::mouseClick(button, Qt::LeftButton);
+            }
         });
         act("by volume");
         QTRY_VERIFY(!selection().seeds().empty());
+        QVERIFY(selection().seeds().size() < m_pieces / 2);
         QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(!wall().leaves.empty());
         QTRY_VERIFY_WITH_TIMEOUT(isBaked() && bake().breakings.size() > 1, kPatience);
         QCOMPARE(bake().breakings.back().level, 1u);
     }
     void someAreIsolatedAndShownAgain() {
+        QApplication::setActiveWindow(&window());
         canvas().setFocus();
+        QTRY_VERIFY(canvas().hasFocus() && !selection().seeds().empty());
         QTest::keyClick(&canvas(), Qt::Key_Slash);
         QVERIFY(!selection().hidden().isEmpty());
         QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
@@ -113,9 +119,11 @@ private slots:
         QTRY_VERIFY((sheet = sheetShown()));
         QTRY_VERIFY_WITH_TIMEOUT(!sheet->maker().isBusy() && sheet->list().count() == 12, kPatience);
         const Pattern before = wall().pattern;
-        sheet->list().setFocus();
-        QTest::keyClick(&sheet->list(), Qt::Key_End);
-        QTest::keyClick(&sheet->list(), Qt::Key_Return);
+        QListWidget& list = sheet->list();
+        QListWidgetItem* last = list.item(list.count() - 1);
+        list.scrollToItem(last);
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(last).center());
+        QTest::keyClick(&list, Qt::Key_Return);
         QVERIFY(wall().pattern != before);
         if (sheetShown()) QTest::keyClick(sheet, Qt::Key_Escape);
     }

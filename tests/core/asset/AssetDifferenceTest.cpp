@@ -68,6 +68,7 @@ private slots:
         QVERIFY(isTold([](Asset& a) { a.material = 2; }, "material"));
         QVERIFY(isTold([](Asset& a) { a.insideMaterial = 0; }, "inside material"));
         QVERIFY(isTold([](Asset& a) { a.threshold = 56.0; }, "threshold"));
+        QVERIFY(isTold([](Asset& a) { a.contactTime = 0.0625; }, "threshold"));
         QVERIFY(isTold([](Asset& a) { a.insideUvScale = 3.0; }, "inside UV scale"));
         QVERIFY(isTold([](Asset& a) { a.cutAtImpact.reset(); }, "cut at impact"));
         QVERIFY(isTold([](Asset& a) { a.shaping.gap = 0.0; }, "gap"));
