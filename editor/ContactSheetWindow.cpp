@@ -17,6 +17,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -30,6 +31,7 @@ namespace {
 
 constexpr QSize kPicture{240, 180};
 constexpr QSize kFirstSize{1180, 760};
+constexpr double kScreenShare = 0.9;  // that it takes at most at first
 constexpr int kSettingsWidth = 300;
 constexpr int kUsualVariants = 12;
 constexpr int kMostSteps = 100'000;
@@ -78,7 +80,7 @@ ContactSheetWindow::ContactSheetWindow(MainWindow& window)
       m_cancel(button("remove", tr("&Cancel"), tr("Stop making variants; those that are there stay"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("contact-sheet");
-    resize(kFirstSize);
+    resize(kFirstSize.boundedTo(window.screen()->availableSize() * kScreenShare));
     auto* columns = new QHBoxLayout(this);
     columns->addWidget(makeSettings());
     auto* rows = new QVBoxLayout;

@@ -15,7 +15,8 @@ const QColor kRunning(242, 140, 40);
 const QColor kWaiting(96, 140, 190);
 constexpr int kFrame = 3;  // this and the following: points
 constexpr int kMargin = 12;
-constexpr int kAxes = 92;  // the cross of axes stands in the corner
+constexpr int kAxes = 92;    // the cross of axes stands in the corner
+constexpr int kScale = 105;  // pixels at the right that the scale takes
 constexpr int kChargeWidth = 220;
 constexpr int kHeatWidth = 120;
 constexpr int kChargeHeight = 12;
@@ -93,7 +94,7 @@ void PlayHud::paintTexts(QPainter& painter) const {
     painter.setPen(kPlateFaintInk);
     painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.figures.join('\n'));
     if (m_content.hint.isEmpty()) return;
-    const int most = this->width() - kAxes - kMargin - 2 * kPlatePadding;
+    const int most = this->width() - kAxes - kScale - kMargin - 2 * kPlatePadding;
     const QRect bounds = lines.boundingRect(QRect(0, 0, most, 1000), Qt::TextWordWrap, m_content.hint);
     text = paintPlate(painter, QRect(kAxes, this->height() - kMargin - bounds.height() - 2 * kPlatePadding + 4,
                                      bounds.width() + 2 * kPlatePadding, bounds.height() + 2 * kPlatePadding - 4));

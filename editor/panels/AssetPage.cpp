@@ -4,6 +4,7 @@
 #include "editor/commands/Renaming.h"
 #include "editor/commands/Resizing.h"
 #include "editor/panels/Icons.h"
+#include "editor/panels/ThresholdField.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -12,8 +13,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kLeastUsualThreshold = 1.0;  // N·s, the slider's ends
-constexpr double kMostUsualThreshold = 1e5;
 constexpr Id kTyped = 1;  // choices of where the threshold is from
 constexpr Id kDerived = 2;
 constexpr int kSummaryDigits = 4;
@@ -86,11 +85,7 @@ void AssetPage::buildAsset(Section& section) {
 }
 
 void AssetPage::buildThreshold(Section& section) {
-    m_threshold = section.addRow(
-        tr("Threshold"),
-        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
-        tr("The impulse of a blow at which it breaks"));
-    m_threshold->setFormat({tr("N·s"), 0});
+    m_threshold = section.addRow(tr("Threshold"), thresholdField(), tr("The impulse of a blow at which it breaks"));
     m_form.bind(
         m_threshold, tr("Set threshold"),
         [this](const Asset& asset) { return thresholdOf(m_document.project(), asset); },

@@ -3,6 +3,7 @@
 #include "core/asset/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/panels/EulerAngles.h"
+#include "editor/panels/ThresholdField.h"
 
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -14,8 +15,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kLeastUsualThreshold = 1.0;  // N·s, the slider's ends
-constexpr double kMostUsualThreshold = 1e5;
 constexpr double kMostVariant = 9999.0;  // enough for any scene
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
@@ -118,11 +117,7 @@ void InstancePage::buildStrength(Section& section) {
             else if (!instance.threshold)
                 instance.threshold = assetThreshold(m_document.project(), instance);
         });
-    m_threshold = section.addRow(
-        tr("Threshold"),
-        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
-        tr("The impulse of a blow at which it breaks"));
-    m_threshold->setFormat({tr("N·s"), 0});
+    m_threshold = section.addRow(tr("Threshold"), thresholdField(), tr("The impulse of a blow at which it breaks"));
     m_form.bind(
         m_threshold, tr("Set threshold"),
         [this](const Instance& instance) {

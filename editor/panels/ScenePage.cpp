@@ -1,6 +1,7 @@
 #include "editor/panels/ScenePage.h"
 
 #include "editor/commands/ProjectEdits.h"
+#include "editor/panels/ThresholdField.h"
 
 #include <QVBoxLayout>
 
@@ -8,9 +9,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMostUsualFriction = 1.5;    // the sliders' ends
-constexpr double kLeastUsualThreshold = 1.0;  // N·s
-constexpr double kMostUsualThreshold = 1e5;   // N·s
+constexpr double kMostUsualFriction = 1.5;  // the sliders' ends
 
 }  // namespace
 
@@ -86,11 +85,8 @@ void ScenePage::buildDamage(Section& section) {
     m_form.bind(
         isThesis, tr("Switch thesis preset"), [](const SceneSettings& scene) { return scene.damage.isThesis; },
         [](SceneSettings& scene, bool entered) { scene.damage.isThesis = entered; });
-    auto* threshold = section.addRow(
-        tr("Threshold"),
-        new SliderField(FieldRange::aboveZero(), kLeastUsualThreshold, kMostUsualThreshold, SliderScale::Logarithmic),
-        tr("What every body withstands, as in the thesis"));
-    threshold->setFormat({tr("N·s"), 0});
+    auto* threshold =
+        section.addRow(tr("Threshold"), thresholdField(), tr("What every body withstands, as in the thesis"));
     m_form.bind(
         threshold, tr("Set threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
         [](SceneSettings& scene, double entered) { scene.damage.thesisThreshold = entered; });
