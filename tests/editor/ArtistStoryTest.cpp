@@ -44,13 +44,13 @@ private slots:
             }
         });
         act("material library");
-        QTRY_COMPARE(findMaterial(project(), wall().material)->name, std::string("concrete"));
+        QTRY_COMPARE_WITH_TIMEOUT(findMaterial(project(), wall().material)->name, std::string("concrete"), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
     }
     void aBulletHoleIsStackedOverTheScatterAndDragged() {
         const std::size_t layers = wall().pattern.layers.size();
         act("add radial");
-        QTRY_COMPARE(wall().pattern.layers.size(), layers + 1);
+        QTRY_COMPARE_WITH_TIMEOUT(wall().pattern.layers.size(), layers + 1, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
         const Vec2 from = hole().centre;
         drag(canvas(), pixels(from), pixels(from + Vec2(0.2, 0.15)));
@@ -97,17 +97,17 @@ private slots:
             }
         });
         act("by volume");
-        QTRY_VERIFY(!selection().seeds().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!selection().seeds().empty(), kPatience);
         QVERIFY(selection().seeds().size() < m_pieces / 2);
         QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY(!wall().leaves.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(!wall().leaves.empty(), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked() && bake().breakings.size() > 1, kPatience);
         QCOMPARE(bake().breakings.back().level, 1u);
     }
     void someAreIsolatedAndShownAgain() {
         QApplication::setActiveWindow(&window());
         canvas().setFocus();
-        QTRY_VERIFY(canvas().hasFocus() && !selection().seeds().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(canvas().hasFocus() && !selection().seeds().empty(), kPatience);
         QTest::keyClick(&canvas(), Qt::Key_Slash);
         QVERIFY(!selection().hidden().isEmpty());
         QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
@@ -116,7 +116,7 @@ private slots:
     void variantsAreComparedSideBySide() {
         act("contact sheet");
         ContactSheetWindow* sheet = nullptr;
-        QTRY_VERIFY((sheet = sheetShown()));
+        QTRY_VERIFY_WITH_TIMEOUT((sheet = sheetShown()), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(!sheet->maker().isBusy() && sheet->list().count() == 12, kPatience);
         const Pattern before = wall().pattern;
         QListWidget& list = sheet->list();
@@ -142,7 +142,7 @@ private:
         window().activateWindow();
         QTest::keyClick(&window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         QWidget* search = nullptr;
-        QTRY_VERIFY((search = QApplication::activePopupWidget()));
+        QTRY_VERIFY_WITH_TIMEOUT((search = QApplication::activePopupWidget()), kPatience);
         auto* line = search->findChild<QLineEdit*>();
         QTest::keyClicks(line, words);
         QTest::keyClick(line, Qt::Key_Return);
