@@ -1,6 +1,7 @@
 #include "core/physics/BoxTree.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rubble {
 namespace {
@@ -119,17 +120,44 @@ void BoxTree::move(std::uint32_t leaf, const Box& box) {
     refitAbove(leaf);
 }
 
+/// Sorts a few leaves by their middles along a side: each counts those before it, without a branch that cannot be foreseen.
+void BoxTree::sortFew(std::span<PlacedLeaf> leaves, int side) const {
+    const std::size_t count = leaves.size();
+    std::array<PlacedLeaf, kFew> unsorted;
+    std::array<float, kFew> places;
+    std::array<std::uint32_t, kFew> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        unsorted[i] = leaves[i];
+        places[i] = leaves[i].middle[side];
+        numbers[i] = m_nodes[leaves[i].leaf].number;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const float place = places[i];
+        const std::uint32_t number = numbers[i];
+        std::uint32_t before = 0;
+        for (std::size_t j = 0; j < count; ++j) {
+            const int isBefore = (places[j] < place) | ((places[j] == place) & (numbers[j] < number));
+            before += static_cast<std::uint32_t>(isBefore);
+        }
+        leaves[before] = unsorted[i];
+    }
+}
+
 std::uint32_t BoxTree::built(std::span<PlacedLeaf> leaves) {
     if (leaves.size() == 1) return leaves.front().leaf;
     Box middles{leaves.front().middle, leaves.front().middle};
     for (const PlacedLeaf& leaf : leaves) middles = joined(middles, {leaf.middle, leaf.middle});
     const int side = longestSide(middles);
     const auto half = static_cast<std::ptrdiff_t>(leaves.size() / 2);
-    std::nth_element(leaves.begin(), leaves.begin() + half, leaves.end(),
-                     [&](const PlacedLeaf& a, const PlacedLeaf& b) {
-                         const float placeA = a.middle[side], placeB = b.middle[side];
-                         return placeA != placeB ? placeA < placeB : m_nodes[a.leaf].number < m_nodes[b.leaf].number;
-                     });
+    if (leaves.size() <= kFew) {
+        sortFew(leaves, side);
+    } else {
+        std::nth_element(
+            leaves.begin(), leaves.begin() + half, leaves.end(), [&](const PlacedLeaf& a, const PlacedLeaf& b) {
+                const float placeA = a.middle[side], placeB = b.middle[side];
+                return placeA != placeB ? placeA < placeB : m_nodes[a.leaf].number < m_nodes[b.leaf].number;
+            });
+    }
     const std::uint32_t node = newNode();
     const std::uint32_t left = built(leaves.first(leaves.size() / 2)), right = built(leaves.subspan(leaves.size() / 2));
     m_nodes[node].children = {left, right};

@@ -86,6 +86,8 @@ private:
         Vec3f middle;  // twice that of its box
         std::uint32_t leaf;
     };
+    static constexpr std::size_t kFew = 64;  // so few are sorted quickest by counting
+    void sortFew(std::span<PlacedLeaf> leaves, int side) const;
     std::uint32_t built(std::span<PlacedLeaf> leaves);
     void rebuild();
 

@@ -71,26 +71,42 @@ void widenBoxes(WorldState& state, WorkerTeam& team, const Regions& regions, Pai
     }
 }
 
-/// The pairs of a body's box that have no contact yet; of two bodies that both moved, the lower looks.
-void pairWithNear(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy, NearBoxes& near,
-                  std::vector<std::uint32_t>& found) {
-    const std::uint32_t number = state.proxies[proxy].body;
-    const bool isDynamic = state.bodies[number].isDynamic();
-    near.visitOverlapping(state.tree.box(state.proxies[proxy].leaf), [&](std::uint32_t otherProxy) {
+/// Lists the pairs of a box with others that overlap it, those left out that can never touch or have a contact already. `isWanted`
+/// says which of the others' bodies count.
+template <class IsWanted>
+void listPairs(const WorldState& state, std::uint32_t proxy, std::span<std::uint32_t> others, const IsWanted& isWanted,
+               std::vector<std::uint32_t>& found) {
+    const std::uint32_t body = state.proxies[proxy].body;
+    const bool isDynamic = state.bodies[body].isDynamic();
+    std::size_t wanted = 0;
+    for (const std::uint32_t otherProxy : others) {
         const std::uint32_t other = state.proxies[otherProxy].body;
-        if (other == number || (scratch.isMoved[other] != 0 && other < number)) return;
-        if (!isDynamic && !state.bodies[other].isDynamic()) return;
-        if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) return;
+        const bool canTouch = (other != body) & (isDynamic | state.bodies[other].isDynamic());
+        // Written in any case, and kept by counting: what is near cannot be foreseen.
+        others[wanted] = otherProxy;
+        wanted += static_cast<std::size_t>(canTouch & isWanted(other));
+    }
+    for (const std::uint32_t otherProxy : others.first(wanted)) {
+        if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) continue;
         found.push_back(proxy);
         found.push_back(otherProxy);
-    });
+    }
+}
+
+/// The pairs of a moved body's box; of two bodies that both moved, the lower looks.
+void pairWithNear(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy, NearBoxes& near,
+                  std::vector<std::uint32_t>& found) {
+    const std::uint32_t body = state.proxies[proxy].body;
+    const auto looks = [&](std::uint32_t other) { return (scratch.isMoved[other] == 0) | (body < other); };
+    listPairs(state, proxy, near.overlapping(state.tree.box(state.proxies[proxy].leaf)), looks, found);
 }
 
 /// The pairs of some moved bodies. Boxes in a row that lie close together, as those of the pieces of one body, search the tree
-/// together: as long as a box around them all is no larger than they are themselves.
+/// together: as long as a box around them all is not much larger than they are themselves.
 void searchAround(const WorldState& state, const PairScratch& scratch, IndexRange range, NearBoxes& near,
                   std::vector<std::uint32_t>& found) {
     constexpr std::size_t kMostTogether = 16;
+    constexpr float kMuchLarger = 1.5f;
     std::array<std::uint32_t, kMostTogether> together{};
     std::size_t count = 0;
     Box around;
@@ -104,7 +120,7 @@ void searchAround(const WorldState& state, const PairScratch& scratch, IndexRang
         for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
             const Box& box = state.tree.box(state.proxies[proxy].leaf);
             const Box all = count == 0 ? box : joined(around, box);
-            if (count == kMostTogether || (count > 0 && all.area() > around.area() + box.area())) {
+            if (count == kMostTogether || (count > 0 && all.area() > kMuchLarger * (around.area() + box.area()))) {
                 search();
                 around = box;
             } else {
@@ -114,6 +130,40 @@ void searchAround(const WorldState& state, const PairScratch& scratch, IndexRang
         }
     }
     search();
+}
+
+/// Where at least half of all boxes moved, the tree would be built anew to be asked once.
+bool isSweepQuicker(const WorldState& state, const PairScratch& scratch) {
+    constexpr std::size_t kFew = 64, kMany = 8192;  // a sweep's time grows as the 5/3rd power of the number of boxes
+    return state.tree.size() >= kFew && state.tree.size() <= kMany && 2 * scratch.moved.size() >= state.tree.size();
+}
+
+/// All pairs of which one moved, by a sweep over all boxes.
+void sweepForPairs(const WorldState& state, WorkerTeam& team, PairScratch& scratch, std::size_t chunks) {
+    scratch.sweep.clear();
+    for (std::uint32_t proxy = 0; proxy < state.proxies.size(); ++proxy) {
+        const std::uint32_t leaf = state.proxies[proxy].leaf;
+        if (leaf != BoxTree::kNone) scratch.sweep.add(proxy, state.tree.box(leaf));
+    }
+    scratch.sweep.sort();
+    scratch.swept.resize(scratch.found.size());
+    team.share(scratch.sweep.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        for (std::size_t place = range.begin; place < range.end; ++place) {
+            const std::uint32_t proxy = scratch.sweep.number(place);
+            const bool hasMoved = scratch.isMoved[state.proxies[proxy].body] != 0;
+            const auto oneMoved = [&](std::uint32_t other) { return hasMoved | (scratch.isMoved[other] != 0); };
+            listPairs(state, proxy, scratch.sweep.overlappingLater(place, scratch.swept[chunk]), oneMoved,
+                      scratch.found[chunk]);
+        }
+    });
+}
+
+/// The pairs of all moved bodies, by the tree.
+void searchForPairs(const WorldState& state, WorkerTeam& team, PairScratch& scratch, std::size_t chunks) {
+    scratch.near.resize(scratch.found.size());
+    team.share(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
+    });
 }
 
 bool boxesOverlap(const WorldState& state, const Contact& contact) {
@@ -188,15 +238,16 @@ void removeProxies(WorldState& state, std::uint32_t body) {
 void findPairs(WorldState& state, WorkerTeam& team, const Regions& regions, PairScratch& scratch, float dt, bool all) {
     widenBoxes(state, team, regions, scratch, dt, all);
     if (scratch.moved.empty()) return;
-    state.tree.tidy();
     removeParted(state, scratch);
     const std::size_t chunks = regions.count() == 1 ? 1 : team.chunksOf(scratch.moved.size(), kLeastBodies);
     scratch.found.resize(std::max(chunks, scratch.found.size()));
-    scratch.near.resize(scratch.found.size());
     for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
-    team.share(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
-        searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
-    });
+    if (isSweepQuicker(state, scratch)) {
+        sweepForPairs(state, team, scratch, chunks);
+    } else {
+        state.tree.tidy();
+        searchForPairs(state, team, scratch, chunks);
+    }
     for (const std::vector<std::uint32_t>& found : scratch.found) {
         for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/physics/BoxSweep.h"
 #include "core/physics/NearBoxes.h"
 #include "core/physics/Regions.h"
 
@@ -12,7 +13,9 @@ struct PairScratch {
     std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
     std::vector<std::vector<std::uint32_t>> found;    // by chunk: proxies, two a pair
     std::vector<NearBoxes> near;                      // by chunk
-    std::vector<std::uint32_t> gone;                  // contacts
+    BoxSweep sweep;
+    std::vector<BoxSweep::Scratch> swept;  // by chunk
+    std::vector<std::uint32_t> gone;       // contacts
 };
 
 /// The box of a hull, or of a proxy's where it is now, without any margin.

@@ -155,8 +155,10 @@ void sortLooks(LookScratch& scratch) {
             for (const Looked& looked : looks) scratch.all.push_back(&looked);
         }
     }
-    std::sort(scratch.all.begin(), scratch.all.end(),
-              [](const Looked* a, const Looked* b) { return a->contact < b->contact; });
+    const auto isBefore = [](const Looked* a, const Looked* b) { return a->contact < b->contact; };
+    if (!std::is_sorted(scratch.all.begin(), scratch.all.end(), isBefore)) {  // as newcomers come
+        std::sort(scratch.all.begin(), scratch.all.end(), isBefore);
+    }
 }
 
 }  // namespace
@@ -198,7 +200,7 @@ Look lookAlong(const Hull& first, const Hull& second, const RelativePlace& place
     Look look;
     look.offset = place.offset;
     look.axis = guess.kind == AxisKind::None ? likelyFace(first, second, place) : guess;
-    if (look.axis.kind != AxisKind::Edges &&
+    if (look.axis.isFace() &&
         isSettledBy(axisOfFace(look.axis, first, second, place), first, second, place, margin, look)) {
         return look;
     }

@@ -20,6 +20,7 @@ void NearBoxes::add(std::uint32_t number, const Box& box) {
         const std::size_t size = std::max<std::size_t>(64, 2 * m_count);
         m_numbers.resize(size);
         m_overlaps.resize(size);
+        m_overlapping.resize(size);
         m_lows.resize(size);
         m_highs.resize(size);
     }
@@ -31,6 +32,17 @@ void NearBoxes::add(std::uint32_t number, const Box& box) {
     m_highs.y[m_count] = box.high.y;
     m_highs.z[m_count] = box.high.z;
     ++m_count;
+}
+
+std::span<std::uint32_t> NearBoxes::overlapping(const Box& box) {
+    tryAll(box);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < m_count; ++i) {
+        // Written in any case, and kept by counting: whether two boxes overlap cannot be foreseen.
+        m_overlapping[count] = m_numbers[i];
+        count += m_overlaps[i];
+    }
+    return {m_overlapping.data(), count};
 }
 
 void NearBoxes::tryAll(const Box& box) {

@@ -10,14 +10,10 @@ public:
     /// Those that overlap a box.
     void gather(const BoxTree& tree, const Box& around);
 
-    /// Calls visit(number) for each that overlaps, in the order of BoxTree::visitOverlapping().
-    template <class Visit>
-    void visitOverlapping(const Box& box, const Visit& visit) {
-        tryAll(box);
-        for (std::size_t i = 0; i < m_count; ++i) {
-            if (m_overlaps[i] != 0) visit(m_numbers[i]);
-        }
-    }
+    /// The numbers of those that overlap a box, in the order of BoxTree::visitOverlapping(); the caller's until the next call.
+    std::span<std::uint32_t> overlapping(const Box& box);
+
+    std::size_t size() const { return m_count; }
 
 private:
     struct Rows {
@@ -31,7 +27,8 @@ private:
     std::size_t m_count = 0;
     std::vector<std::uint32_t> m_numbers;  // this and the others: longer than the count
     Rows m_lows, m_highs;
-    std::vector<std::uint32_t> m_overlaps;
+    std::vector<std::uint32_t> m_overlaps;  // 1 or 0
+    std::vector<std::uint32_t> m_overlapping;
 };
 
 }  // namespace rubble

@@ -13,6 +13,7 @@ using Four = Floats<kLanes>;
 using FourVec3 = WideVec3<kLanes>;
 
 constexpr float kTouching = 1e-4f;           // m: what counts as lying in a plane, or over a face
+constexpr float kDeep = 0.002f;              // m: of boxes that overlap more, no side is likely to part what is in them
 constexpr float kParallelSquared = 2.5e-5f;  // of the sine between edges that count as parallel, 0.005
 
 FourVec3 splat(Vec3f v) { return {all<kLanes>(v.x), all<kLanes>(v.y), all<kLanes>(v.z)}; }
@@ -196,6 +197,7 @@ SeparatingAxis likelyFace(const Hull& first, const Hull& second, const RelativeP
     const Vec3f extents = first.extents + magnitudes(place.turn.x) * second.extents.x +
                           magnitudes(place.turn.y) * second.extents.y + magnitudes(place.turn.z) * second.extents.z;
     const Vec3f gaps = magnitudes(way) - extents;
+    if (std::max({gaps.x, gaps.y, gaps.z}) < -kDeep) return {};
     Vec3f side(0.0f);
     if (gaps.x >= gaps.y && gaps.x >= gaps.z) {
         side.x = way.x;

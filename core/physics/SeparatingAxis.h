@@ -26,6 +26,8 @@ struct SeparatingAxis {
     std::uint16_t second = 0;        // of the second
     float separation = -1e30f;       // m
     Vec3f normal{0.0f, 1.0f, 0.0f};  // from first to second, in the first's frame
+
+    bool isFace() const { return kind == AxisKind::FirstFace || kind == AxisKind::SecondFace; }
 };
 
 /// How much better an edge must be than a face, or the second hull's face than the first's, m.
@@ -51,7 +53,7 @@ SeparatingAxis axisOfFace(const SeparatingAxis& face, const Hull& first, const H
                           const RelativePlace& place);
 
 /// The first hull's face that looks along the side on which the hulls' boxes are farthest apart: where to begin with hulls that were
-/// never looked at.
+/// never looked at. None where the boxes overlap clearly in every direction: then what parts the hulls leans across them.
 SeparatingAxis likelyFace(const Hull& first, const Hull& second, const RelativePlace& place);
 
 /// When two hulls that move without turning begin to touch: `way` is how far the second moves against the first, in the first's

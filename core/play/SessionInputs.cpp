@@ -223,17 +223,19 @@ void followInputs(const SessionParts& parts) {
     std::vector<TimedInput>& pending = parts.state.pending;
     std::size_t due = 0;
     while (due < pending.size() && pending[due].step <= parts.state.step) ++due;
-    const std::vector<TimedInput> inputs(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(due));
-    pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(due));
+    const auto end = pending.begin() + static_cast<std::ptrdiff_t>(due);
+    std::vector<TimedInput> inputs(std::make_move_iterator(pending.begin()), std::make_move_iterator(end));
+    pending.erase(pending.begin(), end);
     std::vector<PendingBreak> breaks;  // of inputs in a row: those bodies break at once
-    for (const TimedInput& timed : inputs) {
+    breaks.reserve(inputs.size());
+    for (TimedInput& timed : inputs) {
         if (const auto* input = std::get_if<BreakInput>(&timed.input)) {
             addBreak(parts, *input, breaks);
         } else {
             carryOut(parts, std::exchange(breaks, {}));
             follow(parts, timed.input);
         }
-        parts.state.events.inputs.push_back(timed);
+        parts.state.events.inputs.push_back(std::move(timed));
     }
     carryOut(parts, std::move(breaks));
 }

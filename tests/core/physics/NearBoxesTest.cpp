@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace rubble;
 
 namespace {
@@ -38,9 +40,8 @@ private slots:
             const Box first = randomBox(random, 0.5f), second = widened(first, 0.2f);
             near.gather(tree, joined(first, second));
             for (const Box& box : {first, second}) {
-                std::vector<std::uint32_t> numbers;
-                near.visitOverlapping(box, [&](std::uint32_t number) { numbers.push_back(number); });
-                QVERIFY(numbers == inTree(tree, box));
+                const std::span<const std::uint32_t> numbers = near.overlapping(box);
+                QVERIFY(std::ranges::equal(numbers, inTree(tree, box)));
                 found += numbers.size();
             }
         }
@@ -49,7 +50,7 @@ private slots:
     void anEmptyTreeHasNothingNear() {
         NearBoxes near;
         near.gather({}, {Vec3f(-1.0f), Vec3f(1.0f)});
-        near.visitOverlapping({Vec3f(-1.0f), Vec3f(1.0f)}, [](std::uint32_t) { QFAIL("there is none"); });
+        QVERIFY(near.overlapping({Vec3f(-1.0f), Vec3f(1.0f)}).empty());
     }
 };
 
