@@ -129,6 +129,9 @@ OutlineTrace traceOutline(const Polygon& outline, const Delaunay& delaunay,
         trace.vertices.insert(trace.vertices.end(), hole.begin(), hole.end());
         trace.ringStarts.push_back(static_cast<std::uint32_t>(trace.vertices.size()));
     }
+    const std::size_t likely = 4 * trace.vertices.size();  // of a small pattern; a large one does not mind to grow
+    trace.crossings.reserve(likely);
+    trace.passages.reserve(likely);
     Tracer tracer(delaunay, outgoing, trace);
     for (std::uint32_t ring = 0; ring + 1 < trace.ringStarts.size(); ++ring) tracer.traceRing(ring);
     return trace;

@@ -86,6 +86,12 @@ void SeedSet::add(SeedId id, Vec2 position, bool held) {
     isHeld.push_back(held);
 }
 
+void SeedSet::expect(std::size_t count) {
+    positions.reserve(size() + count);
+    ids.reserve(size() + count);
+    isHeld.reserve(size() + count);
+}
+
 std::string LayerContext::name() const { return "Layer " + std::to_string(layer.id); }
 
 Error tooManySeeds(const LayerContext& context) {

@@ -46,6 +46,8 @@ struct SeedSet {
 
     std::size_t size() const { return positions.size(); }
     void add(SeedId id, Vec2 position, bool held);
+    /// Makes room for so many more.
+    void expect(std::size_t count);
 };
 
 /// What a layer works with, and what those before it are. Its apply() adds seeds with ascending indices to those of the layers before, or moves those.
@@ -79,6 +81,7 @@ Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& filled, 
 template <class Area>
 Status scatter(std::uint32_t count, const Area& area, const LayerContext& context, SeedSet& seeds) {
     Random random = context.random();
+    seeds.expect(count);
     for (std::uint32_t index = 0; index < count; ++index) {
         if (context.isCancelledAt(index)) return TaskContext::cancelled();
         seeds.add({context.layer.id, index}, area.point(random), false);

@@ -26,6 +26,8 @@ Result<ScatterArea> ScatterArea::of(const Polygon& polygon) {
     if (!loops) return loops.error();
     const std::vector<Vec2> corners = cornersOf(polygon);
     ScatterArea area;
+    area.m_triangles.reserve(loops->size());
+    area.m_areasUpTo.reserve(loops->size());
     double sum = 0.0;
     for (const std::vector<std::uint32_t>& loop : *loops) {
         const Vec2 corner = corners[loop[0]];
