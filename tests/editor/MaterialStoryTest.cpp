@@ -73,7 +73,7 @@ private slots:
             QCOMPARE(dialog.findChild<QListWidget*>()->count(), 8);
             choose(dialog, "glass");
             const QString sheet = dialog.findChild<QTextBrowser*>()->toPlainText();
-            QVERIFY2(sheet.contains("45 MPa") && sheet.contains("Haldimann") && sheet.contains("kg/m³"),
+            QVERIFY2(sheet.contains("45 MPa") && sheet.contains("Callister") && sheet.contains("kg/m³"),
                      qPrintable(sheet));
             QTest::mouseClick(&buttonIn<QCheckBox>(dialog, "Derive"), Qt::LeftButton, {}, {8, 8});
             QTest::mouseClick(&buttonIn<QPushButton>(dialog, "Use for \"wall\""), Qt::LeftButton);

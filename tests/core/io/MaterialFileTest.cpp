@@ -10,6 +10,7 @@
 #include "tests/support/Schemas.h"
 #include "tests/support/VerifiedPartition.h"
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -45,9 +46,28 @@ struct Sane {
     double high;
 };
 
+/// What is wrong with where a figure is from: it is neither a work with its year nor called typical, or an end of the range stands
+/// nowhere in it (in the unit of the file, kilo or mega).
+std::string sourceFault(const PresetFigure& figure) {
+    static const QRegularExpression year("\\b(1[67]|19|20)\\d\\d\\b");
+    static const QRegularExpression number("\\d+(\\.\\d+)?");
+    const QString source = QString::fromStdString(figure.source);
+    if (!source.startsWith("Typical") && !source.contains(year)) return "no year";
+    if (!figure.range) return "";
+    for (const double end : {figure.range->first, figure.range->second}) {
+        bool isTold = false;
+        for (auto match = number.globalMatch(source); match.hasNext() && !isTold;) {
+            const double told = match.next().captured().toDouble();
+            for (const double unit : {1.0, 1e3, 1e6}) isTold |= qFuzzyCompare(told * unit, end);
+        }
+        if (!isTold) return "not told: " + messageText(end);
+    }
+    return "";
+}
+
 void verifyFigure(const PresetFigure& figure, const Sane& sane) {
     QVERIFY2(figure.value >= sane.low && figure.value <= sane.high, sane.name);
-    QVERIFY2(figure.source.size() > 10, sane.name);
+    QCOMPARE(sane.name + (": " + sourceFault(figure)), std::string(sane.name) + ": ");
 }
 
 }  // namespace
