@@ -1,6 +1,7 @@
 #include "editor/MaterialSheet.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/asset/Threshold.h"
 #include "core/fracture/PatternKind.h"
 #include "editor/commands/LayerKind.h"
 #include "editor/panels/LocalNumber.h"
@@ -14,24 +15,28 @@ namespace rubble {
 namespace {
 
 constexpr int kDigits = 4;
-constexpr QSize kSwatch{28, 20};  // pixels
-constexpr int kSharpness = 3;     // a swatch has so many times as many pixels, for dense screens
+constexpr int kDerivedDigits = 2;  // of what follows from figures that scatter by half of them
+constexpr QSize kSwatch{28, 20};   // pixels
+constexpr int kSharpness = 3;      // a swatch has so many times as many pixels, for dense screens
 
 QString tr(const char* text) { return QCoreApplication::translate("MaterialSheet", text); }
 
 QString textOf(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
+/// A row of the table, with a note below it where there is one; all in HTML.
+QString rowOf(const QString& name, const QString& text, const QString& note) {
+    const QString row = QString("<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>").arg(name, text);
+    if (note.isEmpty()) return row;
+    return row + QString("<tr><td></td><td style='padding-bottom:6px'><small>%1</small></td></tr>").arg(note);
+}
+
 QString rowOf(const QString& name, const PresetFigure& figure, const NumberFormat& format, const QLocale& locale) {
     const auto number = [&](double value) { return roundedText(value, kDigits, format, locale); };
-    QString row = QString("<tr><td style='padding-right:12px'>%1</td><td><b>%2</b>")
-                      .arg(name, withUnit(number(figure.value), format));
+    QString text = "<b>" + withUnit(number(figure.value), format) + "</b>";
     if (figure.range) {
-        row += " · " + tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
+        text += " · " + tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
     }
-    row += "</td></tr>";
-    if (figure.source.empty()) return row;
-    return row + QString("<tr><td></td><td style='padding-bottom:6px'><small>%1</small></td></tr>")
-                     .arg(textOf(figure.source));
+    return rowOf(name, text, textOf(figure.source));
 }
 
 QString kindsOf(const Pattern& pattern) {
@@ -51,9 +56,15 @@ QString materialSheet(const LibraryMaterial& material, const QLocale& locale) {
              rowOf(tr("Restitution"), preset.restitution, {}, locale);
     if (preset.tensileStrength) sheet += rowOf(tr("Strength"), *preset.tensileStrength, {tr("MPa"), -6}, locale);
     if (preset.fractureToughness) sheet += rowOf(tr("Toughness"), *preset.fractureToughness, {tr("MPa√m"), -6}, locale);
-    sheet += QString("<tr><td>%1</td><td>%2</td></tr>").arg(tr("Breaks in"), kindsOf(preset.pattern));
+    if (const std::optional<double> limit = crackLimit(materialOf(preset, 0))) {
+        const NumberFormat format{tr("mm"), 3};
+        const QString text = withUnit(roundedText(*limit, kDerivedDigits, format, locale), format);
+        sheet += rowOf(tr("Crack limit"), "<b>" + text + "</b>",
+                       tr("(toughness / strength)² / π: deeper scratches and cracks leave less than the strength"));
+    }
+    sheet += rowOf(tr("Breaks in"), kindsOf(preset.pattern), {});
     const QString file = QString::fromStdString(material.file.string()).toHtmlEscaped();
-    if (!file.isEmpty()) sheet += QString("<tr><td>%1</td><td><small>%2</small></td></tr>").arg(tr("File"), file);
+    if (!file.isEmpty()) sheet += rowOf(tr("File"), "<small>" + file + "</small>", {});
     return sheet + "</table>";
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/MaterialOptions.h"
 #include "app/cli/Verb.h"
+#include "core/asset/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/PatternKind.h"
 
@@ -12,9 +13,10 @@ namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Without names all are listed, a line each. With names each is told with the range of its figures, where they are from, and the
-pattern in which it usually breaks. A file in the folder that cannot be used is told, the others are listed all the same, and
-the exit status is 1. One of your own with the name of one of the program's takes its place.
+    R"(Without names all are listed, a line each. With names each is told with the range of its figures, where they are from, the depth
+of cracks from which on toughness and not strength decides, and the pattern in which it usually breaks. A file in the folder that
+cannot be used is told, the others are listed all the same, and the exit status is 1. One of your own with the name of one of the
+program's takes its place.
 
 Examples:
   rubble-cli materials
@@ -22,7 +24,9 @@ Examples:
   rubble-cli materials --materials presets --json)";
 
 constexpr double kPascalsOfMega = 1e6;
+constexpr double kMillimetresOfMetre = 1e3;
 constexpr int kDigits = 6;
+constexpr int kDerivedDigits = 4;  // of what follows from figures
 
 struct MaterialsOptions {
     std::vector<std::string> names;
@@ -97,6 +101,12 @@ std::string figureText(const PresetFigure& figure, const Column& column) {
     return figure.source.empty() ? text : text + "    " + figure.source + '\n';
 }
 
+std::string crackText(const MaterialPreset& preset) {
+    const std::optional<double> limit = crackLimit(materialOf(preset, 0));
+    if (!limit) return "";
+    return "  " + padded("crack limit:", 20) + roundedText(*limit * kMillimetresOfMetre, kDerivedDigits) + " mm\n";
+}
+
 std::string patternText(const Pattern& pattern) {
     std::string kinds;
     for (const PatternLayer& layer : pattern.layers) {
@@ -111,7 +121,7 @@ std::string sheetText(const LibraryMaterial& material) {
     for (const Column& column : kColumns) {
         if (const PresetFigure* figure = column.figure(preset)) text += figureText(*figure, column);
     }
-    text += patternText(preset.pattern);
+    text += crackText(preset) + patternText(preset.pattern);
     return material.file.empty() ? text : text + "  " + padded("file:", 20) + material.file.string() + '\n';
 }
 

@@ -3,6 +3,7 @@
 #include "core/geometry/CentreSection.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace rubble {
 
@@ -13,6 +14,12 @@ double smallestSection(const Prism& prism) {
 std::optional<double> derivedThreshold(const Asset& asset, const Material& material) {
     if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
     return *material.tensileStrength * smallestSection(asset.prism) * *asset.contactTime;
+}
+
+std::optional<double> crackLimit(const Material& material) {
+    if (!material.fractureToughness || !material.tensileStrength) return std::nullopt;
+    const double ratio = *material.fractureToughness / *material.tensileStrength;
+    return ratio * ratio / std::numbers::pi;
 }
 
 double thresholdOf(const Asset& asset, const Material& material) {

@@ -23,6 +23,15 @@ double smallestSection(const Prism& prism);
 /// slender solids: bent, a pane breaks earlier than pulled.
 std::optional<double> derivedThreshold(const Asset& asset, const Material& material);
 
+/// How deep a scratch may be, or half as long as a crack inside, before a material tears by its toughness and no longer by its
+/// strength, m; nothing where it does not tell both:
+///
+///     a = (fracture toughness / tensile strength)^2 / pi
+///
+/// A crack n^2 times as deep leaves an n-th of the strength: from a on, derived thresholds are too high.
+/// Source: "transition crack length" in Dowling, Mechanical Behavior of Materials, 4th edition, 2013, section 8.2.
+std::optional<double> crackLimit(const Material& material);
+
 /// The impulse in N s at or above which an asset breaks: derived where it is to be and can be, else as typed. All that plays, shows
 /// or exports a threshold asks here.
 double thresholdOf(const Asset& asset, const Material& material);

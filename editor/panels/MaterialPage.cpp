@@ -1,7 +1,9 @@
 #include "editor/panels/MaterialPage.h"
 
+#include "core/asset/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/panels/Icons.h"
+#include "editor/panels/LocalNumber.h"
 #include "editor/panels/Section.h"
 
 #include <QLabel>
@@ -19,6 +21,7 @@ constexpr double kLeastStrength = 1e4;      // Pa: crumbling mortar ...
 constexpr double kMostStrength = 2e9;       // ... and hard steel
 constexpr double kLeastToughness = 1e4;     // Pa·√m
 constexpr double kMostToughness = 2e8;      // ductile steel
+constexpr int kCrackDigits = 2;             // of a limit that follows from figures which scatter by half of them
 constexpr double kMostUsualFriction = 1.5;  // the slider's end: rubber on stone
 
 std::vector<Material> chosenMaterials(const Document& document, const Selection& selection) {
@@ -41,6 +44,7 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
       m_form(
           document, [&] { return chosenMaterials(document, selection); }, pushOf<Material>(document)),
       m_section(new Section("material", tr("Material"), this)),
+      m_crackLimit(new QLabel(this)),
       m_uses(new QLabel(this)) {
     auto* section = m_section;
     auto* layout = new QVBoxLayout(this);
@@ -92,8 +96,11 @@ void MaterialPage::bindStrength(Section& section) {
         tr("Tensile strength: thresholds of assets can follow from it; 0 where it is not known"),
         tr("Set tensile strength"), &Material::tensileStrength);
     add(tr("Toughness"), kLeastToughness, kMostToughness, tr("MPa√m"),
-        tr("Fracture toughness: how well it withstands cracks; kept with the material; 0 where it is not known"),
-        tr("Set fracture toughness"), &Material::fractureToughness);
+        tr("Fracture toughness: how well it withstands cracks; 0 where it is not known"), tr("Set fracture toughness"),
+        &Material::fractureToughness);
+    section.addRow(tr("Crack limit"), m_crackLimit,
+                   tr("(toughness / strength)² / π: where scratches and cracks are deeper, toughness and not strength "
+                      "decides; one four times as deep leaves half of the strength"));
 }
 
 void MaterialPage::setActions(const QList<QAction*>& actions) {
@@ -102,6 +109,11 @@ void MaterialPage::setActions(const QList<QAction*>& actions) {
 
 void MaterialPage::refresh() {
     m_form.refresh();
+    const Material* material = findMaterial(m_document.project(), m_selection.material());
+    const std::optional<double> limit = material != nullptr ? crackLimit(*material) : std::nullopt;
+    const NumberFormat format{tr("mm"), 3};
+    m_crackLimit->setText(limit ? withUnit(roundedText(*limit, kCrackDigits, format, locale()), format)
+                                : tr("not known"));
     QStringList users;
     for (const Asset& asset : m_document.project().assets) {
         if (asset.material == m_selection.material()) users.append(textOf(asset.name));

@@ -29,6 +29,7 @@ private:
     const Selection& m_selection;
     Form<Material> m_form;
     Section* m_section;
+    QLabel* m_crackLimit;
     QLabel* m_uses;
 };
 

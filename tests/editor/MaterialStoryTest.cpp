@@ -73,6 +73,7 @@ private slots:
             QCOMPARE(dialog.findChild<QListWidget*>()->count(), 8);
             choose(dialog, "glass");
             const QString sheet = dialog.findChild<QTextBrowser*>()->toPlainText();
+            QVERIFY2(sheet.simplified().contains("Crack limit 0.088 mm"), qPrintable(sheet));
             QVERIFY2(sheet.contains("45 MPa") && sheet.contains("Callister") && sheet.contains("kg/m³"),
                      qPrintable(sheet));
             QTest::mouseClick(&buttonIn<QCheckBox>(dialog, "Derive"), Qt::LeftButton, {}, {8, 8});
@@ -117,6 +118,16 @@ private slots:
         QCOMPARE(selection().subject(), Part::Material);
         QCOMPARE(findMaterial(project(), selection().material())->name, std::string("ice"));
         QCOMPARE(field("Strength").value(), 1.43e6);
+    }
+    void theCrackLimitFollowsFromStrengthAndToughness() {
+        const auto& limit = control<QLabel>("Crack limit");
+        QCOMPARE(limit.text().simplified(), QString("1.6 mm"));  // (0.1 / 1.43)^2 / pi m
+        type("Toughness", "0");
+        QVERIFY(limit.text().contains("not known"));
+        stack().undo();
+        type("Strength", "0.715");
+        QCOMPARE(limit.text().simplified(), QString("6.2 mm"));  // half as strong: four times as deep
+        stack().undo();
     }
     void withoutAStrengthTheTypedThresholdIsInForceAndThatIsTold() {
         selection().setMaterial(wall().material);

@@ -4,6 +4,9 @@
 
 #include <QTest>
 
+#include <cmath>
+#include <numbers>
+
 using namespace rubble;
 
 namespace {
@@ -47,6 +50,16 @@ private slots:
         Asset column = derivedWall();
         column.prism = {unitSquare(), 4.0};  // along z
         QCOMPARE(smallestSection(column.prism), 1.0);
+    }
+    void cracksCountFromTheSquareOfToughnessByStrength() {
+        Material glass{.tensileStrength = 45e6, .fractureToughness = 0.75e6};
+        QVERIFY(std::abs(*crackLimit(glass) - 88.4e-6) < 0.1e-6);  // m: (1/60)^2 / 3.1416 by hand
+        // A crack at which the stress K / sqrt(pi a) is the strength.
+        const double stress = *glass.fractureToughness / std::sqrt(std::numbers::pi * *crackLimit(glass));
+        QVERIFY(std::abs(stress / *glass.tensileStrength - 1.0) < 1e-12);
+        glass.fractureToughness.reset();
+        QVERIFY(!crackLimit(glass));
+        QVERIFY(!crackLimit({.fractureToughness = 1e6}));
     }
     void patternDoesNotMatter() {
         Asset other = derivedWall();
