@@ -283,6 +283,9 @@ void Views::jump(const Problem& problem) {
     if (!findAsset(workspace.project(), problem.asset)) return;
     Selection& selection = workspace.selection();
     selection.setAsset(problem.asset);
+    if (problem.kind == ProblemKind::UnknownStrength) {  // it is told in the material's page
+        return selection.setMaterial(findAsset(workspace.project(), problem.asset)->material);
+    }
     const std::shared_ptr<const Bake> bake = workspace.problems().bakeOf(problem.asset);
     if (bake && problem.fragment < bake->fragmentCount()) {
         FragmentSet one(bake->fragmentCount(), false);

@@ -96,6 +96,11 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
     line.clear();
     for (const Finding& finding : findings) context.err << finding.notices;
     std::ranges::move(findings, std::back_inserter(all));
+    for (const Asset& asset : project->assets) {  // once, whatever its variants
+        for (const Problem& problem : strengthProblems(asset, *findMaterial(*project, asset.material))) {
+            context.err << asset.name << ": " << problem.message << '\n';
+        }
+    }
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
         context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
     }

@@ -1,6 +1,7 @@
 #include "core/asset/Problems.h"
 
 #include "core/asset/Breaking.h"
+#include "core/asset/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/PatternPartition.h"
@@ -60,6 +61,7 @@ private:
         const bool isAskedFor = report.code == ReportCode::Gap && m_hasGap;
         if (!kind || isAskedFor) return;
         Problem problem{.kind = *kind, .asset = m_asset.id, .value = report.amount, .message = report.message};
+        if (*kind == ProblemKind::NoRoom) problem.layer = report.of;
         if (const BakedBreaking* breaking = deeperBreakingOf(report)) {
             problem.level = breaking->level;
             problem.fragment = breaking->parent;
@@ -117,15 +119,17 @@ private:
         const Fragment solid = breaking.fragments[piece];
         const auto add = [&](ProblemKind kind, double value, double limit, const std::string& text) {
             const std::uint32_t fragment = breaking.first + piece;
+            const std::string id = m_bake.fragmentId(fragment);
             problems.push_back({.kind = kind,
                                 .asset = m_asset.id,
                                 .seed = seed == SeedId{} ? std::nullopt : std::optional(seed),
                                 .level = breaking.level,
                                 .fragment = fragment,
+                                .path = pathOfId(id),
                                 .where = Vec2{solid.offset()},
                                 .value = value,
                                 .limit = limit,
-                                .message = "Fragment " + m_bake.fragmentId(fragment) + " " + text});
+                                .message = "Fragment " + id + " " + text});
         };
         const double aspect = aspectOf(solid.outline());
         if (aspect > m_limits.aspect) {
@@ -161,9 +165,10 @@ Problem outlineProblem(const Asset& asset, const PolygonFault& fault) {
 }  // namespace
 
 const char* nameOf(ProblemKind kind) {
-    static constexpr std::array kNames = {
-        "FaultyOutline", "DuplicateSeed", "SeedWithoutCell", "LostOverride", "LostPiece", "LooseCut", "NoRoom",
-        "Gap",           "ThinPiece",     "VanishedPiece",   "Sliver",       "TinyPiece", "ManyHulls"};
+    static constexpr std::array kNames = {"FaultyOutline", "DuplicateSeed",  "SeedWithoutCell", "LostOverride",
+                                          "LostPiece",     "LooseCut",       "NoRoom",          "Gap",
+                                          "ThinPiece",     "VanishedPiece",  "Sliver",          "TinyPiece",
+                                          "ManyHulls",     "UnknownStrength"};
     static_assert(kNames.size() == kProblemKinds);
     return kNames[static_cast<std::size_t>(kind)];
 }
@@ -186,6 +191,15 @@ std::vector<Problem> outlineProblems(const Asset& asset) {
     return problems;
 }
 
+std::vector<Problem> strengthProblems(const Asset& asset, const Material& material) {
+    if (!lacksStrength(asset, material)) return {};
+    return {{.kind = ProblemKind::UnknownStrength,
+             .asset = asset.id,
+             .value = asset.threshold,
+             .message = "The threshold is to follow from strength, but the material \"" + material.name +
+                        "\" tells none: the typed one, " + rounded(asset.threshold) + " N s, is in force."}};
+}
+
 std::vector<Problem> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits,
                                 const TaskContext& task) {
     return BakeProblems(asset, bake, limits).found(task.threads);
@@ -199,6 +213,9 @@ std::vector<Problem> problemsOf(const Project& project, const AssetBakes& bakes,
         const bool isBaked = baked != bakes.end() && baked->second;
         std::ranges::move(isBaked ? problemsOf(asset, *baked->second, limits, task) : outlineProblems(asset),
                           std::back_inserter(problems));
+        if (const Material* material = findMaterial(project, asset.material)) {
+            std::ranges::move(strengthProblems(asset, *material), std::back_inserter(problems));
+        }
     }
     return problems;
 }

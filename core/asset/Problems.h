@@ -25,8 +25,9 @@ enum class ProblemKind {
     Sliver,           // many times as long as wide
     TinyPiece,        // much smaller than the pieces it was made with
     ManyHulls,        // so bent that it takes many convex hulls to collide
+    UnknownStrength,  // the threshold is to follow from a strength that the material does not tell
 };
-inline constexpr int kProblemKinds = 13;
+inline constexpr int kProblemKinds = 14;
 
 /// "Sliver", as it stands in messages and lists.
 const char* nameOf(ProblemKind kind);
@@ -44,8 +45,10 @@ struct Problem {
     ProblemKind kind = ProblemKind::Sliver;
     Id asset = 0;
     std::optional<SeedId> seed;      // of the asset's own pattern: that it is about, or that its fragment comes from
+    Id layer = 0;                    // that found no room; 0: it is about none
     std::uint32_t level = 0;         // of the pattern that it comes from; 0: the asset's own
     std::uint32_t fragment = kNone;  // in the bake, where it is about one
+    FragmentPath path;               // its name, which outlasts the bake
     std::optional<Vec2> where;       // m, in the asset's plane
     double value = 0.0;              // how bad: the figure
     double limit = 0.0;              // and its limit; 0 where it has none
@@ -63,7 +66,10 @@ std::vector<Problem> outlineProblems(const Asset& asset);
 std::vector<Problem> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
                                 const TaskContext& task = {});
 
-/// Of all assets, in the project's order: of their bakes where they have one, else of their outlines.
+/// What is to be looked at in an asset whatever it is broken into: a threshold that cannot be derived.
+std::vector<Problem> strengthProblems(const Asset& asset, const Material& material);
+
+/// Of all assets, in the project's order: of their bakes where they have one, else of their outlines, and of their strength.
 std::vector<Problem> problemsOf(const Project& project, const AssetBakes& bakes, const ProblemLimits& limits = {},
                                 const TaskContext& task = {});
 

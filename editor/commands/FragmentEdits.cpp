@@ -58,6 +58,11 @@ std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& s
     return pieces;
 }
 
+Line lineAcross(const Polygon& outline, Vec2 origin) {
+    const AreaMoments moments = momentsOf(outline);
+    return {origin + moments.centre, acrossOf(moments)};
+}
+
 Edit fractureFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
     Edit edit{.text = tr("Fracture fragments")};
     Asset changed = *findAsset(project, asset);

@@ -19,6 +19,9 @@ struct ChosenPiece {
 /// The pieces that come from some seeds, in the order of the partition. `seeds` are those of the partition.
 std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen);
 
+/// Through the middle of an outline, across its longest way; `origin` is where the outline's own stands, m.
+Line lineAcross(const Polygon& outline, Vec2 origin);
+
 /// Each of these fragments is broken by a pattern of its own from now on: a few scattered seeds to begin with, as long as it has none.
 Edit fractureFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces);
 /// They stay whole, whatever their level says.

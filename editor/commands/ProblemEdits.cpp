@@ -1,9 +1,12 @@
 #include "editor/commands/ProblemEdits.h"
 
+#include "core/asset/Bake.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/geometry/PolygonFaults.h"
+#include "editor/commands/FragmentEdits.h"
 
 #include <QCoreApplication>
+#include <QThread>
 
 #include <algorithm>
 #include <map>
@@ -15,6 +18,7 @@ namespace rubble {
 namespace {
 
 constexpr std::uint32_t kRounds = 3;  // of relaxation that a fix adds
+constexpr int kMostCuts = 8;          // of a piece and its parts, which are 256 then
 
 QString tr(const char* text) { return QCoreApplication::translate("ProblemEdits", text); }
 
@@ -57,6 +61,38 @@ void mergeTinyPieces(SmallPieces& small) {
     small.limit = ProblemLimits{}.meanShare;
 }
 
+/// The layer of an asset's own pattern that a problem is about, where it keeps seeds apart: others leave out seeds that lie
+/// in the middle of their count.
+template <class AnyAsset>
+auto* crowdedLayer(AnyAsset& asset, const Problem& problem) {
+    const bool isHere = problem.kind == ProblemKind::NoRoom && problem.level == 0 && problem.value >= 1.0;
+    const auto layer = std::ranges::find(asset.pattern.layers, isHere ? problem.layer : 0, &PatternLayer::id);
+    return layer != asset.pattern.layers.end() ? std::get_if<BlueNoise>(&layer->parameters) : nullptr;
+}
+
+/// Cuts pieces in two, and their parts again, until each takes no more hulls than are usual.
+void cutApart(Asset& asset, const std::set<FragmentPath>& pieces) {
+    std::set<FragmentPath> places, others;
+    for (const FragmentPath& piece : pieces) places.insert(parentOf(piece));
+    const TaskContext task{.threads = std::max(1, QThread::idealThreadCount())};
+    for (int round = 0; round < kMostCuts; ++round) {
+        const Result<Bake> baked = bake(asset, task);
+        if (!baked) return;
+        const std::size_t before = asset.edits.size();
+        for (std::uint32_t k = 0; k < baked->fragmentCount(); ++k) {
+            FragmentPath path = pathOfId(baked->fragmentId(k));
+            if (round == 0 && !pieces.contains(path)) {
+                others.insert(std::move(path));  // what has another name later is a part of ours
+            } else if (!others.contains(path) && places.contains(parentOf(path))) {
+                const Fragment solid = baked->fragment(k).solid;
+                if (solid.isConvex() || solid.hulls().size() <= ProblemLimits{}.hulls) continue;
+                asset.edits.push_back(FragmentSplit{path, lineAcross(solid.outline(), Vec2{solid.offset()})});
+            }
+        }
+        if (asset.edits.size() == before) return;
+    }
+}
+
 bool isOfSeed(ProblemKind kind) {
     return kind == ProblemKind::DuplicateSeed || kind == ProblemKind::SeedWithoutCell ||
            kind == ProblemKind::ThinPiece || kind == ProblemKind::Sliver || kind == ProblemKind::TinyPiece;
@@ -75,6 +111,9 @@ bool canFix(const Project& project, const Problem& problem, ProblemFix fix) {
             return problem.kind == ProblemKind::FaultyOutline && repeatedPoint(asset->prism.outline);
         case ProblemFix::Relax: return problem.kind == ProblemKind::Sliver || problem.kind == ProblemKind::TinyPiece;
         case ProblemFix::MergePieces: return problem.kind == ProblemKind::TinyPiece;
+        case ProblemFix::AskForFewer: return crowdedLayer(*asset, problem) != nullptr;
+        case ProblemFix::CutApart: return problem.kind == ProblemKind::ManyHulls;
+        case ProblemFix::KeepTyped: return problem.kind == ProblemKind::UnknownStrength && asset->contactTime;
     }
     return false;
 }
@@ -86,6 +125,9 @@ QString textOf(ProblemFix fix) {
         case ProblemFix::DeletePoint: return tr("Delete Point");
         case ProblemFix::Relax: return tr("Relax");
         case ProblemFix::MergePieces: return tr("Merge Tiny Pieces");
+        case ProblemFix::AskForFewer: return tr("Ask for as Many as Fit");
+        case ProblemFix::CutApart: return tr("Cut Apart");
+        case ProblemFix::KeepTyped: return tr("Keep Typed Threshold");
     }
     return {};
 }
@@ -101,6 +143,11 @@ QString hintOf(ProblemFix fix) {
         case ProblemFix::MergePieces:
             return tr(
                 "Let all pieces of the asset that are as small go into the neighbour with the longest shared edge");
+        case ProblemFix::AskForFewer: return tr("Set the count of the layer to the seeds that found room; they stay");
+        case ProblemFix::CutApart:
+            return tr("Split the piece across its longest way, and its parts again, until each needs few hulls");
+        case ProblemFix::KeepTyped:
+            return tr("Let the threshold be the typed number, which is in force, and no longer follow from strength");
     }
     return {};
 }
@@ -109,6 +156,7 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
     Edit edit{.text = textOf(fix)};
     std::map<Id, Asset> assets;
     std::set<std::pair<Id, std::uint32_t>> relaxed;
+    std::map<Id, std::set<FragmentPath>> bent;
     for (const Problem& problem : problems) {
         if (!canFix(project, problem, fix)) continue;
         Asset& asset = assets.try_emplace(problem.asset, *findAsset(project, problem.asset)).first->second;
@@ -117,6 +165,11 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
             case ProblemFix::ForgetChange: restoreSeed(asset.pattern, *problem.seed); break;
             case ProblemFix::DeletePoint: deleteRepeatedPoints(asset.prism.outline); break;
             case ProblemFix::MergePieces: mergeTinyPieces(asset.shaping.smallPieces); break;
+            case ProblemFix::AskForFewer:
+                crowdedLayer(asset, problem)->count = static_cast<std::uint32_t>(problem.value);
+                break;
+            case ProblemFix::CutApart: bent[problem.asset].insert(problem.path); break;
+            case ProblemFix::KeepTyped: asset.contactTime.reset(); break;
             case ProblemFix::Relax: {
                 Pattern* pattern = patternOfLevel(asset, problem.level);
                 if (pattern && relaxed.insert({asset.id, problem.level}).second) relax(*pattern, project, edit);
@@ -124,6 +177,7 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
             }
         }
     }
+    for (const auto& [id, pieces] : bent) cutApart(assets.at(id), pieces);
     for (auto& [id, asset] : assets) edit.swaps.push_back(Swap<Asset>{id, std::move(asset)});
     return edit;
 }

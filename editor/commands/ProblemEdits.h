@@ -15,9 +15,13 @@ enum class ProblemFix {
     DeletePoint,   // of an outline, that repeats the one before it
     Relax,         // move scattered seeds to the middles of their cells
     MergePieces,   // tiny ones, each into the neighbour with the longest shared edge
+    AskForFewer,   // seeds of a scatter: as many as found room
+    CutApart,      // pieces of many hulls, until each part needs few
+    KeepTyped,     // the threshold, where it cannot be derived
 };
-inline constexpr ProblemFix kProblemFixes[] = {ProblemFix::DeleteSeed, ProblemFix::ForgetChange,
-                                               ProblemFix::DeletePoint, ProblemFix::Relax, ProblemFix::MergePieces};
+inline constexpr ProblemFix kProblemFixes[] = {
+    ProblemFix::DeleteSeed,  ProblemFix::ForgetChange, ProblemFix::DeletePoint, ProblemFix::Relax,
+    ProblemFix::MergePieces, ProblemFix::AskForFewer,  ProblemFix::CutApart,    ProblemFix::KeepTyped};
 
 /// Whether a fix can be tried on a problem.
 bool canFix(const Project& project, const Problem& problem, ProblemFix fix);

@@ -3,6 +3,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <iterator>
 
 namespace rubble {
 
@@ -22,7 +23,8 @@ ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject
         m_rest.start();
     });
     connect(&document, &Document::changed, this, [this](const Changes& changes) {
-        if (changes.touches(Part::Asset)) m_rest.start();  // one may be gone
+        // One may be gone, or its threshold be derived anew.
+        if (changes.touches(Part::Asset) || changes.touches(Part::Material)) m_rest.start();
     });
 }
 
@@ -32,11 +34,19 @@ void ProblemWatch::look() {
     for (const Id asset : m_stale) {
         const auto baked = m_bakes.find(asset);
         if (!baked || !baked->asset) continue;
-        m_found[asset] = {baked->bake, baked->bake ? problemsOf(*baked->asset, *baked->bake, {}, task)
-                                                   : outlineProblems(*baked->asset)};
+        Found& found = m_found[asset];
+        found.bake = baked->bake;
+        found.ofBake = baked->bake ? problemsOf(*baked->asset, *baked->bake, {}, task) : outlineProblems(*baked->asset);
     }
     m_stale.clear();
-    std::erase_if(m_found, [&](const auto& found) { return !findAsset(m_document.project(), found.first); });
+    const Project& project = m_document.project();
+    std::erase_if(m_found, [&](const auto& found) { return !findAsset(project, found.first); });
+    for (auto& [id, found] : m_found) {
+        const Asset& asset = *findAsset(project, id);
+        found.problems = found.ofBake;
+        std::ranges::move(strengthProblems(asset, *findMaterial(project, asset.material)),
+                          std::back_inserter(found.problems));
+    }
     emit changed();
 }
 

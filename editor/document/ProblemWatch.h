@@ -30,7 +30,8 @@ signals:
 private:
     struct Found {
         std::shared_ptr<const Bake> bake;
-        std::vector<Problem> problems;
+        std::vector<Problem> ofBake;
+        std::vector<Problem> problems;  // those, and those of its strength as the project is now
     };
     void look();
 

@@ -32,6 +32,7 @@ QString textOf(ProblemKind kind) {
         case ProblemKind::Sliver: return ProblemModel::tr("Sliver");
         case ProblemKind::TinyPiece: return ProblemModel::tr("Tiny piece");
         case ProblemKind::ManyHulls: return ProblemModel::tr("Many hulls");
+        case ProblemKind::UnknownStrength: return ProblemModel::tr("Unknown strength");
     }
     return {};
 }
@@ -144,6 +145,8 @@ QString ProblemModel::figure(const Problem& problem, double value) const {
             return withUnit(roundedText(value, kDigits, m_units.volumes(), locale), m_units.volumes());
         case ProblemKind::ManyHulls: return tr("%L1 hulls").arg(static_cast<int>(value));
         case ProblemKind::NoRoom: return tr("%L1 seeds").arg(static_cast<int>(value));
+        case ProblemKind::UnknownStrength:
+            return withUnit(roundedText(value, kDigits, {tr("N·s")}, locale), {tr("N·s")});
         case ProblemKind::Gap:
         case ProblemKind::ThinPiece:
         case ProblemKind::VanishedPiece:

@@ -26,6 +26,9 @@ QString iconOf(ProblemFix fix) {
         case ProblemFix::DeletePoint: return QStringLiteral("remove");
         case ProblemFix::Relax: return QStringLiteral("layer-lloyd");
         case ProblemFix::MergePieces: return QStringLiteral("fragment-merge");
+        case ProblemFix::AskForFewer: return QStringLiteral("layer-blue-noise");
+        case ProblemFix::CutApart: return QStringLiteral("fragment-split");
+        case ProblemFix::KeepTyped: return QStringLiteral("material");
     }
     return {};
 }

@@ -7,12 +7,14 @@
 #include "editor/Program.h"
 #include "editor/panels/Inspector.h"
 #include "editor/panels/NumberField.h"
+#include "editor/panels/ProblemPanel.h"
 #include "tests/support/Dialogs.h"
 #include "tests/support/TestSettings.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
@@ -22,10 +24,13 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
+#include <QTreeView>
 
 using namespace rubble;
 
 namespace {
+
+constexpr int kPatience = 60000;  // ms, for baking on a busy machine
 
 template <class Button>
 Button& buttonIn(const QWidget& parent, const QString& text) {
@@ -139,6 +144,36 @@ private slots:
         QVERIFY(field("Threshold").isEnabled());
         stack().undo();
         QVERIFY(!field("Threshold").isEnabled());
+    }
+    void anUnknownStrengthIsAProblemThatLeadsToTheMaterialAndHasAFix() {
+        selection().setMaterial(wall().material);
+        type("Strength", "0");
+        selection().setAsset(wall().id);
+        auto& problems = *m_window->findChild<ProblemPanel*>();
+        const auto row = [&] {
+            for (int k = 0; k < problems.model().rowCount(); ++k) {
+                if (problems.model().problem(k).kind == ProblemKind::UnknownStrength) return k;
+            }
+            return -1;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(row() >= 0, kPatience);
+        auto* dock = m_window->findChild<QDockWidget*>("dock-problems");
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+        problems.view().setFocus();
+        problems.view().setCurrentIndex(problems.model().index(row(), 0));
+        QTest::keyClick(&problems.view(), Qt::Key_Return);
+        QCOMPARE(selection().subject(), Part::Material);
+        QCOMPARE(selection().material(), wall().material);
+        QTest::mouseClick(&buttonIn<QToolButton>(problems, "Keep Typed Threshold"), Qt::LeftButton);
+        QVERIFY(!wall().contactTime);
+        QTRY_VERIFY_WITH_TIMEOUT(row() < 0, kPatience);
+        stack().undo();
+        QVERIFY(wall().contactTime.has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(row() >= 0, kPatience);
+        stack().undo();  // the strength is known again, and nothing was baked anew
+        QTRY_VERIFY_WITH_TIMEOUT(row() < 0, kPatience);
     }
     void aMaterialIsKeptAsAPresetAndFoundAgain() {
         selection().setMaterial(wall().material);

@@ -70,7 +70,9 @@ private slots:
     }
     void aScatterWithoutRoomIsTold() {
         const Asset asset = boxAsset(3, 5, BlueNoise{.minimumDistance = 0.4, .count = 500});
-        QCOMPARE(ofKind(problemsIn(asset), ProblemKind::NoRoom).size(), std::size_t{1});
+        const auto problems = ofKind(problemsIn(asset), ProblemKind::NoRoom);
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].layer, Id{5});
     }
     void aPieceThinnerThanAHullIsTold() {
         // Between two others 2e-10 apart, a cell of half that width.
@@ -111,8 +113,25 @@ private slots:
         const auto problems = ofKind(problemsIn(asset), ProblemKind::ManyHulls);
         QCOMPARE(problems.size(), std::size_t{1});
         QVERIFY(problems[0].value >= 10.0);
+        QCOMPARE(problems[0].path, std::string("5.0"));
         asset.prism.outline = comb(4);
         QVERIFY(ofKind(problemsIn(asset), ProblemKind::ManyHulls).empty());
+    }
+    void aThresholdThatCannotBeDerivedIsTold() {
+        Project project{.materials = {{.id = 1, .name = "oak"}}, .assets = {boxWith({})}};
+        Asset& asset = project.assets[0];
+        asset.material = 1;
+        asset.threshold = 72.5;
+        QVERIFY(problemsOf(project, {}).empty());  // it is typed
+        asset.contactTime = 0.001;
+        const auto problems = problemsOf(project, {});
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].kind, ProblemKind::UnknownStrength);
+        QCOMPARE(problems[0].value, 72.5);
+        QCOMPARE(problems[0].message, std::string("The threshold is to follow from strength, but the material \"oak\" "
+                                                  "tells none: the typed one, 72.5 N s, is in force."));
+        project.materials[0].tensileStrength = 1e6;
+        QVERIFY(problemsOf(project, {}).empty());
     }
     void aFaultyOutlineIsToldFaultByFault() {
         Asset asset = boxWith({});

@@ -1,5 +1,6 @@
 #include "editor/commands/ProblemEdits.h"
 
+#include "core/asset/Threshold.h"
 #include "core/io/ProjectFile.h"
 #include "tests/support/Projects.h"
 
@@ -23,6 +24,20 @@ std::vector<Problem> problemsIn(const Project& project) {
         if (Result<Bake> baked = bake(asset)) bakes[{asset.id, 0}] = std::make_shared<const Bake>(std::move(*baked));
     }
     return problemsOf(project, bakes);
+}
+
+/// A bar with teeth, which a hull each takes.
+Polygon comb(int teeth) {
+    Polygon outline;
+    outline.outer = {{0.0, 0.0}, {2.0 * teeth - 1.0, 0.0}};
+    for (int k = teeth - 1; k >= 0; --k) {
+        const double left = 2.0 * k, right = left + 1.0;
+        if (k < teeth - 1) outline.outer.push_back({right, 1.0});
+        outline.outer.push_back({right, 3.0});
+        outline.outer.push_back({left, 3.0});
+        if (k > 0) outline.outer.push_back({left, 1.0});
+    }
+    return outline;
 }
 
 /// Carries a fix out, looks what is left, and that undoing gives the same bytes again.
@@ -117,6 +132,77 @@ private slots:
         swapInto(project, edit);
         QCOMPARE(project.assets[0].prism.outline.outer.size(), std::size_t{4});
         QVERIFY(problemsIn(project).empty());
+    }
+    void aScatterAsksForAsManySeedsAsFitAndKeepsThem() {
+        const Project project = projectWith(BlueNoise{.minimumDistance = 0.2, .count = 500});
+        QVERIFY(leftAfter(project, ProblemFix::AskForFewer).empty());
+        Project changed = project;
+        Edit edit = fixed(project, problemsIn(project), ProblemFix::AskForFewer);
+        swapInto(changed, edit);
+        const auto seedsIn = [](const Project& of) {
+            return *seedsOf(of.assets[0].pattern, of.assets[0].prism.outline);
+        };
+        QCOMPARE(std::get<BlueNoise>(changed.assets[0].pattern.layers[0].parameters).count,
+                 SeedCount(static_cast<std::uint32_t>(seedsIn(project).positions.size())));
+        QVERIFY(seedsIn(changed).positions == seedsIn(project).positions);
+    }
+    void clustersAndLevelsThatFindNoRoomAreLeftAlone() {
+        // Which seeds of a heap find no room is not a matter of how many there are; a level's count is that of many fragments.
+        Project project = projectWith(PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        const BlueNoise crowded{.minimumDistance = 0.2, .count = 500};
+        project.assets[0].levels = {{.pattern = {{{.id = 6, .parameters = crowded}}}}};
+        const std::vector<Problem> problems = problemsIn(project);
+        QVERIFY(std::ranges::count(problems, ProblemKind::NoRoom, &Problem::kind) == 2);
+        QVERIFY(fixed(project, problems, ProblemFix::AskForFewer).isEmpty());
+        project = projectWith(Clusters{});
+        QVERIFY(!canFix(project, {.kind = ProblemKind::NoRoom, .asset = 2, .layer = 3, .value = 7.0},
+                        ProblemFix::AskForFewer));
+    }
+    void aPieceOfManyHullsIsCutApart() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
+        project.assets[0].prism.outline = comb(40);  // about 18 teeth for the first, 22 for the second
+        const std::vector<Problem> problems = problemsIn(project);
+        QCOMPARE(std::ranges::count(problems, ProblemKind::ManyHulls, &Problem::kind), std::ptrdiff_t{2});
+        const auto left = leftAfter(project, ProblemFix::CutApart);
+        QVERIFY(std::ranges::none_of(left, [](const Problem& problem) {
+            return problem.kind == ProblemKind::ManyHulls || problem.kind == ProblemKind::LostPiece;
+        }));
+        // One alone: the other keeps its hulls, its name and its place.
+        const Problem& first = *std::ranges::find(problems, ProblemKind::ManyHulls, &Problem::kind);
+        Edit edit = fixed(project, std::span(&first, 1), ProblemFix::CutApart);
+        swapInto(project, edit);
+        const auto still = problemsIn(project);
+        QCOMPARE(std::ranges::count(still, ProblemKind::ManyHulls, &Problem::kind), std::ptrdiff_t{1});
+        QVERIFY(first.path != std::ranges::find(still, ProblemKind::ManyHulls, &Problem::kind)->path);
+        const Bake baked = *bake(project.assets[0]);
+        QVERIFY(!verifyBake(baked, project.assets[0]) && !verifyProject(project));
+        QVERIFY(baked.fragmentCount() > 3);
+    }
+    void aPieceOfAPieceIsCutApartInItsPlace() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}}});
+        project.assets[0].prism.outline = comb(20);
+        project.assets[0].levels = {{.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-10.0, 0.0}}, {1, {10.0, 0.0}}}}}}}}};
+        std::vector<Problem> deep = problemsIn(project);
+        std::erase_if(deep, [](const Problem& problem) { return problem.level == 0; });
+        QCOMPARE(std::ranges::count(deep, ProblemKind::ManyHulls, &Problem::kind), std::ptrdiff_t{2});
+        Edit edit = fixed(project, deep, ProblemFix::CutApart);
+        swapInto(project, edit);
+        const auto left = problemsIn(project);
+        QCOMPARE(std::ranges::count(left, ProblemKind::ManyHulls, &Problem::kind),
+                 std::ptrdiff_t{1});  // the whole's piece
+        QVERIFY(
+            std::ranges::none_of(left, [](const Problem& problem) { return problem.kind == ProblemKind::LostPiece; }));
+    }
+    void aThresholdWithoutAStrengthIsTypedAgain() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        project.assets[0].contactTime = 0.001;
+        QVERIFY(canFix(project, problemsIn(project)[0], ProblemFix::KeepTyped));
+        const double inForce = thresholdOf(project, project.assets[0]);
+        QVERIFY(leftAfter(project, ProblemFix::KeepTyped).empty());
+        Edit edit = fixed(project, problemsIn(project), ProblemFix::KeepTyped);
+        swapInto(project, edit);
+        QVERIFY(!project.assets[0].contactTime);
+        QCOMPARE(thresholdOf(project, project.assets[0]), inForce);
     }
     void whatDoesNotFitMakesNoStep() {
         const Project project = projectWith(PlacedSeeds{{{0, {0.025, 0.5}}, {1, {0.075, 0.5}}}});
