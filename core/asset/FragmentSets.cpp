@@ -1,5 +1,6 @@
 #include "core/asset/FragmentSets.h"
 
+#include "core/asset/LevelContacts.h"
 #include "core/base/Random.h"
 
 #include <algorithm>
@@ -81,6 +82,13 @@ FragmentSet withNeighbours(const Bake& bake, const FragmentSet& set) {
         for (std::uint32_t k = 0; k < breaking.fragments.count(); ++k) {
             if (!set[breaking.first + k]) continue;
             for (const Bond& bond : breaking.fragments[k].bonds()) found[breaking.first + bond.fragment] = true;
+        }
+    }
+    for (std::uint32_t level = 1; level < levelCount(bake); ++level) {
+        const FragmentSet ofLevel = fragmentsOfLevel(bake, level);
+        for (const auto& [one, other] : contactsAcrossParents(bake, level)) {
+            if (set[one] && ofLevel[one]) found[other] = true;
+            if (set[other] && ofLevel[other]) found[one] = true;
         }
     }
     return found;

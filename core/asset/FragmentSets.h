@@ -26,7 +26,8 @@ FragmentSet completed(const Bake& bake, const FragmentSet& set);
 /// The smallest fragments that are neither in the set nor pieces of what is.
 FragmentSet invertedFragments(const Bake& bake, const FragmentSet& set);
 
-/// With those that touch them among the fragments they were made with.
+/// With those that touch them: of their own level, whatever they are pieces of, or above it where what they touch is not broken as
+/// deep. Of several levels in more than linear time, see contactsAcrossParents().
 FragmentSet withNeighbours(const Bake& bake, const FragmentSet& set);
 /// All that were made with them, themselves included.
 FragmentSet siblingsOf(const Bake& bake, const FragmentSet& set);

@@ -1,10 +1,13 @@
 #include "core/asset/FragmentSets.h"
 
+#include "core/asset/LevelContacts.h"
 #include "core/base/Random.h"
 #include "tests/support/Projects.h"
 #include "tests/support/RandomAssets.h"
 
 #include <QTest>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +71,54 @@ bool touchesOne(const Bake& bake, const FragmentSet& set, std::uint32_t fragment
     return false;
 }
 
+/// A fragment's edges in the asset's frame.
+std::vector<std::pair<Vec2, Vec2>> edgesOf(const Bake& bake, std::uint32_t fragment) {
+    const Fragment solid = bake.fragment(fragment).solid;
+    const Polygon outline = solid.outline();
+    std::vector<std::pair<Vec2, Vec2>> edges;
+    const auto add = [&](const Ring& ring) {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            edges.emplace_back(Vec2{solid.offset()} + ring[k], Vec2{solid.offset()} + ring[(k + 1) % ring.size()]);
+        }
+    };
+    add(outline.outer);
+    for (const Ring& hole : outline.holes) add(hole);
+    return edges;
+}
+
+/// How far two edges run along each other the opposite way, m, on one line up to rounding.
+double sharedLength(const std::pair<Vec2, Vec2>& one, const std::pair<Vec2, Vec2>& other) {
+    const Vec2 along = glm::normalize(one.second - one.first);
+    const Vec2 across(-along.y, along.x);
+    for (const Vec2 end : {other.first, other.second}) {
+        if (std::abs(glm::dot(end - one.first, across)) > 1e-11) return 0.0;
+    }
+    const double from = glm::dot(other.second - one.first, along), to = glm::dot(other.first - one.first, along);
+    return std::min(to, glm::distance(one.first, one.second)) - std::max(from, 0.0);
+}
+
+/// Whether one of its edges lies on one of the other's.
+bool liesAgainst(const Bake& bake, std::uint32_t fragment, std::uint32_t other) {
+    for (const auto& one : edgesOf(bake, fragment)) {
+        for (const auto& against : edgesOf(bake, other)) {
+            if (sharedLength(one, against) > bake.breakings[0].fragments.leastEdge) return true;
+        }
+    }
+    return false;
+}
+
+/// Whether a chosen fragment of its level, or of a deeper one if it is not broken, lies against it without being made with it.
+bool touchesAcross(const Bake& bake, const FragmentSet& set, std::uint32_t fragment) {
+    const BakedFragment baked = bake.fragment(fragment);
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
+        const BakedFragment chosen = bake.fragment(k);
+        const bool isOnLevel = chosen.level == baked.level || (chosen.level > baked.level && baked.childCount == 0);
+        if (!set[k] || !isOnLevel || chosen.parent == baked.parent) continue;
+        if (liesAgainst(bake, fragment, k)) return true;
+    }
+    return false;
+}
+
 bool hasRelative(const Bake& bake, const FragmentSet& set, const std::function<bool(std::uint32_t)>& isRelative) {
     for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
         if (set[k] && isRelative(k)) return true;
@@ -100,9 +151,41 @@ private slots:
     }
     void neighboursTouch() {
         forEachBake([](const Bake& bake, const FragmentSet& set) {
-            QCOMPARE(withNeighbours(bake, set),
-                     setOf(bake, [&](std::uint32_t k) { return set[k] || touchesOne(bake, set, k); }));
+            QCOMPARE(withNeighbours(bake, set), setOf(bake, [&](std::uint32_t k) {
+                         return set[k] || touchesOne(bake, set, k) || touchesAcross(bake, set, k);
+                     }));
         });
+    }
+    void neighboursTouchAcrossAGap() {
+        // Two halves, each cut in two at other heights: 0.4 on the left, 0.7 on the right.
+        Asset asset = boxAsset(3, 5, PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
+        const auto halves = [](Id layer, double height) {
+            const double y = height - 0.5;
+            return Level{
+                .pattern = {{{.id = layer, .parameters = PlacedSeeds{{{0, {0.0, y - 0.1}}, {1, {0.0, y + 0.1}}}}}}}};
+        };
+        asset.leaves = {{"5.0", halves(6, 0.4)}, {"5.1", halves(7, 0.7)}};
+        for (const double gap : {0.0, 0.02}) {
+            asset.shaping.gap = gap;
+            const Bake baked = *bake(asset);
+            QCOMPARE(baked.fragmentCount(), 6u);
+            const auto number = [&](const std::string& id) {
+                std::uint32_t k = 0;
+                while (baked.fragmentId(k) != id) ++k;
+                return k;
+            };
+            const std::uint32_t low = number("3/5.0/6.0"), high = number("3/5.0/6.1"), lowRight = number("3/5.1/7.0"),
+                                highRight = number("3/5.1/7.1");
+            using Pair = std::pair<std::uint32_t, std::uint32_t>;
+            QCOMPARE(contactsAcrossParents(baked, 1),
+                     (std::vector<Pair>{{low, lowRight}, {high, lowRight}, {high, highRight}}));
+            QVERIFY(contactsAcrossParents(baked, 0).empty());
+            FragmentSet set(6, false);
+            set[highRight] = true;
+            FragmentSet expected = set;
+            expected[lowRight] = expected[high] = true;
+            QCOMPARE(withNeighbours(baked, set), expected);
+        }
     }
     void relativesAreFound() {
         forEachBake([](const Bake& bake, const FragmentSet& set) {
