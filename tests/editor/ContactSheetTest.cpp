@@ -1,3 +1,4 @@
+#include "core/io/AtomicFile.h"
 #include "core/io/ProjectFile.h"
 #include "editor/ContactSheetWindow.h"
 #include "editor/MainWindow.h"
@@ -7,6 +8,7 @@
 #include "editor/WhatChanged.h"
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/panels/ChangesPanel.h"
+#include "tests/support/Dialogs.h"
 #include "tests/support/Projects.h"
 #include "tests/support/TestSettings.h"
 
@@ -15,6 +17,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -179,8 +182,46 @@ private slots:
         QVERIFY(!m_window->findChild<WhatChanged*>()->comparison().isOn());
         QVERIFY(!m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
     }
+    void anotherFileIsComparedWith() {
+        Project older = pane();
+        older.assets[0].pattern.layers[0].parameters = UniformScatter{11};
+        const QString path = m_folder.filePath("older.rubble");
+        QVERIFY(saveProject(path.toStdString(), older).hasValue());
+        compareWith(path);
+        QTRY_VERIFY_WITH_TIMEOUT(changes().comparison().asset() != nullptr, kPatience);
+        QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+        QCOMPARE(changes().comparison().name(), QString("older.rubble"));
+        QCOMPARE(changes().comparison().asset()->before->fragmentCount(), 11u);
+        QStringList rows;
+        for (int k = 0; k < changes().panel().list().count(); ++k) rows += changes().panel().list().item(k)->text();
+        QVERIFY2(rows.filter("were 11").size() >= 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter("gone").size() >= 1, qPrintable(rows.join('\n')));
+        m_window->findChild<QDockWidget*>("dock-changes")->close();
+        QVERIFY(!changes().comparison().isOn());
+    }
+    void aFileThatCannotBeReadIsToldAndComparesNothing() {
+        const QString path = m_folder.filePath("torn.rubble");
+        QVERIFY(writeFileAtomically(path.toStdString(), "{\"format\": "));
+        QString told;
+        test::whenAsked<QFileDialog>([&told, path](QFileDialog& dialog) {
+            test::whenAsked<QMessageBox>([&told](QMessageBox& box) {
+                told = box.text();
+                QTest::keyClick(&box, Qt::Key_Escape);
+            });
+            test::takeFile(dialog, path);
+        });
+        changes().actions()[1]->trigger();
+        QVERIFY2(told.contains("torn.rubble") && told.contains("not JSON"), qPrintable(told));
+        QVERIFY(!changes().comparison().isOn());
+        QVERIFY(!m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+    }
 
 private:
+    WhatChanged& changes() const { return *m_window->findChild<WhatChanged*>(); }
+    void compareWith(const QString& path) {
+        test::whenAsked<QFileDialog>([path](QFileDialog& dialog) { test::takeFile(dialog, path); });
+        changes().actions()[1]->trigger();
+    }
     ContactSheetWindow* sheet() const { return m_window->findChild<ContactSheetWindow*>(); }
     const Asset& asset() const { return m_window->workspace().project().assets[0]; }
     QUndoStack& stack() const { return m_window->workspace().document().undoStack(); }

@@ -26,12 +26,13 @@ void whenAsked(std::function<void(Dialog&)> answer) {
     timer->start(20);
 }
 
-/// Types a path into a dialog that saves, and saves.
+/// Types a path into a dialog that opens or saves, and does so.
 inline void takeFile(QFileDialog& dialog, const QString& path) {
     auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
     name->setText(path);  // typed, its completer would hold the mouse
     auto* buttons = dialog.findChild<QDialogButtonBox*>();
-    QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
+    const bool opens = dialog.acceptMode() == QFileDialog::AcceptOpen;
+    QTest::mouseClick(buttons->button(opens ? QDialogButtonBox::Open : QDialogButtonBox::Save), Qt::LeftButton);
 }
 
 }  // namespace rubble::test
