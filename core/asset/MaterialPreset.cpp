@@ -69,7 +69,7 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset) {
     for (std::size_t k = 0; k < preset.pattern.layers.size(); ++k) {
         if (preset.pattern.layers[k].id == k + 1) continue;
         return owner + ": layer " + std::to_string(k + 1) + " of the pattern has the id " +
-               std::to_string(preset.pattern.layers[k].id) + "; those of a preset are 1, 2, 3, …";
+               std::to_string(preset.pattern.layers[k].id) + "; those of a preset are 1, 2, 3 and so on.";
     }
     if (Sentence fault = verifyPattern(preset.pattern)) return owner + ": " + *fault;
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include "core/fracture/VoronoiPartition.h"
 #include "core/io/BodiesJson.h"
 #include "core/io/FractureJson.h"
+#include "core/io/MaterialFile.h"
 #include "core/io/PackFile.h"
 #include "core/io/ProjectFile.h"
 
@@ -72,6 +73,20 @@ inline Sentence projectFault(std::string_view bytes) {
     if (!again) return "What was written is refused: " + again.error().message;
     if (projectText(*again) != text) return "What was written reads back as something else.";
     return std::nullopt;
+}
+
+/// A material that is read must come back from its own text, and be one that a project can keep.
+inline Sentence materialFault(std::string_view bytes) {
+    const Result<MaterialPreset> preset = readMaterialPresetText(bytes);
+    if (!preset) return refusalFault(preset.error());
+    if (Sentence fault = verifyPreset(*preset)) return fault;
+    const std::string text = materialPresetText(*preset);
+    const Result<MaterialPreset> again = readMaterialPresetText(text);
+    if (!again) return "What was written is refused: " + again.error().message;
+    if (materialPresetText(*again) != text) return "What was written reads back as something else.";
+    Project project{.nextId = 2};
+    project.materials = {materialOf(*preset, 1)};
+    return verifyProject(project);
 }
 
 /// A pack may be wrong in itself; saying so must not fail.

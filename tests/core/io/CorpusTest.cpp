@@ -15,6 +15,7 @@ using Reader = test::Sentence (*)(std::string_view);
 
 const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test::fractureFault},
                                                            {"Project", test::projectFault},
+                                                           {"Material", test::materialFault},
                                                            {"Pack", test::packFault},
                                                            {"BodiesJson", test::bodiesFault}};
 

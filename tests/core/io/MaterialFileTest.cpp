@@ -262,7 +262,7 @@ private slots:
         row("fractureToughness: the key \"value\" is missing.", "/fractureToughness", "{\"source\": \"a book\"}");
         row("density: unknown key \"unit\".", "/density", "{\"value\": 2, \"unit\": \"t\"}");
         row("Material \"glass\": the inside colour is 2, but it must be from 0 to 1.", "/inside", "[0, 2, 0]");
-        row("Material \"glass\": layer 2 of the pattern has the id 9; those of a preset are 1, 2, 3, …",
+        row("Material \"glass\": layer 2 of the pattern has the id 9; those of a preset are 1, 2, 3 and so on.",
             "/pattern/1/id", "9");
         row("Material \"glass\": Layer 2: \"Count\" is -5 a square metre, but must be finite and above zero.",
             "/pattern/1/parameters/count", "{\"perSquareMetre\": -5}");
