@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/asset/Threshold.h"
 #include "core/base/Random.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/geometry/OutlineShapes.h"
+#include "core/io/MaterialFile.h"
 #include "editor/commands/FragmentEdits.h"
+#include "editor/commands/MaterialEdits.h"
 #include "editor/commands/ProjectEdits.h"
 
 namespace rubble {
@@ -11,7 +14,7 @@ namespace rubble {
 /// Some edit that a user may make of a project, chosen at random.
 inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random.below(count)); };
-    const std::size_t kind = below(13);
+    const std::size_t kind = below(16);
     if (project.assets.empty() || kind == 0) {
         return addAsset(project, "wall", {rectangleOutline(1.0 + random.unit(), 2.0), 0.5}).edit;
     }
@@ -40,6 +43,22 @@ inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
             const std::string id = std::to_string(asset.pattern.layers[0].id) + ".";
             const std::vector<ChosenPiece> pieces{{.path = id + "0", .area = 2.0}, {.path = id + "1", .area = 1.0}};
             return kind == 10 ? mergeFragments(project, asset.id, pieces) : splitFragments(project, asset.id, pieces);
+        }
+        case 12: {
+            Material material = project.materials[below(project.materials.size())];
+            material.tensileStrength.reset();
+            if (random.below(3) > 0) material.tensileStrength = 1e5 + 1e7 * random.unit();
+            return altered("Set tensile strength", std::move(material), stroke);
+        }
+        case 13:
+            asset.threshold = thresholdOf(project, asset);  // as the inspector does: it stays what it was
+            asset.contactTime.reset();
+            if (random.below(3) > 0) asset.contactTime = 1e-4 + 1e-2 * random.unit();
+            return altered("Set where the threshold comes from", std::move(asset), stroke);
+        case 14: {
+            static const MaterialLibrary kLibrary = materialLibrary();
+            return makeOf(project, asset.id, kLibrary.materials[below(kLibrary.materials.size())].preset,
+                          {.takesPattern = random.below(2) == 0, .derivesThreshold = random.below(2) == 0});
         }
         default: {
             const PatternLayer& layer = asset.pattern.layers[below(asset.pattern.layers.size())];
