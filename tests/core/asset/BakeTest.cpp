@@ -249,6 +249,73 @@ private slots:
         QVERIFY(hashOf(other) != hashOf(*fourPixels()));
         QVERIFY(hashOf(other) != hashOf(*fourPixels()));
     }
+    void theHashIsOfStrokes() {
+        using Stroke = Strokes::Stroke;
+        const auto hashOf = [](std::vector<Stroke> strokes) {
+            Asset asset = hashedBox();
+            asset.pattern.layers[0] = {.id = 30, .parameters = Strokes{std::move(strokes)}};
+            return bakeInputHash(asset);
+        };
+        const std::vector<Stroke> drawn{{0, {{0.1, 0.2}, {0.3, 0.4}}}, {2, {{0.5, 0.6}, {0.7, 0.8}}}};
+        const std::vector<std::vector<Stroke>> others{
+            {},
+            {drawn[0]},
+            {drawn[1]},
+            {drawn[0], {3, drawn[1].points}},
+            {drawn[0], {2, {{0.5, 0.6}, {0.7, 0.9}}}},
+            {drawn[0], {2, {{0.4, 0.6}, {0.7, 0.8}}}},
+            {drawn[0], {2, {{0.5, 0.6}, {0.7, 0.8}, {0.9, 0.9}}}},
+            {{0, {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}, {0.7, 0.8}}}},
+            {drawn[0], drawn[1], {4, drawn[1].points}},
+        };
+        QVERIFY(hashOf(drawn) == hashOf(drawn));
+        for (std::size_t k = 0; k < others.size(); ++k) {
+            QVERIFY2(hashOf(others[k]) != hashOf(drawn), qPrintable(QString::number(k)));
+        }
+    }
+    void theHashIsOfAllThatIsDoneToPieces_data() {
+        QTest::addColumn<Change>("change");
+        const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
+        const auto merge = [](Asset& a) -> FragmentMerge& { return std::get<FragmentMerge>(a.edits[0]); };
+        const auto split = [](Asset& a) -> FragmentSplit& { return std::get<FragmentSplit>(a.edits[1]); };
+        row("rule", [](Asset& a) { a.shaping.smallPieces.rule = SmallPieceRule::DropSeeds; });
+        row("rule: kept", [](Asset& a) { a.shaping.smallPieces.rule = SmallPieceRule::Keep; });
+        row("measure", [](Asset& a) { a.shaping.smallPieces.measure = PieceMeasure::Volume; });
+        row("limit", [](Asset& a) { a.shaping.smallPieces.limit = 0.02; });
+        row("gap", [](Asset& a) { a.shaping.gap = 0.002; });
+        row("no gap", [](Asset& a) { a.shaping.gap = 0.0; });
+        row("leaf", [](Asset& a) { a.leaves[0].fragment = "5.2"; });
+        row("leaf kept whole", [](Asset& a) { a.leaves[0].level.reset(); });
+        row("leaf broken", [](Asset& a) { a.leaves[1].level.emplace(); });
+        row("leaf's volume", [](Asset& a) { a.leaves[0].level->minimumVolume = 0.2; });
+        row("leaf's pattern", [](Asset& a) { a.leaves[0].level->pattern.layers[0].randomSeed = 9; });
+        row("one leaf less", [](Asset& a) { a.leaves.pop_back(); });
+        row("merge into", [merge](Asset& a) { merge(a).into = "5.1"; });
+        row("merged", [merge](Asset& a) { merge(a).merged = {"5.4"}; });
+        row("one more merged", [merge](Asset& a) { merge(a).merged.push_back("5.4"); });
+        row("split", [split](Asset& a) { split(a).fragment = "5.1"; });
+        row("line's point", [split](Asset& a) { split(a).line.point.y = 0.3; });
+        row("line's direction", [split](Asset& a) { split(a).line.direction.x = 0.5; });
+        row("order of edits", [](Asset& a) { std::swap(a.edits[0], a.edits[1]); });
+        row("one edit less", [](Asset& a) { a.edits.pop_back(); });
+        row("nothing is done", [](Asset& a) {
+            a.shaping = {};
+            a.leaves.clear();
+            a.edits.clear();
+        });
+    }
+    void theHashIsOfAllThatIsDoneToPieces() {
+        QFETCH(Change, change);
+        Asset asset = hashedBox();
+        asset.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::Area, 0.01}, .gap = 0.001};
+        asset.leaves = {{"5.0", Level{.pattern = {{{.id = 40, .randomSeed = 3, .parameters = UniformScatter{3}}}},
+                                      .minimumVolume = 0.1}},
+                        {"5.1", {}}};
+        asset.edits = {FragmentMerge{"5.2", {"5.3"}}, FragmentSplit{"5.0", {{0.1, 0.2}, {1.0, 0.0}}}};
+        const ContentHash before = bakeInputHash(asset);
+        change(asset);
+        QVERIFY(bakeInputHash(asset) != before);
+    }
     void theHashIsOfNothingElse_data() {
         QTest::addColumn<Change>("change");
         const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
@@ -258,6 +325,12 @@ private slots:
         row("scale", [](Asset& a) { a.insideUvScale = 2.0; });
         row("cut at impact", [](Asset& a) { a.cutAtImpact.emplace(); });
         row("intents", [](Asset& a) { a.intents.resize(1); });
+        row("contact time", [](Asset& a) { a.contactTime = 0.001; });
+        row("inside material", [](Asset& a) { a.insideMaterial = 2; });
+        row("roughness", [](Asset& a) { a.shaping.roughness = {.amplitude = 0.01, .randomSeed = 5}; });
+        row("limit of pieces that are kept", [](Asset& a) {
+            a.shaping.smallPieces = {SmallPieceRule::Keep, PieceMeasure::Volume, 0.5};
+        });
         row("surface", [](Asset& a) { a.surface = std::make_shared<Surface>(); });
         row("a layer that is off", [](Asset& a) { a.pattern.layers.push_back({.id = 9, .isOn = false}); });
         row("where a deleted seed was moved to", [](Asset& a) {
