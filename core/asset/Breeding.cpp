@@ -85,11 +85,16 @@ const PatternKind* findKind(std::string_view name) {
     return found != kinds.end() ? *found : nullptr;
 }
 
+void mixIn(std::uint64_t randomSeed, Pattern& pattern) {
+    for (PatternLayer& layer : pattern.layers) layer.randomSeed = mixedWith(layer.randomSeed, randomSeed);
+}
+
 Asset variant(const Asset& asset, const BreedingRecipe& recipe, std::uint32_t number) {
     Asset made = variantOf(asset, number);
     made.name = asset.name;
     Random random(mixedWith(recipe.randomSeed, number));
-    for (PatternLayer& layer : made.pattern.layers) layer.randomSeed = mixedWith(layer.randomSeed, recipe.randomSeed);
+    mixIn(recipe.randomSeed, made.pattern);
+    for (Level& level : made.levels) mixIn(recipe.randomSeed, level.pattern);
     const auto first = std::ranges::find_if(made.pattern.layers, scatters);
     if (!recipe.kinds.empty() && first != made.pattern.layers.end()) {
         const PatternKind* kind = findKind(recipe.kinds[(number - 1) % recipe.kinds.size()]);
@@ -145,8 +150,18 @@ Asset child(std::span<const Asset> parents, const BreedingRecipe& recipe, std::u
         hold(recipe.locked, layer);
         scattering.push_back(&layer);
     }
+    const std::size_t ownCount = scattering.size();
+    for (Level& level : made.levels) {  // those of one parent
+        for (PatternLayer& layer : level.pattern.layers) {
+            if (scatters(layer)) scattering.push_back(&layer);
+        }
+    }
     const bool isFresh = !isChanged || number % kFreshSeedEvery == 0;
-    if (isFresh && !scattering.empty()) scattering[random.below(scattering.size())]->randomSeed = random.next();
+    if (isFresh && !scattering.empty()) {
+        const std::size_t chosen = random.below(scattering.size());
+        scattering[chosen]->randomSeed = random.next();
+        if (chosen >= ownCount) scattering[chosen]->overrides.clear();  // made for seeds that are elsewhere now
+    }
     made.leaves.clear();  // this and the next: made by hand for fragments that are elsewhere now
     made.edits.clear();
     return made;

@@ -46,8 +46,8 @@ std::optional<std::string> verifyRecipe(const BreedingRecipe& recipe, const Asse
 /// The kinds of layers that a variant's first scattering layer may become: all that scatter by parameters alone.
 std::vector<const PatternKind*> variedKinds();
 
-/// Variants of an asset: the first is the asset as it is; each of the others has random seeds of its own, as variantOf() gives
-/// them, its kind in place of the first layer that scatters, and a value for each varied parameter. Locked seeds stay in place,
+/// Variants of an asset: the first is the asset as it is; each of the others has random seeds of its own on all levels, as
+/// variantOf() gives them, its kind in place of the first layer that scatters, and a value for each varied parameter. Locked seeds stay in place,
 /// under their names, and what scatters them throws enough to reach them. Ids, shape and all else are the asset's.
 ///
 /// Errors: BadInput where verifyRecipe() finds a fault.
@@ -55,7 +55,7 @@ Result<std::vector<Asset>> variantsOf(const Asset& asset, const BreedingRecipe& 
 
 /// Children of some variants of one asset: each layer is that of one parent, with its random seed, and its numbers are changed by a
 /// share of at most `spread`, places and choices left as they are; a child without a change, or every third one, has another
-/// random seed in one of its layers. The first ones are the parents themselves, so that what was good is not lost. `kinds` are
+/// random seed in one of its layers, which may be of a level. Levels are those of one parent. The first ones are the parents themselves, so that what was good is not lost. `kinds` are
 /// left aside, and of `varied` the ranges hold.
 ///
 /// Errors: BadInput where there is no parent, or verifyRecipe() finds a fault in what is not varied.

@@ -4,8 +4,10 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace rubble {
 namespace {
@@ -155,6 +157,33 @@ private slots:
             QVERIFY(made[k].pattern.layers[0].parameters == heaps().pattern.layers[0].parameters);
             QVERIFY(made[k].pattern.layers[0].randomSeed != made[k - 1].pattern.layers[0].randomSeed);
         }
+    }
+    void levelsVaryByTheirRandomSeeds() {
+        Asset asset = heaps();
+        PatternLayer scatter{.id = 6, .randomSeed = 50, .parameters = UniformScatter{5}};
+        scatter.overrides = {{.index = 1, .position = {0.01, 0.01}}};
+        asset.levels = {{.pattern = {{scatter}}}};
+        const auto seedOf = [](const Asset& of) { return of.levels[0].pattern.layers[0].randomSeed; };
+        const std::vector<Asset> made = variants(asset, {.count = 6}),
+                                 others = variants(asset, {.count = 6, .randomSeed = 2});
+        std::set<std::uint64_t> seeds;
+        for (std::size_t k = 0; k < made.size(); ++k) {
+            seeds.insert(seedOf(made[k]));
+            seeds.insert(seedOf(others[k]));
+            QVERIFY(made[k].levels[0].pattern.layers[0].parameters == scatter.parameters);
+        }
+        QCOMPARE(seeds.size(), std::size_t{11});  // the asset's own, and five of each recipe
+
+        const std::vector<Asset> bred = bredFrom(std::vector{made[1], made[2], asset}, {.count = 60, .spread = 0.0});
+        std::size_t inherited = 0, fresh = 0;
+        for (std::size_t k = 3; k < bred.size(); ++k) {
+            const PatternLayer& layer = bred[k].levels[0].pattern.layers[0];
+            const bool isOfParent = std::ranges::any_of(
+                std::span(bred).first(3), [&](const Asset& parent) { return parent.levels == bred[k].levels; });
+            QVERIFY(isOfParent || layer.overrides.empty());
+            ++(isOfParent ? inherited : fresh);
+        }
+        QVERIFY2(inherited > 10 && fresh > 10, qPrintable(QString("%1 %2").arg(inherited).arg(fresh)));
     }
     void allThatIsBredCanBeBroken() {
         std::vector<Asset> generation = variants(fullProject().assets[0], {.count = 4});
