@@ -20,9 +20,30 @@ void addIds(const std::vector<Element>& elements, const char* kind, std::vector<
     for (const Element& element : elements) uses.push_back({element.id, ownerText(kind, element.id, element.name)});
 }
 
-void addLayerIds(const Pattern& pattern, const std::string& asset, std::vector<IdUse>& uses) {
-    for (const PatternLayer& layer : pattern.layers) {
-        uses.push_back({layer.id, "Layer " + std::to_string(layer.id) + " of " + asset});
+IdUse useOf(const PatternLayer& layer, const std::string& asset) {
+    return {layer.id, "Layer " + std::to_string(layer.id) + " of " + asset};
+}
+
+/// The patterns that break an asset's fragments, those of levels and of single ones, may have a layer in common.
+std::vector<const Pattern*> patternsBelow(const Asset& asset) {
+    std::vector<const Pattern*> patterns;
+    for (const Level& level : asset.levels) patterns.push_back(&level.pattern);
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (leaf.level) patterns.push_back(&leaf.level->pattern);
+    }
+    return patterns;
+}
+
+void addLayerIds(const Asset& asset, std::vector<IdUse>& uses) {
+    const std::string owner = ownerText("asset", asset.id, asset.name);
+    for (const PatternLayer& layer : asset.pattern.layers) uses.push_back(useOf(layer, owner));
+    std::set<Id> below;
+    for (const Pattern* pattern : patternsBelow(asset)) {
+        std::set<Id> own;
+        for (const PatternLayer& layer : pattern->layers) {
+            const bool isTwice = !own.insert(layer.id).second;
+            if (below.insert(layer.id).second || isTwice) uses.push_back(useOf(layer, owner));
+        }
     }
 }
 
@@ -30,14 +51,7 @@ std::vector<IdUse> allIds(const Project& project) {
     std::vector<IdUse> uses;
     addIds(project.materials, "Material", uses);
     addIds(project.assets, "Asset", uses);
-    for (const Asset& asset : project.assets) {
-        const std::string owner = ownerText("asset", asset.id, asset.name);
-        addLayerIds(asset.pattern, owner, uses);
-        for (const Level& level : asset.levels) addLayerIds(level.pattern, owner, uses);
-        for (const FragmentLevel& leaf : asset.leaves) {
-            if (leaf.level) addLayerIds(leaf.level->pattern, owner, uses);
-        }
-    }
+    for (const Asset& asset : project.assets) addLayerIds(asset, uses);
     addIds(project.instances, "Instance", uses);
     addIds(project.shots, "Shot", uses);
     addIds(project.playTests, "Play-test", uses);

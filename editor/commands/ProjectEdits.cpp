@@ -110,12 +110,12 @@ void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to
     }
 }
 
-/// Gives layers ids of their own, and tells which became which.
+/// Gives layers ids of their own, and tells which became which. What patterns have in common stays so.
 void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::map<Id, Id>& layers) {
     for (PatternLayer& layer : pattern.layers) {
-        const Id id = edit.takeId(project);
-        layers[layer.id] = id;
-        layer.id = id;
+        const auto [known, isNew] = layers.try_emplace(layer.id, 0);
+        if (isNew) known->second = edit.takeId(project);
+        layer.id = known->second;
     }
 }
 

@@ -49,6 +49,15 @@ private slots:
         QVERIFY2(!fault, fault.value_or("").c_str());
     }
 
+    void patternsOfFragmentsMayHaveLayersInCommon() {
+        Project project = smallProject();
+        Asset& wall = project.assets[0];
+        wall.leaves = {{"3.0", wall.levels[0]}, {"3.1", wall.levels[0]}};
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+        wall.levels.clear();
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+    }
+
     void theEndsOfRangesAreTaken() {
         Project project = smallProject();
         project.debris = {.lifetime = 1e-9, .fade = 0.0, .mostPieces = 1};
@@ -68,6 +77,14 @@ private slots:
             [](Project& p) { p.assets[0].pattern.layers[0].id = 5; });
         row("Layer 3 of asset 2 \"wall\" and Layer 3 of asset 2 \"wall\" have the same id.",
             [](Project& p) { p.assets[0].levels[0].pattern.layers[0].id = 3; });
+        row("Layer 4 of asset 2 \"wall\" and Layer 4 of asset 2 \"wall\" have the same id.", [](Project& p) {
+            auto& layers = p.assets[0].levels[0].pattern.layers;
+            layers.push_back(layers.front());
+        });
+        row("Layer 4 of asset 2 \"wall\" and Instance 4 \"left\" have the same id.", [](Project& p) {
+            p.assets[0].leaves = {{"3.0", p.assets[0].levels[0]}};
+            p.instances[0].id = 4;
+        });
         row("Instance 5 \"left\" stands behind the one with id 6; ids must ascend.",
             [](Project& p) { std::swap(p.instances[0], p.instances[1]); });
         row("Material 1 has no name.", [](Project& p) { p.materials[0].name.clear(); });
