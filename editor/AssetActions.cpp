@@ -12,6 +12,7 @@
 #include "editor/Views.h"
 #include "editor/WhatChanged.h"
 #include "editor/commands/LayerKind.h"
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/LayerText.h"
 
@@ -131,7 +132,7 @@ void AssetActions::addSeedsOfMesh() {
 
 void AssetActions::shuffle() {
     Asset asset = *m_window.workspace().asset();
-    for (PatternLayer& layer : asset.pattern.layers) ++layer.randomSeed;
+    for (PatternLayer& layer : ownPattern(asset, m_window.workspace().selection().inside()).layers) ++layer.randomSeed;
     m_window.workspace().document().push(altered(tr("Scatter again"), std::move(asset)));
 }
 

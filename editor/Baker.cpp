@@ -1,6 +1,7 @@
 #include "editor/Baker.h"
 
 #include "core/asset/Breaking.h"
+#include "editor/document/Inside.h"
 
 #include <algorithm>
 
@@ -8,23 +9,77 @@ namespace rubble {
 
 namespace {
 
-/// Fills in seeds, triangulation and partition.
-Status makePattern(BakedPattern& pattern, const TaskContext& task) {
-    Result<PlaneBreaking> cut = cutBy(recipeOf(*pattern.asset), pattern.asset->prism, task);
-    if (!cut) return cut.error();
-    pattern.seeds = std::move(cut->seeds);
-    pattern.triangulation = std::move(cut->delaunay);
-    pattern.partition = std::move(cut->partition);
-    return success();
+/// A pattern that is to be made of an asset.
+struct PatternWish {
+    std::shared_ptr<const Asset> asset;
+    FragmentPath inside;                         // the fragment that is broken; empty: the whole
+    FragmentSolid solid;                         // it, where it is one
+    std::shared_ptr<const BakedPattern> before;  // of the same; null where there is none
+};
+
+/// That inside the fragment which is seen; none where the whole is.
+std::optional<PatternWish> insideWish(std::shared_ptr<const Asset> asset, const Selection& selection,
+                                      const Bakes& bakes) {
+    const FragmentPath& inside = selection.inside();
+    if (asset->id != selection.asset() || inside.empty() || !levelFor(*asset, inside, levelOf(inside)))
+        return std::nullopt;
+    std::optional<FragmentSolid> solid = solidOf(bakes, asset->id, inside);
+    if (!solid) return std::nullopt;
+    return PatternWish{std::move(asset), inside, std::move(*solid), nullptr};
 }
 
-BakeQueue::Delivery patternOf(Bakes& bakes, std::shared_ptr<const Asset> asset, const TaskContext& task) {
+Result<PlaneBreaking> cutFor(const PatternWish& wish, const TaskContext& task) {
+    const Asset& asset = *wish.asset;
+    if (wish.inside.empty()) return cutBy(recipeOf(asset), asset.prism, task);
+    const std::string id = std::to_string(asset.id) + "/" + wish.inside;
+    const Level& level = *levelFor(asset, wish.inside, levelOf(wish.inside));
+    return cutBy(recipeOf(asset, id, level, wish.solid.offset), wish.solid.prism, task);
+}
+
+/// Whether the whole of both is cut alike: what is done inside fragments leaves it as it is.
+bool isSameWhole(const Asset& a, const Asset& b) {
+    return a.prism == b.prism && a.pattern == b.pattern && a.shaping == b.shaping && a.edits == b.edits;
+}
+
+/// Null where it was cancelled.
+std::shared_ptr<const BakedPattern> patternOf(const PatternWish& wish, const TaskContext& task) {
     auto pattern = std::make_shared<BakedPattern>();
-    pattern->asset = std::move(asset);
-    const Status made = makePattern(*pattern, task);
-    if (!made && made.error().code == ErrorCode::Cancelled) return {};
-    if (!made) *pattern = {.asset = pattern->asset, .fault = made.error()};
-    return [&bakes, pattern] { bakes.setPattern(pattern->asset->id, pattern); };
+    const bool isKnown = wish.before && isSameWhole(*wish.before->asset, *wish.asset);
+    if (isKnown) *pattern = *wish.before;
+    pattern->asset = wish.asset;
+    if (isKnown) return pattern;
+    if (!wish.inside.empty()) {
+        pattern->asset = std::make_shared<const Asset>(asWhole(*wish.asset, wish.inside, wish.solid.prism));
+        pattern->inside = wish.inside;
+        pattern->offset = wish.solid.offset;
+    }
+    Result<PlaneBreaking> cut = cutFor(wish, task);
+    if (!cut) {
+        if (cut.error().code == ErrorCode::Cancelled) return nullptr;
+        pattern->fault = cut.error();
+        return pattern;
+    }
+    pattern->seeds = std::move(cut->seeds);
+    pattern->triangulation = std::move(cut->delaunay);
+    pattern->partition = std::move(cut->partition);
+    return pattern;
+}
+
+/// What is seen comes first.
+BakeQueue::Work patternWork(const std::shared_ptr<const Asset>& asset, const Selection& selection, Bakes& bakes) {
+    std::vector<PatternWish> wishes;
+    if (std::optional<PatternWish> inside = insideWish(asset, selection, bakes)) wishes.push_back(std::move(*inside));
+    wishes.push_back({asset, {}, {}, bakes.findPattern(asset->id)});
+    return [&bakes, wishes = std::move(wishes)](const TaskContext& task) -> BakeQueue::Delivery {
+        std::vector<std::shared_ptr<const BakedPattern>> patterns;
+        for (const PatternWish& wish : wishes) {
+            patterns.push_back(patternOf(wish, task));
+            if (!patterns.back()) return {};
+        }
+        return [&bakes, patterns = std::move(patterns)] {
+            for (const auto& pattern : patterns) bakes.setPattern(pattern->asset->id, pattern);
+        };
+    };
 }
 
 /// What is to be baked of an asset, and what was before.
@@ -83,17 +138,20 @@ bool isBaked(const Instance& instance, const Bakes& bakes) {
 Baker::Baker(const Document& document, const Selection& selection, Bakes& bakes, QObject* parent)
     : QObject(parent),
       m_document(document),
+      m_selection(selection),
       m_bakes(bakes),
       m_patterns(document, selection, BakeQueue::Start::AtOnce,
-                 [&bakes](auto asset) {
-                     return [&bakes, asset](const TaskContext& task) { return patternOf(bakes, asset, task); };
-                 }),
+                 [&selection, &bakes](const auto& asset) { return patternWork(asset, selection, bakes); }),
       m_fragments(document, selection, BakeQueue::Start::AfterRest, [&bakes, &document](auto asset) {
           return [&bakes, wish = wishFor(std::move(asset), document.project(), bakes)](const TaskContext& task) {
               return fragmentsOf(bakes, wish, task);
           };
       }) {
     connect(&document, &Document::changed, this, &Baker::take);
+    connect(&selection, &Selection::insideChanged, this, [this] { takeInside(); });
+    connect(&bakes, &Bakes::changed, this, [this](Id asset) {
+        if (asset == m_selection.asset()) takeInside();
+    });
     connect(&m_fragments, &BakeQueue::progressed, this, &Baker::progressed);
     take({{}, true});
 }
@@ -120,6 +178,11 @@ void Baker::take(const Changes& changes) {
     if (!wanted.empty()) m_patterns.want(wanted);
     if (changes.touches(Part::Instance)) addUnbaked(wanted);
     if (!wanted.empty()) m_fragments.want(wanted);
+}
+
+/// The fragment that is seen may be another one, or have another outline.
+void Baker::takeInside() {
+    if (!m_selection.inside().empty()) m_patterns.want({m_selection.asset()});
 }
 
 /// Assets in variants that are used from now on.

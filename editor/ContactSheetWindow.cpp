@@ -274,7 +274,7 @@ void ContactSheetWindow::lockChosen() {
     Workspace& at = m_window.workspace();
     const auto baked = at.bakes().find(m_asset);
     const bool isOfAsset = at.selection().asset() == m_asset && baked && baked->bake;
-    const Selection::Seeds& seeds = at.selection().seeds();
+    const Selection::Seeds seeds = at.selection().choice().seedsInside({});
     m_locked.clear();
     if (isOfAsset) m_locked = lockedIn(*baked->bake, std::vector(seeds.begin(), seeds.end()));
     say(m_locked.empty() ? tr("No seed is locked. Choose some in the canvas to lock them.")

@@ -5,10 +5,13 @@
 #include "editor/Action.h"
 #include "editor/MainWindow.h"
 #include "editor/PreferencesDialog.h"
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/icons/Icon.h"
 
 #include <QMenu>
+
+#include <algorithm>
 
 namespace rubble {
 
@@ -45,7 +48,8 @@ void EditActions::deleteSeeds() {
     Workspace& workspace = m_window.workspace();
     if (!workspace.asset()) return;
     Asset asset = *workspace.asset();
-    for (const SeedId seed : workspace.selection().seeds()) deleteSeed(asset.pattern, seed);
+    Pattern& pattern = ownPattern(asset, workspace.selection().inside());
+    for (const SeedId seed : workspace.selection().seeds()) deleteSeed(pattern, seed);
     workspace.selection().setSeeds({});
     workspace.document().push(altered(tr("Delete seeds"), std::move(asset)));
 }
@@ -54,7 +58,10 @@ void EditActions::restoreSeeds() {
     Workspace& workspace = m_window.workspace();
     if (!workspace.asset()) return;
     Asset asset = *workspace.asset();
-    for (PatternLayer& layer : asset.pattern.layers) layer.overrides.clear();
+    Pattern& pattern = ownPattern(asset, workspace.selection().inside());
+    const auto hasOverrides = [](const PatternLayer& layer) { return !layer.overrides.empty(); };
+    if (std::ranges::none_of(pattern.layers, hasOverrides)) return;
+    for (PatternLayer& layer : pattern.layers) layer.overrides.clear();
     workspace.document().push(altered(tr("Restore seeds"), std::move(asset)));
 }
 

@@ -97,6 +97,9 @@ MainWindow::MainWindow(Program& program, Project project)
     connect(&m_workspace.autosave(), &Autosave::failed, this, &MainWindow::say);
     connect(&m_workspace.baker(), &Baker::progressed, this, &MainWindow::showProgress);
     connect(&m_workspace.bakes(), &Bakes::changed, this, &MainWindow::updateCounts);
+    connect(&m_workspace.bakes(), &Bakes::patternChanged, this, [this] {
+        if (!m_workspace.selection().inside().empty()) updateCounts();
+    });
     connect(&m_workspace.selection(), &Selection::assetChanged, this, &MainWindow::updateCounts);
     connect(&m_workspace.selection(), &Selection::seedsChanged, this, &MainWindow::updateCounts);
     const auto takePreferences = [this] {
@@ -200,7 +203,7 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateCounts() {
     const Id asset = m_workspace.selection().asset();
-    const auto pattern = m_workspace.bakes().findPattern(asset);
+    const auto pattern = m_workspace.bakes().findPattern(asset, m_workspace.selection().inside());
     const auto baked = m_workspace.bakes().find(asset);
     if (!pattern || !baked || !baked->bake) return m_counts->clear();
     QString text =

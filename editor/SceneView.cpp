@@ -253,7 +253,7 @@ SceneMarks SceneView::marks() const {
     addMarks(selection.choice(), marks.selected);
     addMarks(selection.hidden(), marks.hidden);
     for (const Instance& instance : m_workspace.project().instances) {
-        const bool isChosen = selection.seeds().empty() && selection.instances().contains(instance.id);
+        const bool isChosen = selection.choice().isEmpty() && selection.instances().contains(instance.id);
         if (isChosen) marks.selected.push_back({instance.asset, instance.id, kNone});
         if (instance.isHidden) marks.hidden.push_back({instance.asset, instance.id, kNone});
     }
@@ -324,7 +324,7 @@ void SceneView::pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modi
     FragmentSet chosen(bake->fragmentCount(), false);
     if (isMore) chosen = fragmentsOf(selection.choice(), *bake);
     chosen[id->fragment] = !chosen[id->fragment];
-    selection.setChoice(choiceOf(chosen, *bake));
+    selection.setChoice(choiceOf(chosen, *bake, selection.inside()));
 }
 
 /// Chooses the instances in a box, or the fragments where it is drawn in the asset by itself.
@@ -353,7 +353,7 @@ void SceneView::pickFragments(const std::vector<PickId>& ids, bool isMore) {
     for (const PickId& id : ids) {
         if (id.fragment < chosen.size()) chosen[id.fragment] = true;
     }
-    selection.setChoice(choiceOf(chosen, *bake));
+    selection.setChoice(choiceOf(chosen, *bake, selection.inside()));
 }
 
 }  // namespace rubble

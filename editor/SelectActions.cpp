@@ -9,6 +9,7 @@
 #include "editor/canvas/PatternCanvas.h"
 #include "editor/document/CellChoice.h"
 #include "editor/document/FragmentHiding.h"
+#include "editor/document/FragmentSeeds.h"
 #include "viewport/ViewportWidget.h"
 
 #include <QKeyEvent>
@@ -20,8 +21,17 @@ namespace rubble {
 
 namespace {
 
+/// That which is seen: of the whole, or inside a fragment.
 std::shared_ptr<const BakedPattern> patternOf(Workspace& workspace) {
-    return workspace.bakes().findPattern(workspace.selection().asset());
+    return workspace.bakes().findPattern(workspace.selection().asset(), workspace.selection().inside());
+}
+
+/// What is not in a set of all that lies inside a fragment.
+FragmentSet invertedInside(const FragmentPath& inside, const Bake& bake, const FragmentSet& set) {
+    FragmentSet others = invertedFragments(bake, set);
+    const std::vector<std::optional<SeedId>> seeds = seedsOfFragments(bake, inside);
+    for (std::size_t k = 0; k < others.size(); ++k) others[k] = others[k] && seeds[k];
+    return others;
 }
 
 }  // namespace
@@ -97,11 +107,9 @@ void SelectActions::addHiding() {
 /// An action whose key counts where canvas or 3D view have the focus.
 QAction* SelectActions::addInViews(const ActionLook& look, Slot slot) {
     QAction* action = makeAction(this, look);
-    action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, slot);
     m_menu->addAction(action);
-    m_window.views().canvas().addAction(action);
-    m_window.views().scene().viewport().addAction(action);
+    m_window.views().keyInViews(*action);
     return action;
 }
 
@@ -131,7 +139,11 @@ void SelectActions::chooseNone() { m_window.workspace().selection().setSeeds({})
 /// By seeds, of which some may have no cell; by fragments where only some of a seed's are chosen.
 void SelectActions::invert() {
     Selection& selection = m_window.workspace().selection();
-    if (selection.choice().ids) return change(invertedFragments, tr("All pieces were chosen."));
+    if (selection.choice().ids) {
+        return change(
+            [&](const Bake& now, const FragmentSet& set) { return invertedInside(selection.inside(), now, set); },
+            tr("All pieces were chosen."));
+    }
     if (const auto pattern = patternOf(m_window.workspace()))
         selection.setSeeds(otherCells(*pattern, selection.seeds()));
 }
@@ -185,7 +197,7 @@ void SelectActions::change(const Change& change, const QString& sentenceIfNone) 
     Selection& selection = m_window.workspace().selection();
     const FragmentSet found = change(*baked, fragmentsOf(selection.choice(), *baked));
     if (std::ranges::find(found, true) == found.end()) return m_window.say(sentenceIfNone);
-    selection.setChoice(choiceOf(found, *baked));
+    selection.setChoice(choiceOf(found, *baked, selection.inside()));
 }
 
 void SelectActions::takeBake() {

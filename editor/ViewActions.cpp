@@ -158,9 +158,7 @@ void ViewActions::addPanes() {
     QAction* hide =
         add({"view-docks", tr("&Hide or Show Docks"), tr("Hide all docks, or bring them back"), QKeySequence("Tab")});
     connect(hide, &QAction::triggered, &views, &Views::toggleDocks);
-    hide->setShortcutContext(Qt::WidgetShortcut);  // where canvas or 3D view have the focus; elsewhere Tab goes on
-    views.canvas().addAction(hide);
-    views.scene().viewport().addAction(hide);
+    views.keyInViews(*hide);  // elsewhere Tab goes on
     QAction* reset = add({"view-reset-layout", tr("&Reset Layout"), tr("Put all docks back where they were first")});
     connect(reset, &QAction::triggered, &views, &Views::resetLayout);
     QAction* full = add({"view-full-screen", tr("F&ull Screen"), tr("Use the whole screen"), QKeySequence("F11")});

@@ -261,6 +261,14 @@ void Views::takePreferences(const Preferences& preferences) {
 
 void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
 
+void Views::setPlaceActions(const QList<QAction*>& actions) { m_fragments->setPlaceActions(actions); }
+
+void Views::keyInViews(QAction& action) {
+    action.setShortcutContext(Qt::WidgetShortcut);
+    m_canvas->addAction(&action);
+    m_scene->viewport().addAction(&action);
+}
+
 void Views::setMaterialActions(const QList<QAction*>& actions) {
     m_tree->setMaterialActions(actions);
     m_inspector->setMaterialActions(actions);
@@ -271,6 +279,7 @@ void Views::jump(const Message& message) {
     if (!message.instances.empty()) return jumpTo(message.instances);
     if (!findAsset(m_window.workspace().project(), message.asset)) return;
     m_window.workspace().selection().setAsset(message.asset);
+    m_window.workspace().selection().setInside({});
     m_window.workspace().selection().setSeeds(message.seed ? Selection::Seeds{*message.seed} : Selection::Seeds{});
     m_canvas->fit();
     m_canvas->setFocus();
@@ -286,6 +295,7 @@ void Views::jump(const Problem& problem) {
     if (problem.kind == ProblemKind::UnknownStrength) {  // it is told in the material's page
         return selection.setMaterial(findAsset(workspace.project(), problem.asset)->material);
     }
+    selection.setInside({});
     const std::shared_ptr<const Bake> bake = workspace.problems().bakeOf(problem.asset);
     if (bake && problem.fragment < bake->fragmentCount()) {
         FragmentSet one(bake->fragmentCount(), false);

@@ -52,6 +52,10 @@ public:
     void takePreferences(const Preferences& preferences);
     /// What the tree offers for chosen instances.
     void setInstanceActions(const QList<QAction*>& actions);
+    /// What the list of fragments offers to go into one and out of it.
+    void setPlaceActions(const QList<QAction*>& actions);
+    /// Lets the key of an action count where canvas or 3D view have the focus, and nowhere else.
+    void keyInViews(QAction& action);
     /// What tree and inspector offer for materials: the library first.
     void setMaterialActions(const QList<QAction*>& actions);
 

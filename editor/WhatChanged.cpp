@@ -98,6 +98,7 @@ void WhatChanged::jump(const PieceDifference& piece) {
     const ComparedAsset& compared = *m_comparison.asset();
     const bool isThere = piece.after != kNone;
     const Bake& bake = isThere ? *compared.after : *compared.before;
+    selection.setInside({});
     const Vec2 place{bake.fragment(isThere ? piece.after : piece.before).solid.offset()};
     if (isThere) {
         FragmentSet one(bake.fragmentCount(), false);

@@ -1,5 +1,7 @@
 #include "editor/Workspace.h"
 
+#include "editor/document/Inside.h"
+
 namespace rubble {
 
 Workspace::Workspace(Project project, const QString& backups, QObject* parent)
@@ -13,7 +15,10 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_playTests(m_document, m_bakes),
       m_trials(m_document, m_bakes) {
     m_selection.prune(m_document.project());
+    const auto leave = [this] { leaveWhatIsGone(m_selection, m_document.project(), m_bakes); };
     connect(&m_document, &Document::changed, &m_selection, [this] { m_selection.prune(m_document.project()); });
+    connect(&m_document, &Document::changed, &m_selection, leave);
+    connect(&m_bakes, &Bakes::changed, &m_selection, leave);
     connect(&m_file, &DocumentFile::pathChanged, &m_autosave, &Autosave::setProjectPath);
 }
 

@@ -26,18 +26,18 @@ double valueOf(DenseWhere dense, bool isErasing) { return (dense == DenseWhere::
 }  // namespace
 
 const PatternLayer* BrushTool::layer() const {
-    const Asset* asset = m_state.asset();
-    if (!asset) return nullptr;
+    const Asset* shown = m_state.shown();
+    if (!shown) return nullptr;
     const auto isOpen = [](const PatternLayer& each) {
         return each.isOn && std::holds_alternative<DensityImage>(each.parameters);
     };
-    const auto& layers = asset->pattern.layers;
+    const auto& layers = shown->pattern.layers;
     const auto found = std::find_if(layers.rbegin(), layers.rend(), isOpen);
     return found == layers.rend() ? nullptr : &*found;
 }
 
 void BrushTool::press(const CanvasPointer& pointer) {
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     m_pointer = pointer;
     const PatternLayer* of = layer();
     m_painting = Painting{.before = *m_state.asset(), .last = pointer.metres, .stroke = m_state.document.newStroke()};
@@ -51,7 +51,7 @@ void BrushTool::press(const CanvasPointer& pointer) {
 }
 
 void BrushTool::dabTo(const CanvasPointer& pointer) {
-    const Box2 box = boundsOf(m_painting->before.prism.outline.outer);
+    const Box2 box = boundsOf(m_state.shown()->prism.outline.outer);
     const PatternLayer* of = layer();
     const DenseWhere dense = of ? std::get<DensityImage>(of->parameters).dense : DenseWhere::Dark;
     const bool isErasing = m_isErasing != pointer.modifiers.testFlag(Qt::ShiftModifier);
@@ -65,14 +65,15 @@ void BrushTool::dabTo(const CanvasPointer& pointer) {
 void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
     m_painting->picture = picture;
     Asset asset = m_painting->before;
+    Pattern& pattern = m_state.patternIn(asset);
     Edit edit{.text = tr("Paint density"), .stroke = m_painting->stroke};
     if (m_painting->newId != 0) {
-        const bool isThere = findLayer(m_state.asset()->pattern, m_painting->newId) != nullptr;
+        const bool isThere = findLayer(m_state.shown()->pattern, m_painting->newId) != nullptr;
         const Id id = isThere ? m_painting->newId : edit.takeId(m_state.document.project());
         m_painting->newId = m_painting->layer = id;
-        asset.pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
+        pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
     }
-    if (PatternLayer* of = findLayer(asset.pattern, m_painting->layer)) {
+    if (PatternLayer* of = findLayer(pattern, m_painting->layer)) {
         std::get<DensityImage>(of->parameters).image = std::move(picture);
         edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
         m_state.document.push(std::move(edit));
@@ -151,14 +152,14 @@ void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) co
             overlay.setPixelColor(column, row, colour);
         }
     }
-    const Box2 box = boundsOf(m_state.asset()->prism.outline.outer);
+    const Box2 box = boundsOf(m_state.shown()->prism.outline.outer);
     const QRectF target(m_state.view.pixels({box.min.x, box.max.y}), m_state.view.pixels({box.max.x, box.min.y}));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(target, overlay);
 }
 
 void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     paintPicture(painter, colours);
     if (!m_pointer) return;
     painter.setRenderHint(QPainter::Antialiasing);

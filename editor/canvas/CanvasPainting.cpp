@@ -22,11 +22,13 @@ constexpr double kSmallestSign = 1.75;  // pixels; smaller seeds are points with
 constexpr double kSeedPart = 0.14;      // of the mean distance between seeds
 constexpr double kFinestSpacing =
     10.0;  // pixels between seeds; lines of smaller cells are not smoothed: many times as fast
-constexpr double kVoronoiReach = 10.0;  // times the extent of all seeds, to the end of rays
-constexpr double kLineReach = 2.0;      // pixels that a line reaches beyond where it runs
-constexpr double kWidestBond = 7.0;     // pixels
-constexpr double kThinnestBond = 0.75;  // pixels
-constexpr double kSeedSpacing = 5.0;    // pixels; where seeds stand closer, they would hide their cells
+constexpr double kVoronoiReach = 10.0;     // times the extent of all seeds, to the end of rays
+constexpr double kLineReach = 2.0;         // pixels that a line reaches beyond where it runs
+constexpr double kWidestBond = 7.0;        // pixels
+constexpr double kThinnestBond = 0.75;     // pixels
+constexpr float kAround = 0.45F;           // how much is seen of what lies around a fragment
+constexpr std::size_t kMostSmooth = 3000;  // edges around it; more are not smoothed
+constexpr double kSeedSpacing = 5.0;       // pixels; where seeds stand closer, they would hide their cells
 
 /// Which of the seeds are painted.
 enum class Whose {
@@ -154,7 +156,7 @@ private:
 
     bool isHidden(std::uint32_t piece) const {
         return !m_contents.hidden.isEmpty() &&
-               m_contents.hidden.holds(m_pattern.cellOf(piece), m_pattern.fragmentId(piece));
+               m_contents.hidden.holds(m_pattern.baked().inside, m_pattern.cellOf(piece), m_pattern.fragmentId(piece));
     }
 
     void fill(std::uint32_t piece, const QBrush& brush) {
@@ -272,6 +274,22 @@ void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view,
     if (layers.hasSeeds && moved) moved->paintSeeds();
 }
 
+/// Faintly: it is not what is edited.
+void paintAround(QPainter& painter, const QRectF& part, const CanvasView& view,
+                 const std::vector<std::array<Vec2, 2>>& edges, const CanvasColours& colours) {
+    QList<QLineF> lines;
+    for (const auto& [from, to] : edges) {
+        const QLineF line(view.pixels(from), view.pixels(to));
+        const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1.0, -1.0, 1.0, 1.0);
+        if (box.intersects(part)) lines.push_back(line);
+    }
+    QColor colour = colours.label;
+    colour.setAlphaF(kAround);
+    painter.setRenderHint(QPainter::Antialiasing, edges.size() < kMostSmooth);
+    painter.setPen(QPen(colour, 1.0));
+    painter.drawLines(lines);
+}
+
 void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
     if (ring.empty()) return;
     path.moveTo(view.pixels(ring[0]));
@@ -307,6 +325,7 @@ void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view
     painter.setClipRect(part);
     painter.fillRect(part, colours.background);
     if (contents.layers.hasGrid) paintGrid(painter, part, view, colours);
+    if (contents.layers.hasCells) paintAround(painter, part, view, contents.around, colours);
     if (contents.pattern) paintPattern(painter, part, view, contents, colours);
     painter.restore();
 }

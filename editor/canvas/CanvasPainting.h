@@ -8,9 +8,11 @@
 
 #include <QPainter>
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rubble {
 
@@ -18,6 +20,7 @@ namespace rubble {
 struct CanvasContents {
     std::shared_ptr<const ShownPattern> pattern;  // as it was baked; null where there is none
     std::shared_ptr<const MovedPart> moved;       // what changed since; null where nothing did
+    std::vector<std::array<Vec2, 2>> around;      // edges of what lies around a fragment that one is in, m
     CanvasLayers layers;
     ShownPattern::Range range;  // of layers.colouring
     FragmentChoice hidden;

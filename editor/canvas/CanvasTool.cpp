@@ -1,6 +1,8 @@
 #include "editor/canvas/CanvasTool.h"
 
 #include "editor/canvas/GridPainting.h"
+#include "editor/commands/PatternPlaces.h"
+#include "editor/document/Inside.h"
 
 namespace rubble {
 
@@ -20,6 +22,17 @@ std::optional<Vec2> directionOf(int key) {
 }
 
 }  // namespace
+
+Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.inside()); }
+
+std::optional<FragmentPath> CanvasState::brokenAt(Vec2 point) const {
+    const std::uint32_t piece = pattern ? pattern->pieceAt(point) : kNone;
+    const auto baked = bakes.find(selection.asset());
+    if (piece == kNone || !asset() || !baked || !baked->bake) return std::nullopt;
+    FragmentPath path = pathOfId(pattern->fragmentId(piece));
+    if (nearestBroken(*asset(), baked->bake.get(), path) != path) return std::nullopt;
+    return path;
+}
 
 std::optional<Vec2> nudgeOf(const QKeyEvent& event, const CanvasState& state) {
     const std::optional<Vec2> direction = directionOf(event.key());

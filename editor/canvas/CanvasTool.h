@@ -3,6 +3,7 @@
 #include "editor/canvas/CanvasColours.h"
 #include "editor/canvas/CanvasView.h"
 #include "editor/canvas/ShownPattern.h"
+#include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
 
@@ -19,12 +20,21 @@ namespace rubble {
 struct CanvasState {
     Document& document;
     Selection& selection;
+    const Bakes& bakes;
     CanvasView view;
-    std::shared_ptr<const ShownPattern> pattern;  // the last one of the asset at hand; null where there is none
+    std::shared_ptr<const ShownPattern> pattern;  // the last one of what is shown; null where there is none
+    std::shared_ptr<const Asset> fragment;        // what is shown inside one, see asWhole(); null where it is not known
     bool isSnapping = false;
 
     /// The asset at hand; null where there is none.
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
+    bool isInside() const { return !selection.inside().empty(); }
+    /// Whose prism and pattern are shown: the asset at hand, or a fragment of it as if that were all. Null where there is none.
+    const Asset* shown() const { return isInside() ? fragment.get() : asset(); }
+    /// The pattern that is shown, in a copy of the asset at hand that is to be changed.
+    Pattern& patternIn(Asset& copy) const;
+    /// The fragment at a point that one can go into: it is broken again.
+    std::optional<FragmentPath> brokenAt(Vec2 point) const;
 };
 
 /// Where the pointer is and what is held with it.

@@ -72,6 +72,7 @@ private:
 std::shared_ptr<const BakedPattern> bakedOf(const ShownPattern& whole, const Asset& now, LocalCells cells) {
     auto baked = std::make_shared<BakedPattern>();
     baked->asset = std::make_shared<const Asset>(now);
+    baked->inside = whole.baked().inside;
     baked->seeds.positions = std::move(cells.positions);
     for (const std::uint32_t seed : cells.seeds) baked->seeds.ids.push_back(whole.seeds().ids[seed]);
     baked->triangulation = std::move(cells.triangulation);

@@ -4,11 +4,13 @@
 #include "editor/canvas/FaultyOutline.h"
 #include "editor/canvas/GridPainting.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/Inside.h"
 
 #include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -61,12 +63,19 @@ SnapTargets targetsWithout(const Polygon& outline, RingPoint moving, bool isEdge
     return targets;
 }
 
+QString sentenceInside() {
+    return OutlineTool::tr(
+        "The outline of a fragment follows from the pattern that it is cut by; go out to change the asset's.");
+}
+
 }  // namespace
 
+/// A fragment's outline is nobody's to draw.
+const Asset* OutlineTool::drawn() const { return m_state.isInside() ? nullptr : m_state.asset(); }
+
 std::optional<OutlineTool::Place> OutlineTool::placeAt(const CanvasPointer& pointer) const {
-    const Asset* asset = m_state.asset();
-    if (!asset) return std::nullopt;
-    const Polygon& outline = asset->prism.outline;
+    if (!drawn()) return std::nullopt;
+    const Polygon& outline = drawn()->prism.outline;
     std::optional<Place> place;
     double least = kPointReach / m_state.view.scale;
     const auto offer = [&](double away, RingPoint at, bool isEdge) {
@@ -92,9 +101,10 @@ void OutlineTool::press(const CanvasPointer& pointer) {
         emit changed();
         return;
     }
+    if (m_state.isInside()) return emit said(sentenceInside());
     m_hovered = placeAt(pointer);
     m_chosen = m_hovered && !m_hovered->isEdge ? std::optional(m_hovered->at) : std::nullopt;
-    if (m_hovered) m_drag = {*m_state.asset(), *m_hovered, pointer, m_state.document.newStroke()};
+    if (m_hovered) m_drag = {*drawn(), *m_hovered, pointer, m_state.document.newStroke()};
     emit changed();
 }
 
@@ -135,7 +145,7 @@ bool OutlineTool::offer(const QString& text, Polygon outline, quint64 stroke) {
         emit said(QString::fromStdString(faults[0].message));
         return false;
     }
-    Asset asset = *m_state.asset();
+    Asset asset = *drawn();
     asset.prism.outline = withCanonicalWinding(std::move(outline));
     m_state.document.push(altered(text, std::move(asset), stroke));
     return true;
@@ -158,13 +168,13 @@ void OutlineTool::doubleClick(const CanvasPointer& pointer) {
     if (m_draft) return closeDraft();
     const std::optional<Place> place = placeAt(pointer);
     if (!place || !place->isEdge) return press(pointer);
-    const Polygon& outline = m_state.asset()->prism.outline;
+    const Polygon& outline = drawn()->prism.outline;
     insertPoint(place->at, nearestOnEdge(pointer.metres, pointOf(outline, place->at),
                                          pointOf(outline, nextOf(outline, place->at))));
 }
 
 void OutlineTool::insertPoint(RingPoint edge, Vec2 position) {
-    Polygon outline = m_state.asset()->prism.outline;
+    Polygon outline = drawn()->prism.outline;
     Ring& ring = ringOf(outline, edge.ring);
     ring.insert(ring.begin() + edge.point + 1, position);
     if (!offer(tr("Add point"), std::move(outline))) return;
@@ -174,8 +184,8 @@ void OutlineTool::insertPoint(RingPoint edge, Vec2 position) {
 }
 
 void OutlineTool::deleteChosenPoint() {
-    if (!m_state.asset() || !m_chosen || !isIn(m_state.asset()->prism.outline, *m_chosen)) return;
-    Polygon outline = m_state.asset()->prism.outline;
+    if (!drawn() || !m_chosen || !isIn(drawn()->prism.outline, *m_chosen)) return;
+    Polygon outline = drawn()->prism.outline;
     Ring& ring = ringOf(outline, m_chosen->ring);
     if (ring.size() <= 3 && m_chosen->ring > 0) return deleteHole(m_chosen->ring);
     ring.erase(ring.begin() + m_chosen->point);
@@ -186,7 +196,7 @@ void OutlineTool::deleteChosenPoint() {
 }
 
 void OutlineTool::deleteHole(int ring) {
-    Polygon outline = m_state.asset()->prism.outline;
+    Polygon outline = drawn()->prism.outline;
     outline.holes.erase(outline.holes.begin() + (ring - 1));
     offer(tr("Delete hole"), std::move(outline));
     m_chosen.reset();
@@ -196,9 +206,10 @@ void OutlineTool::deleteHole(int ring) {
 
 void OutlineTool::beginDrawing(Drawing drawing) {
     cancel();
-    if (drawing != Drawing::NewAsset && !m_state.asset()) return;
+    if (drawing == Drawing::NewAsset) goOut(m_state.selection, {});
+    if (drawing != Drawing::NewAsset && !drawn()) return;
     m_drawing = drawing;
-    m_draft.emplace(drawing == Drawing::Hole ? std::optional(m_state.asset()->prism.outline) : std::nullopt);
+    m_draft.emplace(drawing == Drawing::Hole ? std::optional(drawn()->prism.outline) : std::nullopt);
     m_draft->movePen(m_state.view.centre);
     m_chosen.reset();
     m_hovered.reset();
@@ -223,7 +234,7 @@ void OutlineTool::closeDraft() {
 
 bool OutlineTool::cancel() {
     if (!m_drag && !m_draft) return false;
-    if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) {
+    if (m_drag && drawn() && drawn()->id == m_drag->before.id) {
         m_state.document.push(altered(tr("Move point"), m_drag->before, m_drag->stroke));
     }
     m_drag.reset();
@@ -258,7 +269,7 @@ bool OutlineTool::draftKey(int key) {
 
 bool OutlineTool::key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape) {
-        if (!cancel()) m_chosen.reset();
+        if (!cancel() && !std::exchange(m_chosen, std::nullopt)) return false;
         emit changed();
         return true;
     }
@@ -272,7 +283,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
         return true;
     }
     if (m_draft) return draftKey(event.key());
-    if (!m_state.asset()) return false;
+    if (!drawn()) return false;
     switch (event.key()) {
         case Qt::Key_Delete:
         case Qt::Key_Backspace: deleteChosenPoint(); return true;
@@ -280,7 +291,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
         case Qt::Key_PageUp: chooseNext(-1); return true;
         case Qt::Key_Insert: {
             if (!m_chosen) return true;
-            const Polygon& outline = m_state.asset()->prism.outline;
+            const Polygon& outline = drawn()->prism.outline;
             insertPoint(*m_chosen, (pointOf(outline, *m_chosen) + pointOf(outline, nextOf(outline, *m_chosen))) / 2.0);
             return true;
         }
@@ -289,8 +300,8 @@ bool OutlineTool::key(const QKeyEvent& event) {
 }
 
 void OutlineTool::nudge(Vec2 by, bool isRepeated) {
-    if (!m_state.asset() || !m_chosen || m_drag || !isIn(m_state.asset()->prism.outline, *m_chosen)) return;
-    Polygon outline = m_state.asset()->prism.outline;
+    if (!drawn() || !m_chosen || m_drag || !isIn(drawn()->prism.outline, *m_chosen)) return;
+    Polygon outline = drawn()->prism.outline;
     pointOf(outline, *m_chosen) += by;
     offer(tr("Move point"), std::move(outline), nudgeStroke(isRepeated));
 }
@@ -298,7 +309,7 @@ void OutlineTool::nudge(Vec2 by, bool isRepeated) {
 /// Goes through the points of all rings.
 void OutlineTool::chooseNext(int by) {
     std::vector<RingPoint> points;
-    forEachPoint(m_state.asset()->prism.outline, [&](RingPoint point) { points.push_back(point); });
+    forEachPoint(drawn()->prism.outline, [&](RingPoint point) { points.push_back(point); });
     const auto count = static_cast<int>(points.size());
     const auto place = m_chosen ? std::ranges::find(points, *m_chosen) : points.end();
     const int now = place == points.end() ? (by > 0 ? -1 : 0) : static_cast<int>(place - points.begin());
@@ -314,13 +325,13 @@ void OutlineTool::paint(QPainter& painter, const CanvasColours& colours) const {
         painter.setPen(QPen(colours.fault, 1.5, Qt::DashLine));
         painter.drawPath(pathOf(m_faulty->outline, m_state.view));
         paintFaults(painter, m_faulty->outline, m_faulty->faults, m_state.view, colours);
-    } else if (m_state.asset()) {
+    } else if (drawn()) {
         paintPlaces(painter, colours);
     }
 }
 
 void OutlineTool::paintPlaces(QPainter& painter, const CanvasColours& colours) const {
-    const Polygon& outline = m_state.asset()->prism.outline;
+    const Polygon& outline = drawn()->prism.outline;
     if (m_hovered && m_hovered->isEdge && isIn(outline, m_hovered->at)) {
         painter.setPen(QPen(colours.accent, 4.0, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(m_state.view.pixels(pointOf(outline, m_hovered->at)),
@@ -350,12 +361,13 @@ QString OutlineTool::hint() const {
         return tr(
             "Click: add a point · Backspace: take the last one back · Enter or first point: close · Esc: give up");
     if (m_drag) return tr("Release to drop · Shift: without snapping · Esc: put back");
+    if (m_state.isInside()) return sentenceInside();
     if (m_chosen) return tr("Drag or arrow keys: move the point · Del: delete it · PgUp, PgDn: choose another");
     return tr("Drag a point or an edge · double click on an edge: add a point · right click: draw anew, add a hole");
 }
 
 void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
-    const Asset* asset = m_state.asset();
+    const Asset* asset = drawn();
     const std::optional<Place> place = placeAt(pointer);
     if (place && !place->isEdge) m_chosen = place->at;
     if (place && place->isEdge) {

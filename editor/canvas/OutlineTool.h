@@ -63,6 +63,8 @@ private:
         std::vector<PolygonFault> faults;
     };
 
+    /// Whose outline can be changed; null where there is none.
+    const Asset* drawn() const;
     std::optional<Place> placeAt(const CanvasPointer& pointer) const;
     Polygon dragged(const CanvasPointer& pointer) const;
     /// Pushes an outline that can be cut; says why where it cannot.

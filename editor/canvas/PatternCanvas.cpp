@@ -1,5 +1,6 @@
 #include "editor/canvas/PatternCanvas.h"
 
+#include "core/asset/FragmentPlace.h"
 #include "core/asset/Threshold.h"
 #include "editor/canvas/BrushTool.h"
 #include "editor/canvas/GridPainting.h"
@@ -7,9 +8,13 @@
 #include "editor/canvas/LegendPainting.h"
 #include "editor/canvas/MeasureTool.h"
 #include "editor/canvas/OutlineTool.h"
+#include "editor/canvas/PlaceTrail.h"
 #include "editor/canvas/SeedTool.h"
 #include "editor/canvas/StrokeTool.h"
+#include "editor/canvas/SurroundingEdges.h"
 #include "editor/canvas/VoronoiLines.h"
+#include "editor/commands/PatternPlaces.h"
+#include "editor/document/Inside.h"
 
 #include <QContextMenuEvent>
 #include <QLocale>
@@ -33,13 +38,14 @@ constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // as Qt counts a wheel's turning
 constexpr double kAroundChosen = 0.75;    // of its size, that is shown around what is chosen
 constexpr double kLeastFramed = 0.02;     // of the outline, that is shown at least
+constexpr int kTrailGap = 8;              // pixels between the rulers and what tells where one is
 
 }  // namespace
 
 PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
     : QWidget(parent),
-      m_bakes(bakes),
-      m_state{.document = document, .selection = selection},
+      m_state{.document = document, .selection = selection, .bakes = bakes},
+      m_trail(new PlaceTrail(this)),
       m_colours(canvasColours(palette())),
       m_outlineTool(std::make_unique<OutlineTool>(m_state)),
       m_seedTool(std::make_unique<SeedTool>(m_state)),
@@ -54,6 +60,9 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     setAccessibleDescription(tr("The outline of the asset at hand, its seeds and the cells they make."));
     connect(&document, &Document::changed, this, &PatternCanvas::takeChanges);
     connect(&selection, &Selection::assetChanged, this, &PatternCanvas::takeAsset);
+    connect(&selection, &Selection::insideChanged, this, &PatternCanvas::takeInside);
+    connect(m_trail, &PlaceTrail::chosen, this, [this](const FragmentPath& place) { goOut(m_state.selection, place); });
+    m_trail->move(static_cast<int>(kRulerWidth) + kTrailGap, static_cast<int>(kRulerWidth) + kTrailGap);
     connect(&selection, &Selection::seedsChanged, this, &PatternCanvas::toolChanged);
     connect(&selection, &Selection::hiddenChanged, this, [this] {
         m_contents.hidden = m_state.selection.hidden();
@@ -63,7 +72,10 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
         if (asset == m_state.selection.asset()) takePattern();
     });
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {
-        if (asset == m_state.selection.asset() && m_contents.layers.colouring == CellColouring::Level) takeBake();
+        if (asset != m_state.selection.asset()) return;
+        takeFragment();
+        takeSurroundings();
+        if (m_contents.layers.colouring == CellColouring::Level) takeBake();
     });
     for (CanvasTool* tool : std::initializer_list<CanvasTool*>{
              m_outlineTool.get(), m_seedTool.get(), m_strokeTool.get(), m_brushTool.get(), m_measureTool.get()}) {
@@ -108,19 +120,19 @@ void PatternCanvas::setView(const CanvasView& view) {
 
 void PatternCanvas::fit() {
     m_isFitted = true;
-    const Asset* asset = m_state.asset();
-    if (!asset) return;
+    const Asset* shown = m_state.shown();
+    if (!shown) return;
     // Rulers cover two of the edges.
     CanvasView view = m_state.view;
     view.size = QSizeF(size()) - QSizeF(kRulerWidth, kRulerWidth);
-    view = fitted(view, boundsOf(asset->prism.outline.outer), kMargin);
+    view = fitted(view, boundsOf(shown->prism.outline.outer), kMargin);
     view.size = size();
     m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
     update();
 }
 
 void PatternCanvas::frameChosen(std::optional<Vec2> place) {
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     Box2 box;
     if (place) box.include(*place);
     for (const SeedId id : m_state.selection.seeds()) {
@@ -129,33 +141,42 @@ void PatternCanvas::frameChosen(std::optional<Vec2> place) {
     }
     if (box.min.x > box.max.x) return fit();
     // Points have no size, and what is close to nothing else cannot be made out.
-    const double least = kLeastFramed * boundsOf(m_state.asset()->prism.outline.outer).diagonal();
+    const double least = kLeastFramed * boundsOf(m_state.shown()->prism.outline.outer).diagonal();
     const Vec2 around(std::max(kAroundChosen * box.diagonal(), least));
     setView(fitted(m_state.view, {box.min - around, box.max + around}, kMargin));
 }
 
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
-    if (compared == m_contents.compared) return;
-    m_contents.compared = std::move(compared);
+    if (compared == m_compared) return;
+    m_compared = std::move(compared);
+    takeComparison();
     repaintAll();
 }
+
+void PatternCanvas::takeComparison() { m_contents.compared = m_state.isInside() ? nullptr : m_compared; }
 
 void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }
 
 QString PatternCanvas::hint() const { return m_tool->hint(); }
 
 void PatternCanvas::takeChanges(const Changes& changes) {
+    const bool isOfAsset = changes.touches(Part::Asset, m_state.selection.asset());
+    if (isOfAsset) takeFragment();
     if (changes.isStepTaken) m_tool->letGo();
     takeMaterial();
-    if (!changes.touches(Part::Asset, m_state.selection.asset())) return;
+    if (!isOfAsset) return;
     if (!m_state.asset()) takeAsset();
     takeMoves();
+    tellOfOwnPattern(changes);
     update();
 }
 
 void PatternCanvas::takeAsset() {
     m_tool->cancel();
     m_contents.hidden = m_state.selection.hidden();
+    takeFragment();
+    takeSurroundings();
+    takeComparison();
     takeMaterial();
     takePattern();
     takeBake();
@@ -163,9 +184,51 @@ void PatternCanvas::takeAsset() {
     repaintAll();
 }
 
+/// What is being dragged stays as it is: one may be taken out by an undo.
+void PatternCanvas::takeInside() {
+    takeFragment();
+    m_tool->letGo();
+    takeAsset();
+    m_hasOwnPattern =
+        m_state.shown() && m_state.isInside() && hasOwnPattern(*m_state.asset(), m_state.selection.inside());
+}
+
+/// The fragment that one is inside, as the document has it now.
+void PatternCanvas::takeFragment() {
+    const Asset* asset = m_state.asset();
+    const FragmentPath& inside = m_state.selection.inside();
+    m_state.fragment = nullptr;
+    if (asset && !inside.empty()) {
+        if (std::optional<FragmentSolid> solid = solidOf(m_state.bakes, asset->id, inside))
+            m_state.fragment = std::make_shared<const Asset>(asWhole(*asset, inside, std::move(solid->prism)));
+    }
+    m_trail->setPlace(asset ? QString::fromStdString(asset->name) : QString(), inside);
+}
+
+void PatternCanvas::takeSurroundings() {
+    if (m_contents.around.empty() && !m_state.isInside()) return;
+    const auto baked = m_state.bakes.find(m_state.selection.asset());
+    if (baked && !baked->bake && m_state.isInside()) return;  // as it was before the fault
+    m_contents.around.clear();
+    if (baked && m_state.isInside()) m_contents.around = edgesAround(*baked->bake, m_state.selection.inside());
+    repaintAll();
+}
+
+/// The first change inside a fragment that was broken as its level says.
+void PatternCanvas::tellOfOwnPattern(const Changes& changes) {
+    const FragmentPath& inside = m_state.selection.inside();
+    const bool hasOwn = m_state.shown() && m_state.isInside() && hasOwnPattern(*m_state.asset(), inside);
+    const bool hadOwn = std::exchange(m_hasOwnPattern, hasOwn);
+    if (!hasOwn || hadOwn || changes.isStepTaken) return;
+    emit said(tr("Fragment %1 has a pattern of its own from now on; the others of its level stay as they are.")
+                  .arg(QString::fromStdString(inside)));
+}
+
 void PatternCanvas::takePattern() {
-    const std::shared_ptr<const BakedPattern> baked = m_bakes.findPattern(m_state.selection.asset());
+    const std::shared_ptr<const BakedPattern> baked =
+        m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.inside());
     const std::shared_ptr<const ShownPattern> before = m_contents.pattern;
+    if (before && &before->baked() == baked.get()) return;
     const std::shared_ptr<const MovedPart> movedBefore = m_contents.moved;
     const Asset* shown = m_contents.asset();
     const ShownPattern::Range range = m_contents.range;
@@ -185,18 +248,20 @@ void PatternCanvas::takePattern() {
     m_hovered = m_pointer && m_contents.pattern ? m_contents.pattern->pieceAt(m_pointer->metres) : kNone;
 }
 
-/// What follows from fragments: through how many levels each is broken again. Names are made where they are coloured by only.
+/// What follows from fragments: through how many levels each that is seen is broken again. Names are made where they are coloured by
+/// only.
 void PatternCanvas::takeBake() {
     m_contents.depths.clear();
-    const auto baked = m_bakes.find(m_state.selection.asset());
+    const auto baked = m_state.bakes.find(m_state.selection.asset());
     if (m_contents.layers.colouring == CellColouring::Level && baked && baked->bake) {
         const Bake& bake = *baked->bake;
+        const std::optional<std::uint32_t> inside = fragmentAt(bake, m_state.selection.inside());
         for (const BakedBreaking& breaking : bake.breakings) {
             std::uint32_t parent = breaking.parent;
-            for (; parent != kNone && bake.fragment(parent).parent != kNone;) parent = bake.fragment(parent).parent;
+            while (parent != kNone && bake.fragment(parent).parent != inside) parent = bake.fragment(parent).parent;
             if (parent == kNone) continue;
             int& depth = m_contents.depths[bake.fragmentId(parent)];
-            depth = std::max(depth, static_cast<int>(breaking.level));
+            depth = std::max(depth, static_cast<int>(breaking.level - bake.fragment(parent).level));
         }
     }
     m_contents.range = scale();
@@ -228,7 +293,7 @@ bool PatternCanvas::isLocal() const {
 }
 
 void PatternCanvas::findMoved() {
-    m_contents.moved = m_movedCells && m_state.asset() && isLocal() ? m_movedCells->partOf(*m_state.asset()) : nullptr;
+    m_contents.moved = m_movedCells && m_state.shown() && isLocal() ? m_movedCells->partOf(*m_state.shown()) : nullptr;
 }
 
 /// Shows what moved since the pattern was baked.
@@ -320,12 +385,12 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
 }
 
 void PatternCanvas::paintOutline(QPainter& painter) const {
-    const Asset* asset = m_state.asset();
-    if (!asset) return;
+    const Asset* shown = m_state.shown();
+    if (!shown) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_colours.outline, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.drawPath(pathOf(asset->prism.outline, m_state.view));
+    painter.drawPath(pathOf(shown->prism.outline, m_state.view));
 }
 
 void PatternCanvas::paintChosen(QPainter& painter) const {
@@ -350,7 +415,8 @@ void PatternCanvas::paintChosen(QPainter& painter) const {
             const IndexRange pieces = shown->piecesOf(seed);
             for (std::size_t k = pieces.begin; k < pieces.end && m_contents.layers.hasCells; ++k) {
                 const auto piece = static_cast<std::uint32_t>(k);
-                const bool isAll = choice.holds(id, shown->fragmentId(piece));  // else only pieces of it are
+                const bool isAll =
+                    choice.holds(shown->baked().inside, id, shown->fragmentId(piece));  // else only pieces of it are
                 painter.setBrush(isAll ? QBrush(wash) : Qt::NoBrush);
                 painter.drawPath(pathOfPiece(*shown, piece, m_state.view));
             }
@@ -439,9 +505,8 @@ void PatternCanvas::paintSentence(QPainter& painter) const {
 
 QString PatternCanvas::sentenceInstead() const {
     if (!m_state.asset()) return tr("No asset is at hand. Add one, or choose one in the project tree.");
-    if (const auto pattern = m_bakes.findPattern(m_state.selection.asset()); pattern && pattern->fault) {
-        return QString::fromStdString(pattern->fault->message);
-    }
+    const auto pattern = m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.inside());
+    if (pattern && pattern->fault) return QString::fromStdString(pattern->fault->message);
     return {};
 }
 
@@ -537,6 +602,8 @@ void PatternCanvas::keyPressEvent(QKeyEvent* event) {
     }
     if (event->key() == Qt::Key_Escape && m_contents.compared && !m_tool->cancel()) return emit comparisonDismissed();
     if (m_tool->key(*event)) return;
+    if (event->key() == Qt::Key_Escape && m_state.isInside())
+        return goOut(m_state.selection, parentOf(m_state.selection.inside()));
     if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoomBy(kZoomPerNotch);
     if (event->key() == Qt::Key_Minus) return zoomBy(1.0 / kZoomPerNotch);
     QWidget::keyPressEvent(event);
@@ -562,9 +629,23 @@ void PatternCanvas::leaveEvent(QEvent*) {
     update();
 }
 
+void PatternCanvas::addPlaces(QMenu& menu, const std::optional<FragmentPath>& broken) {
+    if (!broken && !m_state.isInside()) return;
+    menu.addSeparator();
+    if (broken) {
+        menu.addAction(tr("&Go into fragment %1").arg(QString::fromStdString(*broken)), this,
+                       [this, broken] { goInto(m_state.selection, *broken); });
+    }
+    if (m_state.isInside()) {
+        menu.addAction(tr("Go &out"), this, [this] { goOut(m_state.selection, parentOf(m_state.selection.inside())); });
+    }
+}
+
 void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    m_tool->fillMenu(menu, pointerAt(event->pos(), event->modifiers()));
+    const CanvasPointer pointer = pointerAt(event->pos(), event->modifiers());
+    m_tool->fillMenu(menu, pointer);
+    addPlaces(menu, m_state.brokenAt(pointer.metres));
     menu.exec(event->globalPos());
 }
 

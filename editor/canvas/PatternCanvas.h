@@ -14,13 +14,14 @@ namespace rubble {
 class BrushTool;
 class MeasureTool;
 class OutlineTool;
+class PlaceTrail;
 class SeedTool;
 class StrokeTool;
 
 enum class CanvasToolKind { Outline, Seeds, Strokes, Brush, Measure };
 
-/// Shows the pattern of the asset at hand in the plane, and is where it is drawn: outline, seeds and what they make, with
-/// tools to change them. What was painted is kept; only what changed is painted again. While seeds are dragged, the cells
+/// Shows the pattern of the asset at hand, or of a fragment of it that is broken again, in the plane, and is where it is drawn: outline,
+/// seeds and what they make, with tools to change them. What was painted is kept; only what changed is painted again. While seeds are dragged, the cells
 /// around them are there at once; the whole pattern follows when it was baked.
 class PatternCanvas : public QWidget {
     Q_OBJECT
@@ -42,7 +43,7 @@ public:
     void setSnapping(bool isSnapping) { m_state.isSnapping = isSnapping; }
     const CanvasView& view() const { return m_state.view; }
     void setView(const CanvasView& view);
-    /// Shows all of the outline; it stays so until the view is moved by hand.
+    /// Shows all of the outline that one is inside; it stays so until the view is moved by hand.
     void fit();
     void zoomBy(double factor);
     /// Brings the cells of the chosen seeds close, with a place that may lie elsewhere.
@@ -91,15 +92,21 @@ protected:
 private:
     void takeChanges(const Changes& changes);
     void takeAsset();
+    void takeInside();
+    void takeFragment();
     void takePattern();
     void takeBake();
+    void takeSurroundings();
+    void takeComparison();
     void takeMaterial();
+    void tellOfOwnPattern(const Changes& changes);
     ShownPattern::Range scale() const;
     void findMoved();
     void takeMoves();
     bool isLocal() const;
     Box2 movedBox(const MovedPart* part) const;
     void toolChanged();
+    void addPlaces(QMenu& menu, const std::optional<FragmentPath>& broken);
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void point(const CanvasPointer& pointer);
 
@@ -115,10 +122,12 @@ private:
     void paintSentence(QPainter& painter) const;
     QString sentenceInstead() const;
 
-    const Bakes& m_bakes;
     CanvasState m_state;
     CanvasContents m_contents;
-    std::unique_ptr<MovedCells> m_movedCells;  // of the pattern in m_contents
+    PlaceTrail* m_trail;
+    bool m_hasOwnPattern = false;                     // the fragment that one is inside
+    std::shared_ptr<const ComparedAsset> m_compared;  // shown of the whole; null: none
+    std::unique_ptr<MovedCells> m_movedCells;         // of the pattern in m_contents
     CanvasColours m_colours;
     std::unique_ptr<OutlineTool> m_outlineTool;
     std::unique_ptr<SeedTool> m_seedTool;

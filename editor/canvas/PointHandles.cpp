@@ -57,6 +57,10 @@ ParameterValue valueAt(const PointHandle& handle, Vec2 position) {
     return std::atan2(along.y, along.x);
 }
 
+QString stepText(const PointHandle& handle) {
+    return (handle.pivot ? tr("Turn %1") : tr("Move %1")).arg(patternText(handle.parameter->caption).toLower());
+}
+
 }  // namespace
 
 std::vector<PointHandle> pointHandles(const Asset& asset) {
@@ -82,8 +86,8 @@ std::vector<PointHandle> pointHandles(const Asset& asset) {
 std::optional<PointHandle> PointHandles::handleAt(QPointF pixels) const {
     std::optional<PointHandle> nearest;
     double least = kReach * kReach;
-    if (!m_state.asset()) return nearest;
-    for (const PointHandle& handle : pointHandles(*m_state.asset())) {
+    if (!m_state.shown()) return nearest;
+    for (const PointHandle& handle : pointHandles(*m_state.shown())) {
         const QPointF off = m_state.view.pixels(handle.position) - pixels;
         const double squared = QPointF::dotProduct(off, off);
         if (squared > least) continue;
@@ -107,26 +111,25 @@ void PointHandles::move(const CanvasPointer& pointer, bool hasMoved) {
 
 void PointHandles::push(const Drag& drag, Vec2 position) {
     Asset asset = drag.before;
-    if (PatternLayer* layer = findLayer(asset.pattern, drag.handle.layer)) {
+    if (PatternLayer* layer = findLayer(m_state.patternIn(asset), drag.handle.layer)) {
         drag.handle.parameter->write(layer->parameters, valueAt(drag.handle, position));
     }
-    const QString text =
-        (drag.handle.pivot ? tr("Turn %1") : tr("Move %1")).arg(patternText(drag.handle.parameter->caption).toLower());
-    m_state.document.push(altered(text, std::move(asset), drag.stroke));
+    m_state.document.push(altered(stepText(drag.handle), std::move(asset), drag.stroke));
 }
 
 bool PointHandles::cancel() {
     if (!m_drag) return false;
     const Drag drag = *std::exchange(m_drag, std::nullopt);
-    if (m_state.asset() && m_state.asset()->id == drag.before.id) push(drag, drag.handle.position);
+    if (m_state.asset() && m_state.asset()->id == drag.before.id)
+        m_state.document.push(altered(stepText(drag.handle), drag.before, drag.stroke));
     return true;
 }
 
 void PointHandles::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const PointHandle& handle : pointHandles(*m_state.asset())) {
+    for (const PointHandle& handle : pointHandles(*m_state.shown())) {
         const bool isHovered =
             m_hovered && m_hovered->layer == handle.layer && m_hovered->parameter == handle.parameter;
         const QColor colour = isHovered ? colours.hover : colours.accent;
@@ -137,8 +140,8 @@ void PointHandles::paint(QPainter& painter, const CanvasColours& colours) const 
 }
 
 QString PointHandles::text() const {
-    if (!m_hovered || !m_state.asset()) return {};
-    const PatternLayer* layer = findLayer(m_state.asset()->pattern, m_hovered->layer);
+    if (!m_hovered || !m_state.shown()) return {};
+    const PatternLayer* layer = findLayer(m_state.shown()->pattern, m_hovered->layer);
     if (!layer) return {};
     return tr("%1 of %2").arg(patternText(m_hovered->parameter->caption), kindText(layer->parameters).toLower());
 }

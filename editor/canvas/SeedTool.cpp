@@ -5,6 +5,7 @@
 #include "editor/canvas/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/CellChoice.h"
+#include "editor/document/Inside.h"
 
 #include <QApplication>
 
@@ -56,7 +57,8 @@ std::uint32_t SeedTool::seedAt(const CanvasPointer& pointer) const {
 void SeedTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_hasMoved = false;
-    if (!m_state.asset()) return;
+    m_placed.reset();
+    if (!m_state.shown()) return;
     if (m_handles.press(pointer)) return emit changed();
     const std::uint32_t seed = seedAt(pointer);
     const bool isAdding = pointer.modifiers.testFlag(Qt::ControlModifier);
@@ -84,7 +86,7 @@ std::map<SeedId, Vec2> SeedTool::chosenPositions() const {
         const std::uint32_t seed = m_state.pattern->find(id);
         if (seed == kNone) continue;
         // What was baked may be a moment old.
-        const std::optional<Vec2> byHand = positionByHand(m_state.asset()->pattern, id);
+        const std::optional<Vec2> byHand = positionByHand(m_state.shown()->pattern, id);
         positions.emplace(id, byHand.value_or(m_state.pattern->seeds().positions[seed]));
     }
     return positions;
@@ -110,7 +112,8 @@ void SeedTool::dragBy(Vec2 by) {
     m_drag->by = by;
     Asset asset = m_drag->before;
     if (by != Vec2(0.0)) {
-        for (const auto& [id, from] : m_drag->from) moveSeed(asset.pattern, id, from + by);
+        Pattern& pattern = m_state.patternIn(asset);
+        for (const auto& [id, from] : m_drag->from) moveSeed(pattern, id, from + by);
     }
     m_state.document.push(altered(moveText(m_drag->from.size()), std::move(asset), m_drag->stroke));
 }
@@ -137,8 +140,25 @@ void SeedTool::click(const CanvasPointer& pointer) {
         return m_state.selection.setSeeds({cell});
     }
     if (isAdding) return;
-    if (!m_state.selection.seeds().empty()) return m_state.selection.setSeeds({});
-    place(snapped(m_state, pointer, outlineTargets(m_state)));
+    if (!m_state.selection.choice().isEmpty()) return m_state.selection.setSeeds({});
+    const quint64 stroke = m_state.document.newStroke();
+    m_placed = Placed{*m_state.asset(), m_state.document.project().nextId, m_state.brokenAt(pointer.metres), stroke};
+    place(snapped(m_state, pointer, outlineTargets(m_state)), stroke);
+}
+
+/// Goes into the fragment that is pointed at. A seed that the first of the two clicks placed was not meant.
+void SeedTool::doubleClick(const CanvasPointer& pointer) {
+    const std::optional<Placed> placed = std::exchange(m_placed, std::nullopt);
+    const std::optional<FragmentPath> broken = placed ? placed->broken : m_state.brokenAt(pointer.metres);
+    if (!broken || pointer.modifiers != Qt::NoModifier || m_handles.isPointedAt()) return press(pointer);
+    if (placed) takeBack(*placed);
+    goInto(m_state.selection, *broken);
+}
+
+void SeedTool::takeBack(const Placed& placed) {
+    Edit edit = altered(tr("Place seed"), placed.before, placed.stroke);
+    edit.nextId = placed.nextId;
+    m_state.document.push(std::move(edit));
 }
 
 bool SeedTool::hasCutsAlone() const {
@@ -165,14 +185,15 @@ Selection::Seeds SeedTool::caught() const {
     return seeds;
 }
 
-void SeedTool::place(Vec2 position) {
+void SeedTool::place(Vec2 position, quint64 stroke) {
     Asset asset = *m_state.asset();
-    Edit edit{.text = tr("Place seed")};
-    PatternLayer* layer = placedLayer(asset.pattern);
+    Pattern& pattern = m_state.patternIn(asset);
+    Edit edit{.text = tr("Place seed"), .stroke = stroke};
+    PatternLayer* layer = placedLayer(pattern);
     if (!layer) {
         const Id id = edit.takeId(m_state.document.project());
-        asset.pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = PlacedSeeds{}});
-        layer = &asset.pattern.layers.back();
+        pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = PlacedSeeds{}});
+        layer = &pattern.layers.back();
     }
     placeSeed(*layer, position);
     edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
@@ -191,6 +212,7 @@ bool SeedTool::cancel() {
 
 void SeedTool::letGo() {
     m_drag.reset();
+    m_placed.reset();
     m_handles.letGo();
     emit changed();
 }
@@ -210,21 +232,24 @@ bool SeedTool::key(const QKeyEvent& event) {
         case Qt::Key_PageDown: chooseNext(1); return true;
         case Qt::Key_PageUp: chooseNext(-1); return true;
         case Qt::Key_Insert:
-            if (m_state.asset()) place(m_state.view.centre);
+            if (m_state.shown()) place(m_state.view.centre);
             return true;
         case Qt::Key_Escape:
-            if (!cancel()) m_state.selection.setSeeds({});
+            if (cancel()) return true;
+            if (m_state.selection.choice().isEmpty()) return false;
+            m_state.selection.setSeeds({});
             return true;
         default: return false;
     }
 }
 
 void SeedTool::nudge(Vec2 by, bool isRepeated) {
-    if (!m_state.asset() || !m_state.pattern || m_drag || m_state.selection.seeds().empty()) return;
+    if (!m_state.shown() || !m_state.pattern || m_drag || m_state.selection.seeds().empty()) return;
     Asset asset = *m_state.asset();
     const std::map<SeedId, Vec2> positions = chosenPositions();
     if (positions.empty()) return;
-    for (const auto& [id, from] : positions) moveSeed(asset.pattern, id, from + by);
+    Pattern& pattern = m_state.patternIn(asset);
+    for (const auto& [id, from] : positions) moveSeed(pattern, id, from + by);
     m_state.document.push(altered(moveText(positions.size()), std::move(asset), nudgeStroke(isRepeated)));
 }
 
@@ -249,14 +274,15 @@ Selection::Seeds SeedTool::chosenSeeds() const {
 
 void SeedTool::deleteChosen() {
     const Selection::Seeds seeds = chosenSeeds();
-    if (!m_state.asset() || seeds.empty()) return;
+    if (!m_state.shown() || seeds.empty()) return;
     Asset asset = *m_state.asset();
+    Pattern& pattern = m_state.patternIn(asset);
     // In the order in which the lists that they are taken from and noted in have little to move.
     for (const SeedId seed : seeds) {
-        if (!isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
+        if (!isPlaced(pattern, seed)) deleteSeed(pattern, seed);
     }
     for (const SeedId seed : seeds | std::views::reverse) {
-        if (isPlaced(asset.pattern, seed)) deleteSeed(asset.pattern, seed);
+        if (isPlaced(pattern, seed)) deleteSeed(pattern, seed);
     }
     cancel();
     const QString text = seeds.size() == 1 ? tr("Delete seed") : tr("Delete %1 seeds").arg(seeds.size());
@@ -265,9 +291,11 @@ void SeedTool::deleteChosen() {
 }
 
 void SeedTool::restoreChosen() {
-    if (!m_state.asset()) return;
+    const Selection::Seeds seeds = chosenSeeds();
+    if (!m_state.shown() || seeds.empty()) return;
     Asset asset = *m_state.asset();
-    for (const SeedId seed : chosenSeeds()) restoreSeed(asset.pattern, seed);
+    Pattern& pattern = m_state.patternIn(asset);
+    for (const SeedId seed : seeds) restoreSeed(pattern, seed);
     m_state.document.push(altered(tr("Restore seeds"), std::move(asset)));
 }
 
@@ -298,12 +326,12 @@ void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
             painter.drawRect(QRectF(m_catch->path.front(), m_catch->path.back()).normalized());
         }
     }
-    if (!m_drag || !m_state.pattern) return;
+    if (!m_drag || !m_state.pattern || !m_state.shown()) return;
     painter.setPen(QPen(colours.halo, 1.5));
     painter.setBrush(colours.accent);
     const double radius = std::max(seedRadius(*m_state.pattern, m_state.view), 3.0);
     for (const auto& [id, from] : m_drag->from) {
-        const SeedOrigin origin = isPlaced(m_drag->before.pattern, id) ? SeedOrigin::Placed : SeedOrigin::Moved;
+        const SeedOrigin origin = isPlaced(m_state.shown()->pattern, id) ? SeedOrigin::Placed : SeedOrigin::Moved;
         paintSeedSign(painter, m_state.view.pixels(from + m_drag->by), radius, origin);
     }
 }
@@ -325,7 +353,12 @@ QString SeedTool::hint() const {
         return (count == 1 ? tr("1 seed chosen") : tr("%1 seeds chosen").arg(count)) +
                tr(" · drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: choose none");
     }
-    return tr("Click: place a seed · drag a seed: move it · drag elsewhere: choose by a box, with Alt by a lasso");
+    const Asset* asset = m_state.asset();
+    const bool hasBroken = asset && !(asset->levels.empty() && asset->leaves.empty());
+    return tr("Click: place a seed · drag a seed: move it · drag elsewhere: choose by a box, with Alt by a lasso") +
+           (m_state.isInside() ? tr(" · Esc: go out")
+            : hasBroken        ? tr(" · double click: go into a fragment")
+                               : QString());
 }
 
 void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
@@ -338,7 +371,7 @@ void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
         const std::uint32_t chosen = m_state.pattern ? m_state.pattern->find(id) : kNone;
         return chosen != kNone && m_state.pattern->origin(chosen) == SeedOrigin::Moved;
     });
-    if (m_state.asset() && seed == kNone) {
+    if (m_state.shown() && seed == kNone) {
         const Vec2 position = snapped(m_state, pointer, outlineTargets(m_state));
         menu.addAction(tr("&Place seed here"), this, [this, position] { place(position); });
         menu.addSeparator();

@@ -19,6 +19,7 @@ public:
     void press(const CanvasPointer& pointer) override;
     void move(const CanvasPointer& pointer) override;
     void release(const CanvasPointer& pointer) override;
+    void doubleClick(const CanvasPointer& pointer) override;
     bool key(const QKeyEvent& event) override;
     bool cancel() override;
     void letGo() override;
@@ -50,6 +51,14 @@ private:
         bool isAdding = false;
     };
 
+    /// What a click did that may turn out to be the first of two.
+    struct Placed {
+        Asset before;
+        Id nextId = 0;
+        std::optional<FragmentPath> broken;  // where it was: a fragment that one can go into
+        quint64 stroke = 0;
+    };
+
     std::uint32_t seedAt(const CanvasPointer& pointer) const;
     std::map<SeedId, Vec2> chosenPositions() const;
     void beginDrag(std::uint32_t seed);
@@ -58,7 +67,8 @@ private:
     /// Whether the pattern has no seeds, and its pieces names all the same.
     bool hasCutsAlone() const;
     Selection::Seeds chosenSeeds() const;
-    void place(Vec2 position);
+    void place(Vec2 position, quint64 stroke = 0);
+    void takeBack(const Placed& placed);
     void nudge(Vec2 by, bool isRepeated);
     void chooseNext(int by);
     Selection::Seeds caught() const;
@@ -66,6 +76,7 @@ private:
     PointHandles m_handles;
     std::optional<Drag> m_drag;
     std::optional<Catch> m_catch;
+    std::optional<Placed> m_placed;  // by the last click
     QPointF m_pressed;
     bool m_hasMoved = false;
     CanvasPointer m_pointer{};

@@ -181,7 +181,8 @@ std::vector<std::uint32_t> ShownPattern::neighbours(std::uint32_t piece) const {
 double ShownPattern::leastEdge() const { return leastSharedEdge(*m_baked); }
 
 std::string ShownPattern::fragmentId(std::uint32_t piece) const {
-    return std::to_string(m_baked->asset->id) + "/" + pieceName(partition(), piece, seeds().ids);
+    const std::string parent = m_baked->inside.empty() ? std::string() : m_baked->inside + "/";
+    return std::to_string(m_baked->asset->id) + "/" + parent + pieceName(partition(), piece, seeds().ids);
 }
 
 SeedId ShownPattern::cellOf(std::uint32_t piece) const { return cellId(partition(), piece, seeds().ids); }

@@ -43,7 +43,7 @@ void addRing(const Ring& ring, SnapTargets& targets) {
 
 SnapTargets outlineTargets(const CanvasState& state) {
     SnapTargets targets;
-    if (const Asset* asset = state.asset()) {
+    if (const Asset* asset = state.shown()) {
         addRing(asset->prism.outline.outer, targets);
         for (const Ring& hole : asset->prism.outline.holes) addRing(hole, targets);
     }

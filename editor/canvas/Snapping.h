@@ -12,7 +12,7 @@ struct SnapTargets {
     std::vector<Vec2> points;
     std::vector<std::array<Vec2, 2>> edges;
 };
-/// The corners and edges of the outline at hand; nothing where there is none.
+/// The corners and edges of the outline that is shown; nothing where there is none.
 SnapTargets outlineTargets(const CanvasState& state);
 
 /// The point of an edge that is nearest to one.

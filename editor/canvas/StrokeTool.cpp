@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <utility>
 
 namespace rubble {
 
@@ -22,12 +23,16 @@ constexpr double kStraight = 2.0;   // pixels that a free line may be off when p
 constexpr double kPointSize = 7.0;  // pixels
 constexpr double kLineWidth = 2.5;  // pixels
 
-Strokes::Stroke* findStroke(Asset& asset, Id layerId, std::uint32_t index) {
-    PatternLayer* layer = findLayer(asset.pattern, layerId);
-    auto* strokes = layer ? std::get_if<Strokes>(&layer->parameters) : nullptr;
+const Strokes::Stroke* findStroke(const Pattern& pattern, Id layerId, std::uint32_t index) {
+    const PatternLayer* layer = findLayer(pattern, layerId);
+    const auto* strokes = layer ? std::get_if<Strokes>(&layer->parameters) : nullptr;
     if (!strokes) return nullptr;
     const auto found = std::ranges::find(strokes->strokes, index, &Strokes::Stroke::index);
     return found == strokes->strokes.end() ? nullptr : &*found;
+}
+
+Strokes::Stroke* findStroke(Pattern& pattern, Id layerId, std::uint32_t index) {
+    return const_cast<Strokes::Stroke*>(findStroke(std::as_const(pattern), layerId, index));
 }
 
 /// Leaves out points that lie within `slack` of the line without them.
@@ -83,8 +88,8 @@ void forEachStroke(const Pattern& pattern, Visit visit) {
 std::optional<StrokeTool::Place> StrokeTool::placeAt(const CanvasPointer& pointer) const {
     std::optional<Place> nearest;
     double least = kGrabReach * kGrabReach;
-    if (!m_state.asset()) return nearest;
-    forEachStroke(m_state.asset()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
+    if (!m_state.shown()) return nearest;
+    forEachStroke(m_state.shown()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
         for (std::size_t k = 0; k < stroke.points.size(); ++k) {
             const QPointF off = m_state.view.pixels(stroke.points[k]) - pointer.pixels;
             const double squared = QPointF::dotProduct(off, off);
@@ -98,7 +103,7 @@ std::optional<StrokeTool::Place> StrokeTool::placeAt(const CanvasPointer& pointe
 
 Vec2 StrokeTool::snappedPoint(const CanvasPointer& pointer) const {
     SnapTargets targets = outlineTargets(m_state);
-    forEachStroke(m_state.asset()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
+    forEachStroke(m_state.shown()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
         for (std::size_t k = 0; k < stroke.points.size(); ++k) {
             const bool isOwn = m_drag && m_drag->place == Place{layer.id, stroke.index, k};
             if (!isOwn) targets.points.push_back(stroke.points[k]);
@@ -110,14 +115,12 @@ Vec2 StrokeTool::snappedPoint(const CanvasPointer& pointer) const {
 void StrokeTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_hasMoved = false;
-    if (!m_state.asset() || !m_draft.empty()) return;
+    if (!m_state.shown() || !m_draft.empty()) return;
     m_chosen = placeAt(pointer);
     if (!m_chosen) {
         m_path = {snappedPoint(pointer)};
     } else {
-        Asset before = *m_state.asset();
-        const Vec2 from = findStroke(before, m_chosen->layer, m_chosen->stroke)->points[m_chosen->point];
-        m_drag = Drag{std::move(before), *m_chosen, from, m_state.document.newStroke()};
+        m_drag = Drag{*m_state.asset(), *m_chosen, m_state.document.newStroke()};
     }
     emit changed();
 }
@@ -131,13 +134,13 @@ void StrokeTool::move(const CanvasPointer& pointer) {
         const QPointF off = m_state.view.pixels(m_path.back()) - pointer.pixels;
         if (QPointF::dotProduct(off, off) >= kPathStep * kPathStep) m_path.push_back(pointer.metres);
     }
-    m_hovered = isDrawing() || !m_state.asset() ? std::nullopt : placeAt(pointer);
+    m_hovered = isDrawing() || !m_state.shown() ? std::nullopt : placeAt(pointer);
     emit changed();
 }
 
 void StrokeTool::release(const CanvasPointer& pointer) {
     m_drag.reset();
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     if (m_path.size() > 1) {
         m_path.push_back(snappedPoint(pointer));
         endPath();
@@ -171,13 +174,13 @@ void StrokeTool::endDraft() {
 }
 
 void StrokeTool::add(std::vector<Vec2> points) {
-    if (points.size() < 2 || !m_state.asset()) return;
+    if (points.size() < 2 || !m_state.shown()) return;
     Asset asset = *m_state.asset();
     Edit edit{.text = tr("Draw stroke")};
     const auto isOpen = [](const PatternLayer& layer) {
         return layer.isOn && std::holds_alternative<Strokes>(layer.parameters);
     };
-    auto& layers = asset.pattern.layers;
+    auto& layers = m_state.patternIn(asset).layers;
     auto layer = std::find_if(layers.rbegin(), layers.rend(), isOpen);
     if (layer == layers.rend()) {
         const Id id = edit.takeId(m_state.document.project());
@@ -195,7 +198,7 @@ void StrokeTool::add(std::vector<Vec2> points) {
 void StrokeTool::dragTo(Vec2 position) {
     Asset asset = m_drag->before;
     const Place place = m_drag->place;
-    Strokes::Stroke& stroke = *findStroke(asset, place.layer, place.stroke);
+    Strokes::Stroke& stroke = *findStroke(m_state.patternIn(asset), place.layer, place.stroke);
     const Vec2 from = stroke.points[place.point];
     const bool isClosed = stroke.points.front() == stroke.points.back();
     stroke.points[place.point] = position;
@@ -208,9 +211,9 @@ void StrokeTool::dragTo(Vec2 position) {
 }
 
 void StrokeTool::deleteChosenPoint() {
-    if (!m_chosen || !m_state.asset()) return;
+    if (!m_chosen || !m_state.shown()) return;
     Asset asset = *m_state.asset();
-    Strokes::Stroke* stroke = findStroke(asset, m_chosen->layer, m_chosen->stroke);
+    Strokes::Stroke* stroke = findStroke(m_state.patternIn(asset), m_chosen->layer, m_chosen->stroke);
     if (!stroke || m_chosen->point >= stroke->points.size()) return;
     if (stroke->points.size() <= 2) return deleteChosenStroke();
     stroke->points.erase(stroke->points.begin() + static_cast<std::ptrdiff_t>(m_chosen->point));
@@ -222,9 +225,9 @@ void StrokeTool::deleteChosenPoint() {
 }
 
 void StrokeTool::deleteChosenStroke() {
-    if (!m_chosen || !m_state.asset()) return;
+    if (!m_chosen || !m_state.shown()) return;
     Asset asset = *m_state.asset();
-    PatternLayer* layer = findLayer(asset.pattern, m_chosen->layer);
+    PatternLayer* layer = findLayer(m_state.patternIn(asset), m_chosen->layer);
     auto* strokes = layer ? std::get_if<Strokes>(&layer->parameters) : nullptr;
     if (!strokes ||
         std::erase_if(strokes->strokes, [&](const auto& stroke) { return stroke.index == m_chosen->stroke; }) == 0)
@@ -252,7 +255,7 @@ bool StrokeTool::key(const QKeyEvent& event) {
             }
             return true;
         case Qt::Key_Escape:
-            if (!cancel()) m_chosen.reset();
+            if (!cancel() && !std::exchange(m_chosen, std::nullopt)) return false;
             emit changed();
             return true;
         default: return false;
@@ -261,7 +264,8 @@ bool StrokeTool::key(const QKeyEvent& event) {
 
 bool StrokeTool::cancel() {
     if (!isDrawing() && !m_drag) return false;
-    if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) dragTo(m_drag->from);
+    if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id)
+        m_state.document.push(altered(tr("Move point of stroke"), m_drag->before, m_drag->stroke));
     letGo();
     m_draft.clear();
     emit changed();
@@ -271,9 +275,8 @@ bool StrokeTool::cancel() {
 void StrokeTool::letGo() {
     m_drag.reset();
     m_path.clear();
-    if (m_chosen && m_state.asset()) {
-        Asset asset = *m_state.asset();
-        const Strokes::Stroke* stroke = findStroke(asset, m_chosen->layer, m_chosen->stroke);
+    if (m_chosen && m_state.shown()) {
+        const Strokes::Stroke* stroke = findStroke(m_state.shown()->pattern, m_chosen->layer, m_chosen->stroke);
         if (!stroke || m_chosen->point >= stroke->points.size()) m_chosen.reset();
     }
     m_hovered.reset();
@@ -281,7 +284,7 @@ void StrokeTool::letGo() {
 }
 
 void StrokeTool::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.asset()) return;
+    if (!m_state.shown()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const auto paintLine = [&](const QPolygonF& line) {
@@ -296,7 +299,7 @@ void StrokeTool::paint(QPainter& painter, const CanvasColours& colours) const {
         painter.drawEllipse(at, kPointSize / 2.0, kPointSize / 2.0);
         painter.setBrush(Qt::NoBrush);
     };
-    forEachStroke(m_state.asset()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
+    forEachStroke(m_state.shown()->pattern, [&](const PatternLayer& layer, const Strokes::Stroke& stroke) {
         const QPolygonF line = polyline(stroke.points, m_state.view);
         paintLine(line);
         for (std::size_t k = 0; k < stroke.points.size(); ++k) {

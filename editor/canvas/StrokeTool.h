@@ -44,7 +44,6 @@ private:
     struct Drag {
         Asset before;
         Place place;
-        Vec2 from{0.0, 0.0};
         quint64 stroke = 0;
     };
 

@@ -1,5 +1,6 @@
 #include "editor/commands/FragmentEdits.h"
 
+#include "core/asset/FragmentPlace.h"
 #include "core/fracture/PatternPartition.h"
 #include "core/geometry/AreaMoments.h"
 #include "editor/commands/ProjectEdits.h"
@@ -31,29 +32,37 @@ FragmentLevel& leafOf(Asset& asset, const FragmentPath& path) {
     return *asset.leaves.insert(place, {path, {}});
 }
 
-/// Whether a path begins at a piece of one of these seeds.
-bool startsAt(const FragmentPath& path, const std::set<SeedId>& seeds) {
-    const std::optional<PieceName> name = pieceNameOf(path.substr(0, path.find('/')));
-    return name && seeds.contains(name->seed);
-}
+/// Finds what is said of fragments that come from some seeds.
+struct FromSeeds {
+    const std::set<SeedId>& seeds;
+    const FragmentPath& inside;  // the fragment that they break; empty: the whole
 
-bool isOf(const FragmentEdit& edit, const std::set<SeedId>& seeds) {
-    if (const auto* split = std::get_if<FragmentSplit>(&edit)) return startsAt(split->fragment, seeds);
-    const auto& merge = std::get<FragmentMerge>(edit);
-    return startsAt(merge.into, seeds) ||
-           std::ranges::any_of(merge.merged, [&](const FragmentPath& path) { return startsAt(path, seeds); });
-}
+    bool holds(const FragmentPath& path) const {
+        if (path == inside || !isWithin(path, inside)) return false;
+        const std::optional<PieceName> name = pieceNameOf(pieceOf(inside, path));
+        return name && seeds.contains(name->seed);
+    }
+    bool holds(const FragmentLevel& leaf) const { return holds(leaf.fragment); }
+    bool holds(const FragmentEdit& edit) const {
+        if (const auto* split = std::get_if<FragmentSplit>(&edit)) return holds(split->fragment);
+        const auto& merge = std::get<FragmentMerge>(edit);
+        return holds(merge.into) ||
+               std::ranges::any_of(merge.merged, [&](const FragmentPath& path) { return holds(path); });
+    }
+};
 
 }  // namespace
 
-std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen) {
+std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen,
+                                      const FragmentPath& inside, Vec2 offset) {
+    const std::string parent = inside.empty() ? std::string() : inside + "/";
     std::vector<ChosenPiece> pieces;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         if (!chosen.contains(cellId(partition, piece, seeds.ids))) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
-        pieces.push_back({pieceName(partition, piece, seeds.ids),
+        pieces.push_back({parent + pieceName(partition, piece, seeds.ids),
                           moments.area,
-                          {partition.origin + moments.centre, acrossOf(moments)}});
+                          {offset + partition.origin + moments.centre, acrossOf(moments)}});
     }
     return pieces;
 }
@@ -101,16 +110,18 @@ Edit splitFragments(const Project& project, Id asset, const std::vector<ChosenPi
     return altered(tr("Split fragments"), std::move(changed));
 }
 
-Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds) {
+Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& inside) {
     Asset changed = *findAsset(project, asset);
-    std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return isOf(edit, seeds); });
-    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return startsAt(leaf.fragment, seeds); });
+    const FromSeeds from{seeds, inside};
+    std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return from.holds(edit); });
+    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return from.holds(leaf); });
     return altered(tr("Restore fragments"), std::move(changed));
 }
 
-bool areRestorable(const Asset& asset, const std::set<SeedId>& seeds) {
-    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return isOf(edit, seeds); }) ||
-           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return startsAt(leaf.fragment, seeds); });
+bool areRestorable(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& inside) {
+    const FromSeeds from{seeds, inside};
+    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return from.holds(edit); }) ||
+           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return from.holds(leaf); });
 }
 
 }  // namespace rubble

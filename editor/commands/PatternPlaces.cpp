@@ -1,6 +1,10 @@
 #include "editor/commands/PatternPlaces.h"
 
+#include "core/asset/Bake.h"
+
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace rubble {
 
@@ -34,6 +38,32 @@ Pattern& patternAt(Asset& asset, std::size_t place) {
     FragmentLevel& leaf = asset.leaves.at(leafAt(asset, place));
     if (!leaf.level) leaf.level.emplace();
     return leaf.level->pattern;
+}
+
+std::size_t placeFor(const Asset& asset, const FragmentPath& fragment) {
+    if (fragment.empty()) return 0;
+    const auto leaf = std::ranges::find(asset.leaves, fragment, &FragmentLevel::fragment);
+    if (leaf != asset.leaves.end())
+        return 1 + asset.levels.size() + static_cast<std::size_t>(leaf - asset.leaves.begin());
+    const std::size_t level = levelOf(fragment);
+    return level < asset.levels.size() ? level + 1 : 0;
+}
+
+bool hasOwnPattern(const Asset& asset, const FragmentPath& fragment) {
+    const std::size_t place = placeFor(asset, fragment);
+    return place > asset.levels.size() && levelAt(asset, place) != nullptr;
+}
+
+Pattern& ownPattern(Asset& asset, const FragmentPath& fragment) {
+    if (fragment.empty()) return asset.pattern;
+    if (!hasOwnPattern(asset, fragment)) {
+        const Level* shared = levelFor(asset, fragment, levelOf(fragment));
+        const Level own = shared ? *shared : Level{};
+        const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
+        const bool isThere = leaf != asset.leaves.end() && leaf->fragment == fragment;
+        (isThere ? leaf : asset.leaves.insert(leaf, {fragment, {}}))->level = own;
+    }
+    return patternAt(asset, placeFor(asset, fragment));
 }
 
 void setMinimumVolume(Asset& asset, std::size_t place, double volume) {

@@ -13,6 +13,13 @@ std::size_t patternCount(const Asset& asset);
 const Pattern* patternAt(const Asset& asset, std::size_t place);
 /// The same to be changed. A fragment that stayed whole is broken from now on.
 Pattern& patternAt(Asset& asset, std::size_t place);
+/// The place of the pattern that breaks a fragment: its own, or that of its level; of the whole where neither is there.
+std::size_t placeFor(const Asset& asset, const FragmentPath& fragment);
+/// Whether a fragment is broken by a pattern of its own.
+bool hasOwnPattern(const Asset& asset, const FragmentPath& fragment);
+/// The pattern that breaks a fragment alone (the whole's for the empty path), to be changed: where it was broken as its level says, it
+/// has a copy of that from now on, which breaks it into the same pieces of the same names.
+Pattern& ownPattern(Asset& asset, const FragmentPath& fragment);
 /// The level at a place; null for the whole and for fragments that stay whole.
 const Level* levelAt(const Asset& asset, std::size_t place);
 /// Fragments below `volume` (m^3) are not broken there from now on; nothing changes where there is no level.

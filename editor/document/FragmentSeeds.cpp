@@ -1,5 +1,6 @@
 #include "editor/document/FragmentSeeds.h"
 
+#include "core/asset/FragmentPlace.h"
 #include "core/fracture/PatternPartition.h"
 
 namespace rubble {
@@ -7,13 +8,21 @@ namespace rubble {
 std::vector<SeedId> seedsOfFragments(const Bake& bake) {
     std::vector<SeedId> seeds;
     seeds.reserve(bake.fragmentCount());
+    for (const std::optional<SeedId>& seed : seedsOfFragments(bake, {})) seeds.push_back(*seed);
+    return seeds;
+}
+
+std::vector<std::optional<SeedId>> seedsOfFragments(const Bake& bake, const FragmentPath& inside) {
+    std::vector<std::optional<SeedId>> seeds(bake.fragmentCount());
+    const std::optional<std::uint32_t> broken = fragmentAt(bake, inside);
+    if (!broken) return seeds;
     for (const BakedBreaking& breaking : bake.breakings) {
         for (std::uint32_t k = 0; k < breaking.fragments.count(); ++k) {
-            const Fragment fragment = breaking.fragments[k];
-            if (breaking.parent != kNone) {
-                seeds.push_back(seeds[breaking.parent]);  // numbered before its pieces
-            } else {
-                seeds.push_back(cellId(fragment.all().partition, fragment.piece(), breaking.seeds.ids));
+            std::optional<SeedId>& seed = seeds[breaking.first + k];
+            if (breaking.parent == *broken) {
+                seed = cellId(breaking.fragments.partition, breaking.fragments[k].piece(), breaking.seeds.ids);
+            } else if (breaking.parent != kNone) {
+                seed = seeds[breaking.parent];  // numbered before its pieces
             }
         }
     }

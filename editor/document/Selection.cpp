@@ -13,24 +13,37 @@ void Selection::setAsset(Id asset) {
 void Selection::takeAsset(Id asset) {
     if (asset == m_asset) return;
     m_asset = asset;
+    const bool wasInside = !std::exchange(m_inside, {}).empty();
     m_choice = {};
+    m_seeds.clear();
     m_hidden = {};
     emit assetChanged(asset);
+    if (wasInside) emit insideChanged();
     emit seedsChanged();
     emit hiddenChanged();
 }
 
-void Selection::setSeeds(Seeds seeds) { setChoice({std::move(seeds), std::nullopt}); }
+void Selection::setInside(FragmentPath fragment) {
+    if (fragment == m_inside) return;
+    m_inside = std::move(fragment);
+    m_seeds = m_choice.seedsInside(m_inside);
+    emit insideChanged();
+    emit seedsChanged();
+}
+
+void Selection::setSeeds(Seeds seeds) { setChoice({std::move(seeds), std::nullopt, m_inside}); }
 
 void Selection::setChoice(FragmentChoice choice) {
+    if (choice.isEmpty()) choice = {};
     if (choice == m_choice) return;
     m_choice = std::move(choice);
+    m_seeds = m_choice.seedsInside(m_inside);
     emit seedsChanged();
     if (!m_choice.isEmpty()) setSubject(Part::Asset);
 }
 
 void Selection::toggleSeed(SeedId seed) {
-    Seeds seeds = m_choice.seeds;
+    Seeds seeds = m_seeds;
     if (!seeds.insert(seed).second) seeds.erase(seed);
     setSeeds(std::move(seeds));
 }

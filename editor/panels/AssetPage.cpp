@@ -206,7 +206,7 @@ void AssetPage::refresh() {
     if (!assets.empty()) showThreshold(assets.front());
     m_outline->refresh(m_selection.asset());
     m_shaping->refresh();
-    m_pattern->refresh(m_selection.asset());
+    m_pattern->refresh(m_selection.asset(), m_selection.inside());
 }
 
 }  // namespace rubble

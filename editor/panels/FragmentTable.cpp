@@ -210,6 +210,8 @@ void FragmentTable::showMenu(const QPoint& position) {
     menu.addActions({m_hide, m_show, m_showAll, m_isolate});
     menu.addSeparator();
     menu.addAction(m_invert);
+    menu.addSeparator();
+    menu.addActions(m_placeActions);
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 
@@ -272,7 +274,7 @@ void FragmentTable::takeRange(double least, double most, bool isMore) {
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         chosen[k] = (chosen[k] && shown[k]) || (isMore && before[k]);
     }
-    m_selection.setChoice(choiceOf(chosen, *bake));
+    m_selection.setChoice(choiceOf(chosen, *bake, m_selection.inside()));
 }
 
 /// Of the listed fragments that are not broken again: others are counted by their pieces.
@@ -332,7 +334,7 @@ void FragmentTable::takeFromView() {
         if (isSelected[static_cast<std::size_t>(row)]) chosen[m_model->fragmentAt(row)] = true;
     }
     const QScopedValueRollback taking(m_isTaking, true);
-    m_selection.setChoice(choiceOf(chosen, *m_model->figures().bake()));
+    m_selection.setChoice(choiceOf(chosen, *m_model->figures().bake(), m_selection.inside()));
     updateState();
 }
 
@@ -387,7 +389,7 @@ void FragmentTable::invertChoice() {
     FragmentSet rest = m_model->shownFragments();
     const FragmentSet chosen = m_model->fragmentsOf(m_selection.choice());
     for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = rest[k] && !chosen[k];
-    m_selection.setChoice(choiceOf(rest, *bake));
+    m_selection.setChoice(choiceOf(rest, *bake, m_selection.inside()));
 }
 
 /// The bake that the rows are of; null where there is none.

@@ -34,6 +34,7 @@ Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
     connect(&document, &Document::changed, this, &Inspector::refresh);
     connect(&selection, &Selection::subjectChanged, this, &Inspector::showSubject);
     connect(&selection, &Selection::assetChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::insideChanged, this, &Inspector::refresh);
     connect(&selection, &Selection::materialChanged, this, &Inspector::refresh);
     connect(&selection, &Selection::instancesChanged, this, &Inspector::refresh);
     showSubject();

@@ -11,6 +11,8 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace rubble {
 
 namespace {
@@ -148,7 +150,7 @@ void PatternEditor::setUnits(const Units& units) {
 
 void PatternEditor::setLevel(std::size_t level) {
     m_place.level = level;
-    refresh(m_place.asset);
+    showPlace();
 }
 
 void PatternEditor::addLayer(const LayerParameters& parameters) {
@@ -192,8 +194,18 @@ void PatternEditor::showLevels() {
     if (isOfLevel) m_form.refresh();
 }
 
-void PatternEditor::refresh(Id asset) {
-    if (asset != m_place.asset) m_place = {asset, 0};
+void PatternEditor::refresh(Id asset, const FragmentPath& inside) {
+    if (asset != m_place.asset) {
+        m_place = {asset, 0};
+        m_insideLevel = 0;
+    }
+    const std::vector<Asset> assets = chosen();
+    const std::size_t insideLevel = assets.empty() ? 0 : placeFor(assets[0], inside);
+    if (insideLevel != std::exchange(m_insideLevel, insideLevel)) m_place.level = insideLevel;
+    showPlace();
+}
+
+void PatternEditor::showPlace() {
     showLevels();
     m_model->setPlace(m_place);
     if (m_model->rowOf(m_layer) < 0) showCurrent();

@@ -17,8 +17,8 @@ public:
     QListView& view() { return *m_view; }
     LayerPage& page() { return *m_page; }
     void setUnits(const Units& units);
-    /// Shows an asset's pattern as it is now.
-    void refresh(Id asset);
+    /// Shows an asset's patterns as they are now: first that of the whole, or that which breaks the fragment one goes into.
+    void refresh(Id asset, const FragmentPath& inside);
 
     /// Adds a layer behind the others and makes it the current one.
     void addLayer(const LayerParameters& parameters);
@@ -35,10 +35,12 @@ private:
     void showLevels();
     void showCurrent();
     void setLevel(std::size_t level);
+    void showPlace();
     std::vector<Asset> chosen() const;
 
     Document& m_document;
     PatternPlace m_place;
+    std::size_t m_insideLevel = 0;  // the place of the pattern that the canvas shows
     Id m_layer = 0;
     LayerModel* m_model;
     QComboBox* m_levels;

@@ -9,6 +9,7 @@
 #include "editor/panels/LayerText.h"
 
 #include <algorithm>
+#include <set>
 
 namespace rubble {
 
@@ -50,13 +51,17 @@ Part partOf(Kind kind) {
 
 bool isNamed(Kind kind) { return partOf(kind) != Part::Scene; }
 
-/// All layers, those of the levels behind those of the whole, and those of single fragments behind them.
+/// All layers, those of the levels behind those of the whole, and those of single fragments behind them. One that a fragment has
+/// of its level is that of the level.
 template <class Function>
 void forEachLayer(const Asset& asset, const Function& function) {
+    std::set<Id> seen;
     for (std::size_t place = 0; place < patternCount(asset); ++place) {
         const Pattern* pattern = patternAt(asset, place);
         if (!pattern) continue;
-        for (const PatternLayer& layer : pattern->layers) function(layer, static_cast<int>(place));
+        for (const PatternLayer& layer : pattern->layers) {
+            if (seen.insert(layer.id).second) function(layer, static_cast<int>(place));
+        }
     }
 }
 

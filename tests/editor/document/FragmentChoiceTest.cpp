@@ -44,6 +44,38 @@ private slots:
         QVERIFY(!all.ids && all.seeds.size() == 4);
         QVERIFY(choiceOf(FragmentSet(baked.fragmentCount(), false), baked).isEmpty());
     }
+    void aSetInsideAFragmentIsNamedBySeedsInThere() {
+        for (int kind = 0; kind < 50; ++kind) {
+            const Bake baked = randomBake(*m_random, kind);
+            for (const BakedBreaking& breaking : baked.breakings) {
+                if (breaking.parent == kNone) continue;
+                const FragmentPath inside = pathOfId(baked.fragmentId(breaking.parent));
+                FragmentSet one(baked.fragmentCount(), false);
+                one[breaking.first] = true;
+                const FragmentChoice choice = choiceOf(one, baked, inside);
+                QCOMPARE(choice.inside, inside);
+                QCOMPARE(fragmentsOf(choice, baked), one);
+                // Seen from the whole, it is some of what comes from one seed.
+                const auto top = pieceNameOf(inside)->seed;
+                QVERIFY(choice.seedsInside({}) == FragmentChoice::Seeds{top});
+                QVERIFY(!choice.holds({}, top, baked.fragmentId(breaking.parent)));
+                QVERIFY(choice.holds(inside, *choice.seeds.begin(), baked.fragmentId(breaking.first)));
+
+                one[breaking.parent] = true;  // does not lie inside
+                const FragmentChoice both = choiceOf(one, baked, inside);
+                QVERIFY(both.inside.empty());
+                QCOMPARE(fragmentsOf(both, baked), one);
+                QVERIFY(!both.ids || both.seedsInside(inside) == choice.seeds);
+            }
+        }
+    }
+    void whatComesFromASeedOfTheWholeHoldsAllInside() {
+        const FragmentChoice all{{{5, 17}}, std::nullopt};
+        QVERIFY(all.holds("5.17", {9, 2}, "3/5.17/9.2"));
+        QVERIFY(all.holds("5.17.1/9.2", {4, 0}, "3/5.17.1/9.2/4.0"));
+        QVERIFY(!all.holds("5.18", {9, 2}, "3/5.18/9.2"));
+        QVERIFY(all.seedsInside("5.17").empty());  // they are not named
+    }
     void namesOutlastAnotherBake() {
         Asset asset = boxAsset(3, 5, PlacedSeeds{{{0, {0.2, 0.5}}, {1, {0.5, 0.5}}, {2, {0.8, 0.5}}}});
         const FragmentChoice last = choiceOf({false, false, true}, *bake(asset));

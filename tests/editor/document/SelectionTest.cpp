@@ -36,6 +36,23 @@ private slots:
         QCOMPARE(told.count(), 1);
         QCOMPARE(selection.asset(), 9u);
     }
+    void seedsAreThoseOfThePatternThatOneIsInside() {
+        Selection selection;
+        selection.setAsset(3);
+        selection.setSeeds({{4, 0}});
+        selection.setInside("4.0");
+        QVERIFY(selection.seeds().empty());
+        selection.setSeeds({{8, 1}});
+        selection.toggleSeed({8, 2});
+        QVERIFY((selection.choice() == FragmentChoice{{{8, 1}, {8, 2}}, std::nullopt, "4.0"}));
+        QSignalSpy told(&selection, &Selection::seedsChanged);
+        selection.setInside({});
+        QCOMPARE(told.count(), 1);
+        QVERIFY((selection.seeds() == Selection::Seeds{{4, 0}}));
+        selection.setInside("4.0");
+        selection.setAsset(9);
+        QVERIFY(selection.inside().empty());
+    }
     void nothingChosenMakesTheSceneTheSubject() {
         Selection selection;
         selection.setInstances(fullProject(), {20});

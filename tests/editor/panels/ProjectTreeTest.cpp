@@ -1,5 +1,6 @@
 #include "core/asset/StarterProject.h"
 #include "core/io/ProjectFile.h"
+#include "editor/commands/PatternPlaces.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/InstanceMarks.h"
 #include "editor/panels/ProjectTree.h"
@@ -223,6 +224,20 @@ private slots:
         const QModelIndex parent = desk.model.indexOf({Kind::Asset, 3});
         QCOMPARE(desk.model.nodeAt(desk.model.index(0, 0, parent)).id, 7u);
         QCOMPARE(desk.model.nodeAt(desk.model.index(3, 0, parent)).id, 4u);
+    }
+    void aLayerThatAFragmentHasOfItsLevelHasOneRow() {
+        Desk desk;
+        Asset wall = desk.document.project().assets[0];
+        const int rows = desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3}));
+        const QString text = desk.text(Kind::Layer, 8);
+        ownPattern(wall, "4.0").layers.push_back({.id = 39, .parameters = PlacedSeeds{}});
+        QCOMPARE(wall.leaves[0].level->pattern.layers.front().id, 8u);
+        desk.document.push(altered("Place seed", std::move(wall)));
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), rows + 1);
+        QCOMPARE(desk.text(Kind::Layer, 8), text);
+        QVERIFY(desk.text(Kind::Layer, 39).contains("4.0"));
+        desk.document.undoStack().undo();
+        QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), rows);
     }
     void theModelFollowsRandomEdits() {
         constexpr std::uint64_t kSeed = 1911;
