@@ -181,7 +181,8 @@ private slots:
     void aPieceOfAPieceIsCutApartInItsPlace() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}}});
         project.assets[0].prism.outline = comb(20);
-        project.assets[0].levels = {{.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-10.0, 0.0}}, {1, {10.0, 0.0}}}}}}}}};
+        project.assets[0].levels = {
+            {.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-10.0, 0.0}}, {1, {10.0, 0.0}}}}}}}}};
         std::vector<Problem> deep = problemsIn(project);
         std::erase_if(deep, [](const Problem& problem) { return problem.level == 0; });
         QCOMPARE(std::ranges::count(deep, ProblemKind::ManyHulls, &Problem::kind), std::ptrdiff_t{2});
