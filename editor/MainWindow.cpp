@@ -5,6 +5,7 @@
 #include "editor/EditActions.h"
 #include "editor/FileActions.h"
 #include "editor/FilmExport.h"
+#include "editor/FirstSteps.h"
 #include "editor/FragmentActions.h"
 #include "editor/HelpActions.h"
 #include "editor/InstanceActions.h"
@@ -68,6 +69,8 @@ MainWindow::MainWindow(Program& program, Project project)
     m_viewActions = new ViewActions(*this);
     m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
+    new FirstSteps(m_workspace.document(), m_views->canvas(),
+                   m_assetActions->toolbarActions() + QList{m_fileActions->importAction()});
     for (QMenu* menu : {m_fileActions->menu(), m_editActions->menu(), m_selectActions->menu(), m_viewActions->menu(),
                         m_assetActions->menu(), m_fragmentActions->menu(), m_instanceActions->menu(),
                         m_playActions->menu(), m_helpActions->menu()}) {

@@ -44,7 +44,10 @@ public:
             const double x = onPixel(m_view.pixels({k * m_step / 5.0, 0.0}).x());
             const bool isLabelled = std::fmod(k, 5.0) == 0.0;
             m_painter.drawLine(QPointF(x, isLabelled ? 4.0 : kRulerWidth - 5.0), QPointF(x, kRulerWidth - 1.0));
-            if (isLabelled) m_painter.drawText(QPointF(x + 3.0, 13.0), lengthText(k / 5.0 * m_step, m_step));
+            const QString text = isLabelled ? lengthText(k / 5.0 * m_step, m_step) : QString();
+            if (isWhole(x + 3.0, x + 3.0 + widthOf(text), m_view.size.width())) {
+                m_painter.drawText(QPointF(x + 3.0, 13.0), text);
+            }
         });
     }
 
@@ -53,16 +56,21 @@ public:
             const double y = onPixel(m_view.pixels({0.0, k * m_step / 5.0}).y());
             const bool isLabelled = std::fmod(k, 5.0) == 0.0;
             m_painter.drawLine(QPointF(isLabelled ? 4.0 : kRulerWidth - 5.0, y), QPointF(kRulerWidth - 1.0, y));
-            if (!isLabelled) return;
+            const QString text = isLabelled ? lengthText(k / 5.0 * m_step, m_step) : QString();
+            if (!isWhole(y - 3.0 - widthOf(text), y - 3.0, m_view.size.height())) return;
             m_painter.save();
             m_painter.translate(13.0, y - 3.0);
             m_painter.rotate(-90.0);
-            m_painter.drawText(QPointF(0.0, 0.0), lengthText(k / 5.0 * m_step, m_step));
+            m_painter.drawText(QPointF(0.0, 0.0), text);
             m_painter.restore();
         });
     }
 
 private:
+    double widthOf(const QString& text) const { return m_painter.fontMetrics().horizontalAdvance(text); }
+    /// A label that is cut off may read as another number.
+    static bool isWhole(double from, double to, double end) { return from >= kRulerWidth && to <= end; }
+
     QPainter& m_painter;
     const CanvasView& m_view;
     Box2 m_shown;

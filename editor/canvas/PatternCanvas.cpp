@@ -504,7 +504,11 @@ void PatternCanvas::paintSentence(QPainter& painter) const {
 }
 
 QString PatternCanvas::sentenceInstead() const {
-    if (!m_state.asset()) return tr("No asset is at hand. Add one, or choose one in the project tree.");
+    if (!m_state.asset()) {  // what to begin with is told by the window where there is none at all
+        return m_state.document.project().assets.empty()
+                   ? QString()
+                   : tr("No asset is at hand. Choose one in the project tree, or add one.");
+    }
     const auto pattern = m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.inside());
     if (pattern && pattern->fault) return QString::fromStdString(pattern->fault->message);
     return {};

@@ -114,6 +114,7 @@ void FragmentTable::buildView() {
     m_view->sortByColumn(0, Qt::AscendingOrder);
     m_view->setSortingEnabled(true);
     m_view->installEventFilter(this);
+    for (int column = 1; column < kFragmentColumns; ++column) m_view->setColumnWidth(column, 0);
     widenColumns();
 }
 

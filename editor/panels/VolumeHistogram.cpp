@@ -28,7 +28,6 @@ VolumeHistogram::VolumeHistogram(QWidget* parent) : QWidget(parent), m_axisButto
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Histogram of volumes"));
     setStatusTip(tr("How many pieces have which volume · click a bar or drag over several: choose these pieces"));
-    m_axisButton->setAutoRaise(true);
     m_axisButton->setObjectName("histogram-axis");
     connect(m_axisButton, &QToolButton::clicked, this,
             [this] { setAxis(m_axis == HistogramAxis::Linear ? HistogramAxis::Logarithmic : HistogramAxis::Linear); });
@@ -54,9 +53,11 @@ void VolumeHistogram::setAxis(HistogramAxis axis) {
     m_axisButton->setAccessibleName(tr("Axis: %1").arg(m_axisButton->text()));
     m_range.reset();
     m_axisButton->adjustSize();
-    m_axisButton->move(width() - m_axisButton->width() - 2, 2);
+    placeAxisButton();
     sortIntoBars();
 }
+
+void VolumeHistogram::placeAxisButton() { m_axisButton->move(width() - m_axisButton->width() - kMargin, kMargin / 2); }
 
 void VolumeHistogram::sortIntoBars() {
     const int bars = std::clamp(static_cast<int>(area().width() / kBarWidth), 1, kMostBars);
@@ -140,7 +141,7 @@ bool VolumeHistogram::event(QEvent* event) {
 }
 
 void VolumeHistogram::resizeEvent(QResizeEvent*) {
-    m_axisButton->move(width() - m_axisButton->width() - 2, 2);
+    placeAxisButton();
     m_range.reset();
     sortIntoBars();
 }
@@ -182,7 +183,7 @@ void VolumeHistogram::paintBars(QPainter& painter) const {
 
 void VolumeHistogram::paintTexts(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::Text));
-    const QRect head(kMargin, kMargin / 2 + 1, m_axisButton->x() - 2 * kMargin, m_axisButton->height());
+    const QRect head(kMargin, m_axisButton->y(), m_axisButton->x() - 2 * kMargin, m_axisButton->height());
     painter.drawText(head, Qt::AlignVCenter | Qt::AlignLeft,
                      fontMetrics().elidedText(tr("Pieces by volume"), Qt::ElideRight, head.width()));
     if (m_bars.empty()) return;

@@ -44,6 +44,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void placeAxisButton();
     void sortIntoBars();
     QRectF area() const;
     int barAt(double x) const;
