@@ -103,9 +103,12 @@ private:
                 const OutlineCrossing& crossing = m_sources.trace.crossings[point - numbers.crossings];
                 first = crossing.edge, second = crossing.edgeEnd;
             }
-            for (const std::size_t k : {(i + ring.size() - 1) % ring.size(), i, (i + 1) % ring.size()}) {
-                noteIfInTip(first, ring[k].point);
-                noteIfInTip(second, ring[k].point);
+            const std::size_t before = i > 0 ? i - 1 : ring.size() - 1, after = i + 1 < ring.size() ? i + 1 : 0;
+            const bool isFirstSharp = m_sources.tips.isSharp(first), isSecondSharp = m_sources.tips.isSharp(second);
+            if (!isFirstSharp && !isSecondSharp) continue;
+            for (const std::size_t k : {before, i, after}) {
+                if (isFirstSharp) noteIfInTip(first, ring[k].point);
+                if (isSecondSharp) noteIfInTip(second, ring[k].point);
             }
         }
     }

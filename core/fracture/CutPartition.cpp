@@ -1,5 +1,6 @@
 #include "core/fracture/CutPartition.h"
 
+#include "core/base/KeySort.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/EdgeGrid.h"
 #include "core/fracture/PieceRings.h"
@@ -8,6 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
 #include <map>
 
 namespace rubble {
@@ -77,8 +81,8 @@ struct NewPiece {
     std::uint32_t face = kNone;  // kNone: it stays as it is
     std::uint32_t part = kNone;  // of the faces that meet themselves; kNone: all of the face
     std::uint32_t cells = 0;     // where its cells of cut layers begin
-    std::uint64_t rank = 0;  // pieces come in this order, then in that of their cells, then of their smallest corners
-    Vec2 smallest{0.0, 0.0};
+    std::uint32_t seedPlace =
+        0;  // pieces come in this order, then in that of their cells, then of their smallest corners
 };
 constexpr std::uint32_t kStays = 0x80000000u;  // beside the number of a piece that stays as it is
 
@@ -158,19 +162,18 @@ private:
         m_pieceOfFace.assign(m_faces.count(), kUnknown);
         m_pieceOfFace[0] = kNone;
         std::vector<std::uint32_t> known{0};
-        for (std::uint32_t face = 1; face < m_faces.count(); ++face) {
-            if (face % 4096 == 0 && m_task.isCancelled()) return false;
-            double longest = -1.0;
-            forEachHalfEdge(face, [&](std::uint32_t h) {
-                if (m_faces.edges[h >> 1].group != 0) return;
-                const Vec2 edge = m_points[m_faces.origin(h ^ 1)] - m_points[m_faces.origin(h)];
-                if (glm::dot(edge, edge) <= longest) return;
-                longest = glm::dot(edge, edge);
-                m_pieceOfFace[face] = m_faces.pieceOf(h);
-            });
-            if (longest >= 0.0) known.push_back(face);
+        std::vector<double> longest(m_faces.count(), -1.0);  // m^2
+        for (std::uint32_t h = 0; h < m_faces.faceOf.size(); ++h) {
+            const std::uint32_t face = m_faces.faceOf[h];
+            if (face == 0 || m_faces.edges[h >> 1].group != 0) continue;
+            const Vec2 edge = m_points[m_faces.origin(h ^ 1)] - m_points[m_faces.origin(h)];
+            if (glm::dot(edge, edge) <= longest[face]) continue;
+            if (longest[face] < 0.0) known.push_back(face);
+            longest[face] = glm::dot(edge, edge);
+            m_pieceOfFace[face] = m_faces.pieceOf(h);
         }
-        while (!known.empty()) {
+        for (std::size_t step = 0; !known.empty(); ++step) {
+            if (step % 4096 == 0 && m_task.isCancelled()) return false;
             const std::uint32_t face = known.back();
             known.pop_back();
             forEachHalfEdge(face, [&](std::uint32_t h) {
@@ -192,6 +195,7 @@ private:
     /// are none.
     bool hasPartedOthers() {
         m_behindStaying.clear();
+        if (std::ranges::all_of(m_isCut, std::identity())) return false;
         for (std::uint32_t h = 0; h < m_faces.faceOf.size(); ++h) {
             const std::uint32_t piece = m_faces.edges[h >> 1].group == 0 ? m_faces.pieceOf(h) : kNone;
             if (piece == kNone || m_isCut[piece]) continue;
@@ -232,10 +236,7 @@ private:
         m_cells.reserve(m_pieces.capacity() * m_namingLayers);
         for (std::uint32_t piece = 0; piece < m_old.pieceCount(); ++piece) {
             if (piece % 4096 == 0 && m_task.isCancelled()) return false;
-            if (m_isCut[piece]) continue;
-            m_ring.clear();
-            for (const std::uint32_t point : m_old.ringCorners(m_old.ringsOfPiece[piece])) m_ring.push_back(point);
-            add({.was = piece});
+            if (!m_isCut[piece]) add({.was = piece});
         }
         std::vector<std::uint32_t> lastSeen(m_points.size(), 0);  // the face at each point
         for (std::uint32_t face = 1; face < m_faces.count(); ++face) {
@@ -243,42 +244,60 @@ private:
             const std::uint32_t piece = m_pieceOfFace[face];
             if (piece < kUnknown && m_isCut[piece]) addFace(face, piece, lastSeen);
         }
+        sortPieces();
+        return true;
+    }
+
+    void sortPieces() {
+        // First by a key that says as much of the order as goes into it: hardly any two are equal then.
+        constexpr int kKeyBits = 32;
+        const auto count = static_cast<std::uint32_t>(m_pieces.size());
+        RawVector<Keyed> entries(count), other(count);
+        std::vector<std::uint32_t> keys(count, 0);
+        int width = 0;
+        const auto extendKeys = [&](auto valueOf) {
+            std::uint32_t most = 0;
+            for (const NewPiece& piece : m_pieces) most = std::max(most, valueOf(piece));
+            const int bits = std::bit_width(most), kept = std::min(bits, kKeyBits - width);
+            for (std::uint32_t k = 0; k < count && kept > 0; ++k)
+                keys[k] =
+                    static_cast<std::uint32_t>(std::uint64_t{keys[k]} << kept | valueOf(m_pieces[k]) >> (bits - kept));
+            width += kept;
+        };
+        extendKeys([](const NewPiece& piece) { return piece.seedPlace; });
+        for (std::uint32_t layer = 0; layer < m_namingLayers && width < kKeyBits; ++layer)
+            extendKeys([&](const NewPiece& piece) { return m_cells[piece.cells + layer]; });
+        for (std::uint32_t k = 0; k < count; ++k) entries[k] = keyed(keys[k], k);
+        const std::span<Keyed> order = sortByKey(entries, other, width);
+        const auto isBefore = [this](Keyed a, Keyed b) { return isAhead(m_pieces[indexOf(a)], m_pieces[indexOf(b)]); };
+        std::vector<NewPiece> sorted;
+        sorted.reserve(count);
+        for (auto first = order.begin(), end = first; first != order.end(); first = end) {
+            while (end != order.end() && keyOf(*end) == keyOf(*first)) ++end;
+            if (end - first > 1) std::sort(first, end, isBefore);
+            for (auto entry = first; entry != end; ++entry) sorted.push_back(m_pieces[indexOf(*entry)]);
+        }
+        m_pieces = std::move(sorted);
+    }
+    bool isAhead(const NewPiece& a, const NewPiece& b) const {
+        if (a.seedPlace != b.seedPlace) return a.seedPlace < b.seedPlace;
         const auto cellsOf = [this](const NewPiece& piece) {
             return std::span(m_cells).subspan(piece.cells, m_namingLayers);
         };
-        const auto isBefore = [&](const NewPiece& a, const NewPiece& b) {
-            const auto order = std::lexicographical_compare_three_way(cellsOf(a).begin(), cellsOf(a).end(),
-                                                                      cellsOf(b).begin(), cellsOf(b).end());
-            if (order != 0) return order < 0;
-            return a.smallest != b.smallest ? isSmaller(a.smallest, b.smallest) : a.face < b.face;
-        };
-        // By rank alone first: hardly any two have the same.
-        std::vector<std::pair<std::uint64_t, std::uint32_t>> ranks;
-        ranks.reserve(m_pieces.size());
-        for (std::uint32_t k = 0; k < m_pieces.size(); ++k) ranks.push_back({m_pieces[k].rank, k});
-        std::ranges::sort(ranks);
-        std::vector<NewPiece> sorted;
-        sorted.reserve(m_pieces.size());
-        for (const auto& [rank, k] : ranks) sorted.push_back(m_pieces[k]);
-        for (auto first = sorted.begin(), end = first; first != sorted.end(); first = end) {
-            while (end != sorted.end() && end->rank == first->rank) ++end;
-            std::sort(first, end, isBefore);
-        }
-        m_pieces = std::move(sorted);
-        return true;
+        const std::span<const std::uint32_t> one = cellsOf(a), other = cellsOf(b);
+        const auto cells = std::lexicographical_compare_three_way(one.begin(), one.end(), other.begin(), other.end());
+        if (cells != 0) return cells < 0;
+        const Vec2 corner = smallestCorner(a), otherCorner = smallestCorner(b);
+        return corner != otherCorner ? isSmaller(corner, otherCorner) : a.face < b.face;
     }
 
     void addFace(std::uint32_t face, std::uint32_t piece, std::vector<std::uint32_t>& lastSeen) {
         bool isMeetingItself = false;
-        m_ring.clear();
-        for (std::uint32_t ring = m_faces.ringsBegin[face]; ring < m_faces.ringsBegin[face + 1]; ++ring) {
-            m_faces.forEachHalfEdge(ring, [&](std::uint32_t h) {
-                const std::uint32_t point = m_faces.origin(h);
-                isMeetingItself = isMeetingItself || lastSeen[point] == face;
-                lastSeen[point] = face;
-                if (ring == m_faces.ringsBegin[face]) m_ring.push_back(point);
-            });
-        }
+        forEachHalfEdge(face, [&](std::uint32_t h) {
+            const std::uint32_t point = m_faces.origin(h);
+            isMeetingItself = isMeetingItself || lastSeen[point] == face;
+            lastSeen[point] = face;
+        });
         if (!isMeetingItself) return add({.was = piece, .face = face});
         PieceRings rings;
         for (std::uint32_t ring = m_faces.ringsBegin[face]; ring < m_faces.ringsBegin[face + 1]; ++ring) {
@@ -286,10 +305,8 @@ private:
             m_faces.forEachHalfEdge(ring, [&](std::uint32_t h) { corners.push_back({m_faces.origin(h), behind(h)}); });
         }
         for (PieceRings& part : connectedParts(std::move(rings), m_points)) {
-            m_ring.clear();
-            for (const PieceCorner& corner : part[0]) m_ring.push_back(corner.point);
-            add({.was = piece, .face = face, .part = static_cast<std::uint32_t>(m_parts.size())});
             m_parts.push_back(std::move(part));
+            add({.was = piece, .face = face, .part = static_cast<std::uint32_t>(m_parts.size()) - 1});
         }
     }
 
@@ -303,24 +320,43 @@ private:
         return m_isCut[piece] ? face : piece | kStays;
     }
 
-    /// Adds a piece whose outer ring is m_ring.
-    void add(NewPiece piece) {
-        Vec2 middle{0.0, 0.0};
-        piece.smallest = m_points[m_ring[0]];
-        for (const std::uint32_t point : m_ring) {
-            middle += m_points[point];
-            piece.smallest = std::min(piece.smallest, m_points[point], isSmaller);
+    /// Calls visit(place) for each corner of a piece's outer ring.
+    template <class Visit>
+    void forEachOuterCorner(const NewPiece& piece, Visit visit) const {
+        if (piece.part != kNone) {
+            for (const PieceCorner& corner : m_parts[piece.part][0]) visit(m_points[corner.point]);
+        } else if (piece.face != kNone) {
+            m_faces.forEachHalfEdge(m_faces.ringsBegin[piece.face],
+                                    [&](std::uint32_t h) { visit(m_points[m_faces.origin(h)]); });
+        } else {
+            for (const std::uint32_t point : m_old.ringCorners(m_old.ringsOfPiece[piece.was])) visit(m_points[point]);
         }
-        middle = m_old.origin + middle / static_cast<double>(m_ring.size());
+    }
+    Vec2 smallestCorner(const NewPiece& piece) const {
+        Vec2 smallest(HUGE_VAL);
+        forEachOuterCorner(piece, [&](Vec2 corner) { smallest = std::min(smallest, corner, isSmaller); });
+        return smallest;
+    }
+
+    void add(NewPiece piece) {
+        const std::uint32_t seed = m_old.seedOfPiece[piece.was];
+        if (seed != kNone) piece.seedPlace = m_old.pieceOfSeed[seed];
         piece.cells = static_cast<std::uint32_t>(m_cells.size());
-        // Cells of cut layers are convex, or are made so by the cuts: the middle of corners lies in the same one as all of them.
+        if (m_namingLayers > 0) addCells(piece);
+        m_pieces.push_back(piece);
+    }
+    /// Cells of cut layers are convex, or are made so by the cuts: the middle of corners lies in the same one as all of them.
+    void addCells(const NewPiece& piece) {
+        Vec2 sum{0.0, 0.0};
+        std::uint32_t corners = 0;
+        forEachOuterCorner(piece, [&](Vec2 corner) {
+            sum += corner;
+            ++corners;
+        });
+        const Vec2 middle = m_old.origin + sum / static_cast<double>(corners);
         for (const CutLayer& layer : m_cuts.layers) {
             if (layer.cellAt) m_cells.push_back(layer.cellAt(middle));
         }
-        const std::uint32_t seed = m_old.seedOfPiece[piece.was];
-        piece.rank = (seed == kNone ? std::uint64_t{0} : std::uint64_t{m_old.pieceOfSeed[seed]} << 32) |
-                     (m_namingLayers > 0 ? m_cells[piece.cells] : 0);
-        m_pieces.push_back(piece);
     }
 
     Partition assembled() {
@@ -346,6 +382,10 @@ private:
             std::uint32_t& number = piece.face == kNone ? m_pieceStaying[piece.was] : m_pieceMade[piece.face];
             number = std::min(number, k);
         }
+        for (std::uint32_t face = 0; face < m_faces.count(); ++face) {
+            const std::uint32_t piece = m_pieceOfFace[face];
+            if (piece < kUnknown && !m_isCut[piece]) m_pieceMade[face] = m_pieceStaying[piece];
+        }
         for (const NewPiece& piece : m_pieces) append(piece, made);
         if (!m_parts.empty()) namePartsOfFaces(made);
         made.points = std::move(m_points);
@@ -360,10 +400,7 @@ private:
         for (std::uint32_t k = 0; k < m_namingLayers; ++k) made.cutCells.push_back(m_cells[piece.cells + k]);
         const auto addCorner = [&](std::uint32_t point, std::uint32_t across) {
             made.corners.push_back(point);
-            const bool isStaying = across != kNone && (across & kStays) != 0;
-            made.across.push_back(across == kNone ? kNone
-                                  : isStaying     ? m_pieceStaying[across & ~kStays]
-                                                  : m_pieceMade[across]);
+            made.across.push_back(numberOf(across));
         };
         const auto endRing = [&] { made.cornersOfRing.push_back(static_cast<std::uint32_t>(made.corners.size())); };
         if (piece.part != kNone) {
@@ -374,7 +411,11 @@ private:
         } else if (piece.face != kNone) {
             for (std::uint32_t ring = m_faces.ringsBegin[piece.face]; ring < m_faces.ringsBegin[piece.face + 1];
                  ++ring) {
-                m_faces.forEachHalfEdge(ring, [&](std::uint32_t h) { addCorner(m_faces.origin(h), behind(h)); });
+                m_faces.forEachHalfEdge(ring, [&](std::uint32_t h) {
+                    const bool isCut = m_faces.edges[h >> 1].group != 0;
+                    made.corners.push_back(m_faces.origin(h));
+                    made.across.push_back(isCut ? m_pieceMade[m_faces.faceOf[h ^ 1]] : numberOf(behind(h)));
+                });
                 endRing();
             }
         } else {
@@ -391,6 +432,12 @@ private:
             }
         }
         made.ringsOfPiece.push_back(static_cast<std::uint32_t>(made.cornersOfRing.size()) - 1);
+    }
+
+    /// The new number of what behind() names.
+    std::uint32_t numberOf(std::uint32_t across) const {
+        if (across == kNone) return kNone;
+        return (across & kStays) != 0 ? m_pieceStaying[across & ~kStays] : m_pieceMade[across];
     }
 
     /// A face that meets itself may be several pieces: names the one that has the edge.
@@ -439,9 +486,8 @@ private:
     std::vector<PieceRings> m_parts;            // of faces that meet themselves; corners name what behind() gives
     std::uint32_t m_namingLayers = 0;           // cut layers whose cells have names
     std::vector<std::uint32_t> m_cells;         // of each piece, one a naming layer
-    std::vector<std::uint32_t> m_pieceMade;     // of each face, its first piece
+    std::vector<std::uint32_t> m_pieceMade;     // of each face, its first piece's new number; kNone: outside
     std::vector<std::uint32_t> m_pieceStaying;  // of each old piece that stays, its new number
-    std::vector<std::uint32_t> m_ring;          // points: room to work in
 };
 
 }  // namespace

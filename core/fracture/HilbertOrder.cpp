@@ -1,5 +1,6 @@
 #include "core/fracture/HilbertOrder.h"
 
+#include "core/base/KeySort.h"
 #include "core/base/Parallel.h"
 #include "core/geometry/Polygon.h"
 
@@ -66,29 +67,8 @@ int keyBits(std::size_t count) {
     return std::min((bits + 1) / kBitsAtOnce * kBitsAtOnce, kMostBits);
 }
 
-/// A key above, an index below.
-using Keyed = std::uint64_t;
-
-constexpr int kDigitBits = 8;
-constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+constexpr std::size_t kDigits = std::size_t{1} << kKeyDigitBits;
 std::size_t digitOf(Keyed entry, int shift) { return (entry >> shift) & (kDigits - 1); }
-
-/// Sorts entries by the `width` lowest bits of their keys; where they end up, there or in `other`. Digits are of one size
-/// and no larger than they need be: of few entries the counters take most of the time.
-std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other, int width) {
-    const int passes = (width + kDigitBits - 1) / kDigitBits, bits = passes > 0 ? (width + passes - 1) / passes : 0;
-    const std::size_t digits = std::size_t{1} << bits;
-    for (int pass = 0; pass < passes; ++pass) {
-        const auto digit = [&](Keyed entry) { return entry >> (32 + pass * bits) & (digits - 1); };
-        std::array<std::uint32_t, kDigits + 1> starts;
-        std::fill_n(starts.begin(), digits + 1, 0u);
-        for (const Keyed entry : entries) ++starts[digit(entry) + 1];
-        for (std::size_t i = 1; i <= digits; ++i) starts[i] += starts[i - 1];
-        for (const Keyed entry : entries) other[starts[digit(entry)]++] = entry;
-        std::swap(entries, other);
-    }
-    return entries;
-}
 
 /// Points in a square of cells along the curve.
 class CellGrid {
@@ -100,9 +80,9 @@ public:
         m_scale = longest > 0.0 ? m_cells / longest : 0.0;
     }
     int keyWidth() const { return 2 * m_bits; }
-    Keyed keyed(Vec2 point, std::uint32_t index) const {
+    Keyed entryOf(Vec2 point, std::uint32_t index) const {
         const Vec2 offset = point - m_min;
-        return Keyed{hilbertKey(cellOf(offset.x), cellOf(offset.y), m_bits)} << 32 | index;
+        return keyed(hilbertKey(cellOf(offset.x), cellOf(offset.y), m_bits), index);
     }
 
 private:
@@ -138,9 +118,9 @@ void sortRun(std::span<const Vec2> points, std::span<std::uint32_t> run) {
 
 /// Writes the indices of sorted entries and orders those of equal keys.
 void takeSorted(std::span<const Keyed> entries, std::span<const Vec2> points, std::span<std::uint32_t> order) {
-    for (std::size_t i = 0; i < entries.size(); ++i) order[i] = static_cast<std::uint32_t>(entries[i]);
+    for (std::size_t i = 0; i < entries.size(); ++i) order[i] = indexOf(entries[i]);
     for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-        for (end = begin + 1; end < entries.size() && entries[end] >> 32 == entries[begin] >> 32;) ++end;
+        for (end = begin + 1; end < entries.size() && keyOf(entries[end]) == keyOf(entries[begin]);) ++end;
         if (end - begin > 1) sortRun(points, order.subspan(begin, end - begin));
     }
 }
@@ -150,7 +130,7 @@ void sortAlongCurve(std::span<const Vec2> points, std::span<std::uint32_t> order
     for (const std::uint32_t index : order) box.include(points[index]);
     const CellGrid grid(box, order.size());
     RawVector<Keyed> entries(order.size()), other(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) entries[i] = grid.keyed(points[order[i]], order[i]);
+    for (std::size_t i = 0; i < order.size(); ++i) entries[i] = grid.entryOf(points[order[i]], order[i]);
     takeSorted(sortByKey(entries, other, grid.keyWidth()), points, order);
 }
 
@@ -162,7 +142,7 @@ public:
           m_order(order),
           m_threads(threads),
           m_grid(boundsOf(points), points.size()),
-          m_topShift(32 + std::max(m_grid.keyWidth() - kDigitBits, 0)),
+          m_topShift(32 + std::max(m_grid.keyWidth() - kKeyDigitBits, 0)),
           m_entries(points.size()),
           m_buckets(points.size()) {}
 
@@ -179,7 +159,7 @@ private:
     void makeKeys(std::size_t part) {
         const IndexRange range = partOf(m_points.size(), part, kParts);
         for (std::size_t i = range.begin; i < range.end; ++i) {
-            m_entries[i] = m_grid.keyed(m_points[i], static_cast<std::uint32_t>(i));
+            m_entries[i] = m_grid.entryOf(m_points[i], static_cast<std::uint32_t>(i));
             ++m_places[part][digitOf(m_entries[i], m_topShift)];
         }
     }

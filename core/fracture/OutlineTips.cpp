@@ -20,17 +20,19 @@ void OutlineTips::addRing(const Ring& ring, const PointFrame& frame) {
         const Vec2 previous = ring[i > 0 ? i - 1 : ring.size() - 1];
         Tip& tip = m_tips.emplace_back();
         tip.corner = corner - frame.origin;
-        tip.ahead = glm::normalize(next - corner);
-        tip.back = glm::normalize(previous - corner);
+        const Vec2 toNext = next - corner, toPrevious = previous - corner;
+        if (glm::dot(toNext, toPrevious) <= 0.0) continue;
+        tip.ahead = glm::normalize(toNext);
+        tip.back = glm::normalize(toPrevious);
         const double sine = cross(tip.ahead, tip.back);
-        if (sine > 0.0 && glm::dot(tip.ahead, tip.back) > 0.0) tip.length = kWidest * m_joinDistance / sine;
+        if (sine > 0.0) tip.length = kWidest * m_joinDistance / sine;
         m_longest = std::max(m_longest, tip.length);
     }
 }
 
 bool OutlineTips::isIn(const Tip& tip, Vec2 point) const {
     const Vec2 offset = point - tip.corner;
-    return glm::length(offset) < tip.length && cross(tip.ahead, offset) >= -m_joinDistance &&
+    return glm::dot(offset, offset) < tip.length * tip.length && cross(tip.ahead, offset) >= -m_joinDistance &&
            cross(offset, tip.back) >= -m_joinDistance;
 }
 

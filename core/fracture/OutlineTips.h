@@ -17,16 +17,15 @@ public:
 
     /// Whether no corner is so sharp.
     bool areNone() const { return m_longest == 0.0; }
+    bool isSharp(std::uint32_t vertex) const { return m_tips[vertex].length > 0.0; }
     /// Whether a point, relative to the frame, lies in the tip at a vertex.
-    bool contain(std::uint32_t vertex, Vec2 point) const {
-        return m_tips[vertex].length > 0.0 && isIn(m_tips[vertex], point);
-    }
+    bool contain(std::uint32_t vertex, Vec2 point) const { return isSharp(vertex) && isIn(m_tips[vertex], point); }
 
 private:
     struct Tip {
-        Vec2 corner;  // relative to the frame
-        Vec2 ahead;   // unit vectors along the edges, the outline's inside between them
-        Vec2 back;
+        Vec2 corner{0.0, 0.0};  // relative to the frame
+        Vec2 ahead{0.0, 0.0};   // unit vectors along the edges of a sharp corner, the outline's inside between them
+        Vec2 back{0.0, 0.0};
         double length = 0.0;  // m; 0: not sharp
     };
     bool isIn(const Tip& tip, Vec2 point) const;

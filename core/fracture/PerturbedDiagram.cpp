@@ -73,16 +73,23 @@ std::optional<double> roundedDifference(Twofold a, Twofold b) {
     return isSure && !isCancelled ? std::optional(difference.high) : std::nullopt;
 }
 
-/// circumcentreNumerator() of (0, b - a, c - a), rounded; in twice the precision first, which nearly always is enough.
-Vec2 roundedNumerator(Vec2 a, Vec2 b, Vec2 c) {
+/// The circumcentre of (0, b - a, c - a) is numerator / (2 * cross), all three rounded from their exact values.
+struct Circumcentre {
+    Vec2 numerator;
+    double cross;
+};
+/// In twice the precision first, which nearly always is enough.
+Circumcentre roundedCircumcentre(Vec2 a, Vec2 b, Vec2 c) {
     const Twofold bx = twofoldDifference(b.x, a.x), by = twofoldDifference(b.y, a.y);
     const Twofold cx = twofoldDifference(c.x, a.x), cy = twofoldDifference(c.y, a.y);
     const Twofold bSquare = bx * bx + by * by, cSquare = cx * cx + cy * cy;
     const std::optional<double> x = roundedDifference(bSquare * cy, cSquare * by);
     const std::optional<double> y = roundedDifference(cSquare * bx, bSquare * cx);
-    if (x && y) return {*x, *y};
-    const auto exact = circumcentreNumerator(exactOffset(a, b), exactOffset(a, c));
-    return {exact.x.estimate(), exact.y.estimate()};
+    const std::optional<double> product = roundedDifference(bx * cy, by * cx);
+    if (x && y && product) return {{*x, *y}, *product};
+    const auto ab = exactOffset(a, b), ac = exactOffset(a, c);
+    const auto exact = circumcentreNumerator(ab, ac);
+    return {{exact.x.estimate(), exact.y.estimate()}, exactCross(ab, ac).estimate()};
 }
 
 /// cross(line, circumcentre - line.from) times twice the triangle's doubled area, exactly.
@@ -221,9 +228,9 @@ bool PerturbedDiagram::crossesBefore(std::uint32_t i, std::uint32_t j, const Dir
 }
 
 Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin) {
-    const Vec2 numerator = roundedNumerator(a, b, c);
-    const double denominator = 2.0 * exactCross(exactOffset(a, b), exactOffset(a, c)).estimate();
-    return (a - origin) + Vec2{numerator.x / denominator, numerator.y / denominator};
+    const Circumcentre centre = roundedCircumcentre(a, b, c);
+    const double denominator = 2.0 * centre.cross;
+    return (a - origin) + Vec2{centre.numerator.x / denominator, centre.numerator.y / denominator};
 }
 
 Vec2 crossingWithBisector(const DirectedLine& line, Vec2 a, Vec2 b, Vec2 origin, double reach) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <span>
 
 namespace rubble {
 namespace {
@@ -167,14 +168,21 @@ private:
     /// with all others once more.
     void partEdges() {
         m_inserted.clear();
-        std::ranges::sort(m_nodes, [](const Node& a, const Node& b) {
-            if (a.edge != b.edge) return a.edge < b.edge;
+        // First by edge: along each of them the nodes mostly come in their order then.
+        const auto edges = static_cast<std::uint32_t>(m_drawing.edges.size());
+        std::vector<std::uint32_t> ends(edges + 1, 0);
+        for (const Node& node : m_nodes) ++ends[node.edge + 1];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        std::vector<Node> sorted(m_nodes.size());
+        for (const Node& node : m_nodes) sorted[ends[node.edge]++] = node;
+        const auto isBefore = [](const Node& a, const Node& b) {
             return a.along != b.along ? a.along < b.along : a.point < b.point;
-        });
-        for (std::size_t k = 0; k < m_nodes.size();) {
-            const std::size_t first = k;
-            while (k < m_nodes.size() && m_nodes[k].edge == m_nodes[first].edge) ++k;
-            part(m_nodes[first].edge, {m_nodes.data() + first, k - first});
+        };
+        for (std::uint32_t edge = 0, begin = 0; edge < edges; begin = ends[edge++]) {
+            const std::span nodes(sorted.data() + begin, ends[edge] - begin);
+            if (nodes.empty()) continue;
+            if (!std::ranges::is_sorted(nodes, isBefore)) std::ranges::sort(nodes, isBefore);
+            part(edge, nodes);
         }
         m_nodes.clear();
         m_firstNew = static_cast<std::uint32_t>(m_drawing.points.size());

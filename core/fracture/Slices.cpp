@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::uint32_t kMostCutsOfLayer = 2000;  // where they are turned, all may cross each other
 constexpr double kOvershoot = 0.01;               // of the outline's reach, that cuts go beyond it
-constexpr double kRoom = 1.0 + 1e-9;              // far more than rounding takes
 constexpr double kMostTurn = std::numbers::pi / 4.0;
 
 constexpr std::array kParameters{
@@ -63,38 +62,40 @@ std::pair<double, double> stretchIn(const Box2& box, const Cut& cut) {
     return {from, std::max(from, to)};
 }
 
-/// The cuts in the order of their numbers, and how many lie before a point.
+/// Cuts at equal distances but for what they vary, and how many of them lie before a point.
 class CutRow {
 public:
-    CutRow(Vec2 direction, double reach) : m_normal(direction.y, -direction.x), m_reach(reach) {}
+    /// Across the direction, the cut of number k comes at lowest + step * (k + 1) and off that by half of `variation` steps at
+    /// most; its pivot lies at `middle` along the direction.
+    CutRow(Vec2 direction, double middle, double lowest, double step, double variation)
+        : m_direction(direction), m_middle(middle), m_lowest(lowest), m_step(step), m_reach(variation / 2.0 + kSlack) {}
 
     void add(const Cut& cut) {
-        const double place = glm::dot(cut.pivot, m_normal);
-        const double lean = std::abs(glm::dot(cut.direction, m_normal)),
-                     along = std::abs(cross(cut.direction, m_normal));
-        const double slack = m_reach * lean / along;
         m_cuts.push_back(cut);
-        m_lowest.push_back(place - slack);
-        m_highest.push_back(m_highest.empty() ? place + slack : std::max(m_highest.back(), place + slack));
-    }
-    void finish() {
-        for (std::size_t k = m_lowest.size(); k-- > 1;) m_lowest[k - 1] = std::min(m_lowest[k - 1], m_lowest[k]);
+        const double along = std::abs(glm::dot(cut.direction, m_direction));
+        m_steepest = std::max(m_steepest, std::abs(cross(cut.direction, m_direction)) / along);
     }
     std::uint32_t countBefore(Vec2 point) const {
-        const double place = glm::dot(point, m_normal);
-        const auto certain = std::ranges::lower_bound(m_highest, place) - m_highest.begin();
-        const auto end = std::ranges::upper_bound(m_lowest, place) - m_lowest.begin();
-        auto count = static_cast<std::uint32_t>(certain);
-        for (auto k = certain; k < end; ++k) count += m_cuts[static_cast<std::size_t>(k)].liesBefore(point);
-        return count;
+        const double count = static_cast<double>(m_cuts.size());
+        const double place = (cross(point, m_direction) - m_lowest) / m_step - 1.0;  // where a cut's number would be
+        const double turned = std::abs(glm::dot(point, m_direction) - m_middle) * m_steepest / m_step;
+        const auto certain = static_cast<std::uint32_t>(std::clamp(place - turned - m_reach, 0.0, count));
+        const auto end = static_cast<std::uint32_t>(std::clamp(place + turned + m_reach + 1.0, 0.0, count));
+        std::uint32_t before = certain;
+        for (std::uint32_t k = certain; k < end; ++k) before += m_cuts[k].liesBefore(point);
+        return before;
     }
 
 private:
-    Vec2 m_normal;
-    double m_reach;  // m: along the direction, from the pivots to the ends of the outline
+    static constexpr double kSlack = 1e-6;  // steps: far more than rounding takes
+
+    Vec2 m_direction;
+    double m_middle;
+    double m_lowest;
+    double m_step;
+    double m_reach;           // steps
+    double m_steepest = 0.0;  // of all cuts, against the direction
     std::vector<Cut> m_cuts;
-    std::vector<double> m_highest;  // along the normal, of all cuts up to each
-    std::vector<double> m_lowest;   // of all cuts from each on
 };
 
 }  // namespace
@@ -116,7 +117,7 @@ Status Slices::cut(const LayerContext& context, CutSet& set) const {
     Box2 around = boundsOf(context.outline.outer);
     around.min -= Vec2(kOvershoot * reach);
     around.max += Vec2(kOvershoot * reach);
-    auto row = std::make_shared<CutRow>(direction, kRoom * turned.size().x / 2.0);
+    auto row = std::make_shared<CutRow>(direction, middle, turned.min.y, step, offsetVariation);
     for (std::uint32_t k = 0; k < cuts; ++k) {
         if (context.isCancelledAt(k)) return TaskContext::cancelled();
         Random random = context.randomOf(k);
@@ -128,7 +129,6 @@ Status Slices::cut(const LayerContext& context, CutSet& set) const {
         const std::uint32_t first = set.addPoint(cut.pivot + from * cut.direction);
         set.edges.push_back({first, set.addPoint(cut.pivot + to * cut.direction), k});
     }
-    row->finish();
     const bool isNoded = angleVariation == 0.0 && offsetVariation < 1.0;
     set.layers.push_back({context.layer.id, static_cast<std::uint32_t>(set.edges.size()), isNoded,
                           [row](Vec2 point) { return row->countBefore(point); }});
