@@ -37,8 +37,8 @@ Bake baked(const Asset& asset, int threads) {
 int main(int argc, char** argv) {
     add("ours", boxAssets, [](const Asset& asset) { return baked(asset, 1); });
     add("ours on 2 threads", boxAssets, [](const Asset& asset) { return baked(asset, 2); })->UseRealTime();
-    add("CGAL", seedSets, [](const SeedSet& seeds) { return dualByCgal(seeds); });
-    add("CGAL's cells", seedSets, [](const SeedSet& seeds) { return cellsByCgal(seeds); });
+    add("CGAL", seedSets, [](const SeedList& seeds) { return dualByCgal(seeds); });
+    add("CGAL's cells", seedSets, [](const SeedList& seeds) { return cellsByCgal(seeds); });
     RatioReporter reporter("pieces", {"ours", "ours on 2 threads", "CGAL", "CGAL's cells"},
                            {{"CGAL", "ours"},
                             {"CGAL", "ours on 2 threads"},

@@ -66,7 +66,7 @@ void measureOurs(benchmark::State& state) {
     if (std::abs(volume - kVolume) > kVolumeTolerance) fail("the volumes sum to " + std::to_string(volume) + " m^3.");
 }
 
-std::filesystem::path writtenSeeds(const SeedSet& seeds) {
+std::filesystem::path writtenSeeds(const SeedList& seeds) {
     const std::filesystem::path path = kMemory / "seeds.json";
     std::ofstream file(path);
     file.precision(17);

@@ -6,7 +6,7 @@
 namespace rubble::bench {
 
 /// A box of 1 x 1 x 0.5 m, broken by seeds placed by hand.
-inline Asset boxAsset(const SeedSet& seeds) {
+inline Asset boxAsset(const SeedList& seeds) {
     PlacedSeeds placed;
     for (std::uint32_t seed = 0; seed < seeds.size(); ++seed) placed.seeds.push_back({seed, seeds[seed]});
     Asset asset;
@@ -20,7 +20,7 @@ inline Asset boxAsset(const SeedSet& seeds) {
 
 inline std::vector<Asset> boxAssets(std::size_t seedsInEach) {
     std::vector<Asset> assets;
-    for (const SeedSet& seeds : seedSets(seedsInEach)) assets.push_back(boxAsset(seeds));
+    for (const SeedList& seeds : seedSets(seedsInEach)) assets.push_back(boxAsset(seeds));
     return assets;
 }
 

@@ -9,15 +9,15 @@
 
 namespace rubble::bench {
 
-using SeedSet = std::vector<Vec2>;
+using SeedList = std::vector<Vec2>;
 
 /// Sets of uniform random seeds in the unit square: at least three, more of few seeds, the same in every run.
-inline std::vector<SeedSet> seedSets(std::size_t seedsInEach) {
+inline std::vector<SeedList> seedSets(std::size_t seedsInEach) {
     constexpr std::size_t kSeedsInAll = 200'000;
     constexpr std::uint64_t kRandomSeed = 2;
-    std::vector<SeedSet> sets(std::clamp<std::size_t>(kSeedsInAll / seedsInEach, 3, 256), SeedSet(seedsInEach));
+    std::vector<SeedList> sets(std::clamp<std::size_t>(kSeedsInAll / seedsInEach, 3, 256), SeedList(seedsInEach));
     Random random(kRandomSeed);
-    for (SeedSet& seeds : sets) {
+    for (SeedList& seeds : sets) {
         for (Vec2& seed : seeds) seed = {random.unit(), random.unit()};
     }
     return sets;

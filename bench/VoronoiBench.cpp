@@ -31,7 +31,7 @@ Partition ourCells(std::span<const Vec2> seeds, int threads) {
 /// Runs `cells` on one set of seeds after the other. The first run warms memory up, the last one's areas are checked.
 template <class MakeCells>
 void measure(benchmark::State& state, MakeCells cells) {
-    InTurn<SeedSet> sets(seedSets(static_cast<std::size_t>(state.range(0))));
+    InTurn<SeedList> sets(seedSets(static_cast<std::size_t>(state.range(0))));
     auto last = cells(sets.next());
     for (auto _ : state) {
         last = cells(sets.next());
