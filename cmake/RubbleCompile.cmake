@@ -36,6 +36,13 @@ if(RUBBLE_SANITIZE_THREADS)
   target_compile_options(rubble_compile INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(rubble_compile INTERFACE -fsanitize=thread)
 endif()
+# Where the programs take their memory from: docs/adr/0023. Not the tests, whose sanitizers and counts of memory in use know
+# the system's allocator only, nor the importer, whose address space is limited.
+add_library(rubble_allocator INTERFACE)
+if(NOT RUBBLE_SANITIZE AND NOT RUBBLE_SANITIZE_THREADS)
+  find_package(mimalloc REQUIRED)
+  target_link_libraries(rubble_allocator INTERFACE mimalloc)
+endif()
 # For programs that load graphics drivers.
 add_library(rubble_kept_libraries INTERFACE)
 if(RUBBLE_SANITIZE)
