@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace rubble {
 namespace {
@@ -38,20 +39,36 @@ std::uint32_t newBody(WorldState& state) {
     return number;
 }
 
+/// All that giveMaterial() does but for what depends on the place.
+void setMaterial(WorldState& state, std::uint32_t number, const BodyMaterial& material) {
+    Body& body = state.bodies[number];
+    body.friction = static_cast<float>(material.friction);
+    if (body.restitution > 0.0f) --state.bouncyBodies;
+    body.restitution = static_cast<float>(material.restitution);
+    if (body.restitution > 0.0f) ++state.bouncyBodies;
+    if (!body.isDynamic()) return;
+    const Shape& shape = *body.shape;
+    body.mass = static_cast<float>(shape.mass.volume * material.density);
+    body.inertia = toFloat(shape.mass.inertia, material.density);
+    body.inverseInertia = toFloat(shape.inverseInertia, 1.0 / material.density);
+    body.momentum = body.spinThen = Vec3f(0.0f);  // it is its inertia times its spin again
+    state.motions[number].inverseMass = 1.0f / body.mass;
+}
+
 }  // namespace
 
 bool isWithin(Vec3 v, double most) {
     return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for nan
 }
 
-std::optional<std::string> faultOf(const Pose& pose, const std::string& what) {
+std::optional<std::string> faultOf(const Pose& pose, std::string_view what) {
     if (!isWithin(pose.position, kFarthest)) {
-        return "The position of " + what + " must be within 100 km of the origin.";
+        return "The position of " + std::string(what) + " must be within 100 km of the origin.";
     }
     const Quat& turn = pose.orientation;
     const double size = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
     if (!(std::abs(size - 1.0) <= kUnitTolerance)) {
-        return "The orientation of " + what + " must be a quaternion of length 1.";
+        return "The orientation of " + std::string(what) + " must be a quaternion of length 1.";
     }
     return std::nullopt;
 }
@@ -84,7 +101,7 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
     state.places[number] = {};
     state.ahead[number] = 0.0f;
     state.places[number].reach = definition.shape->reach;
-    giveMaterial(state, number, definition.material());
+    setMaterial(state, number, definition.material());
     if (definition.kind != BodyKind::Static) {
         motion.velocity = toFloat(definition.velocity);
         motion.spin = toFloat(definition.angularVelocity);
@@ -98,19 +115,9 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
 }
 
 void giveMaterial(WorldState& state, std::uint32_t number, const BodyMaterial& material) {
-    Body& body = state.bodies[number];
-    body.friction = static_cast<float>(material.friction);
-    if (body.restitution > 0.0f) --state.bouncyBodies;
-    body.restitution = static_cast<float>(material.restitution);
-    if (body.restitution > 0.0f) ++state.bouncyBodies;
-    if (!body.isDynamic()) return;
-    const MassProperties& mass = body.shape->mass;
-    body.mass = static_cast<float>(mass.volume * material.density);
-    body.inertia = toFloat(mass.inertia, material.density);
-    body.inverseInertia = toFloat(glm::inverse(mass.inertia), 1.0 / material.density);
-    body.momentum = body.spinThen = Vec3f(0.0f);  // it is its inertia times its spin again
-    state.motions[number].inverseMass = 1.0f / body.mass;
-    state.places[number].inverseInertia = rotated(body.inverseInertia, state.places[number].turn.matrix());
+    setMaterial(state, number, material);
+    BodyPlace& place = state.places[number];
+    place.inverseInertia = rotated(state.bodies[number].inverseInertia, place.turn.matrix());
 }
 
 void removeBody(WorldState& state, std::uint32_t number) {

@@ -2,12 +2,14 @@
 
 #include "core/physics/WorldState.h"
 
+#include <string_view>
+
 namespace rubble {
 
 /// Whether no coordinate is larger than `most`; never where one is not a number.
 bool isWithin(Vec3 v, double most);
 /// What is wrong with the pose of something, as a sentence, or nothing.
-std::optional<std::string> faultOf(const Pose& pose, const std::string& what);
+std::optional<std::string> faultOf(const Pose& pose, std::string_view what);
 /// What keeps a body from being made, as a sentence, or nothing.
 std::optional<std::string> faultOf(const BodyDefinition& definition);
 /// Makes a body of a definition without fault.

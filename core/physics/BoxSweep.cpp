@@ -71,7 +71,7 @@ void BoxSweep::sort() {
     }
 }
 
-std::span<std::uint32_t> BoxSweep::overlappingLater(std::size_t place, Scratch& scratch) const {
+std::span<const std::uint32_t> BoxSweep::overlappingLater(std::size_t place, Scratch& scratch) const {
     const float end = m_along.high[place];
     const float left = m_across.low[place], right = m_across.high[place];
     const float bottom = m_upwards.low[place], top = m_upwards.high[place];

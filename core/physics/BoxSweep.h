@@ -29,7 +29,7 @@ public:
     std::uint32_t number(std::size_t place) const { return m_numbers[place]; }
     /// The numbers of those that overlap the box at a place and have a later one, in order of their places: each pair is found
     /// once. Valid until the scratch is used again, for the caller to write in.
-    std::span<std::uint32_t> overlappingLater(std::size_t place, Scratch& scratch) const;
+    std::span<const std::uint32_t> overlappingLater(std::size_t place, Scratch& scratch) const;
 
 private:
     struct NumberedBox {

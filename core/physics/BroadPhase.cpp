@@ -71,26 +71,25 @@ void widenBoxes(WorldState& state, WorkerTeam& team, const Regions& regions, Pai
     }
 }
 
-/// Lists the pairs of a box with others that overlap it, those left out that can never touch or have a contact already. `isWanted`
-/// says which of the others' bodies count.
+/// Lists the pairs of a box with others that overlap it, those left out that can never touch. `isWanted` says which of the others'
+/// bodies count.
 template <class IsWanted>
-void listPairs(const WorldState& state, std::uint32_t proxy, std::span<std::uint32_t> others, const IsWanted& isWanted,
-               std::vector<std::uint32_t>& found) {
+void listPairs(const WorldState& state, std::uint32_t proxy, std::span<const std::uint32_t> others,
+               const IsWanted& isWanted, std::vector<std::uint32_t>& found) {
     const std::uint32_t body = state.proxies[proxy].body;
     const bool isDynamic = state.bodies[body].isDynamic();
-    std::size_t wanted = 0;
+    const std::size_t before = found.size();
+    std::size_t end = before;
+    found.resize(before + 2 * others.size());
     for (const std::uint32_t otherProxy : others) {
         const std::uint32_t other = state.proxies[otherProxy].body;
         const bool canTouch = (other != body) & (isDynamic | state.bodies[other].isDynamic());
         // Written in any case, and kept by counting: what is near cannot be foreseen.
-        others[wanted] = otherProxy;
-        wanted += static_cast<std::size_t>(canTouch & isWanted(other));
+        found[end] = proxy;
+        found[end + 1] = otherProxy;
+        end += canTouch & isWanted(other) ? 2 : 0;
     }
-    for (const std::uint32_t otherProxy : others.first(wanted)) {
-        if (state.pairs.find(proxy, otherProxy) != PairTable::kNone) continue;
-        found.push_back(proxy);
-        found.push_back(otherProxy);
-    }
+    found.resize(end);
 }
 
 /// The pairs of a moved body's box; of two bodies that both moved, the lower looks.

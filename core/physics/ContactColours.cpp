@@ -55,11 +55,12 @@ std::uint32_t ContactColours::removeLane(ContactSlot slot) {
         putLane(reference(slot), lane, storedLane(reference(last), lastLane));
         moved = contactAt(slot);
     }
-    putLane(block(last), lastLane, {});
-    putLane(reference(last), lastLane, {});
     if (lastLane == 0) {
         list.blocks.pop_back();
         list.references.pop_back();
+    } else {
+        putLane(block(last), lastLane, {});
+        putLane(reference(last), lastLane, {});
     }
     return moved;
 }

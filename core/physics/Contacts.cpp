@@ -30,15 +30,15 @@ void unlink(WorldState& state, std::uint32_t contact, std::uint32_t side) {
     }
 }
 
-std::uint32_t newContact(WorldState& state) {
-    if (state.freeContacts.empty()) {
-        state.contacts.emplace_back();
-        return static_cast<std::uint32_t>(state.contacts.size() - 1);
-    }
-    const std::uint32_t contact = state.freeContacts.back();
+std::uint32_t nextContact(const WorldState& state) {
+    return state.freeContacts.empty() ? static_cast<std::uint32_t>(state.contacts.size()) : state.freeContacts.back();
+}
+
+Contact& takeNextContact(WorldState& state) {
+    if (state.freeContacts.empty()) return state.contacts.emplace_back();
+    Contact& contact = state.contacts[state.freeContacts.back()];
     state.freeContacts.pop_back();
-    state.contacts[contact] = {};
-    return contact;
+    return contact = {};
 }
 
 bool isDynamic(const WorldState& state, const Contact& record, int side) {
@@ -61,11 +61,11 @@ void takeSlot(WorldState& state, std::uint32_t contact, std::uint32_t pointCount
 
 std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint32_t secondProxy) {
     if (secondProxy < firstProxy) std::swap(firstProxy, secondProxy);
-    const std::uint32_t contact = newContact(state);
-    Contact& record = state.contacts[contact];
+    const std::uint32_t contact = nextContact(state);
+    if (!state.pairs.insert(firstProxy, secondProxy, contact)) return kNone;
+    Contact& record = takeNextContact(state);
     record.proxies = {firstProxy, secondProxy};
     record.bodies = {state.proxies[firstProxy].body, state.proxies[secondProxy].body};
-    state.pairs.insert(firstProxy, secondProxy, contact);
     link(state, contact, 0);
     link(state, contact, 1);
     listOpen(state, contact);

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// Makes the contact of two proxies, without manifold, and gives its number.
+/// Makes the contact of two proxies, without manifold, and gives its number; kNone where they have one.
 std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint32_t secondProxy);
 /// Takes it out; what lay on either body wakes where they touched.
 void removeContact(WorldState& state, std::uint32_t contact);

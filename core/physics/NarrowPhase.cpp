@@ -52,11 +52,14 @@ void put(Quatf q, QuatRow& rows, std::size_t lane) {
 
 /// The friction of the last step, along the new tangents.
 void turnFriction(ContactBlock& block, std::size_t lane, Vec3f normal) {
-    const Vec3f oldTangent = at(block.tangent, lane), oldNormal = at(block.normal, lane);
-    const Vec3f friction = oldTangent * block.frictionX[lane] + cross(oldNormal, oldTangent) * block.frictionY[lane];
     const Vec3f tangent = tangentOf(normal);
-    block.frictionX[lane] = dot(friction, tangent);
-    block.frictionY[lane] = dot(friction, cross(normal, tangent));
+    const float x = block.frictionX[lane], y = block.frictionY[lane];
+    if (x != 0.0f || y != 0.0f) {  // not where it begins to touch
+        const Vec3f oldTangent = at(block.tangent, lane), oldNormal = at(block.normal, lane);
+        const Vec3f friction = oldTangent * x + cross(oldNormal, oldTangent) * y;
+        block.frictionX[lane] = dot(friction, tangent);
+        block.frictionY[lane] = dot(friction, cross(normal, tangent));
+    }
     put(normal, block.normal, lane);
     put(tangent, block.tangent, lane);
 }

@@ -34,7 +34,7 @@ void NearBoxes::add(std::uint32_t number, const Box& box) {
     ++m_count;
 }
 
-std::span<std::uint32_t> NearBoxes::overlapping(const Box& box) {
+std::span<const std::uint32_t> NearBoxes::overlapping(const Box& box) {
     tryAll(box);
     std::size_t count = 0;
     for (std::size_t i = 0; i < m_count; ++i) {

@@ -11,7 +11,7 @@ public:
     void gather(const BoxTree& tree, const Box& around);
 
     /// The numbers of those that overlap a box, in the order of BoxTree::visitOverlapping(); the caller's until the next call.
-    std::span<std::uint32_t> overlapping(const Box& box);
+    std::span<const std::uint32_t> overlapping(const Box& box);
 
     std::size_t size() const { return m_count; }
 

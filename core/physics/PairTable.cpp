@@ -38,13 +38,14 @@ void PairTable::grow() {
     }
 }
 
-void PairTable::insert(std::uint32_t first, std::uint32_t second, std::uint32_t contact) {
+bool PairTable::insert(std::uint32_t first, std::uint32_t second, std::uint32_t contact) {
     if (2 * (m_count + 1) > m_entries.size()) grow();
     const std::uint64_t key = keyOf(first, second);
     Entry& entry = m_entries[placeOf(key)];
-    RUBBLE_ASSERT(entry.contact == kNone);
+    if (entry.contact != kNone) return false;
     entry = {key, contact};
     ++m_count;
+    return true;
 }
 
 void PairTable::erase(std::uint32_t first, std::uint32_t second) {

@@ -13,8 +13,8 @@ public:
 
     /// kNone where there is none.
     std::uint32_t find(std::uint32_t first, std::uint32_t second) const;
-    /// The pair must not be in it.
-    void insert(std::uint32_t first, std::uint32_t second, std::uint32_t contact);
+    /// False where the pair is in it, and stays as it is.
+    bool insert(std::uint32_t first, std::uint32_t second, std::uint32_t contact);
     void erase(std::uint32_t first, std::uint32_t second);
 
 private:

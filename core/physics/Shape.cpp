@@ -43,6 +43,7 @@ Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytop
     }
     auto shape = std::make_shared<Shape>();
     shape->mass = mass;
+    shape->inverseInertia = glm::inverse(mass.inertia);
     shape->breadth = std::numeric_limits<float>::infinity();
     for (const Polytope& polytope : polytopes) {
         Result<Hull> hull = makeHull(polytope, mass.centre);

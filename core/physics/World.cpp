@@ -1,6 +1,7 @@
 #include "core/physics/World.h"
 
 #include "core/base/Assert.h"
+#include "core/base/Stopwatch.h"
 #include "core/physics/Bodies.h"
 #include "core/physics/BroadPhase.h"
 #include "core/physics/Contacts.h"
@@ -14,24 +15,9 @@
 #include "core/physics/WorldState.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace rubble {
 namespace {
-
-/// Milliseconds from one call to the next.
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double passed = std::chrono::duration<double, std::milli>(now - m_start).count();
-        m_start = now;
-        return passed;
-    }
-
-private:
-    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-};
 
 std::uint32_t proxyOf(const WorldState& state, std::uint32_t body, std::uint32_t hull) {
     std::uint32_t proxy = state.bodies[body].firstProxy;
@@ -41,8 +27,8 @@ std::uint32_t proxyOf(const WorldState& state, std::uint32_t body, std::uint32_t
 
 /// Makes a contact that is known, and keeps how it touches.
 void seedContact(WorldState& state, std::uint32_t first, std::uint32_t second, const ContactSeed& seed) {
-    if (state.pairs.find(first, second) != PairTable::kNone) return;
     const std::uint32_t contact = addContact(state, first, second);
+    if (contact == kNone) return;
     const Look& look = seed.looks[state.contacts[contact].proxies[0] == first ? 0 : 1];
     beginTouching(state, contact, static_cast<std::uint32_t>(look.manifold.count));
     keepManifold(state, contact, look);
@@ -181,7 +167,7 @@ void World::expectContact(BodyId first, BodyId second, std::span<const ContactSe
     if (!seeds.empty()) return;
     for (std::uint32_t a = state.bodies[first.index].firstProxy; a != kNone; a = state.proxies[a].next) {
         for (std::uint32_t b = state.bodies[second.index].firstProxy; b != kNone; b = state.proxies[b].next) {
-            if (state.pairs.find(a, b) == PairTable::kNone) addContact(state, a, b);
+            addContact(state, a, b);
         }
     }
 }

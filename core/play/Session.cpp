@@ -2,10 +2,10 @@
 
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/base/Stopwatch.h"
 #include "core/play/SessionState.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace rubble {
@@ -73,10 +73,9 @@ void Session::step() {
     m_state->events = {};
     followInputs(parts);
     m_world.collide(m_settings.dt);
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     const bool isBroken = breakWhatIsHit(parts);
-    const auto end = std::chrono::steady_clock::now();
-    m_swapMilliseconds = std::chrono::duration<double, std::milli>(end - start).count();
+    m_swapMilliseconds = watch.lap();
     if (isBroken) m_world.collide(m_settings.dt);
     m_world.solve(m_settings.dt);
     ++m_state->step;

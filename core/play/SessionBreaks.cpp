@@ -1,10 +1,10 @@
 #include "core/base/Assert.h"
+#include "core/base/Stopwatch.h"
 #include "core/play/CutAtImpact.h"
 #include "core/play/Damage.h"
 #include "core/play/SessionState.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace rubble {
 namespace {
@@ -68,23 +68,16 @@ BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& br
     return definition;
 }
 
-/// Milliseconds since a moment.
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Takes the whole out.
-void removeWhole(const SessionParts& parts, PendingBreak& broken) {
-    const auto start = std::chrono::steady_clock::now();
+void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     broken.told.asset = assetToSwap(parts, broken);
     broken.told.pose = broken.pose;
     takeOut(parts, broken.told.body.number);
-    broken.told.milliseconds = millisecondsSince(start);
+    broken.told.milliseconds = watch.lap();
 }
 
 /// Puts the pieces in.
-void addPieces(const SessionParts& parts, PendingBreak& broken) {
-    const auto start = std::chrono::steady_clock::now();
+void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     PlayBreak& told = broken.told;
     const PlayBreaking& breaking = *told.asset->breakingOf(told.body.fragment);
     told.firstPiece = parts.state.nextNumber;
@@ -102,7 +95,7 @@ void addPieces(const SessionParts& parts, PendingBreak& broken) {
     for (const PlayNeighbours& pair : breaking.neighbours) {
         parts.world.expectContact(bodyOf(pair.first), bodyOf(pair.second), pair.seeds);
     }
-    told.milliseconds += millisecondsSince(start);
+    told.milliseconds += watch.lap();
     parts.state.events.breaks.push_back(told);
     parts.state.recentBreaks.push_back(told);
 }
@@ -123,9 +116,11 @@ PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
 
 void carryOut(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     if (!parts.scene.project.damage.isThesis) payForBreaks(parts.world, breaks);
-    for (PendingBreak& broken : breaks) removeWhole(parts, broken);
+    Stopwatch watch;
+    for (PendingBreak& broken : breaks) removeWhole(parts, broken, watch);
     forgetTakenOut(parts.state);
-    for (PendingBreak& broken : breaks) addPieces(parts, broken);
+    watch.lap();
+    for (PendingBreak& broken : breaks) addPieces(parts, broken, watch);
 }
 
 bool breakWhatIsHit(const SessionParts& parts) {

@@ -13,11 +13,17 @@ private slots:
     void theOrderOfAPairIsNoMatter() {
         PairTable table;
         QCOMPARE(table.find(3, 5), PairTable::kNone);
-        table.insert(5, 3, 7);
+        QVERIFY(table.insert(5, 3, 7));
         QCOMPARE(table.find(3, 5), 7u);
         QCOMPARE(table.find(5, 3), 7u);
         table.erase(3, 5);
         QCOMPARE(table.find(5, 3), PairTable::kNone);
+    }
+    void whatIsInItStays() {
+        PairTable table;
+        QVERIFY(table.insert(1, 2, 7));
+        QVERIFY(!table.insert(2, 1, 8));
+        QCOMPARE(table.find(1, 2), 7u);
     }
     void itHoldsWhatAMapHolds() {
         Random random(3);
@@ -29,7 +35,7 @@ private slots:
             const auto found = map.find({a, b});
             QCOMPARE(table.find(a, b), found == map.end() ? PairTable::kNone : found->second);
             if (found == map.end()) {
-                table.insert(a, b, i);
+                QVERIFY(table.insert(a, b, i));
                 map[{a, b}] = i;
             } else {
                 table.erase(b, a);

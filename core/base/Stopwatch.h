@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+
+namespace rubble {
+
+/// Milliseconds of wall time, from one call to the next.
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double passed = std::chrono::duration<double, std::milli>(now - m_start).count();
+        m_start = now;
+        return passed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+}  // namespace rubble
