@@ -126,6 +126,7 @@ void Views::addProblems() {
     QDockWidget* dock = addDock("dock-problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
     connect(m_problems, &ProblemPanel::countChanged, dock,
             [dock](int count) { dock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%L1)").arg(count)); });
+    connect(m_problems, &ProblemPanel::said, this, &Views::said);
     connect(m_problems, &ProblemPanel::jumpRequested, this, qOverload<const Problem&>(&Views::jump));
 }
 

@@ -64,8 +64,12 @@ ContentHash bakeInputHash(const Asset& asset);
 /// Checks every stage of a bake: see core/fracture/Verify.h.
 std::optional<std::string> verifyBake(const Bake& bake, const Asset& asset);
 
-/// The render mesh of a fragment in its own frame, or of the whole about its centre of mass.
-Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset);
+/// Corners that are put into the edges of a fragment, in its frame: one list an edge, ring after ring as Fragment::across() has them.
+/// No lists: all edges stay straight.
+using EdgeCorners = std::vector<std::vector<Vec2>>;
+
+/// The render mesh of a fragment in its own frame, its cuts rough by what RoughCuts tells, or of the whole about its centre of mass.
+Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset, const EdgeCorners& rough = {});
 Mesh wholeMesh(const Bake& bake, const Asset& asset);
 
 /// Checks these meshes, the whole's and every fragment's: see verifyMesh().

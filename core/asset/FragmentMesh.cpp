@@ -1,6 +1,5 @@
 #include "core/asset/Bake.h"
 #include "core/asset/ExtrudedMesh.h"
-#include "core/asset/RoughCuts.h"
 
 #include <glm/geometric.hpp>
 
@@ -61,14 +60,10 @@ ExtrudedSide sideBetween(const BakedFragment& fragment, const Asset& asset, std:
 
 }  // namespace
 
-Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset) {
+Mesh fragmentMesh(const BakedFragment& fragment, const Asset& asset, const EdgeCorners& rough) {
     const Fragment& piece = fragment.solid;
     const Polygon outline = piece.outline();
     const std::vector<std::uint32_t> across = piece.across();
-    std::vector<std::vector<Vec2>> rough;  // one an edge; none where all are straight
-    if (asset.shaping.roughness.amplitude > 0.0) {
-        rough = roughCorners(piece, asset.shaping.roughness, asset.shaping.gap);
-    }
     const auto isStraight = [](const std::vector<Vec2>& corners) { return corners.empty(); };
     const bool isPlain = std::ranges::all_of(rough, isStraight);
     ExtrudedSolid solid{{}, {}, piece.depth(), piece.offset(), piece.isConvex() && isPlain};

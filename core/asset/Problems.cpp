@@ -65,6 +65,7 @@ private:
         if (const BakedBreaking* breaking = deeperBreakingOf(report)) {
             problem.level = breaking->level;
             problem.fragment = breaking->parent;
+            problem.path = pathOfId(m_bake.fragmentId(breaking->parent));
             problem.where = Vec2{m_bake.fragment(breaking->parent).solid.offset()};
         } else if (report.code == ReportCode::LostOverride || report.code == ReportCode::LooseCut) {
             problem.seed = SeedId{report.of, report.seed};

@@ -48,7 +48,7 @@ struct Problem {
     Id layer = 0;                    // that found no room; 0: it is about none
     std::uint32_t level = 0;         // of the pattern that it comes from; 0: the asset's own
     std::uint32_t fragment = kNone;  // in the bake, where it is about one
-    FragmentPath path;               // its name, which outlasts the bake
+    FragmentPath path;               // that one's name, which outlasts the bake
     std::optional<Vec2> where;       // m, in the asset's plane
     double value = 0.0;              // how bad: the figure
     double limit = 0.0;              // and its limit; 0 where it has none

@@ -3,6 +3,8 @@
 #include "core/fracture/PointNear.h"
 #include "core/fracture/ScatterArea.h"
 
+#include <algorithm>
+
 namespace rubble {
 namespace {
 
@@ -28,6 +30,11 @@ constexpr std::array kParameters{
          .range = kAboveZero,
          .usual = {0.005, 2.0, true}}),
 };
+
+bool isDeleted(const PatternLayer& layer, std::uint32_t seed) {
+    const auto change = std::ranges::lower_bound(layer.overrides, seed, {}, &SeedOverride::index);
+    return change != layer.overrides.end() && change->index == seed && change->isDeleted;
+}
 
 Report noRoom(const Clusters& layer, const LayerContext& context, std::size_t found) {
     const std::size_t wanted = std::size_t{layer.clusters} * layer.seedsPerCluster;
@@ -65,7 +72,8 @@ Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t before = seeds.size();
     for (const IndexPair pair : pairsBelow(clusters, seedsPerCluster)) {
         const std::optional<Vec2>& position = positions[std::size_t{pair.first} * seedsPerCluster + pair.second];
-        if (position) seeds.add({context.layer.id, pair.index()}, *position, false);
+        const bool isThere = position || isDeleted(context.layer, pair.index());  // what is taken out needs no room
+        if (isThere) seeds.add({context.layer.id, pair.index()}, position.value_or(Vec2(0.0)), false);
     }
     const std::size_t found = seeds.size() - before;
     if (found < wanted) seeds.reports.push_back(noRoom(*this, context, found));

@@ -1,5 +1,6 @@
 #include "core/io/PackMeshes.h"
 
+#include "core/asset/RoughCuts.h"
 #include "core/io/GlbFile.h"
 #include "core/io/ObjFile.h"
 
@@ -89,6 +90,7 @@ Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetM
     const Status whole = files.add({bodyName(asset) + "-whole", PackMeshBodies::Whole, {}},
                                    {{bodyName(asset), wholeMesh(bake, asset), bake.whole.centre}});
     if (!whole) return whole.error();
+    const RoughCuts cuts(bake, asset);
     std::size_t made = 0;
     for (const PartFile& file :
          options.split == FileSplit::Single ? singleFiles(bake, asset) : fragmentFiles(bake, asset)) {
@@ -97,7 +99,8 @@ Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetM
         for (const std::uint32_t index : file.fragments) {
             if (task.isCancelled()) return TaskContext::cancelled();
             const BakedFragment fragment = bake.fragment(index);
-            parts.push_back({bodyName(asset, index), fragmentMesh(fragment, asset), fragment.solid.offset()});
+            Mesh mesh = fragmentMesh(fragment, asset, cuts.cornersOf(index));
+            parts.push_back({bodyName(asset, index), std::move(mesh), fragment.solid.offset()});
             if (++made % kTold == 0) {
                 task.report(static_cast<double>(made) / static_cast<double>(bake.fragmentCount()));
             }

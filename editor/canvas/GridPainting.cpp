@@ -10,6 +10,10 @@ namespace {
 
 constexpr double kLeastFineStep = 14.0;   // pixels
 constexpr double kLeastLabelStep = 64.0;  // pixels
+constexpr double kTicksPerLabel = 5.0;
+constexpr double kTickEnd = 4.0,
+                 kLetters = 13.0;    // pixels across a ruler: where long ticks end, and where letters stand
+constexpr double kBesideTick = 3.0;  // pixels between a tick and its label
 
 /// Lines at k * step for all k whose lines lie between two coordinates.
 template <class Visit>
@@ -29,53 +33,23 @@ QString lengthText(double metres, double step) {
     return QLocale().toString(metres == 0.0 ? 0.0 : metres, 'f', decimals);
 }
 
-class RulerPainter {
-public:
-    RulerPainter(QPainter& painter, const CanvasView& view, const CanvasColours& colours)
-        : m_painter(painter), m_view(view), m_shown(view.shown()), m_step(roundStep(kLeastLabelStep / view.scale)) {
-        QFont font = painter.font();
-        font.setPixelSize(10);
-        painter.setFont(font);
-        painter.setPen(colours.label);
-    }
+void paintTop(QPainter& painter, const RulerTick& tick) {
+    painter.drawLine(QPointF(tick.at, tick.isLabelled ? kTickEnd : kRulerWidth - 5.0),
+                     QPointF(tick.at, kRulerWidth - 1.0));
+    painter.drawText(QPointF(tick.from, kLetters), tick.label);
+}
 
-    void paintTop() {
-        forEachLine(m_shown.min.x, m_shown.max.x, m_step / 5.0, [&](double k) {
-            const double x = onPixel(m_view.pixels({k * m_step / 5.0, 0.0}).x());
-            const bool isLabelled = std::fmod(k, 5.0) == 0.0;
-            m_painter.drawLine(QPointF(x, isLabelled ? 4.0 : kRulerWidth - 5.0), QPointF(x, kRulerWidth - 1.0));
-            const QString text = isLabelled ? lengthText(k / 5.0 * m_step, m_step) : QString();
-            if (isWhole(x + 3.0, x + 3.0 + widthOf(text), m_view.size.width())) {
-                m_painter.drawText(QPointF(x + 3.0, 13.0), text);
-            }
-        });
-    }
-
-    void paintLeft() {
-        forEachLine(m_shown.min.y, m_shown.max.y, m_step / 5.0, [&](double k) {
-            const double y = onPixel(m_view.pixels({0.0, k * m_step / 5.0}).y());
-            const bool isLabelled = std::fmod(k, 5.0) == 0.0;
-            m_painter.drawLine(QPointF(isLabelled ? 4.0 : kRulerWidth - 5.0, y), QPointF(kRulerWidth - 1.0, y));
-            const QString text = isLabelled ? lengthText(k / 5.0 * m_step, m_step) : QString();
-            if (!isWhole(y - 3.0 - widthOf(text), y - 3.0, m_view.size.height())) return;
-            m_painter.save();
-            m_painter.translate(13.0, y - 3.0);
-            m_painter.rotate(-90.0);
-            m_painter.drawText(QPointF(0.0, 0.0), text);
-            m_painter.restore();
-        });
-    }
-
-private:
-    double widthOf(const QString& text) const { return m_painter.fontMetrics().horizontalAdvance(text); }
-    /// A label that is cut off may read as another number.
-    static bool isWhole(double from, double to, double end) { return from >= kRulerWidth && to <= end; }
-
-    QPainter& m_painter;
-    const CanvasView& m_view;
-    Box2 m_shown;
-    double m_step;  // m, between labels
-};
+/// Its labels run upwards.
+void paintLeft(QPainter& painter, const RulerTick& tick) {
+    painter.drawLine(QPointF(tick.isLabelled ? kTickEnd : kRulerWidth - 5.0, tick.at),
+                     QPointF(kRulerWidth - 1.0, tick.at));
+    if (tick.label.isEmpty()) return;
+    painter.save();
+    painter.translate(kLetters, tick.to);
+    painter.rotate(-90.0);
+    painter.drawText(QPointF(0.0, 0.0), tick.label);
+    painter.restore();
+}
 
 }  // namespace
 
@@ -106,17 +80,41 @@ void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, co
     }
 }
 
+std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const QFontMetrics& letters) {
+    const bool isTop = ruler == Ruler::Top;
+    const double labelStep = roundStep(kLeastLabelStep / view.scale), step = labelStep / kTicksPerLabel;
+    const double end = isTop ? view.size.width() : view.size.height();
+    const Box2 shown = view.shown();
+    std::vector<RulerTick> ticks;
+    forEachLine(isTop ? shown.min.x : shown.min.y, isTop ? shown.max.x : shown.max.y, step, [&](double k) {
+        const QPointF place = view.pixels(Vec2(k * step));
+        RulerTick& tick = ticks.emplace_back();
+        tick.at = onPixel(isTop ? place.x() : place.y());
+        tick.isLabelled = std::fmod(k, kTicksPerLabel) == 0.0;
+        if (!tick.isLabelled) return;
+        tick.label = lengthText(k / kTicksPerLabel * labelStep, labelStep);
+        const double length = letters.horizontalAdvance(tick.label);
+        tick.from = isTop ? tick.at + kBesideTick : tick.at - kBesideTick - length;
+        tick.to = tick.from + length;
+        if (tick.from < kRulerWidth || tick.to > end) tick.label.clear();
+    });
+    return ticks;
+}
+
 void paintRulers(QPainter& painter, const CanvasView& view, const CanvasColours& colours, QPointF pointer) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
     const double width = view.size.width(), height = view.size.height();
-    RulerPainter rulers(painter, view, colours);
+    QFont font = painter.font();
+    font.setPixelSize(10);
+    painter.setFont(font);
+    painter.setPen(colours.label);
     painter.setClipRect(QRectF(kRulerWidth, 0.0, width, kRulerWidth));
     painter.fillRect(QRectF(0.0, 0.0, width, kRulerWidth), colours.panel);
-    rulers.paintTop();
+    for (const RulerTick& tick : rulerTicks(Ruler::Top, view, painter.fontMetrics())) paintTop(painter, tick);
     painter.setClipRect(QRectF(0.0, kRulerWidth, kRulerWidth, height));
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, height), colours.panel);
-    rulers.paintLeft();
+    for (const RulerTick& tick : rulerTicks(Ruler::Left, view, painter.fontMetrics())) paintLeft(painter, tick);
     painter.setClipping(false);
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), colours.panel);
     painter.drawText(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), Qt::AlignCenter, QStringLiteral("m"));

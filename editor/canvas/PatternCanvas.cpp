@@ -4,22 +4,19 @@
 #include "core/asset/Threshold.h"
 #include "editor/canvas/BrushTool.h"
 #include "editor/canvas/GridPainting.h"
-#include "editor/canvas/LabelPainting.h"
 #include "editor/canvas/LegendPainting.h"
+#include "editor/canvas/MarkPainting.h"
 #include "editor/canvas/MeasureTool.h"
 #include "editor/canvas/OutlineTool.h"
 #include "editor/canvas/PlaceTrail.h"
 #include "editor/canvas/SeedTool.h"
 #include "editor/canvas/StrokeTool.h"
 #include "editor/canvas/SurroundingEdges.h"
-#include "editor/canvas/VoronoiLines.h"
 #include "editor/commands/PatternPlaces.h"
 #include "editor/document/Inside.h"
 
 #include <QContextMenuEvent>
-#include <QLocale>
 #include <QNativeGestureEvent>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +26,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMargin = 24.0;         // pixels around what is fitted
-constexpr double kAroundChange = 10.0;   // pixels that signs and lines reach beyond what changed
-constexpr double kLargestCircle = 1e5;   // pixels; larger ones look like lines and take long
-constexpr std::size_t kMostRings = 600;  // more chosen seeds are marked by squares, which are painted faster
-constexpr double kWholePixel = 1e-3;     // pixels that a move may be off a whole number
+constexpr double kMargin = 24.0;  // pixels around what is fitted
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // as Qt counts a wheel's turning
 constexpr double kAroundChosen = 0.75;    // of its size, that is shown around what is chosen
@@ -319,188 +312,46 @@ void PatternCanvas::toolChanged() {
 }
 
 void PatternCanvas::repaintAll() {
-    m_stale = rect();
+    m_picture.spoilAll();
     update();
 }
 
 void PatternCanvas::repaintPart(const Box2& part) {
-    if (part.min.x > part.max.x) return;
-    const QPointF reach(kAroundChange, kAroundChange);
-    // Of the picture as it is: the view may have moved since.
-    const QPointF a = m_painted.pixels(part.min), b = m_painted.pixels(part.max);
-    const QRectF box = QRectF(a, b).normalized();
-    m_stale |= (QRectF(box.topLeft() - reach, box.bottomRight() + reach) & QRectF(rect())).toAlignedRect();
+    m_picture.spoil(part);
     update();
 }
 
-void PatternCanvas::updatePicture() {
-    const double ratio = devicePixelRatioF();
-    const QSize pixels = (QSizeF(size()) * ratio).toSize();
-    if (m_picture.size() != pixels || m_picture.devicePixelRatio() != ratio) {
-        m_picture = QImage(pixels, QImage::Format_RGB32);
-        m_picture.setDevicePixelRatio(ratio);
-        m_stale = rect();
-    }
-    movePicture();
-    const QRegion stale = m_stale & rect();
-    m_stale = {};
-    if (stale.isEmpty()) return;
-    QPainter painter(&m_picture);
-    for (const QRect& part : stale) paintContents(painter, part, m_state.view, m_contents, m_colours);
-}
-
-/// Brings the picture to the view: what was only moved by whole pixels is kept.
-void PatternCanvas::movePicture() {
-    const CanvasView before = std::exchange(m_painted, m_state.view);
-    if (before == m_state.view) return;
-    const QPointF moved = m_state.view.pixels(before.centre) - before.pixels(before.centre);
-    const QPoint whole = moved.toPoint();
-    const double ratio = m_picture.devicePixelRatio();
-    const bool isWhole = (moved - whole).manhattanLength() < kWholePixel && ratio == std::floor(ratio);
-    if (before.scale != m_state.view.scale || before.size != m_state.view.size || !isWhole) {
-        m_stale = rect();
-        return;
-    }
-    QImage kept(m_picture.size(), m_picture.format());
-    kept.setDevicePixelRatio(ratio);
-    QPainter(&kept).drawImage(whole, m_picture);
-    m_picture = std::move(kept);
-    m_stale.translate(whole);
-    m_stale |= QRegion(rect()) - QRegion(rect().translated(whole));
-}
-
 void PatternCanvas::paintEvent(QPaintEvent*) {
-    updatePicture();
     QPainter painter(this);
-    painter.drawImage(QPointF(0.0, 0.0), m_picture);
-    paintHovered(painter);
-    paintOutline(painter);
-    paintCircle(painter);
-    paintChosen(painter);
+    painter.drawImage(QPointF(0.0, 0.0), m_picture.at(m_state.view, devicePixelRatioF(), m_contents, m_colours));
+    paintMarks(painter);
     if (m_contents.layers.hasLegend) paintLegend(painter, m_state.view, m_contents, m_colours);
     m_tool->paint(painter, m_colours);  // over the legend, so that no sentence about a fault is hidden
-    paintHoverLabel(painter);
-    paintSentence(painter);
+    if (isTellingOfPiece()) {
+        paintPieceLabel(painter, *m_contents.pattern, m_hovered, m_pointer->pixels, m_state.view, m_colours);
+    }
+    if (const QString sentence = sentenceInstead(); !sentence.isEmpty() && !m_outlineTool->isDrawing()) {
+        paintSentence(painter, sentence, m_state.view, m_colours,
+                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
+    }
     paintRulers(painter, m_state.view, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
 }
 
-void PatternCanvas::paintOutline(QPainter& painter) const {
-    const Asset* shown = m_state.shown();
-    if (!shown) return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(m_colours.outline, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.drawPath(pathOf(shown->prism.outline, m_state.view));
+void PatternCanvas::paintMarks(QPainter& painter) const {
+    const bool hasPiece = m_contents.pattern && m_contents.layers.hasCells && m_hovered != kNone;
+    if (hasPiece && !m_isPressed) paintHovered(painter, *m_contents.pattern, m_hovered, m_state.view, m_colours);
+    if (const Asset* shown = m_state.shown()) paintOutline(painter, shown->prism.outline, m_state.view, m_colours);
+    if (m_contents.pattern && m_contents.layers.hasTriangles && m_pointer) {
+        paintTriangleAt(painter, m_pointer->metres, m_state.view, m_contents, m_colours);
+    }
+    paintChosen(painter, m_state.selection, m_state.view, m_contents, m_colours);
 }
 
-void PatternCanvas::paintChosen(QPainter& painter) const {
-    if (!m_contents.pattern || m_state.selection.seeds().empty()) return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(m_colours.accent, 2.0));
-    const double radius = std::max(seedRadius(*m_contents.pattern, m_state.view), 2.0) + 2.5;
-    const FragmentChoice& choice = m_state.selection.choice();
-    const bool isFine = choice.seeds.size() <= kMostRings;
-    QColor wash = m_colours.accent;
-    wash.setAlpha(70);
-    Selection::Seeds cells;  // of cut layers
-    for (const SeedId id : m_state.selection.seeds()) {
-        const auto [shown, seed] = m_contents.find(id);
-        if (seed == kNone) {
-            cells.insert(id);
-            continue;
-        }
-        const QPointF at = m_state.view.pixels(shown->seeds().positions[seed]);
-        if (isFine) {
-            const IndexRange pieces = shown->piecesOf(seed);
-            for (std::size_t k = pieces.begin; k < pieces.end && m_contents.layers.hasCells; ++k) {
-                const auto piece = static_cast<std::uint32_t>(k);
-                const bool isAll =
-                    choice.holds(shown->baked().inside, id, shown->fragmentId(piece));  // else only pieces of it are
-                painter.setBrush(isAll ? QBrush(wash) : Qt::NoBrush);
-                painter.drawPath(pathOfPiece(*shown, piece, m_state.view));
-            }
-            painter.setBrush(Qt::NoBrush);
-            painter.drawEllipse(at, radius, radius);
-        } else {
-            painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
-        }
-    }
-    if (cells.empty() || !m_contents.layers.hasCells) return;
-    painter.setBrush(wash);
-    const ShownPattern& pattern = *m_contents.pattern;
-    for (std::uint32_t piece = 0; piece < pattern.partition().pieceCount(); ++piece) {
-        if (pattern.partition().seedOfPiece[piece] == kNone && cells.contains(pattern.cellOf(piece)))
-            painter.drawPath(pathOfPiece(pattern, piece, m_state.view));
-    }
-}
-
-void PatternCanvas::paintHovered(QPainter& painter) const {
-    if (m_hovered == kNone || !m_contents.pattern || !m_contents.layers.hasCells || m_isPressed) return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor wash = m_colours.hover;
-    wash.setAlpha(24);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(wash);
-    for (const std::uint32_t neighbour : m_contents.pattern->neighbours(m_hovered)) {
-        painter.drawPath(pathOfPiece(*m_contents.pattern, neighbour, m_state.view));
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(m_colours.hover, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(pathOfPiece(*m_contents.pattern, m_hovered, m_state.view));
-}
-
-void PatternCanvas::paintCircle(QPainter& painter) const {
-    if (!m_contents.layers.hasTriangles || !m_contents.pattern || !m_pointer) return;
-    const std::uint32_t triangle = m_contents.pattern->triangleAt(m_pointer->metres);
-    if (triangle == kNone) return;
-    const Delaunay& delaunay = m_contents.pattern->baked().triangulation;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(m_colours.circle, 1.5));
-    const bool hasGrain = GrainMap::of(m_contents.asset()->pattern, m_contents.asset()->prism.outline).has_value();
-    if (const std::optional<Circle> circle = circumcircle(delaunay, triangle); circle && !hasGrain) {
-        const double radius = circle->radius * m_state.view.scale;
-        if (radius < kLargestCircle) painter.drawEllipse(m_state.view.pixels(circle->centre), radius, radius);
-    }
-    QColor fill = m_colours.circle;
-    fill.setAlpha(40);
-    painter.setBrush(fill);
-    QPolygonF corners;
-    for (const std::uint32_t corner : delaunay.triangles[triangle].corner) {
-        corners.push_back(m_state.view.pixels(m_contents.pattern->site(corner)));
-    }
-    painter.drawPolygon(corners);
-}
-
-void PatternCanvas::paintHoverLabel(QPainter& painter) const {
-    if (m_hovered == kNone || !m_contents.pattern || !m_pointer || !m_contents.layers.hasCells) return;
-    if (m_toolKind == CanvasToolKind::Measure || m_toolKind == CanvasToolKind::Brush || m_outlineTool->isDrawing() ||
-        m_strokeTool->isDrawing() || m_panFrom || m_isPressed)
-        return;
-    const ShownPattern& pattern = *m_contents.pattern;
-    const std::size_t neighbours = pattern.neighbours(m_hovered).size();
-    const QStringList lines = {
-        tr("Piece %1").arg(QString::fromStdString(pattern.fragmentId(m_hovered))),
-        areaText(pattern.area(m_hovered)),
-        neighbours == 1 ? tr("1 neighbour") : tr("%1 neighbours").arg(neighbours),
-        tr("%1 times as long as wide").arg(QLocale().toString(pattern.aspect(m_hovered), 'f', 1)),
-    };
-    paintLabel(painter, m_pointer->pixels, lines, m_colours, m_colours.panelEdge, m_state.view);
-}
-
-void PatternCanvas::paintSentence(QPainter& painter) const {
-    const QString sentence = sentenceInstead();
-    if (sentence.isEmpty() || m_outlineTool->isDrawing()) return;
-    const QRectF place = QRectF(rect()).adjusted(kRulerWidth + 40.0, kRulerWidth + 40.0, -40.0, -40.0);
-    QRectF panel = QFontMetricsF(painter.font()).boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, sentence);
-    panel.adjust(-16.0, -12.0, 16.0, 12.0);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(m_state.asset() ? m_colours.fault : m_colours.panelEdge, 1.0));
-    painter.setBrush(m_colours.panel);
-    painter.drawRoundedRect(panel, 6.0, 6.0);
-    painter.setPen(m_colours.text);
-    painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, sentence);
+/// Whether the piece at the pointer is what one looks at: nothing is being drawn, measured or moved.
+bool PatternCanvas::isTellingOfPiece() const {
+    if (m_hovered == kNone || !m_contents.pattern || !m_pointer || !m_contents.layers.hasCells) return false;
+    return m_toolKind != CanvasToolKind::Measure && m_toolKind != CanvasToolKind::Brush &&
+           !m_outlineTool->isDrawing() && !m_strokeTool->isDrawing() && !m_panFrom && !m_isPressed;
 }
 
 QString PatternCanvas::sentenceInstead() const {

@@ -1,13 +1,9 @@
 #pragma once
 
-#include "editor/canvas/CanvasPainting.h"
+#include "editor/canvas/CanvasPicture.h"
 #include "editor/canvas/CanvasTool.h"
 
-#include <QImage>
-#include <QRegion>
 #include <QWidget>
-
-#include <array>
 
 namespace rubble {
 
@@ -112,14 +108,8 @@ private:
 
     void repaintAll();
     void repaintPart(const Box2& part);
-    void updatePicture();
-    void movePicture();
-    void paintOutline(QPainter& painter) const;
-    void paintChosen(QPainter& painter) const;
-    void paintHovered(QPainter& painter) const;
-    void paintCircle(QPainter& painter) const;
-    void paintHoverLabel(QPainter& painter) const;
-    void paintSentence(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    bool isTellingOfPiece() const;
     QString sentenceInstead() const;
 
     CanvasState m_state;
@@ -137,9 +127,7 @@ private:
     CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
     CanvasTool* m_tool = nullptr;  // the one of that kind
 
-    QImage m_picture;        // the contents as they were painted
-    CanvasView m_painted;    // at this view
-    QRegion m_stale;         // what is to be painted again, pixels
+    CanvasPicture m_picture;
     bool m_isFitted = true;  // until the view is moved by hand
     std::optional<CanvasPointer> m_pointer;
     std::uint32_t m_hovered = kNone;  // piece

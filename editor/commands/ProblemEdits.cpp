@@ -1,12 +1,14 @@
 #include "editor/commands/ProblemEdits.h"
 
-#include "core/asset/Bake.h"
+#include "core/asset/Breaking.h"
+#include "core/asset/FragmentPlace.h"
+#include "core/fracture/PairIndex.h"
 #include "core/fracture/SeedEdits.h"
 #include "core/geometry/PolygonFaults.h"
 #include "editor/commands/FragmentEdits.h"
+#include "editor/commands/PatternPlaces.h"
 
 #include <QCoreApplication>
-#include <QThread>
 
 #include <algorithm>
 #include <map>
@@ -61,25 +63,74 @@ void mergeTinyPieces(SmallPieces& small) {
     small.limit = ProblemLimits{}.meanShare;
 }
 
-/// The layer of an asset's own pattern that a problem is about, where it keeps seeds apart: others leave out seeds that lie
-/// in the middle of their count.
-template <class AnyAsset>
-auto* crowdedLayer(AnyAsset& asset, const Problem& problem) {
-    const bool isHere = problem.kind == ProblemKind::NoRoom && problem.level == 0 && problem.value >= 1.0;
-    const auto layer = std::ranges::find(asset.pattern.layers, isHere ? problem.layer : 0, &PatternLayer::id);
-    return layer != asset.pattern.layers.end() ? std::get_if<BlueNoise>(&layer->parameters) : nullptr;
+/// The layer of a pattern that found no room.
+const PatternLayer* crowdedLayer(const Asset& asset, const Problem& problem) {
+    const Pattern* pattern = patternAt(asset, placeFor(asset, problem.path));
+    return problem.kind == ProblemKind::NoRoom && pattern ? findLayer(*pattern, problem.layer) : nullptr;
+}
+
+bool canAskForFewer(const LayerParameters& parameters) {
+    return std::holds_alternative<BlueNoise>(parameters) || std::holds_alternative<DensityImage>(parameters) ||
+           std::holds_alternative<Clusters>(parameters);
+}
+
+/// The seeds of clusters that find no room in an outline, by index; those deleted by hand need none.
+std::set<std::uint32_t> seedsWithoutRoom(const PatternLayer& layer, const Polygon& outline) {
+    const Clusters& clusters = std::get<Clusters>(layer.parameters);
+    std::set<std::uint32_t> missing;
+    for (const IndexPair pair : pairsBelow(clusters.clusters, clusters.seedsPerCluster)) missing.insert(pair.index());
+    for (const SeedOverride& change : layer.overrides) {
+        if (change.isDeleted) missing.erase(change.index);
+    }
+    if (const Result<Seeds> seeds = seedsOf(Pattern{{layer}}, outline)) {
+        for (const SeedId id : seeds->ids) missing.erase(id.index);
+    }
+    return missing;
+}
+
+/// What is broken somewhere, and the layers that break it, with the random seeds that they have there.
+struct BrokenPlace {
+    Polygon outline;
+    Pattern pattern;
+};
+std::optional<BrokenPlace> brokenPlace(const Asset& asset, const FragmentPath& place, const TaskContext& task) {
+    if (place.empty()) return BrokenPlace{asset.prism.outline, asset.pattern};
+    const Level* level = levelFor(asset, place, levelOf(place));
+    const Result<Bake> baked = bake(asset, task);
+    if (!baked || !level) return std::nullopt;
+    const std::uint32_t fragment = fragmentAt(*baked, place).value_or(kNone);
+    if (fragment == kNone) return std::nullopt;
+    return BrokenPlace{baked->fragment(fragment).solid.outline(),
+                       patternFor(baked->fragmentId(fragment), level->pattern)};
+}
+
+/// Lets a layer ask for the seeds that find room. Of a fragment of a level it gets a pattern of its own, so that others break as before.
+void askForFewer(Asset& asset, const Problem& problem, const TaskContext& task) {
+    std::set<std::uint32_t> without;
+    if (std::holds_alternative<Clusters>(crowdedLayer(asset, problem)->parameters)) {
+        const std::optional<BrokenPlace> place = brokenPlace(asset, problem.path, task);
+        if (place) without = seedsWithoutRoom(*findLayer(place->pattern, problem.layer), place->outline);
+        if (without.empty()) return;
+    }
+    Pattern& pattern = ownPattern(asset, problem.path);
+    // Which seeds of a heap find no room is not a matter of how many there are.
+    for (const std::uint32_t seed : without) deleteSeed(pattern, {problem.layer, seed});
+    LayerParameters& parameters = findLayer(pattern, problem.layer)->parameters;
+    const auto found = static_cast<std::uint32_t>(problem.value);
+    if (auto* noise = std::get_if<BlueNoise>(&parameters)) noise->count = found;
+    if (auto* image = std::get_if<DensityImage>(&parameters)) image->count = found;
 }
 
 /// Cuts pieces in two, and their parts again, until each takes no more hulls than are usual.
-void cutApart(Asset& asset, const std::set<FragmentPath>& pieces) {
+void cutApart(Asset& asset, const std::set<FragmentPath>& pieces, const TaskContext& task) {
     std::set<FragmentPath> places, others;
     for (const FragmentPath& piece : pieces) places.insert(parentOf(piece));
-    const TaskContext task{.threads = std::max(1, QThread::idealThreadCount())};
     for (int round = 0; round < kMostCuts; ++round) {
         const Result<Bake> baked = bake(asset, task);
         if (!baked) return;
         const std::size_t before = asset.edits.size();
         for (std::uint32_t k = 0; k < baked->fragmentCount(); ++k) {
+            if (task.isCancelled()) return;
             FragmentPath path = pathOfId(baked->fragmentId(k));
             if (round == 0 && !pieces.contains(path)) {
                 others.insert(std::move(path));  // what has another name later is a part of ours
@@ -111,7 +162,10 @@ bool canFix(const Project& project, const Problem& problem, ProblemFix fix) {
             return problem.kind == ProblemKind::FaultyOutline && repeatedPoint(asset->prism.outline);
         case ProblemFix::Relax: return problem.kind == ProblemKind::Sliver || problem.kind == ProblemKind::TinyPiece;
         case ProblemFix::MergePieces: return problem.kind == ProblemKind::TinyPiece;
-        case ProblemFix::AskForFewer: return crowdedLayer(*asset, problem) != nullptr;
+        case ProblemFix::AskForFewer: {
+            const PatternLayer* layer = crowdedLayer(*asset, problem);
+            return layer && canAskForFewer(layer->parameters);
+        }
         case ProblemFix::CutApart: return problem.kind == ProblemKind::ManyHulls;
         case ProblemFix::KeepTyped: return problem.kind == ProblemKind::UnknownStrength && asset->contactTime;
     }
@@ -143,7 +197,9 @@ QString hintOf(ProblemFix fix) {
         case ProblemFix::MergePieces:
             return tr(
                 "Let all pieces of the asset that are as small go into the neighbour with the longest shared edge");
-        case ProblemFix::AskForFewer: return tr("Set the count of the layer to the seeds that found room; they stay");
+        case ProblemFix::AskForFewer:
+            return tr(
+                "Set the counts of the layer to seeds that find room; they stay. A fragment gets a pattern of its own");
         case ProblemFix::CutApart:
             return tr("Split the piece across its longest way, and its parts again, until each needs few hulls");
         case ProblemFix::KeepTyped:
@@ -152,7 +208,9 @@ QString hintOf(ProblemFix fix) {
     return {};
 }
 
-Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix fix) {
+bool isLong(ProblemFix fix) { return fix == ProblemFix::CutApart || fix == ProblemFix::AskForFewer; }
+
+Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix fix, const TaskContext& task) {
     Edit edit{.text = textOf(fix)};
     std::map<Id, Asset> assets;
     std::set<std::pair<Id, std::uint32_t>> relaxed;
@@ -165,9 +223,7 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
             case ProblemFix::ForgetChange: restoreSeed(asset.pattern, *problem.seed); break;
             case ProblemFix::DeletePoint: deleteRepeatedPoints(asset.prism.outline); break;
             case ProblemFix::MergePieces: mergeTinyPieces(asset.shaping.smallPieces); break;
-            case ProblemFix::AskForFewer:
-                crowdedLayer(asset, problem)->count = static_cast<std::uint32_t>(problem.value);
-                break;
+            case ProblemFix::AskForFewer: askForFewer(asset, problem, task); break;
             case ProblemFix::CutApart: bent[problem.asset].insert(problem.path); break;
             case ProblemFix::KeepTyped: asset.contactTime.reset(); break;
             case ProblemFix::Relax: {
@@ -177,7 +233,8 @@ Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix
             }
         }
     }
-    for (const auto& [id, pieces] : bent) cutApart(assets.at(id), pieces);
+    for (const auto& [id, pieces] : bent) cutApart(assets.at(id), pieces, task);
+    if (task.isCancelled()) return Edit{.text = edit.text};
     for (auto& [id, asset] : assets) edit.swaps.push_back(Swap<Asset>{id, std::move(asset)});
     return edit;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/Problems.h"
+#include "core/base/TaskContext.h"
 #include "editor/document/Edit.h"
 
 #include <span>
@@ -15,7 +16,7 @@ enum class ProblemFix {
     DeletePoint,   // of an outline, that repeats the one before it
     Relax,         // move scattered seeds to the middles of their cells
     MergePieces,   // tiny ones, each into the neighbour with the longest shared edge
-    AskForFewer,   // seeds of a scatter: as many as found room
+    AskForFewer,   // seeds of a scatter: as many as find room
     CutApart,      // pieces of many hulls, until each part needs few
     KeepTyped,     // the threshold, where it cannot be derived
 };
@@ -30,7 +31,10 @@ bool canFix(const Project& project, const Problem& problem, ProblemFix fix);
 QString textOf(ProblemFix fix);
 QString hintOf(ProblemFix fix);
 
-/// Tries a fix on all of the problems that it can be tried on, as one step; empty where there are none.
-Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix fix);
+/// Whether a fix takes as long as baking does, since it bakes.
+bool isLong(ProblemFix fix);
+
+/// Tries a fix on all of the problems that it can be tried on, as one step; empty where there are none, and where it was cancelled.
+Edit fixed(const Project& project, std::span<const Problem> problems, ProblemFix fix, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -43,7 +43,8 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
       m_model(new ProblemModel(document, this)),
       m_view(new QTreeView),
       m_isAtHandOnly(new QCheckBox(tr("Asset at hand &only"))),
-      m_summary(new QLabel) {
+      m_summary(new QLabel),
+      m_runner(new FixRunner(document, this)) {
     buildView();
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -51,6 +52,8 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
     rows->addWidget(makeBar());
     rows->addWidget(m_view, 1);
     setFocusProxy(m_view);
+    connect(m_runner, &FixRunner::changed, this, &ProblemPanel::update);
+    connect(m_runner, &FixRunner::said, this, &ProblemPanel::said);
     connect(&watch, &ProblemWatch::changed, this, &ProblemPanel::take);
     connect(&selection, &Selection::assetChanged, this, &ProblemPanel::take);
     connect(m_isAtHandOnly, &QCheckBox::toggled, this, &ProblemPanel::take);
@@ -93,6 +96,7 @@ QWidget* ProblemPanel::makeBar() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(6, 3, 6, 3);
     row->addWidget(m_summary);
+    row->addWidget(makeCancel());
     row->addStretch(1);
     for (const ProblemFix one : kProblemFixes) {
         auto* button = new QToolButton;
@@ -103,13 +107,24 @@ QWidget* ProblemPanel::makeBar() {
         button->setToolTip(tr("%1: on all chosen rows, as one step").arg(hintOf(one)));
         button->setStatusTip(button->toolTip());
         button->setFocusPolicy(Qt::StrongFocus);
-        connect(button, &QToolButton::clicked, this, [this, one] { fix(one); });
+        connect(button, &QToolButton::clicked, this, [this, one] { m_runner->start(chosen(), one); });
         row->addWidget(button);
         m_fixes.push_back({one, button});
     }
     m_isAtHandOnly->setToolTip(tr("List the problems of the asset at hand alone"));
     row->addWidget(m_isAtHandOnly);
     return bar;
+}
+
+QWidget* ProblemPanel::makeCancel() {
+    m_cancel = new QToolButton;
+    m_cancel->setObjectName("fix-cancel");
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAutoRaise(true);
+    m_cancel->setToolTip(tr("Stop; the project stays as it is"));
+    m_cancel->setFocusPolicy(Qt::StrongFocus);
+    connect(m_cancel, &QToolButton::clicked, m_runner, &FixRunner::cancel);
+    return m_cancel;
 }
 
 /// The row that was current stays so by its place, so that one fix after the other can be tried.
@@ -139,22 +154,22 @@ std::vector<Problem> ProblemPanel::chosen() const {
     return problems;
 }
 
-void ProblemPanel::fix(ProblemFix fix) {
-    Edit edit = fixed(m_document.project(), chosen(), fix);
-    if (!edit.isEmpty()) m_document.push(std::move(edit));
-}
-
 void ProblemPanel::update() {
     const std::vector<Problem> problems = chosen();
     for (const Button& button : m_fixes) {
-        button.widget->setVisible(std::ranges::any_of(
-            problems, [&](const Problem& problem) { return canFix(m_document.project(), problem, button.fix); }));
+        const auto isForIt = [&](const Problem& problem) { return canFix(m_document.project(), problem, button.fix); };
+        button.widget->setVisible(!m_runner->isBusy() && std::ranges::any_of(problems, isForIt));
     }
+    m_cancel->setVisible(m_runner->isBusy());
+    m_summary->setText(summary(problems.size()));
+}
+
+QString ProblemPanel::summary(std::size_t chosen) const {
+    if (m_runner->isBusy()) return tr("%1 is being carried out…").arg(textOf(m_runner->fix()));
     const int count = m_model->rowCount();
-    m_summary->setText(count == 0            ? tr("Nothing needs to be looked at.")
-                       : problems.size() > 1 ? tr("%L1 problems, %L2 chosen").arg(count).arg(problems.size())
-                       : count == 1          ? tr("1 problem")
-                                             : tr("%L1 problems").arg(count));
+    if (count == 0) return tr("Nothing needs to be looked at.");
+    if (chosen > 1) return tr("%L1 problems, %L2 chosen").arg(count).arg(chosen);
+    return count == 1 ? tr("1 problem") : tr("%L1 problems").arg(count);
 }
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "editor/commands/ProblemEdits.h"
 #include "editor/document/ProblemWatch.h"
 #include "editor/document/Selection.h"
+#include "editor/panels/FixRunner.h"
 #include "editor/panels/ProblemModel.h"
 
 #include <QWidget>
@@ -17,7 +17,7 @@ class QTreeView;
 namespace rubble {
 
 /// The dock that lists what an artist should look at. Enter or a double click goes to the place; a button for each fix that
-/// can be tried on the chosen rows carries it out as one step.
+/// can be tried on the chosen rows carries it out as one step; while that takes long, a button cancels it.
 class ProblemPanel : public QWidget {
     Q_OBJECT
 public:
@@ -30,6 +30,7 @@ public:
 signals:
     void jumpRequested(const rubble::Problem& problem);
     void countChanged(int count);
+    void said(const QString& sentence);
 
 private:
     void buildView();
@@ -37,7 +38,8 @@ private:
     void take();
     void widenColumns();
     void update();
-    void fix(ProblemFix fix);
+    QWidget* makeCancel();
+    QString summary(std::size_t chosen) const;
     std::vector<Problem> chosen() const;
 
     struct Button {
@@ -52,6 +54,8 @@ private:
     QTreeView* m_view;
     QCheckBox* m_isAtHandOnly;
     QLabel* m_summary;
+    FixRunner* m_runner;
+    QToolButton* m_cancel = nullptr;
     std::vector<Button> m_fixes;
 };
 

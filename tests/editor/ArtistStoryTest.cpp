@@ -1,5 +1,4 @@
 #include "core/asset/StarterProject.h"
-#include "core/io/ProjectFile.h"
 #include "editor/ContactSheetWindow.h"
 #include "editor/MaterialDialog.h"
 #include "editor/SelectDialogs.h"
@@ -28,7 +27,7 @@ private slots:
         selection().setAsset(wall().id);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
         window().views().fit();
-        m_before = projectText(project());
+        m_before = text();
     }
     void cleanupTestCase() { close(); }
 
@@ -129,7 +128,7 @@ private slots:
     }
     void allOfItIsUndone() {
         while (stack().canUndo()) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
     }
 
 private:
@@ -155,7 +154,6 @@ private:
         return nullptr;
     }
 
-    std::string m_before;
     std::uint32_t m_pieces = 0;
 };
 

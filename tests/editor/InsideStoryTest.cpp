@@ -1,5 +1,4 @@
 #include "core/asset/FragmentPlace.h"
-#include "core/io/ProjectFile.h"
 #include "editor/canvas/PlaceTrail.h"
 #include "editor/panels/FragmentTable.h"
 #include "tests/support/EditorStory.h"
@@ -18,15 +17,11 @@ namespace {
 
 /// A box of 1 m in four quarters, which a level breaks into four pieces each.
 Project quarters() {
-    Project project;
-    project.nextId = 100;
-    project.materials = {{.id = 1, .name = "stone"}};
-    project.assets = {
-        boxAsset(2, 3, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.25}}, {2, {0.75, 0.75}}, {3, {0.25, 0.75}}}})};
+    Project project =
+        boxProject(PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.25}}, {2, {0.75, 0.75}}, {3, {0.25, 0.75}}}});
     project.assets[0].name = "Wall";
     const PlacedSeeds four{{{0, {-0.12, -0.12}}, {1, {0.12, -0.12}}, {2, {0.12, 0.12}}, {3, {-0.12, 0.12}}}};
     project.assets[0].levels = {{.pattern = {{{.id = 4, .parameters = four}}}}};
-    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
     return project;
 }
 
@@ -37,11 +32,9 @@ class InsideStoryTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        open(quarters());
-        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 20), kPatience);
-        window().views().fit();
+        openBaked(quarters());
+        QVERIFY(isBaked(2, 20));
         canvas().setFocus();
-        m_before = projectText(project());
     }
     void cleanupTestCase() { close(); }
 
@@ -52,7 +45,7 @@ private slots:
         QVERIFY(trail().isVisible());
         QCOMPARE(trailTexts(), (QStringList{"Wall", "▸", "Fragment 3.2"}));
         QCOMPARE(levels().currentText(), QString("Fragments, level 1"));
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
         QCOMPARE(stack().count(), 0);
     }
     void aSeedPlacedThereGivesItAPatternOfItsOwn() {
@@ -66,21 +59,17 @@ private slots:
     }
     void whichIsUndoneInOneStep() {
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 20), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
         QCOMPARE(levels().currentText(), QString("Fragments, level 1"));
     }
     void aLassoChoosesPiecesWhichListAndViewChooseToo() {
-        QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({-0.2, -0.2}));
-        for (const Vec2 corner : {Vec2(0.2, -0.2), Vec2(0.2, 0.02), Vec2(-0.2, 0.02)}) {
-            moveTo(canvas(), pixels(corner), Qt::AltModifier, Qt::LeftButton);
-        }
-        QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({-0.2, 0.02}));
+        lasso({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.02}, {-0.2, 0.02}});
         QVERIFY((selection().choice() == FragmentChoice{{{4, 0}, {4, 1}}, std::nullopt, "3.2"}));
         QCOMPARE(chosenIds(), (QStringList{"2/3.2/4.0", "2/3.2/4.1"}));
         QTRY_COMPARE(table().view().selectionModel()->selectedRows().size(), 2);
-        if (hasView()) QTRY_COMPARE(markedBodies(), 2);
+        if (hasView()) QTRY_COMPARE(bodiesMarked(kSelected), 2);
     }
     void theSelectMenuWorksInThere() {
         QTest::keyClick(&window(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
@@ -111,14 +100,14 @@ private slots:
         QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
         QVERIFY(selection().choice().isEmpty());
-        QCOMPARE(projectText(project()), m_before);  // no arrow key moved a seed
+        QCOMPARE(text(), m_before);  // no arrow key moved a seed
     }
     void whatIsNotBrokenAgainIsFracturedFirst() {
         QTest::mouseClick(&canvas(), Qt::LeftButton, {}, pixels({0.12, 0.12}));
         QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
         QVERIFY(isInside("3.2"));
         QVERIFY(window().statusBar()->currentMessage().startsWith("Fragment 3.2/4.2 is not broken again."));
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
 
         QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(asset().leaves[0].fragment, FragmentPath("3.2/4.2"));
@@ -210,12 +199,6 @@ private:
         view.scrollTo(found.front());
         QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.visualRect(found.front()).center());
     }
-    int markedBodies() {
-        return static_cast<int>(std::ranges::count_if(
-            viewport().scene().looks, [](const BodyLook& look) { return (look.marks & kSelected) != 0; }));
-    }
-
-    std::string m_before;
 };
 
 QTEST_MAIN(InsideStoryTest)

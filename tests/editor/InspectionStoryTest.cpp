@@ -1,4 +1,3 @@
-#include "core/io/ProjectFile.h"
 #include "editor/ViewMeasure.h"
 #include "editor/panels/ProblemPanel.h"
 #include "editor/panels/VolumeHistogram.h"
@@ -9,7 +8,6 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace rubble;
@@ -19,12 +17,7 @@ namespace {
 /// A box of 1 m in four columns, the last of them a sliver of 5 cm, and a seed that equals the first.
 Project columns() {
     const PlacedSeeds seeds{{{0, {0.15, 0.5}}, {1, {0.45, 0.5}}, {2, {0.75, 0.5}}, {3, {1.15, 0.5}}, {4, {0.15, 0.5}}}};
-    Project project;
-    project.nextId = 100;
-    project.materials = {{.id = 1, .name = "stone"}};
-    project.assets = {boxAsset(2, 3, seeds)};
-    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
-    return project;
+    return boxProject(seeds);
 }
 
 }  // namespace
@@ -34,10 +27,8 @@ class InspectionStoryTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        open(columns());
-        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 4), kPatience);
-        window().views().fit();
-        m_before = projectText(project());
+        openBaked(columns());
+        QVERIFY(isBaked(2, 4));
     }
     void cleanupTestCase() { close(); }
 
@@ -45,11 +36,7 @@ private slots:
         canvas().setFocus();
         drag(canvas(), pixels({0.05, 0.9}), pixels({0.5, 0.1}));
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 4}}));
-        QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.6, 0.9}));
-        for (const Vec2 corner : {Vec2(0.6, 0.1), Vec2(0.95, 0.1), Vec2(0.95, 0.9)}) {
-            moveTo(canvas(), pixels(corner), Qt::AltModifier, Qt::LeftButton);
-        }
-        QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::AltModifier, pixels({0.95, 0.9}));
+        lasso({{0.6, 0.9}, {0.6, 0.1}, {0.95, 0.1}, {0.95, 0.9}});
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
     }
     void neighboursAndTheRestAreChosenByKeys() {
@@ -70,9 +57,9 @@ private slots:
         selection().setSeeds({{3, 2}});
         QTest::keyClick(&canvas(), Qt::Key_Slash);
         QVERIFY((selection().hidden().seeds == Selection::Seeds{{3, 0}, {3, 1}, {3, 3}}));
-        if (hasView()) QTRY_COMPARE(hiddenBodies(), 3);
+        if (hasView()) QTRY_COMPARE(bodiesMarked(kHidden), 3);
         QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
-        QCOMPARE(projectText(project()), m_before);  // nothing of it is saved
+        QCOMPARE(text(), m_before);  // nothing of it is saved
         QCOMPARE(stack().count(), 0);
     }
     void inTheViewKeysMeanThePieceThatWasClicked() {
@@ -85,10 +72,10 @@ private slots:
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, second);
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}}));
         QTest::keyClick(&viewport(), Qt::Key_H);
-        QTRY_COMPARE(hiddenBodies(), 1);
+        QTRY_COMPARE(bodiesMarked(kHidden), 1);
         QVERIFY(!project().instances[0].isHidden);
         QTest::keyClick(&viewport(), Qt::Key_H, Qt::AltModifier);
-        QTRY_COMPARE(hiddenBodies(), 0);
+        QTRY_COMPARE(bodiesMarked(kHidden), 0);
     }
     void twoClicksMeasureFromCornerToCorner() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
@@ -150,7 +137,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 0, kPatience);
         QVERIFY(!button("Delete Seed")->isVisible());
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
         QTRY_COMPARE_WITH_TIMEOUT(problems().model().rowCount(), 2, kPatience);
     }
 
@@ -163,17 +150,11 @@ private:
         return nullptr;
     }
     void lookFromTheFront() {
-        QTRY_COMPARE(hiddenBodies(), 0);  // the scene is made when the events before are done
+        QTRY_COMPARE(bodiesMarked(kHidden), 0);  // the scene is made when the events before are done
         viewport().turnTo(StandardView::Front);
         viewport().setProjection(Projection::Orthographic);
         viewport().frameAll();
     }
-    int hiddenBodies() {
-        return static_cast<int>(std::ranges::count_if(
-            viewport().scene().looks, [](const BodyLook& look) { return (look.marks & kHidden) != 0; }));
-    }
-
-    std::string m_before;
 };
 
 QTEST_MAIN(InspectionStoryTest)

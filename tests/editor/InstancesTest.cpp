@@ -1,4 +1,3 @@
-#include "core/io/ProjectFile.h"
 #include "editor/ArrayDialogs.h"
 #include "editor/InstanceGizmo.h"
 #include "editor/InstancePlacing.h"
@@ -18,10 +17,8 @@ using namespace rubble;
 namespace {
 
 Project threeBoxes() {
-    Project project;
-    project.nextId = 100;
-    project.materials = {{.id = 1, .name = "stone"}};
-    project.assets = {boxAsset(2, 3, UniformScatter{.count = 6})};
+    Project project = boxProject(UniformScatter{.count = 6});
+    project.instances.clear();
     for (int k = 0; k < 3; ++k) {
         const Id id = 10 + static_cast<Id>(k);
         project.instances.push_back({.id = id, .name = "box " + std::to_string(k + 1), .asset = 2});
@@ -45,7 +42,7 @@ private slots:
         window().workspace().document().replace(threeBoxes());
         choose({11});
         viewport().setFocus();
-        m_before = projectText(project());
+        m_before = text();
     }
     void cleanupTestCase() { close(); }
 
@@ -58,7 +55,7 @@ private slots:
         QVERIFY(placeOf(10) == Vec3(0.0));
         QCOMPARE(stack().count(), 1);
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
     }
     void withCtrlItGoesByTenthsOfAMetre() {
         const QPoint tip = gripOf(GizmoHandle::MoveX);
@@ -72,7 +69,7 @@ private slots:
         moveTo(tip - QPoint(0, 40), {}, Qt::LeftButton);
         QVERIFY(placeOf(11).y > 0.0);
         QTest::keyClick(&viewport(), Qt::Key_Escape);
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
         QCOMPARE(stack().count(), 0);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, tip);
         QVERIFY(!gizmo().isDragging());
@@ -169,7 +166,7 @@ private slots:
         QCOMPARE(project().instances.size(), std::size_t{5});
         stack().undo();
         stack().undo();
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
     }
     void whatIsPlacedIsTurnedAndTheRightButtonEndsIt() {
         beginPlacing();
@@ -215,7 +212,7 @@ private slots:
         QCOMPARE(variants.size(), std::size_t{5});
         QCOMPARE(stack().count(), 1);
         stack().undo();
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
     }
     void aRingIsCopiedFromItsDialogWithoutVariants() {
         test::whenAsked<RingArrayDialog>([](RingArrayDialog& dialog) {
@@ -233,7 +230,7 @@ private slots:
     void aCancelledArrayCopiesNothing() {
         test::whenAsked<GridArrayDialog>([](GridArrayDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
         action("instance-rows")->trigger();
-        QCOMPARE(projectText(project()), m_before);
+        QCOMPARE(text(), m_before);
         QCOMPARE(stack().count(), 0);
     }
     void anOverlapIsToldAndLeadsToThePlace() {
@@ -295,8 +292,6 @@ private:
         QDropEvent event(at, Qt::CopyAction, data.get(), Qt::LeftButton, {});
         QCoreApplication::sendEvent(&viewport(), &event);
     }
-
-    std::string m_before;
 };
 
 QTEST_MAIN(InstancesTest)

@@ -1,5 +1,4 @@
 #include "core/fracture/PatternPartition.h"
-#include "core/io/ProjectFile.h"
 #include "editor/canvas/BrushTool.h"
 #include "tests/support/EditorStory.h"
 #include "tests/support/Projects.h"
@@ -11,14 +10,7 @@ using namespace rubble;
 namespace {
 
 /// A box of 1 m in courses of bricks, which no seed names.
-Project bricks() {
-    Project project;
-    project.nextId = 100;
-    project.materials = {{.id = 1, .name = "brick"}};
-    project.assets = {boxAsset(2, 3, BrickBond{.length = 0.49, .height = 0.24})};
-    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
-    return project;
-}
+Project bricks() { return boxProject(BrickBond{.length = 0.49, .height = 0.24}); }
 
 }  // namespace
 
@@ -26,11 +18,7 @@ Project bricks() {
 class PatternStoryTest : public EditorStory {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        open(bricks());
-        QTRY_VERIFY_WITH_TIMEOUT(window().workspace().bakes().areCurrent(project()), kPatience);
-        window().views().fit();
-    }
+    void initTestCase() { openBaked(bricks()); }
     void cleanupTestCase() { close(); }
 
     void bricksAreChosenLikeSeeds() {
@@ -41,12 +29,11 @@ private slots:
         QVERIFY(selection().seeds().empty());
     }
     void aBoxCatchesBricksAndDeletingTouchesNone() {
-        const std::string before = projectText(project());
         drag(canvas(), pixels({-0.02, 0.24}), pixels({1.02, -0.02}));
         QVERIFY(selection().seeds().size() >= 2 && selection().seeds().size() <= 3);  // the lowest course
         QTest::keyClick(&canvas(), Qt::Key_Delete);
         QTest::keyClick(&canvas(), Qt::Key_Right);
-        QCOMPARE(projectText(project()), before);
+        QCOMPARE(text(), m_before);
         QTest::keyClick(&canvas(), Qt::Key_Escape);
         QVERIFY(selection().seeds().empty());
     }

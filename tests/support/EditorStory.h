@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/ProjectFile.h"
 #include "editor/MainWindow.h"
 #include "editor/Program.h"
 #include "editor/SceneView.h"
@@ -14,7 +15,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <initializer_list>
 #include <memory>
+#include <string>
 
 namespace rubble {
 
@@ -35,6 +39,13 @@ protected:
         QVERIFY(m_window);
         show();
     }
+    /// Waits until all is baked, shows all of it, and keeps the project's text in m_before.
+    void openBaked(Project project) {
+        open(std::move(project));
+        QTRY_VERIFY_WITH_TIMEOUT(window().workspace().bakes().areCurrent(this->project()), kPatience);
+        window().views().fit();
+        m_before = text();
+    }
     /// Without asking whether to save.
     void close() {
         m_window.reset();
@@ -46,12 +57,19 @@ protected:
     PatternCanvas& canvas() { return m_window->views().canvas(); }
     Selection& selection() { return m_window->workspace().selection(); }
     const Project& project() { return m_window->workspace().project(); }
+    std::string text() { return projectText(project()); }
     QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
     QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
     bool hasView() { return viewport().fault().isEmpty(); }
     bool isBaked(Id asset, std::uint32_t fragments) {
         const auto baked = m_window->workspace().bakes().find(asset);
         return baked && baked->bake && baked->bake->fragmentCount() == fragments;
+    }
+
+    /// How many bodies of the scene have a mark: kHidden, kSelected.
+    int bodiesMarked(std::uint32_t mark) {
+        const auto isMarked = [&](const BodyLook& look) { return (look.marks & mark) != 0; };
+        return static_cast<int>(std::ranges::count_if(viewport().scene().looks, isMarked));
     }
 
     QPoint pixels(Vec2 metres) { return canvas().view().pixels(metres).toPoint(); }
@@ -69,7 +87,17 @@ protected:
         QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
     }
 
+    /// Chooses in the canvas what lies within these corners, m.
+    void lasso(std::initializer_list<Vec2> corners) {
+        const QPoint first = pixels(*corners.begin()), last = pixels(*(corners.end() - 1));
+        QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, first);
+        for (const Vec2 corner : corners) moveTo(canvas(), pixels(corner), Qt::AltModifier, Qt::LeftButton);
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, Qt::AltModifier, last);
+    }
+
     QString pathOf(const QString& name) const { return m_folder.filePath(name); }
+
+    std::string m_before;  // the project's text, as a test keeps it
 
 private:
     void begin() {

@@ -17,6 +17,16 @@ inline Asset boxAsset(Id id, Id layer, LayerParameters parameters) {
     return asset;
 }
 
+/// A project of one such box, asset 2, with the seeds of layer 3; it stands once, as instance 10.
+inline Project boxProject(LayerParameters parameters) {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, std::move(parameters))};
+    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
+    return project;
+}
+
 /// A project in which everything is there and nothing has its usual value.
 inline Project fullProject() {
     Project project;

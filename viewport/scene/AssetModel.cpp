@@ -1,6 +1,7 @@
 #include "viewport/scene/AssetModel.h"
 
 #include "core/asset/PieceColours.h"
+#include "core/asset/RoughCuts.h"
 #include "core/geometry/Aspect.h"
 
 namespace rubble {
@@ -19,7 +20,7 @@ public:
           m_geometry(std::make_shared<SceneGeometry>()),
           m_hulls(hasHulls ? std::make_shared<SceneGeometry>() : nullptr) {}
 
-    void addFragment(std::uint32_t number, const BakedFragment& fragment) {
+    void addFragment(std::uint32_t number, const BakedFragment& fragment, const RoughCuts& cuts) {
         const Fragment& solid = fragment.solid;
         const Colour colour = pieceColour(m_model.bake->fragmentId(number));
         const double parent = fragment.parent == kNone ? m_model.bake->whole.volume
@@ -31,7 +32,7 @@ public:
                                   .aspect = aspectOf(solid.outline()),
                                   .level = fragment.level,
                                   .colour = colour});
-        addPiece(*m_geometry, fragmentMesh(fragment, m_model.asset));
+        addPiece(*m_geometry, fragmentMesh(fragment, m_model.asset, cuts.cornersOf(number)));
         if (m_hulls) addPiece(*m_hulls, solid.hulls());
     }
 
@@ -99,9 +100,10 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         if (whole) builder.addWhole(*whole, whole->whole.centre);
         return builder.finished();
     }
+    const RoughCuts cuts(*bake, asset);
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) {
         const BakedFragment fragment = bake->fragment(k);
-        if (isShown(fragment, options.level)) builder.addFragment(k, fragment);
+        if (isShown(fragment, options.level)) builder.addFragment(k, fragment, cuts);
     }
     AssetModel model = builder.finished();
     if (options.hasBonds) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOf(model));
@@ -111,7 +113,8 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
 AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
     ModelBuilder builder({.asset = asset, .bake = bake}, options.hasHulls);
     builder.addWhole(*bake, Vec3(0.0));
-    for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k));
+    const RoughCuts cuts(*bake, asset);
+    for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);
     return builder.finished();
 }
 

@@ -1,7 +1,8 @@
 #include "core/asset/RoughCuts.h"
 
-#include "core/asset/Bake.h"
+#include "core/asset/FractalNoise.h"
 #include "core/geometry/PolygonFaults.h"
+#include "tests/support/DrawnOutlines.h"
 #include "tests/support/Projects.h"
 #include "tests/support/RandomAssets.h"
 
@@ -19,25 +20,6 @@ Asset halves(double amplitude, double gap = 0.0) {
     asset.shaping.gap = gap;
     asset.shaping.roughness = {.amplitude = amplitude, .frequency = 8.0, .octaves = 2, .randomSeed = 5};
     return asset;
-}
-
-/// The outline of a fragment as it is drawn, in its own frame.
-Polygon drawnOutline(const Fragment& fragment, const Asset& asset) {
-    const Polygon outline = fragment.outline();
-    const auto rough = roughCorners(fragment, asset.shaping.roughness, asset.shaping.gap);
-    std::size_t edge = 0;
-    const auto drawn = [&](const Ring& ring) {
-        Ring corners;
-        for (const Vec2 corner : ring) {
-            corners.push_back(corner);
-            corners.insert(corners.end(), rough[edge].begin(), rough[edge].end());
-            ++edge;
-        }
-        return corners;
-    };
-    Polygon polygon{drawn(outline.outer), {}};
-    for (const Ring& hole : outline.holes) polygon.holes.push_back(drawn(hole));
-    return polygon;
 }
 
 QString about(std::uint64_t seed, const std::string& fault) {
@@ -66,7 +48,7 @@ private slots:
         const Asset asset = halves(0.02);
         const Bake baked = *bake(asset);
         const Fragment left = baked.fragment(0).solid;
-        const auto corners = roughCorners(left, asset.shaping.roughness, 0.0);
+        const EdgeCorners corners = RoughCuts(baked, asset).cornersOf(0);
         const std::vector<std::uint32_t> across = left.across();
         double farthest = 0.0;
         for (std::size_t edge = 0; edge < corners.size(); ++edge) {
@@ -81,7 +63,7 @@ private slots:
         std::vector<Vec2> sides[2];
         for (std::uint32_t k = 0; k < 2; ++k) {
             const Fragment fragment = baked.fragment(k).solid;
-            for (const auto& corners : roughCorners(fragment, asset.shaping.roughness, 0.0)) {
+            for (const auto& corners : RoughCuts(baked, asset).cornersOf(k)) {
                 for (const Vec2 corner : corners) sides[k].push_back(corner + Vec2{fragment.offset()});
             }
         }
@@ -99,7 +81,8 @@ private slots:
     }
     void insideTexturesGoOnAlongTheCut() {
         const Asset asset = halves(0.02);
-        const Mesh mesh = fragmentMesh(bake(asset)->fragment(0), asset);
+        const Bake baked = *bake(asset);
+        const Mesh mesh = fragmentMesh(baked.fragment(0), asset, RoughCuts(baked, asset).cornersOf(0));
         double reach = 0.0, length = 0.0;
         for (const MeshFace& face : mesh.faces) {
             if (face.side != FaceSide::Inside) continue;
@@ -114,7 +97,7 @@ private slots:
     void besideAGapARoughCutStaysInIt() {
         const Asset asset = halves(0.2, 0.02);
         const Bake baked = *bake(asset);
-        for (const auto& corners : roughCorners(baked.fragment(0).solid, asset.shaping.roughness, 0.02)) {
+        for (const auto& corners : RoughCuts(baked, asset).cornersOf(0)) {
             for (const Vec2 corner : corners) QVERIFY(corner.x + baked.fragment(0).solid.offset().x < 0.5);
         }
         QCOMPARE(verifyMeshes(baked, asset).value_or(""), std::string());
@@ -137,8 +120,9 @@ private slots:
             const Bake baked = *bake(asset);
             const auto fault = verifyMeshes(baked, asset);
             QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
+            const RoughCuts cuts(baked, asset);
             for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
-                const Polygon drawn = drawnOutline(baked.fragment(k).solid, asset);
+                const Polygon drawn = test::drawnOutline(baked, k, cuts);
                 corners += drawn.outer.size();
                 QVERIFY2(polygonFaults(drawn).empty(),
                          qPrintable(about(seed, "fragment " + std::to_string(k) + " crosses itself")));

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <map>
 
 using namespace rubble;
@@ -52,6 +53,23 @@ private slots:
         const std::string found = std::to_string(seeds.positions.size());
         QCOMPARE(seeds.reports[0].message,
                  "Layer 1 found room for " + found + " of 20 seeds: the outline is thin where its clusters are.");
+    }
+    void whatIsDeletedByHandNeedsNoRoom() {
+        const Polygon plank{rectangle({0.0, 0.0}, {1.0, 1e-6}), {}};
+        PatternLayer layer{.id = 1, .parameters = Clusters{.clusters = 2, .seedsPerCluster = 10, .radius = 0.5}};
+        const Seeds before = *seedsOf({{layer}}, plank);
+        for (std::uint32_t cluster = 0; cluster < 2; ++cluster) {
+            for (std::uint32_t seed = 0; seed < 10; ++seed) {
+                const SeedId id{1, pairIndex(cluster, seed)};
+                if (std::ranges::find(before.ids, id) == before.ids.end()) {
+                    layer.overrides.push_back({.index = id.index, .isDeleted = true});
+                }
+            }
+        }
+        std::ranges::sort(layer.overrides, {}, &SeedOverride::index);
+        const Seeds after = *seedsOf({{layer}}, plank);
+        QVERIFY(after.reports.empty());
+        QVERIFY(after.positions == before.positions && after.ids == before.ids);
     }
 };
 

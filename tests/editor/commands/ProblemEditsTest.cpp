@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <map>
+
 using namespace rubble;
 
 namespace {
@@ -38,6 +40,25 @@ Polygon comb(int teeth) {
         if (k > 0) outline.outer.push_back({left, 1.0});
     }
     return outline;
+}
+
+std::vector<Problem> of(ProblemKind kind, std::vector<Problem> problems) {
+    std::erase_if(problems, [&](const Problem& problem) { return problem.kind != kind; });
+    return problems;
+}
+
+std::vector<std::string> idsIn(const Project& project) {
+    const Bake baked = *bake(project.assets[0]);
+    std::vector<std::string> ids;
+    for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) ids.push_back(baked.fragmentId(k));
+    return ids;
+}
+
+std::map<SeedId, Vec2> seedsIn(const Project& project) {
+    const Seeds seeds = *seedsOf(project.assets[0].pattern, project.assets[0].prism.outline);
+    std::map<SeedId, Vec2> places;
+    for (std::size_t k = 0; k < seeds.ids.size(); ++k) places[seeds.ids[k]] = seeds.positions[k];
+    return places;
 }
 
 /// Carries a fix out, looks what is left, and that undoing gives the same bytes again.
@@ -146,17 +167,60 @@ private slots:
                  SeedCount(static_cast<std::uint32_t>(seedsIn(project).positions.size())));
         QVERIFY(seedsIn(changed).positions == seedsIn(project).positions);
     }
-    void clustersAndLevelsThatFindNoRoomAreLeftAlone() {
-        // Which seeds of a heap find no room is not a matter of how many there are; a level's count is that of many fragments.
+    void aFragmentThatFindsNoRoomAsksForFewerInAPatternOfItsOwn() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.1, 0.5}}, {1, {0.5, 0.5}}}});  // 0.3 m and 0.7 m wide
+        const BlueNoise crowded{.minimumDistance = 0.1, .count = 30};
+        project.assets[0].levels = {{.pattern = {{{.id = 6, .randomSeed = 9, .parameters = crowded}}}}};
+        const std::vector<Problem> problems = of(ProblemKind::NoRoom, problemsIn(project));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QCOMPARE(problems[0].path, FragmentPath("3.0"));
+        QVERIFY(of(ProblemKind::NoRoom, leftAfter(project, ProblemFix::AskForFewer)).empty());
+        const std::vector<std::string> before = idsIn(project);
+        Edit edit = fixed(project, problems, ProblemFix::AskForFewer);
+        swapInto(project, edit);
+        QCOMPARE(idsIn(project), before);
+        const Asset& asset = project.assets[0];
+        QVERIFY(asset.levels[0].pattern.layers[0].parameters == LayerParameters(crowded));
+        QCOMPARE(asset.leaves.size(), std::size_t{1});
+        QCOMPARE(std::get<BlueNoise>(asset.leaves[0].level->pattern.layers[0].parameters).count,
+                 SeedCount(static_cast<std::uint32_t>(problems[0].value)));
+    }
+    void clustersAreRidOfTheSeedsThatFindNoRoom() {
+        Project project = projectWith(Clusters{.clusters = 5, .seedsPerCluster = 8, .radius = 0.5});
+        project.assets[0].prism.outline = {rectangle({0.0, 0.0}, {1.0, 0.003}), {}};
+        project.assets[0].pattern.layers[0].overrides = {{.index = 3, .isDeleted = true}};
+        const std::vector<Problem> problems = of(ProblemKind::NoRoom, problemsIn(project));
+        QCOMPARE(problems.size(), std::size_t{1});
+        QVERIFY(problems[0].value > 5.0 && problems[0].value < 39.0);
+        const auto left = leftAfter(project, ProblemFix::AskForFewer);
+        QVERIFY(of(ProblemKind::NoRoom, left).empty() && of(ProblemKind::LostOverride, left).empty());
+        const std::map<SeedId, Vec2> before = seedsIn(project);
+        Edit edit = fixed(project, problems, ProblemFix::AskForFewer);
+        swapInto(project, edit);
+        QVERIFY(seedsIn(project) == before);
+        const PatternLayer& layer = project.assets[0].pattern.layers[0];
+        QCOMPARE(layer.overrides.size(), 40 - before.size());
+    }
+    void clustersOfAFragmentDoSo() {
         Project project = projectWith(PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
-        const BlueNoise crowded{.minimumDistance = 0.2, .count = 500};
-        project.assets[0].levels = {{.pattern = {{{.id = 6, .parameters = crowded}}}}};
-        const std::vector<Problem> problems = problemsIn(project);
-        QVERIFY(std::ranges::count(problems, ProblemKind::NoRoom, &Problem::kind) == 2);
-        QVERIFY(fixed(project, problems, ProblemFix::AskForFewer).isEmpty());
-        project = projectWith(Clusters{});
-        QVERIFY(!canFix(project, {.kind = ProblemKind::NoRoom, .asset = 2, .layer = 3, .value = 7.0},
-                        ProblemFix::AskForFewer));
+        const Clusters crowded{.clusters = 5, .seedsPerCluster = 8, .radius = 0.5};
+        project.assets[0].prism.outline = {rectangle({0.0, 0.0}, {1.0, 0.006}), {}};
+        project.assets[0].levels = {{.pattern = {{{.id = 6, .randomSeed = 4, .parameters = crowded}}}}};
+        QCOMPARE(of(ProblemKind::NoRoom, problemsIn(project)).size(), std::size_t{2});
+        QVERIFY(of(ProblemKind::NoRoom, leftAfter(project, ProblemFix::AskForFewer)).empty());
+    }
+    void aPictureWithoutDensityIsAskedForNothing() {
+        const auto white = std::make_shared<GreyImage>(GreyImage{.width = 1, .height = 1, .grey = {255}});
+        const Project project = projectWith(DensityImage{.count = 50, .dense = DenseWhere::Dark, .image = white});
+        QCOMPARE(of(ProblemKind::NoRoom, problemsIn(project)).size(), std::size_t{1});
+        QVERIFY(of(ProblemKind::NoRoom, leftAfter(project, ProblemFix::AskForFewer)).empty());
+    }
+    void aCancelledFixMakesNoStep() {
+        Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
+        project.assets[0].prism.outline = comb(40);
+        const TaskContext task;
+        task.cancel.cancel();
+        QVERIFY(fixed(project, problemsIn(project), ProblemFix::CutApart, task).isEmpty());
     }
     void aPieceOfManyHullsIsCutApart() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
