@@ -91,6 +91,15 @@ class RoughLevelsTest : public QObject {
         return outlines;
     }
 
+    /// What is wrong with the meshes, or with an outline that meets itself.
+    static std::string faultOf(const Bake& bake, const Asset& asset, const std::vector<Polygon>& drawn) {
+        if (const auto fault = verifyMeshes(bake, asset)) return *fault;
+        for (std::uint32_t k = 0; k < drawn.size(); ++k) {
+            if (!polygonFaults(drawn[k]).empty()) return bake.fragmentId(k) + " crosses itself";
+        }
+        return {};
+    }
+
     static std::size_t cornerCount(const std::vector<Polygon>& outlines) {
         std::size_t count = 0;
         for (const Polygon& outline : outlines) count += outline.outer.size();
@@ -135,13 +144,9 @@ private slots:
         for (std::uint64_t seed = 0; seed < 150; ++seed) {
             const Asset asset = randomLevels(seed);
             const Bake baked = *bake(asset);
-            const auto fault = verifyMeshes(baked, asset);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
             const std::vector<Polygon> drawn = drawnOutlines(baked, asset);
-            for (std::uint32_t k = 0; k < drawn.size(); ++k) {
-                QVERIFY2(polygonFaults(drawn[k]).empty(),
-                         qPrintable(about(seed, baked.fragmentId(k) + " crosses itself")));
-            }
+            const std::string fault = faultOf(baked, asset, drawn);
+            QVERIFY2(fault.empty(), qPrintable(about(seed, fault)));
             for (const BakedBreaking& breaking : baked.breakings) {
                 test::BoundarySum sum;
                 sum.add(breaking.parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[breaking.parent],
@@ -163,12 +168,10 @@ private slots:
             asset.edits.clear();
             asset.shaping.gap = 0.002 + 0.0001 * static_cast<double>(seed);
             const Bake baked = *bake(asset);
-            const auto fault = verifyMeshes(baked, asset);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
             const std::vector<Polygon> drawn = drawnOutlines(baked, asset);
+            const std::string fault = faultOf(baked, asset, drawn);
+            QVERIFY2(fault.empty(), qPrintable(about(seed, fault)));
             for (std::uint32_t k = 0; k < drawn.size(); ++k) {
-                QVERIFY2(polygonFaults(drawn[k]).empty(),
-                         qPrintable(about(seed, baked.fragmentId(k) + " crosses itself")));
                 const std::uint32_t parent = baked.fragment(k).parent;
                 const Polygon whole = parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[parent];
                 for (const Vec2 corner : drawn[k].outer) {

@@ -2,6 +2,7 @@
 
 #include "core/asset/Threshold.h"
 #include "core/io/ProjectFile.h"
+#include "tests/support/Combs.h"
 #include "tests/support/Projects.h"
 
 #include <QTest>
@@ -26,20 +27,6 @@ std::vector<Problem> problemsIn(const Project& project) {
         if (Result<Bake> baked = bake(asset)) bakes[{asset.id, 0}] = std::make_shared<const Bake>(std::move(*baked));
     }
     return problemsOf(project, bakes);
-}
-
-/// A bar with teeth, which a hull each takes.
-Polygon comb(int teeth) {
-    Polygon outline;
-    outline.outer = {{0.0, 0.0}, {2.0 * teeth - 1.0, 0.0}};
-    for (int k = teeth - 1; k >= 0; --k) {
-        const double left = 2.0 * k, right = left + 1.0;
-        if (k < teeth - 1) outline.outer.push_back({right, 1.0});
-        outline.outer.push_back({right, 3.0});
-        outline.outer.push_back({left, 3.0});
-        if (k > 0) outline.outer.push_back({left, 1.0});
-    }
-    return outline;
 }
 
 std::vector<Problem> of(ProblemKind kind, std::vector<Problem> problems) {
@@ -217,14 +204,14 @@ private slots:
     }
     void aCancelledFixMakesNoStep() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
-        project.assets[0].prism.outline = comb(40);
+        project.assets[0].prism.outline = test::comb(40);
         const TaskContext task;
         task.cancel.cancel();
         QVERIFY(fixed(project, problemsIn(project), ProblemFix::CutApart, task).isEmpty());
     }
     void aPieceOfManyHullsIsCutApart() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
-        project.assets[0].prism.outline = comb(40);  // about 18 teeth for the first, 22 for the second
+        project.assets[0].prism.outline = test::comb(40);  // about 18 teeth for the first, 22 for the second
         const std::vector<Problem> problems = problemsIn(project);
         QCOMPARE(std::ranges::count(problems, ProblemKind::ManyHulls, &Problem::kind), std::ptrdiff_t{2});
         const auto left = leftAfter(project, ProblemFix::CutApart);
@@ -244,7 +231,7 @@ private slots:
     }
     void aPieceOfAPieceIsCutApartInItsPlace() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}}});
-        project.assets[0].prism.outline = comb(20);
+        project.assets[0].prism.outline = test::comb(20);
         project.assets[0].levels = {
             {.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-10.0, 0.0}}, {1, {10.0, 0.0}}}}}}}}};
         std::vector<Problem> deep = problemsIn(project);

@@ -2,7 +2,7 @@
 
 #include "core/asset/AssetBakes.h"
 #include "core/io/ProjectFile.h"
-#include "tests/support/Projects.h"
+#include "tests/support/Combs.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -12,20 +12,6 @@ using namespace rubble;
 namespace {
 
 constexpr int kPatience = 60000;  // ms, for baking on a busy machine
-
-/// One piece of a bar with teeth, which a hull each takes.
-Project comb() {
-    Project project = boxProject(PlacedSeeds{{{0, {0.5, 0.5}}}});
-    Ring& outer = project.assets[0].prism.outline.outer;
-    outer = {{0.0, 0.0}, {39.0, 0.0}};
-    for (int k = 19; k >= 0; --k) {
-        const double left = 2.0 * k;
-        if (k < 19) outer.push_back({left + 1.0, 1.0});
-        outer.insert(outer.end(), {{left + 1.0, 3.0}, {left, 3.0}});
-        if (k > 0) outer.push_back({left, 1.0});
-    }
-    return project;
-}
 
 std::vector<Problem> problemsIn(const Project& project, ProblemKind kind) {
     AssetBakes bakes;
@@ -41,7 +27,7 @@ class FixRunnerTest : public QObject {
     Q_OBJECT
 private slots:
     void init() {
-        m_document = std::make_unique<Document>(comb());
+        m_document = std::make_unique<Document>(test::combProject());
         m_runner = std::make_unique<FixRunner>(*m_document);
         m_before = projectText(m_document->project());
         m_problems = problemsIn(m_document->project(), ProblemKind::ManyHulls);
