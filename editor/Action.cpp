@@ -10,7 +10,9 @@ QAction* makeAction(QObject* parent, const ActionLook& look) {
     action->setShortcut(look.shortcut);
     action->setStatusTip(look.tip);
     const QString keys = look.shortcut.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? look.tip : QString("%1 (%2)").arg(look.tip, keys));
+    const QString name = look.text.section('\t', 0, 0).remove('&').remove(u'…');
+    if (look.text.contains('\t')) action->setIconText(name);  // the key is not part of a button
+    action->setToolTip((keys.isEmpty() ? name : QString("%1 (%2)").arg(name, keys)) + '\n' + look.tip);
     return action;
 }
 

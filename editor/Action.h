@@ -14,7 +14,7 @@ struct ActionLook {
     QKeySequence shortcut = {};
 };
 
-/// An action that looks so, belonging to `parent`. Its tooltip tells the shortcut, too.
+/// An action that looks so, belonging to `parent`. Its tooltip tells name and shortcut, too.
 QAction* makeAction(QObject* parent, const ActionLook& look);
 
 /// A function that adds actions to a menu: each looks as it is told, belongs to `owner` and calls one of its slots.

@@ -31,7 +31,7 @@ std::optional<std::uint32_t> onlyTopOf(const FragmentSet& set, const Bake& bake)
 }  // namespace
 
 FragmentActions::FragmentActions(MainWindow& window)
-    : QObject(&window), m_window(window), m_menu(new QMenu(tr("F&ragments"), &window)) {
+    : QObject(&window), m_window(window), m_menu(new QMenu(tr("Fra&gments"), &window)) {
     const auto add = addingTo(*m_menu, this);
     m_forPieces = {add({"fragment-fracture", tr("&Fracture Again"),
                         tr("Break the chosen fragments once more, each in its own way"), QKeySequence("Ctrl+Shift+F")},
@@ -61,7 +61,6 @@ FragmentActions::FragmentActions(MainWindow& window)
              tr("Show, in the canvas, what the fragment that it is inside was broken out of"), QKeySequence("Ctrl+Up")},
             &FragmentActions::goOutOfIt);
     for (QAction* action : placeActions()) window.views().keyInViews(*action);
-    window.views().setPlaceActions(placeActions());
     Workspace& workspace = window.workspace();
     connect(&workspace.selection(), &Selection::insideChanged, this, &FragmentActions::update);
     connect(&workspace.selection(), &Selection::seedsChanged, this, &FragmentActions::update);
@@ -69,6 +68,10 @@ FragmentActions::FragmentActions(MainWindow& window)
     connect(&workspace.bakes(), &Bakes::patternChanged, this, &FragmentActions::update);
     connect(&workspace.document(), &Document::changed, this, &FragmentActions::update);
     update();
+}
+
+QList<QAction*> FragmentActions::breakingActions() const {
+    return m_forPieces.first(2) + QList{m_merge, m_forPieces.last(), m_restore};
 }
 
 std::vector<ChosenPiece> FragmentActions::chosen() const {

@@ -21,6 +21,7 @@ public:
     QMenu* menu() const { return m_menu; }
     /// Those that take the canvas into a fragment and out of it.
     QList<QAction*> placeActions() const { return {m_into, m_out}; }
+    QList<QAction*> breakingActions() const;
 
 private:
     void fracture();

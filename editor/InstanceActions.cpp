@@ -125,7 +125,9 @@ void InstanceActions::addContextMenus() {
     SceneView& scene = m_window.views().scene();
     scene.viewport().setContextMenuPolicy(Qt::CustomContextMenu);
     connect(&scene.viewport(), &QWidget::customContextMenuRequested, this, [this, &scene](const QPoint& at) {
-        if (gizmo().isDragging() || !scene.isEditable()) return;
+        if (gizmo().isDragging() || m_window.workspace().play().isOn()) return;
+        if (scene.choosePieceAt(at)) return void(m_window.views().pieceMenu().exec(scene.viewport().mapToGlobal(at)));
+        if (!scene.isEditable()) return;
         scene.chooseAt(at);
         m_menu->exec(scene.viewport().mapToGlobal(at));
     });

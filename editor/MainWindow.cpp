@@ -66,6 +66,10 @@ MainWindow::MainWindow(Program& program, Project project)
     m_fragmentActions = new FragmentActions(*this);
     m_instanceActions = new InstanceActions(*this);
     m_selectActions = new SelectActions(*this);  // whose keys come before those of instances
+    m_views->setPieceActions({.places = m_fragmentActions->placeActions(),
+                              .breaking = m_fragmentActions->breakingActions(),
+                              .kin = m_selectActions->kinActions(),
+                              .hiding = m_selectActions->hidingActions()});
     m_viewActions = new ViewActions(*this);
     m_playActions = new PlayActions(*this);
     m_helpActions = new HelpActions(*this);
@@ -128,6 +132,7 @@ void MainWindow::showWork() {
     m_isShowingWork = true;
     m_pages->setCurrentIndex(1);
     for (QToolBar* bar : m_toolBars) bar->show();
+    nameTools();
     m_views->showDocks(true);
     m_viewActions->setWorking(true);
     m_playActions->setWorking(true);
@@ -169,6 +174,24 @@ void MainWindow::makeToolBars() {
     add("bar-tools", tr("Tools"), m_viewActions->toolActions());
     add("bar-canvas", tr("Canvas"), m_viewActions->canvasActions());
     for (QToolBar* bar : m_toolBars) bar->hide();
+    m_namedBars = {m_toolBars[3], m_toolBars[4]};
+}
+
+/// Names stand beside the icons that are used most, where the window has room for them.
+void MainWindow::nameTools() {
+    const auto setStyle = [this](Qt::ToolButtonStyle style) {
+        for (QToolBar* bar : m_namedBars) bar->setToolButtonStyle(style);
+    };
+    if (m_namedWidth == 0) {
+        setStyle(Qt::ToolButtonTextBesideIcon);
+        for (const QToolBar* bar : m_toolBars) m_namedWidth += bar->sizeHint().width();
+    }
+    setStyle(width() >= m_namedWidth ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (m_isShowingWork) nameTools();
 }
 
 void MainWindow::makeStatusBar() {

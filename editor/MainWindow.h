@@ -47,11 +47,13 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void makeToolBars();
+    void nameTools();
     void makeStatusBar();
     void updateTitle();
     void updateCounts();
@@ -73,6 +75,8 @@ private:
     PlayActions* m_playActions = nullptr;
     HelpActions* m_helpActions = nullptr;
     QList<QToolBar*> m_toolBars;
+    QList<QToolBar*> m_namedBars;  // of play and tools
+    int m_namedWidth = 0;          // pixels that all bars need with names
     QLabel* m_hint = nullptr;
     QLabel* m_place = nullptr;
     QLabel* m_counts = nullptr;

@@ -16,8 +16,10 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSlider>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,6 +31,7 @@ namespace {
 constexpr int kExplodedSteps = 200;    // of the slider
 constexpr double kMostExploded = 2.0;  // factor at its end
 constexpr QSize kBarIcon{18, 18};
+constexpr int kLeastSlider = 40;         // pixels
 constexpr double kAroundFragment = 1.5;  // of its size, that is shown on each side of it
 
 }  // namespace
@@ -45,7 +48,9 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_timeline(new TimelineBar(workspace.play())) {
     setFocusProxy(m_viewport);
     addViews();
+    addSeparator();
     addToggles();
+    addSeparator();
     addMeasure();
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -170,6 +175,7 @@ void SceneView::addToggles() {
 void SceneView::addMeasure() {
     QAction* action = makeAction(
         this, {"view-measure", tr("&Measure"), tr("Measure between two points by two clicks"), QKeySequence("M")});
+    m_measuring = action;
     action->setShortcutContext(Qt::WidgetShortcut);
     action->setCheckable(true);
     connect(action, &QAction::toggled, m_measure, &ViewMeasure::setOn);
@@ -178,11 +184,18 @@ void SceneView::addMeasure() {
     m_viewport->addAction(action);
 }
 
+void SceneView::addSeparator() {
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    addAction(separator);
+}
+
 QWidget* SceneView::makeBar() {
     auto* bar = new QToolBar(tr("3D view"));
     bar->setIconSize(kBarIcon);
     m_scope = choiceBox({tr("Whole scene"), tr("Asset at hand")},
                         tr("Show every instance where it stands, or the asset at hand by itself"));
+    m_scope->setObjectName("scope");
     m_scope->setAccessibleName(tr("What is shown"));
     connect(m_scope, &QComboBox::currentIndexChanged, this, [this](int index) {
         m_isAssetOnly = index == 1;
@@ -200,10 +213,24 @@ QWidget* SceneView::makeBar() {
     });
     m_notInPlay = {m_scope, colouring, makeExploded()};
     for (QWidget* control : m_notInPlay) bar->addWidget(control);
-    for (QAction* action : actions()) {
-        if (action->isCheckable() || action->objectName() == "view-home") bar->addAction(action);
-    }
+    bar->addWidget(makeViewMenu());
+    bar->addAction(m_measuring);
     return bar;
+}
+
+/// All that the view can be told, by name, in little room.
+QWidget* SceneView::makeViewMenu() {
+    auto* button = new QToolButton;
+    auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    menu->addActions(actions());
+    button->setObjectName("view-menu");
+    button->setText(tr("View"));
+    button->setToolTip(tr("Standard views, and what is drawn: wireframe, hulls, bonds, grid, shadows"));
+    button->setStatusTip(button->toolTip());
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(menu);
+    return button;
 }
 
 QWidget* SceneView::makeExploded() {
@@ -211,7 +238,7 @@ QWidget* SceneView::makeExploded() {
     auto* label = new QLabel(tr("E&xploded:"));
     auto* slider = new QSlider(Qt::Horizontal);
     slider->setRange(0, kExplodedSteps);
-    slider->setMinimumWidth(80);
+    slider->setMinimumWidth(kLeastSlider);
     slider->setToolTip(tr("Move pieces apart"));
     slider->setAccessibleName(tr("Exploded"));
     slider->setObjectName("exploded");
@@ -221,7 +248,7 @@ QWidget* SceneView::makeExploded() {
         invalidate();
     });
     auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(6, 0, 6, 0);
+    row->setContentsMargins(4, 0, 2, 0);
     row->addWidget(label);
     row->addWidget(slider, 1);
     return box;
@@ -303,6 +330,23 @@ void SceneView::chooseAt(QPoint point) {
     const auto hit = sceneHit(project, assetHulls(project), m_viewport->rayAt(point));
     if (!hit || hit->instance == 0 || findInstance(project, hit->instance)->isLocked) return;
     if (!m_workspace.selection().instances().contains(hit->instance)) chooseInstance(hit->instance, false);
+}
+
+bool SceneView::choosePieceAt(QPoint point) {
+    const std::optional<PickId> id = m_viewport->pickAt(point);
+    if (!m_isAssetOnly && !isOfChosenPieces(id)) return false;
+    const std::shared_ptr<const Bake> bake = bakeAtHand();
+    if (!id || !bake || id->fragment >= bake->fragmentCount()) return m_isAssetOnly;
+    if (!fragmentsOf(m_workspace.selection().choice(), *bake)[id->fragment]) pick(id, {});
+    return true;
+}
+
+/// Whether it lies in the instance of which pieces are chosen, not the instance itself.
+bool SceneView::isOfChosenPieces(const std::optional<PickId>& id) const {
+    const Selection& selection = m_workspace.selection();
+    const Instance* instance = id ? findInstance(m_workspace.project(), id->instance) : nullptr;
+    return instance && !instance->isLocked && instance->variant == 0 && instance->asset == selection.asset() &&
+           selection.instances() == std::set<Id>{instance->id} && !selection.choice().isEmpty();
 }
 
 /// A click chooses the instance; in one that is chosen alone already, the seed of the fragment. With Ctrl or Shift one more.

@@ -43,6 +43,9 @@ public:
     bool isEditable() const { return m_isEditable && !m_isAssetOnly; }
     /// Chooses the instance at a point, unless it is chosen.
     void chooseAt(QPoint point);
+    /// Chooses the fragment at a point, unless it is chosen, where one works on pieces: in the asset by itself, or in the instance
+    /// of which pieces are chosen. False elsewhere.
+    bool choosePieceAt(QPoint point);
     void takePreferences(const Preferences& preferences);
     /// What is played is shown by it.
     PlayView& playView() { return *m_playView; }
@@ -55,7 +58,9 @@ private:
     void addToggle(const struct ActionLook& look, bool isOn, const std::function<void(bool)>& take);
     void addToggles();
     void addMeasure();
+    void addSeparator();
     QWidget* makeBar();
+    QWidget* makeViewMenu();
     QWidget* makeExploded();
     /// Has the scene made anew before the next picture; what did not change costs nothing.
     void invalidate() { m_timer.start(); }
@@ -70,6 +75,7 @@ private:
     void takePlayState();
     void chooseInstance(Id instance, bool isMore);
     void updateEditing();
+    bool isOfChosenPieces(const std::optional<PickId>& id) const;
     void pick(const std::optional<PickId>& id, Qt::KeyboardModifiers modifiers);
 
     Workspace& m_workspace;
@@ -85,6 +91,7 @@ private:
     SceneLegend* m_legend;
     PlayView* m_playView;
     ViewMeasure* m_measure;
+    QAction* m_measuring = nullptr;
     QWidget* m_timeline;
     QList<QWidget*> m_notInPlay;  // controls of the bar that say nothing while it is played
 };

@@ -21,6 +21,9 @@ public:
     explicit SelectActions(MainWindow& window);
 
     QMenu* menu() const { return m_menu; }
+    /// What chooses by what is chosen: neighbours, siblings, parents, children.
+    const QList<QAction*>& kinActions() const { return m_forChosen; }
+    QList<QAction*> hidingActions() const { return m_forHiding + QList{m_showAll}; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -26,9 +26,11 @@
 
 #include <QDockWidget>
 #include <QLocale>
+#include <QMenu>
 #include <QSettings>
 #include <QSplitter>
 
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -46,7 +48,8 @@ constexpr int kStateVersion = 3;  // of the docks: another set of docks, another
 
 }  // namespace
 
-Views::Views(MainWindow& window) : QObject(&window), m_window(window), m_centre(new QSplitter(&window)) {
+Views::Views(MainWindow& window)
+    : QObject(&window), m_window(window), m_centre(new QSplitter(&window)), m_pieceMenu(new QMenu(&window)) {
     Workspace& workspace = window.workspace();
     m_canvas = new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes());
     m_scene = new SceneView(workspace);
@@ -262,7 +265,23 @@ void Views::takePreferences(const Preferences& preferences) {
 
 void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
 
-void Views::setPlaceActions(const QList<QAction*>& actions) { m_fragments->setPlaceActions(actions); }
+/// The canvas goes to places by what lies under the pointer and chooses by its tool, and the list hides and shows rows.
+void Views::setPieceActions(const PieceActions& actions) {
+    const auto addGroups = [](QMenu& menu, std::initializer_list<QList<QAction*>> groups) {
+        for (const QList<QAction*>& group : groups) {
+            menu.addSeparator();
+            menu.addActions(group);
+        }
+    };
+    auto* kin = new QMenu(tr("Sele&ct"), m_pieceMenu);
+    kin->addActions(actions.kin);
+    m_pieceMenu->setToolTipsVisible(true);
+    addGroups(*m_pieceMenu, {actions.places, actions.breaking, {kin->menuAction()}, actions.hiding});
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    m_canvas->setPieceActions(actions.breaking + QList{separator} + actions.hiding);
+    m_fragments->setPieceActions(actions.places + actions.breaking + QList{kin->menuAction()});
+}
 
 void Views::keyInViews(QAction& action) {
     action.setShortcutContext(Qt::WidgetShortcut);

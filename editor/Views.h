@@ -10,6 +10,7 @@
 
 class QAction;
 class QDockWidget;
+class QMenu;
 class QSplitter;
 
 namespace rubble {
@@ -22,6 +23,14 @@ class ProblemPanel;
 class ProjectTree;
 class SceneView;
 class ToolsPanel;
+
+/// What can be done to chosen fragments.
+struct PieceActions {
+    QList<QAction*> places;    // into one, and out of it
+    QList<QAction*> breaking;  // it anew, merging, splitting
+    QList<QAction*> kin;       // choosing its neighbours, what it is a piece of, ...
+    QList<QAction*> hiding;
+};
 
 /// What a window shows of its project: the pattern canvas beside the 3D view in the middle, and the docks around. Each of
 /// them knows the workspace and none of the others; here they are put together.
@@ -52,8 +61,10 @@ public:
     void takePreferences(const Preferences& preferences);
     /// What the tree offers for chosen instances.
     void setInstanceActions(const QList<QAction*>& actions);
-    /// What the list of fragments offers to go into one and out of it.
-    void setPlaceActions(const QList<QAction*>& actions);
+    /// What canvas, 3D view and list offer for chosen fragments.
+    void setPieceActions(const PieceActions& actions);
+    /// The 3D view's menu of chosen fragments.
+    QMenu& pieceMenu() { return *m_pieceMenu; }
     /// Lets the key of an action count where canvas or 3D view have the focus, and nowhere else.
     void keyInViews(QAction& action);
     /// What tree and inspector offer for materials: the library first.
@@ -87,6 +98,7 @@ private:
     FragmentTable* m_fragments = nullptr;
     ToolsPanel* m_tools = nullptr;
     ProblemPanel* m_problems = nullptr;
+    QMenu* m_pieceMenu;
     bool m_isPlaying = false;
     bool m_hadCanvas = true;  // before it was played
     QList<QDockWidget*> m_docks;

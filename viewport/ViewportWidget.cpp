@@ -153,6 +153,10 @@ void ViewportWidget::frameSelected() {
     frame(selected.isEmpty() ? boundsOf(*m_scene) : selected);
 }
 
+std::optional<PickId> ViewportWidget::pickAt(QPointF point) const {
+    return m_canvas != nullptr ? pickOf(m_canvas->bodyAt(point)) : std::nullopt;
+}
+
 std::optional<PickId> ViewportWidget::pickOf(std::optional<std::uint32_t> body) const {
     if (!body || *body >= m_scene->picks.size()) return std::nullopt;
     return m_scene->picks[*body];
@@ -200,7 +204,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (m_box->isVisible() && event->button() == Qt::LeftButton) return endBox(event->modifiers());
     if (!m_isClick || event->button() != Qt::LeftButton) return;
     m_isClick = false;
-    if (m_canvas != nullptr) emit picked(pickOf(m_canvas->bodyAt(event->position())), event->modifiers());
+    if (m_canvas != nullptr) emit picked(pickAt(event->position()), event->modifiers());
 }
 
 void ViewportWidget::endBox(Qt::KeyboardModifiers modifiers) {

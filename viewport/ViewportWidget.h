@@ -37,6 +37,8 @@ public:
 
     /// What lies behind a point of the widget.
     Ray rayAt(QPointF point) const;
+    /// What is seen at a point of the widget; nothing where that is the background.
+    std::optional<PickId> pickAt(QPointF point) const;
     /// Where a point of the world is seen in the widget; nothing where it lies behind the eye.
     std::optional<QPointF> pointOf(Vec3 place) const;
 

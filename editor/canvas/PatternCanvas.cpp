@@ -52,7 +52,11 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     setAccessibleName(tr("Pattern canvas"));
     setAccessibleDescription(tr("The outline of the asset at hand, its seeds and the cells they make."));
     connect(&document, &Document::changed, this, &PatternCanvas::takeChanges);
-    connect(&selection, &Selection::assetChanged, this, &PatternCanvas::takeAsset);
+    connect(&selection, &Selection::assetChanged, this, [this] {
+        m_keptViews.clear();
+        m_place = m_state.selection.inside();
+        takeAsset();
+    });
     connect(&selection, &Selection::insideChanged, this, &PatternCanvas::takeInside);
     connect(m_trail, &PlaceTrail::chosen, this, [this](const FragmentPath& place) { goOut(m_state.selection, place); });
     m_trail->move(static_cast<int>(kRulerWidth) + kTrailGap, static_cast<int>(kRulerWidth) + kTrailGap);
@@ -121,6 +125,7 @@ void PatternCanvas::fit() {
     view = fitted(view, boundsOf(shown->prism.outline.outer), kMargin);
     view.size = size();
     m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
+    pointAgain();
     update();
 }
 
@@ -179,11 +184,24 @@ void PatternCanvas::takeAsset() {
 
 /// What is being dragged stays as it is: one may be taken out by an undo.
 void PatternCanvas::takeInside() {
+    keepView();
     takeFragment();
     m_tool->letGo();
     takeAsset();
+    const auto kept = std::ranges::find(m_keptViews, m_place, &KeptView::place);
+    if (kept != m_keptViews.end()) {
+        if (!kept->isFitted) setView(kept->view);
+        m_keptViews.erase(kept, m_keptViews.end());
+        pointAgain();
+    }
     m_hasOwnPattern =
         m_state.shown() && m_state.isInside() && hasOwnPattern(*m_state.asset(), m_state.selection.inside());
+}
+
+/// Whoever comes back to the place that is left sees it as it was left.
+void PatternCanvas::keepView() {
+    const FragmentPath left = std::exchange(m_place, m_state.selection.inside());
+    if (left != m_place) m_keptViews.push_back({left, m_state.view, m_isFitted});
 }
 
 /// The fragment that one is inside, as the document has it now.
@@ -376,6 +394,11 @@ void PatternCanvas::point(const CanvasPointer& pointer) {
     update();
 }
 
+/// The pointer stays, and what is under it does not.
+void PatternCanvas::pointAgain() {
+    if (m_pointer) point(pointerAt(m_pointer->pixels, m_pointer->modifiers));
+}
+
 bool PatternCanvas::event(QEvent* event) {
     if (event->type() == QEvent::NativeGesture) {
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
@@ -501,6 +524,8 @@ void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
     const CanvasPointer pointer = pointerAt(event->pos(), event->modifiers());
     m_tool->fillMenu(menu, pointer);
     addPlaces(menu, m_state.brokenAt(pointer.metres));
+    menu.addSeparator();
+    if (!m_state.selection.choice().isEmpty()) menu.addActions(m_pieceActions);
     menu.exec(event->globalPos());
 }
 

@@ -48,6 +48,9 @@ public:
     /// Shows what became of pieces since an earlier state, in place of the cells' colours; null: no more.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
 
+    /// What its menu offers for chosen fragments, beside what the tool at hand does.
+    void setPieceActions(const QList<QAction*>& actions) { m_pieceActions = actions; }
+
     /// What can be done now, for a status bar.
     QString hint() const;
     /// What was baked last; null where nothing was.
@@ -89,6 +92,7 @@ private:
     void takeChanges(const Changes& changes);
     void takeAsset();
     void takeInside();
+    void keepView();
     void takeFragment();
     void takePattern();
     void takeBake();
@@ -105,6 +109,7 @@ private:
     void addPlaces(QMenu& menu, const std::optional<FragmentPath>& broken);
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void point(const CanvasPointer& pointer);
+    void pointAgain();
 
     void repaintAll();
     void repaintPart(const Box2& part);
@@ -114,7 +119,15 @@ private:
 
     CanvasState m_state;
     CanvasContents m_contents;
+    QList<QAction*> m_pieceActions;
     PlaceTrail* m_trail;
+    FragmentPath m_place;  // that is shown
+    struct KeptView {
+        FragmentPath place;
+        CanvasView view;
+        bool isFitted;
+    };
+    std::vector<KeptView> m_keptViews;                // of the places that one went through to it
     bool m_hasOwnPattern = false;                     // the fragment that one is inside
     std::shared_ptr<const ComparedAsset> m_compared;  // shown of the whole; null: none
     std::unique_ptr<MovedCells> m_movedCells;         // of the pattern in m_contents

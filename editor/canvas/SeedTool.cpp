@@ -146,10 +146,12 @@ void SeedTool::click(const CanvasPointer& pointer) {
     place(snapped(m_state, pointer, outlineTargets(m_state)), stroke);
 }
 
-/// Goes into the fragment that is pointed at. A seed that the first of the two clicks placed was not meant.
+/// Goes into the fragment that is pointed at. A seed that the first of the two clicks placed was not meant; where there is no
+/// such fragment it stays, and gets no second one in its place.
 void SeedTool::doubleClick(const CanvasPointer& pointer) {
     const std::optional<Placed> placed = std::exchange(m_placed, std::nullopt);
     const std::optional<FragmentPath> broken = placed ? placed->broken : m_state.brokenAt(pointer.metres);
+    if (placed && !broken) return;
     if (!broken || pointer.modifiers != Qt::NoModifier || m_handles.isPointedAt()) return press(pointer);
     if (placed) takeBack(*placed);
     goInto(m_state.selection, *broken);

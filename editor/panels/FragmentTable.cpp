@@ -212,7 +212,7 @@ void FragmentTable::showMenu(const QPoint& position) {
     menu.addSeparator();
     menu.addAction(m_invert);
     menu.addSeparator();
-    menu.addActions(m_placeActions);
+    menu.addActions(m_pieceActions);
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 

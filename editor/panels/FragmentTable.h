@@ -33,7 +33,7 @@ public:
     void setProblems(const ProblemWatch& watch);
     void setUnits(const Units& units);
     /// What its menu offers to go into a fragment and out of it.
-    void setPlaceActions(const QList<QAction*>& actions) { m_placeActions = actions; }
+    void setPieceActions(const QList<QAction*>& actions) { m_pieceActions = actions; }
 
     /// Hides what is chosen, and lets go of it.
     void hideChosen();
@@ -97,7 +97,7 @@ private:
     QAction* m_showAll = nullptr;
     QAction* m_isolate = nullptr;
     QAction* m_invert = nullptr;
-    QList<QAction*> m_placeActions;
+    QList<QAction*> m_pieceActions;
 
     Units m_units;
     QString m_filterFault;     // why the filter cannot be read; empty: it can

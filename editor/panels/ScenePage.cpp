@@ -79,14 +79,23 @@ void ScenePage::buildDamage(Section& section) {
         rule, tr("Set damage rule"), [](const SceneSettings& scene) { return static_cast<Id>(scene.damage.rule); },
         [](SceneSettings& scene, Id entered) { scene.damage.rule = static_cast<DamageRule>(entered); });
     m_rule = rule;
-    auto* isThesis = new QCheckBox(tr("As in the thesis"));
-    isThesis->setToolTip(tr("To compare: one threshold for all, momentum rule, 100 kg a piece, no payment"));
+    auto* isThesis = new QCheckBox(tr("Compare with the thesis's method"));
+    isThesis->setToolTip(
+        tr("<p>Play the scene as the bachelor's thesis that Rubble grew out of does, to compare the two:</p>"
+           "<ul><li>one threshold for all bodies; those of assets and instances do not count</li>"
+           "<li>a body breaks by its momentum, m·|v|·(1 − e), not by the impulse of the blow</li>"
+           "<li>every piece weighs 100 kg, whatever its size and material</li>"
+           "<li>all pieces leave with the velocity of the whole's centre, also where it spins</li>"
+           "<li>what strikes loses nothing by breaking it</li></ul>"
+           "<p>For scenes of your own leave it off.</p>"));
+    isThesis->setStatusTip(tr("One threshold for all, momentum rule, 100 kg a piece, breaking costs nothing"));
     section.addWide(isThesis);
     m_form.bind(
         isThesis, tr("Switch thesis preset"), [](const SceneSettings& scene) { return scene.damage.isThesis; },
         [](SceneSettings& scene, bool entered) { scene.damage.isThesis = entered; });
     auto* threshold =
-        section.addRow(tr("Threshold"), thresholdField(), tr("What every body withstands, as in the thesis"));
+        section.addRow(tr("Threshold"), thresholdField(),
+                       tr("What every body withstands by the thesis's method, in place of its own threshold"));
     m_form.bind(
         threshold, tr("Set threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
         [](SceneSettings& scene, double entered) { scene.damage.thesisThreshold = entered; });

@@ -102,6 +102,39 @@ private slots:
         QVERIFY(selection().choice().isEmpty());
         QCOMPARE(text(), m_before);  // no arrow key moved a seed
     }
+    void aDoubleClickWhereNothingIsBrokenPlacesOneSeed() {
+        const int steps = stack().index();
+        doubleClick(pixels({0.0, 0.05}));
+        QVERIFY(isInside("3.2"));
+        QCOMPARE(stack().index(), steps + 1);
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 21), kPatience);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 20), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
+        selection().setSeeds({});
+    }
+    void whoComesOutSeesWhatWasSeenBefore() {
+        canvas().setFocus();
+        QTest::keyClick(&canvas(), Qt::Key_Up, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside(""), kPatience);
+        const CanvasView fitted = canvas().view();
+        canvas().zoomBy(1.7);
+        const CanvasView near = canvas().view();
+        QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
+        QVERIFY(canvas().view() != near);  // the fragment is fitted
+        QTest::keyClick(&canvas(), Qt::Key_Up, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside(""), kPatience);
+        QVERIFY(canvas().view() == near);
+        canvas().fit();
+        QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
+        QTest::keyClick(&canvas(), Qt::Key_Up, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside(""), kPatience);
+        QVERIFY(canvas().view() == fitted);
+        QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(isInside("3.2"), kPatience);
+    }
     void whatIsNotBrokenAgainIsFracturedFirst() {
         QTest::mouseClick(&canvas(), Qt::LeftButton, {}, pixels({0.12, 0.12}));
         QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);

@@ -4,7 +4,11 @@
 #include "tests/support/EditorStory.h"
 #include "tests/support/Projects.h"
 
+#include <QComboBox>
 #include <QDockWidget>
+#include <QMenu>
+#include <QTimer>
+#include <QToolBar>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -94,6 +98,47 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QVERIFY(!measure.isOn());
     }
+    void inTheViewPiecesHaveTheMenuOfPieces() {
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        auto* scope = window().findChild<QComboBox*>("scope");
+        scope->setCurrentIndex(1);
+        lookFromTheFront();
+        selection().setSeeds({});
+        const QPoint second = viewport().pointOf({0.45, 0.12, 0.25})->toPoint();
+        QStringList offered = menuAt(second);
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}}));
+        for (const char* name : {"fragment-into", "fragment-fracture", "fragment-merge", "fragment-split",
+                                 "select-neighbours", "hide", "isolate", "show"}) {
+            QVERIFY2(offered.contains(name), name);
+        }
+        scope->setCurrentIndex(0);
+        selection().setSeeds({});
+        lookFromTheFront();
+        offered = menuAt(second);
+        QVERIFY(offered.contains("instance-hide"));  // of the whole scene one works on instances
+        QVERIFY(!offered.contains("fragment-split"));
+    }
+    void theKeyOfAToolOpensNoMenu() {
+        canvas().setFocus();
+        QTest::keyClick(&canvas(), Qt::Key_R, Qt::AltModifier);
+        QCOMPARE(canvas().toolKind(), CanvasToolKind::Measure);
+        QTest::keyClick(&canvas(), Qt::Key_Q, Qt::AltModifier);
+        QCOMPARE(canvas().toolKind(), CanvasToolKind::Seeds);
+    }
+    void aCommonWindowHasRoomForAllBars() {
+        window().resize(1440, 900);
+        for (QToolBar* bar : window().findChildren<QToolBar*>()) {
+            if (!bar->isVisible()) continue;
+            auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
+            QTRY_VERIFY2(!more || !more->isVisible(), bar->windowTitle().toUtf8());
+        }
+        auto* tools = window().findChild<QToolBar*>("bar-tools");
+        QCOMPARE(tools->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+        window().resize(1000, 700);
+        QTRY_COMPARE(tools->toolButtonStyle(), Qt::ToolButtonIconOnly);
+        window().resize(1440, 900);
+        QTRY_COMPARE(tools->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    }
     void aBarOfTheHistogramChoosesItsPieces() {
         auto& histogram = *window().findChild<VolumeHistogram*>();
         selection().setSeeds({});
@@ -148,6 +193,20 @@ private:
             if (button->text() == text) return button;
         }
         return nullptr;
+    }
+    /// The names of what the 3D view offers at a point.
+    QStringList menuAt(QPoint point) {
+        QStringList names;
+        QTimer::singleShot(0, this, [&names] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (!menu) return;
+            for (const QAction* action : menu->findChildren<QMenu*>().value(0, menu)->actions() + menu->actions()) {
+                names.append(action->objectName());
+            }
+            menu->close();
+        });
+        emit viewport().customContextMenuRequested(point);
+        return names;
     }
     void lookFromTheFront() {
         QTRY_COMPARE(bodiesMarked(kHidden), 0);  // the scene is made when the events before are done
