@@ -196,6 +196,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::makeStatusBar() {
     m_hint = new QLabel;
+    m_hint->setObjectName("hint");
     m_place = new QLabel;
     m_counts = new QLabel;
     m_progress = new QProgressBar;

@@ -232,8 +232,10 @@ void Views::takePlayState() {
         m_hadCanvas = !m_canvas->isHidden();
         m_canvas->hide();
         if (!play->isHidden()) play->raise();
+        emit hintChanged({});  // the 3D view tells the keys itself
     } else {
         m_canvas->setHidden(!m_hadCanvas);
+        emit hintChanged(m_canvas->hint());
         if (!fragments->isHidden()) fragments->raise();
     }
 }

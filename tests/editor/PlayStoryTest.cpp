@@ -6,6 +6,7 @@
 #include "tests/support/EditorStory.h"
 #include "tests/support/Pictures.h"
 
+#include <QLabel>
 #include <QProcess>
 #include <QTreeView>
 
@@ -40,6 +41,7 @@ private slots:
         QVERIFY(play().breaks().empty());
         QVERIFY(test::meanDifference(before.copy(around()), picture().copy(around())) < 0.5);
         QVERIFY(!canvas().isVisible());  // the 3D view has the middle to itself
+        QCOMPARE(hint(), QString());     // and tells the keys
     }
     void whatIsThrownIsSeenWithinTwoFrames() {
         m_unbroken = picture();
@@ -136,12 +138,14 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QCOMPARE(play().state(), PlayState::Stopped);
         QVERIFY(canvas().isVisible());
+        QCOMPARE(hint(), canvas().hint());
         QVERIFY(!window().workspace().document().isModified());
         QCOMPARE(bytesOf("house.rubble"), m_bytes);
     }
     void cleanupTestCase() { close(); }
 
 private:
+    QString hint() { return window().findChild<QLabel*>("hint")->text(); }
     PlayController& play() { return window().workspace().play(); }
     TimelineBar& timeline() { return *window().findChild<TimelineBar*>("timeline"); }
     QTreeView& breaks() { return *window().findChild<QTreeView*>("breaks"); }
