@@ -181,11 +181,11 @@ QString BrushTool::hint() const {
 }
 
 void BrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
-    menu.addAction(tr("&Larger brush"), this, [this] { setRadiusPixels(m_radiusPixels * kRadiusFactor); });
-    menu.addAction(tr("S&maller brush"), this, [this] { setRadiusPixels(m_radiusPixels / kRadiusFactor); });
+    menu.addAction(tr("&Larger Brush"), this, [this] { setRadiusPixels(m_radiusPixels * kRadiusFactor); });
+    menu.addAction(tr("S&maller Brush"), this, [this] { setRadiusPixels(m_radiusPixels / kRadiusFactor); });
     menu.addSeparator();
-    menu.addAction(tr("&Stronger brush"), this, [this] { setStrength(m_strength + kStrengthStep); });
-    menu.addAction(tr("&Weaker brush"), this, [this] { setStrength(m_strength - kStrengthStep); });
+    menu.addAction(tr("&Stronger Brush"), this, [this] { setStrength(m_strength + kStrengthStep); });
+    menu.addAction(tr("&Weaker Brush"), this, [this] { setStrength(m_strength - kStrengthStep); });
     menu.addSeparator();
     QAction* erase = menu.addAction(tr("&Erase"), this, [this](bool isOn) {
         m_isErasing = isOn;

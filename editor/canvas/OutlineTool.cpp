@@ -373,16 +373,16 @@ void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     if (place && place->isEdge) {
         const Vec2 position = nearestOnEdge(pointer.metres, pointOf(asset->prism.outline, place->at),
                                             pointOf(asset->prism.outline, nextOf(asset->prism.outline, place->at)));
-        menu.addAction(tr("&Add point here"), this, [this, place, position] { insertPoint(place->at, position); });
+        menu.addAction(tr("&Add Point Here"), this, [this, place, position] { insertPoint(place->at, position); });
     }
-    menu.addAction(tr("&Delete point"), this, &OutlineTool::deleteChosenPoint)->setEnabled(m_chosen.has_value());
+    menu.addAction(tr("&Delete Point"), this, &OutlineTool::deleteChosenPoint)->setEnabled(m_chosen.has_value());
     const int hole = place ? place->at.ring : 0;
-    menu.addAction(tr("Delete &hole"), this, [this, hole] { deleteHole(hole); })->setEnabled(hole > 0);
+    menu.addAction(tr("Delete &Hole"), this, [this, hole] { deleteHole(hole); })->setEnabled(hole > 0);
     menu.addSeparator();
-    menu.addAction(tr("Draw a hol&e"), this, [this] { beginDrawing(Drawing::Hole); })->setEnabled(asset != nullptr);
-    menu.addAction(tr("Draw the &outline anew"), this, [this] { beginDrawing(Drawing::Outline); })
+    menu.addAction(tr("Draw a Hol&e"), this, [this] { beginDrawing(Drawing::Hole); })->setEnabled(asset != nullptr);
+    menu.addAction(tr("Draw the &Outline Anew"), this, [this] { beginDrawing(Drawing::Outline); })
         ->setEnabled(asset != nullptr);
-    menu.addAction(tr("Draw a &new asset"), this, [this] { beginDrawing(Drawing::NewAsset); });
+    menu.addAction(tr("Draw a &New Asset"), this, [this] { beginDrawing(Drawing::NewAsset); });
 }
 
 }  // namespace rubble

@@ -511,11 +511,11 @@ void PatternCanvas::addPlaces(QMenu& menu, const std::optional<FragmentPath>& br
     if (!broken && !m_state.isInside()) return;
     menu.addSeparator();
     if (broken) {
-        menu.addAction(tr("&Go into fragment %1").arg(QString::fromStdString(*broken)), this,
+        menu.addAction(tr("&Go Into Fragment %1").arg(QString::fromStdString(*broken)), this,
                        [this, broken] { goInto(m_state.selection, *broken); });
     }
     if (m_state.isInside()) {
-        menu.addAction(tr("Go &out"), this, [this] { goOut(m_state.selection, parentOf(m_state.selection.inside())); });
+        menu.addAction(tr("Go &Out"), this, [this] { goOut(m_state.selection, parentOf(m_state.selection.inside())); });
     }
 }
 

@@ -375,15 +375,15 @@ void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     });
     if (m_state.shown() && seed == kNone) {
         const Vec2 position = snapped(m_state, pointer, outlineTargets(m_state));
-        menu.addAction(tr("&Place seed here"), this, [this, position] { place(position); });
+        menu.addAction(tr("&Place Seed Here"), this, [this, position] { place(position); });
         menu.addSeparator();
     }
-    menu.addAction(tr("&Delete seeds"), this, &SeedTool::deleteChosen)->setEnabled(!chosenSeeds().empty());
-    menu.addAction(tr("&Restore moved seeds"), this, &SeedTool::restoreChosen)->setEnabled(hasMoved);
+    menu.addAction(tr("&Delete Seeds"), this, &SeedTool::deleteChosen)->setEnabled(!chosenSeeds().empty());
+    menu.addAction(tr("&Restore Moved Seeds"), this, &SeedTool::restoreChosen)->setEnabled(hasMoved);
     menu.addSeparator();
-    menu.addAction(tr("Choose &all"), this, &SeedTool::chooseAll)->setEnabled(m_state.pattern != nullptr);
-    menu.addAction(tr("Choose &neighbours too"), this, &SeedTool::chooseNeighbours)->setEnabled(hasChoice);
-    menu.addAction(tr("&Invert choice"), this, &SeedTool::invertChoice)->setEnabled(m_state.pattern != nullptr);
+    menu.addAction(tr("Choose &All"), this, &SeedTool::chooseAll)->setEnabled(m_state.pattern != nullptr);
+    menu.addAction(tr("Choose &Neighbours Too"), this, &SeedTool::chooseNeighbours)->setEnabled(hasChoice);
+    menu.addAction(tr("&Invert Choice"), this, &SeedTool::invertChoice)->setEnabled(m_state.pattern != nullptr);
 }
 
 }  // namespace rubble

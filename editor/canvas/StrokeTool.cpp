@@ -329,10 +329,10 @@ QString StrokeTool::hint() const {
 
 void StrokeTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     if (const std::optional<Place> place = placeAt(pointer)) m_chosen = place;
-    menu.addAction(tr("&End stroke"), this, &StrokeTool::endDraft)->setEnabled(m_draft.size() > 1);
+    menu.addAction(tr("&End Stroke"), this, &StrokeTool::endDraft)->setEnabled(m_draft.size() > 1);
     menu.addSeparator();
-    menu.addAction(tr("Delete &point"), this, &StrokeTool::deleteChosenPoint)->setEnabled(m_chosen.has_value());
-    menu.addAction(tr("Delete &stroke"), this, &StrokeTool::deleteChosenStroke)->setEnabled(m_chosen.has_value());
+    menu.addAction(tr("Delete &Point"), this, &StrokeTool::deleteChosenPoint)->setEnabled(m_chosen.has_value());
+    menu.addAction(tr("Delete &Stroke"), this, &StrokeTool::deleteChosenStroke)->setEnabled(m_chosen.has_value());
     emit changed();
 }
 
