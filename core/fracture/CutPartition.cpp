@@ -75,14 +75,13 @@ std::vector<bool> piecesNear(const Partition& partition, const CutSet& cuts, dou
     return isNear;
 }
 
-/// A piece as it will be.
+/// A piece as it will be. Pieces come in the order of their seeds' places, then of their cells, then of their smallest corners.
 struct NewPiece {
     std::uint32_t was = 0;       // the piece it is, or is a part of
     std::uint32_t face = kNone;  // kNone: it stays as it is
     std::uint32_t part = kNone;  // of the faces that meet themselves; kNone: all of the face
     std::uint32_t cells = 0;     // where its cells of cut layers begin
-    std::uint32_t seedPlace =
-        0;  // pieces come in this order, then in that of their cells, then of their smallest corners
+    std::uint32_t seedPlace = 0;
 };
 constexpr std::uint32_t kStays = 0x80000000u;  // beside the number of a piece that stays as it is
 
@@ -412,9 +411,8 @@ private:
             for (std::uint32_t ring = m_faces.ringsBegin[piece.face]; ring < m_faces.ringsBegin[piece.face + 1];
                  ++ring) {
                 m_faces.forEachHalfEdge(ring, [&](std::uint32_t h) {
-                    const bool isCut = m_faces.edges[h >> 1].group != 0;
                     made.corners.push_back(m_faces.origin(h));
-                    made.across.push_back(isCut ? m_pieceMade[m_faces.faceOf[h ^ 1]] : numberOf(behind(h)));
+                    made.across.push_back(numberBehind(h));
                 });
                 endRing();
             }
@@ -438,6 +436,12 @@ private:
     std::uint32_t numberOf(std::uint32_t across) const {
         if (across == kNone) return kNone;
         return (across & kStays) != 0 ? m_pieceStaying[across & ~kStays] : m_pieceMade[across];
+    }
+
+    /// The new number of what lies behind a half-edge: of a cut, on whose both sides there are faces, read off at once.
+    std::uint32_t numberBehind(std::uint32_t halfEdge) const {
+        const bool isCut = m_faces.edges[halfEdge >> 1].group != 0;
+        return isCut ? m_pieceMade[m_faces.faceOf[halfEdge ^ 1]] : numberOf(behind(halfEdge));
     }
 
     /// A face that meets itself may be several pieces: names the one that has the edge.
