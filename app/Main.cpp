@@ -1,6 +1,6 @@
 // The editor: rubble [FILE...]
-#include "editor/Program.h"
-#include "editor/icons/Icon.h"
+#include "editor/widgets/Icon.h"
+#include "editor/window/Program.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -1,10 +1,10 @@
-// How long an asset takes to bake in memory: seeds, cells, fragments with masses and all that tells neighbours, outlines and
-// hulls. CGAL's time is that of the triangulation and its dual alone: "CGAL" computes the Voronoi corner of every triangle,
-// "CGAL's cells" puts the corners of each cell side by side as well and clips those at the square's edge.
+// Measures a bake in memory: seeds, cells, and fragments with mass properties, neighbours, outlines and hulls. CGAL's
+// time is that of the triangulation and its dual only: "CGAL" computes the circumcentre of every triangle, "CGAL's
+// cells" also collects the corners of each cell and clips cells at the square's edge.
 #include "bench/BoxAssets.h"
 #include "bench/Peers.h"
 #include "bench/RatioReporter.h"
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 
 using namespace rubble;
 using namespace rubble::bench;
@@ -16,8 +16,8 @@ constexpr std::size_t kPieces = 50'000;
 template <class Input, class Work>
 benchmark::internal::Benchmark* add(const char* name, std::vector<Input> (*make)(std::size_t), Work work) {
     const auto measure = [make, work](benchmark::State& state) {
-        InTurn<Input> inputs(make(static_cast<std::size_t>(state.range(0))));
-        auto last = work(inputs.next());  // warms memory up
+        InputRotation<Input> inputs(make(static_cast<std::size_t>(state.range(0))));
+        auto last = work(inputs.next());  // warm-up
         for (auto _ : state) {
             last = work(inputs.next());
             benchmark::DoNotOptimize(last);

@@ -1,13 +1,14 @@
-// How long a box takes from seeds to files: ours bakes it and writes OBJ and pack.json to memory, Blender's Cell Fracture
-// only makes the cells.
+// How long a box takes from seeds to files: ours bakes it and writes OBJ and pack.json to memory, Blender's Cell
+// Fracture only makes the cells.
 //
 //   BlenderBench BLENDER CELL_FRACTURE.PY [Google Benchmark option]...
 #include "bench/BoxAssets.h"
 #include "bench/RatioReporter.h"
-#include "core/asset/Bake.h"
-#include "core/io/ExportFolder.h"
-#include "core/io/ObjFile.h"
-#include "core/io/PackFile.h"
+#include "core/asset/bake/Bake.h"
+#include "core/asset/mesh/FragmentMesh.h"
+#include "core/io/exchange/ObjFile.h"
+#include "core/io/pack/ExportFolder.h"
+#include "core/io/pack/PackFile.h"
 
 #include <cmath>
 #include <cstdio>
@@ -36,13 +37,14 @@ struct Peer {
 }
 
 std::string objOf(const Bake& bake, const Asset& asset) {
+    const FragmentMesher mesher(asset);
     std::vector<MeshPart> parts;
     parts.reserve(bake.fragmentCount());
     for (std::uint32_t i = 0; i < bake.fragmentCount(); ++i) {
         const BakedFragment fragment = bake.fragment(i);
-        parts.push_back({bodyName(asset, i), fragmentMesh(fragment, asset), fragment.solid.offset()});
+        parts.push_back({bodyName(asset, i), mesher.fragmentMesh(fragment), fragment.solid.offset()});
     }
-    return objFile(parts, meshMaterials(asset, kStone), PartPlace::Assembled, "box.mtl");
+    return objFile(parts, meshMaterials(asset, kStone), PartPlacement::Assembled, "box.mtl");
 }
 
 /// From seeds to files; gives the volume of all pieces.
@@ -60,7 +62,7 @@ double exported(const Asset& asset) {
 }
 
 void measureOurs(benchmark::State& state) {
-    InTurn<Asset> assets(boxAssets(static_cast<std::size_t>(state.range(0))));
+    InputRotation<Asset> assets(boxAssets(static_cast<std::size_t>(state.range(0))));
     double volume = exported(assets.next());
     for (auto _ : state) volume = exported(assets.next());
     if (std::abs(volume - kVolume) > kVolumeTolerance) fail("the volumes sum to " + std::to_string(volume) + " m^3.");

@@ -58,16 +58,16 @@ Cells cellsByBoost(std::span<const Vec2> seeds) {
     for (const Diagram::cell_type& cell : diagram.cells()) {
         const std::uint32_t seed = static_cast<std::uint32_t>(cell.source_index());
         const Diagram::edge_type* edge = cell.incident_edge();
-        bool isOpen = false;
+        bool isUnbounded = false;
         do {
             if (edge->vertex0() == nullptr) {
-                isOpen = true;
+                isUnbounded = true;
             } else {
                 writer.addCorner(toVec2(*edge->vertex0()));
             }
             edge = edge->next();
         } while (edge != cell.incident_edge());
-        if (!isOpen) {
+        if (!isUnbounded) {
             writer.endBounded(seed);
             continue;
         }
@@ -76,7 +76,7 @@ Cells cellsByBoost(std::span<const Vec2> seeds) {
             neighbours.push_back(siteOf(points, *edge->twin()->cell()));
             edge = edge->next();
         } while (edge != cell.incident_edge());
-        writer.endOpen(seed, siteOf(points, cell), neighbours);
+        writer.endUnbounded(seed, siteOf(points, cell), neighbours);
     }
     return writer.take();
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "bench/SeedSets.h"
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 namespace rubble::bench {
 
-/// A box of 1 x 1 x 0.5 m, broken by seeds placed by hand.
+/// A box of 1 x 1 x 0.5 m, fractured by manually placed seeds.
 inline Asset boxAsset(const SeedList& seeds) {
     PlacedSeeds placed;
     for (std::uint32_t seed = 0; seed < seeds.size(); ++seed) placed.seeds.push_back({seed, seeds[seed]});

@@ -1,6 +1,6 @@
 #include "bench/BulletBodies.h"
 
-#include "core/geometry/MassProperties.h"
+#include "core/geometry/hull/MassProperties.h"
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <btBulletDynamicsCommon.h>
@@ -22,7 +22,7 @@ btScalar rootOfProduct(const btCollisionObject* first, const btCollisionObject* 
     return std::sqrt(first->getFriction() * second->getFriction());
 }
 
-/// The bodies of one shape of a scene share this.
+/// The Bullet shape shared by all bodies of a scene's shape.
 struct SharedShape {
     std::unique_ptr<btCollisionShape> shape;
     std::vector<std::unique_ptr<btConvexHullShape>> hulls;
@@ -40,7 +40,7 @@ std::unique_ptr<btConvexHullShape> hullAbout(const Polytope& polytope, const btT
     return hull;
 }
 
-/// The centre of mass and the principal axes there.
+/// The centre of mass and the principal axes.
 btTransform principalFrame(const MassProperties& mass, btVector3& inertia) {
     btMatrix3x3 tensor;
     for (int row = 0; row < 3; ++row) {

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "core/physics/BodyScene.h"
+#include "core/physics/world/BodyScene.h"
 
 #include <memory>
 
 namespace rubble::bench {
 
-/// The peer: a scene moved by Bullet on one thread, its bodies never asleep. Friction of a pair is the root of the product,
-/// as ours. Hulls keep a margin of 1 mm in place of Bullet's 40, which would make fragments rounder than they are wide.
+/// A scene simulated by Bullet on one thread, without sleeping. Friction of a pair is the geometric mean, as ours.
+/// Hulls have a margin of 1 mm instead of Bullet's 40 mm, which would round off whole fragments.
 class BulletBodies {
 public:
     explicit BulletBodies(const BodyScene& scene);
     ~BulletBodies();
 
     void step(double dt);
-    /// Where the frames of the bodies' shapes are, in the scene's order.
+    /// The poses of the bodies' shape frames, in the scene's order.
     std::vector<Pose> poses() const;
     std::size_t contactPoints() const;
 

@@ -1,9 +1,9 @@
-// How long it takes until a dragged seed's new cells are on the canvas, from the mouse event to the end of painting, against
-// painting the canvas as it is. Percentiles of many drags. Runs without a display.
+// Measures the latency of dragging a seed, from the mouse event until its new cells are painted, against repainting the
+// canvas. Percentiles of many mouse moves. Runs without a display.
 #include "core/base/Percentile.h"
-#include "core/geometry/OutlineShapes.h"
-#include "editor/Baker.h"
-#include "editor/canvas/PatternCanvas.h"
+#include "core/geometry/polygon/OutlineShapes.h"
+#include "editor/background/Baker.h"
+#include "editor/canvas/widget/PatternCanvas.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -27,16 +27,16 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// A canvas that tells what was painted last.
+/// A canvas that records what it painted last.
 class WatchedCanvas : public PatternCanvas {
 public:
     using PatternCanvas::PatternCanvas;
-    std::optional<Asset> painted;  // the state whose cells are on the canvas
+    std::optional<Asset> painted;  // the asset whose cells were painted
 
 protected:
     void paintEvent(QPaintEvent* event) override {
         PatternCanvas::paintEvent(event);
-        if (shownAsset()) painted = *shownAsset();
+        if (displayedAsset()) painted = *displayedAsset();
     }
 };
 
@@ -50,17 +50,17 @@ Project projectOf(std::uint32_t seeds) {
     return project;
 }
 
-/// One window's worth of editor with its canvas shown.
-class Drags {
+/// A canvas with a document and a background baker.
+class CanvasSession {
 public:
-    explicit Drags(std::uint32_t seeds) : m_document(projectOf(seeds)) {
+    explicit CanvasSession(std::uint32_t seeds) : m_document(projectOf(seeds)) {
         m_selection.prune(m_document.project());
         m_canvas.resize(kCanvas);
         m_canvas.show();
         waitFor([&] { return isShown() && !m_baker.isBusy(); });
     }
 
-    /// What zooming pays: every layer of the canvas painted anew.
+    /// Times a full repaint, as after a zoom.
     std::vector<double> paintAll() {
         std::vector<double> times;
         for (int k = 0; k < kPaints; ++k) {
@@ -74,8 +74,8 @@ public:
         return times;
     }
 
-    /// What a canvas pays that is uncovered: the picture that was kept, and what is painted over it.
-    std::vector<double> paintKept() {
+    /// Times a repaint from the backing store, as after an expose.
+    std::vector<double> paintCached() {
         std::vector<double> times;
         for (int k = 0; k < kPaints; ++k) {
             const auto start = Clock::now();
@@ -86,7 +86,8 @@ public:
     }
 
     std::vector<double> drag() {
-        const Vec2 seed = m_canvas.shownPattern()->seeds().positions[m_canvas.shownPattern()->seedNear({}, 1.0)];
+        const Vec2 seed =
+            m_canvas.displayedPattern()->seeds().positions[m_canvas.displayedPattern()->nearestSeed({}, 1.0)];
         const QPointF from = m_canvas.view().pixels(seed);
         send(QEvent::MouseButtonPress, from);
         std::vector<double> times;
@@ -107,7 +108,7 @@ private:
         QMouseEvent event(type, at, m_canvas.mapToGlobal(at), button, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&m_canvas, &event);
     }
-    /// The cells on the canvas are those of what the document holds.
+    /// Whether the current state of the asset was painted.
     bool isShown() const { return m_canvas.painted && *m_canvas.painted == asset(); }
     const Asset& asset() const { return m_document.project().assets.front(); }
     template <class Condition>
@@ -123,13 +124,13 @@ private:
 };
 
 void measure(std::uint32_t seeds) {
-    Drags drags(seeds);
-    const double all = percentile(drags.paintAll(), 0.5);
-    const double kept = percentile(drags.paintKept(), 0.5);
-    const std::vector<double> drag = drags.drag();
+    CanvasSession session(seeds);
+    const double all = percentile(session.paintAll(), 0.5);
+    const double cached = percentile(session.paintCached(), 0.5);
+    const std::vector<double> drag = session.drag();
     const double median = percentile(drag, 0.5);
-    std::printf("| %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", seeds, all, kept, median,
-                percentile(drag, 0.9), percentile(drag, 0.99), median / all, median / kept);
+    std::printf("| %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", seeds, all, cached, median,
+                percentile(drag, 0.9), percentile(drag, 0.99), median / all, median / cached);
 }
 
 }  // namespace
@@ -141,8 +142,8 @@ int main(int argc, char** argv) {
     for (const QString& argument : QApplication::arguments().mid(1)) counts.push_back(argument.toUInt());
     if (counts.empty()) counts = {20, 1'000, 20'000};
     std::printf(
-        "| seeds | painting all, ms | painting what is kept, ms | drag to new cells, ms | 90 %% | 99 %% "
-        "| drag : all | drag : kept |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "| seeds | full repaint, ms | cached repaint, ms | drag to new cells, ms | 90 %% | 99 %% "
+        "| drag : full | drag : cached |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (const std::uint32_t seeds : counts) measure(seeds);
     return 0;
 }

@@ -36,7 +36,7 @@ void CellWriter::endBounded(std::uint32_t seed) {
     endWithRing(seed);
 }
 
-void CellWriter::endOpen(std::uint32_t seed, Vec2 site, std::span<const Vec2> neighbours) {
+void CellWriter::endUnbounded(std::uint32_t seed, Vec2 site, std::span<const Vec2> neighbours) {
     m_ring.assign(kSquare.begin(), kSquare.end());
     for (const Vec2 neighbour : neighbours) clipRing(nearerTo(site, neighbour));
     endWithRing(seed);

@@ -32,15 +32,15 @@ Triangulation triangulated(std::span<const Vec2> seeds) {
     return triangulation;
 }
 
-void addOpenCell(const Triangulation& triangulation, Triangulation::Vertex_handle vertex, std::vector<Vec2>& neighbours,
-                 CellWriter& writer) {
+void addUnboundedCell(const Triangulation& triangulation, Triangulation::Vertex_handle vertex,
+                      std::vector<Vec2>& neighbours, CellWriter& writer) {
     neighbours.clear();
     auto neighbour = triangulation.incident_vertices(vertex);
     const auto first = neighbour;
     do {
         if (!triangulation.is_infinite(neighbour)) neighbours.push_back(toVec2(neighbour->point()));
     } while (++neighbour != first);
-    writer.endOpen(vertex->info(), toVec2(vertex->point()), neighbours);
+    writer.endUnbounded(vertex->info(), toVec2(vertex->point()), neighbours);
 }
 
 }  // namespace
@@ -52,13 +52,13 @@ Cells cellsByCgal(std::span<const Vec2> seeds) {
     for (const auto vertex : triangulation.finite_vertex_handles()) {
         auto face = triangulation.incident_faces(vertex);
         const auto first = face;
-        bool isOpen = false;
+        bool isUnbounded = false;
         do {
-            isOpen = isOpen || triangulation.is_infinite(face);
+            isUnbounded = isUnbounded || triangulation.is_infinite(face);
             writer.addCorner(face->info());
         } while (++face != first);
-        if (isOpen) {
-            addOpenCell(triangulation, vertex, neighbours, writer);
+        if (isUnbounded) {
+            addUnboundedCell(triangulation, vertex, neighbours, writer);
         } else {
             writer.endBounded(vertex->info());
         }

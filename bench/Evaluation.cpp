@@ -1,18 +1,18 @@
-// Measures what the thesis measures in its chapter 5, ours beside its method where there are two: CSV files into a folder, for
-// tools/evaluate to draw.
+// Repeats the measurements of chapter 5 of the thesis, with its method and ours where both exist. Writes CSV files into
+// a folder, for tools/evaluate to plot.
 //
 //   Evaluation FOLDER
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
-#include "core/fracture/ThesisMethod.h"
-#include "core/fracture/VoronoiPartition.h"
-#include "core/play/Session.h"
+#include "core/fracture/thesis/ThesisMethod.h"
+#include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/play/session/Session.h"
 #include "tests/support/House.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/scene/SessionSceneBuilder.h"
 
 #include <epoxy/gl.h>
 
@@ -30,19 +30,19 @@ constexpr std::uint32_t kMostSeeds = 100;
 const Ring kSquare = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
 
 std::vector<Vec2> seedsOf(std::uint32_t count, std::uint64_t run) {
-    Random random(mixedWith(count, run));
+    Random random(mixSeeds(count, run));
     std::vector<Vec2> seeds;
     for (std::uint32_t k = 0; k < count; ++k) seeds.push_back({random.unit(), random.unit()});
     return seeds;
 }
 
-/// Figure 3: the mean of ten runs, each on seeds of its own.
+/// Figure 3: the mean of ten runs with different seeds.
 void measureVoronoi(const std::filesystem::path& file) {
     std::ofstream csv(file);
     csv << "seeds,ours,thesis\n";
     for (std::uint32_t count = 1; count <= kMostSeeds; ++count) {
         double ours = 0.0, thesis = 0.0;
-        for (int run = -1; run < kRuns; ++run) {  // the first warms memory up
+        for (int run = -1; run < kRuns; ++run) {  // the first warms up memory
             const std::vector<Vec2> seeds = seedsOf(count, static_cast<std::uint64_t>(run + 1));
             const double one = millisecondsOf([&] { static_cast<void>(voronoiPartition({kSquare, {}}, seeds)); });
             const double other = millisecondsOf([&] { static_cast<void>(thesisDiagram(kSquare, seeds)); });
@@ -79,7 +79,7 @@ void measureSwap(const std::filesystem::path& file) {
     }
 }
 
-/// Pictures of a session, and what they take.
+/// Renders pictures of a session and measures their time.
 class Frames {
 public:
     explicit Frames(std::shared_ptr<const PlayScene> scene) : m_moments(std::move(scene)) {
@@ -87,10 +87,10 @@ public:
     }
 
     const char* renderer() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
-    /// Until the moment is where it is drawn from, ms.
+    /// Time to build and upload the scene, ms.
     double prepare(const Session& session) {
         return millisecondsOf([&] {
-            m_renderer->setScene(m_moments.momentOf(session));
+            m_renderer->setScene(m_moments.sceneOf(session));
             glFinish();
         });
     }
@@ -102,22 +102,22 @@ public:
     }
 
 private:
-    static constexpr PictureSize kSize{1280, 720};
+    static constexpr ImageSize kSize{1280, 720};
 
-    std::unique_ptr<SurfacelessContext> m_context = std::move(*SurfacelessContext::made());
-    std::unique_ptr<Renderer> m_renderer = std::move(*Renderer::made());
+    std::unique_ptr<SurfacelessContext> m_context = std::move(*SurfacelessContext::create());
+    std::unique_ptr<Renderer> m_renderer = std::move(*Renderer::create());
     RenderTarget m_target{kSize, PixelFormat::Colour, 1};
-    PictureView m_view{.size = kSize};
-    MomentBuilder m_moments;
+    RenderView m_view{.size = kSize};
+    SessionSceneBuilder m_moments;
 };
 
-/// Figure 5: walls of the house are thrown on a pile, one after the other, and break there.
+/// Figure 5: walls of the house are thrown onto a pile one after the other and break.
 void measureSteps(const std::filesystem::path& folder) {
     constexpr int kBodies = 600, kStepsBetween = 12;
     Project project = test::house();
     const Id wall = project.assets[0].id;
     project.instances.clear();
-    project.playTests.clear();  // which name them
+    project.playTests.clear();  // which refer to the shots
     const std::shared_ptr<const PlayScene> scene = *playScene(project);
     Result<Session> session = Session::start(scene, {.sleeping = false});
     Frames frames(scene);

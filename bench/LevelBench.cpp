@@ -1,6 +1,6 @@
-// How long an asset of levels takes to bake: three levels of ten pieces each, against a thousand pieces at once.
+// Bake time of an asset with three levels of ten fragments each, compared with a thousand fragments on one level.
 #include "bench/Timing.h"
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 #include "core/base/Percentile.h"
 
 #include <cstdio>
@@ -29,7 +29,7 @@ Asset levels(std::uint32_t depth, std::uint32_t pieces) {
     return asset;
 }
 
-/// An asset that is baked again and again, each time with other seeds.
+/// An asset that is baked repeatedly with different seeds.
 struct Baked {
     Asset asset;
     std::uint32_t fragments = 0;
@@ -46,7 +46,7 @@ struct Baked {
 
 int main() {
     Baked flat{box(1000)}, deep{levels(3, 10)};
-    for (int run = 0; run < kRuns; ++run) {  // by turns: what else the machine does slows both
+    for (int run = 0; run < kRuns; ++run) {  // alternating, so that other load slows both
         flat.run();
         deep.run();
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/BoxAssets.h"
-#include "core/play/Session.h"
+#include "core/play/session/Session.h"
 
 namespace rubble::bench {
 

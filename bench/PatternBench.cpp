@@ -1,8 +1,9 @@
-// How long 50,000 pieces take to bake, from seeds or cuts to fragments, by each kind of pattern, against a plain scatter of as many.
+// Measures a bake of 50,000 pieces, from seeds or cuts to fragments, by each kind of pattern, relative to a uniform
+// scatter.
 #include "bench/PatternAssets.h"
 #include "bench/Peers.h"
 #include "bench/RatioReporter.h"
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 
 using namespace rubble;
 using namespace rubble::bench;
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
     std::vector<Ratio> ratios;
     for (const auto& [name, asset] : patternAssets(kPieces)) {
         const auto measure = [asset = asset](benchmark::State& state) {
-            Bake last = bake(asset).value();  // warms memory up
+            Bake last = bake(asset).value();  // warm-up
             for (auto _ : state) {
                 last = bake(asset).value();
                 benchmark::DoNotOptimize(last);

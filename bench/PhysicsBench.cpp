@@ -1,11 +1,11 @@
-// How long a step of the simulation takes, on one thread and on two, against Bullet on the same bodies; and how deep bodies
-// lie in each other after it, judged alike. All move in turns, some steps each, so that what disturbs one disturbs the others.
+// Compares the step time of the simulation on one and two threads with Bullet on the same scenes, and the penetration
+// after it. All are stepped alternately, so that other load slows all of them.
 //
-//   PhysicsBench [scene]...    for instance: PhysicsBench heap-2000 wall
+//   PhysicsBench [scene]...    for example: PhysicsBench heap-2000 wall
 #include "bench/BulletBodies.h"
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
-#include "core/physics/Penetration.h"
+#include "core/physics/queries/Penetration.h"
 #include "tests/support/scenes/Scenes.h"
 
 #include <cstdio>
@@ -17,11 +17,11 @@ using namespace rubble;
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;  // s
-constexpr int kSettling = 120;        // steps before the clock starts
+constexpr int kSettling = 120;        // steps before the measurement
 constexpr int kTimed = 300;
-constexpr int kTurn = 20;  // steps that one takes before the next has its turn
+constexpr int kBatch = 20;  // steps of one before the next
 
-/// A world of ours with what its steps took.
+/// A scene simulated by our World.
 class OurBodies {
 public:
     OurBodies(const BodyScene& scene, int threads)
@@ -39,7 +39,7 @@ private:
     SceneWorld m_moved;
 };
 
-/// Something that moves the scene, and the milliseconds of each step.
+/// A simulation and the milliseconds of each step.
 template <class Bodies>
 struct Runner {
     Bodies bodies;
@@ -55,10 +55,10 @@ void measure(const std::string& name, const BodyScene& scene) {
     Runner<OurBodies> one{{scene, 1}, {}};
     Runner<OurBodies> two{{scene, 2}, {}};
     Runner<bench::BulletBodies> bullet{bench::BulletBodies(scene), {}};
-    for (int step = 0; step < kSettling + kTimed; step += kTurn) {
-        one.run(kTurn);
-        two.run(kTurn);
-        bullet.run(kTurn);
+    for (int step = 0; step < kSettling + kTimed; step += kBatch) {
+        one.run(kBatch);
+        two.run(kBatch);
+        bullet.run(kBatch);
     }
     const Penetration ours = penetrationOf(scene, one.bodies.poses());
     const Penetration theirs = penetrationOf(scene, bullet.bodies.poses());

@@ -37,8 +37,9 @@ private:
     std::map<long, std::map<std::string, double>> m_milliseconds;  // by argument and name
 };
 
-/// Runs all registered benchmarks, repetitions shuffled, on the heap as it is by default: memory may go back to the system
-/// between runs and have to be asked for again, on all sides. Options of Google Benchmark are understood. Gives the program's exit code.
+/// Runs all registered benchmarks, repetitions shuffled, on the heap as it is by default: memory may go back to the
+/// system between runs and have to be asked for again, on all sides. Options of Google Benchmark are understood. Gives
+/// the program's exit code.
 int runBenchmarks(int argc, char** argv, RatioReporter& reporter);
 
 }  // namespace rubble::bench

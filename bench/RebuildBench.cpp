@@ -1,13 +1,13 @@
-// How long an artist waits for a pattern: a wall of 500 pieces made anew, from seeds or cuts to the cells that a canvas shows and to
-// fragments, against painting these cells once; and how soon a bake of 50,000 pieces ends that is cancelled at any moment. Runs
-// without a display.
+// Measures how long an artist waits for a pattern: the time to compute the cells and the fragments of a wall of 500
+// pieces, against painting the cells once; and how soon a bake of 50,000 pieces ends after it is cancelled at a random
+// moment. Runs without a display.
 #include "bench/PatternAssets.h"
 #include "bench/Timing.h"
-#include "core/asset/Bake.h"
-#include "core/asset/Breaking.h"
+#include "core/asset/bake/Bake.h"
+#include "core/asset/bake/FractureResult.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
-#include "editor/canvas/PatternCanvas.h"
+#include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/document/Bakes.h"
 
 #include <QApplication>
@@ -35,8 +35,8 @@ double medianOf(const Work& work) {
     return percentile(times, 0.5);
 }
 
-/// How long a canvas takes to paint an asset's cells, nothing of them kept.
-double paintingOf(const Asset& asset) {
+/// The time of a full repaint of an asset's cells, ms.
+double repaintTime(const Asset& asset) {
     Project project;
     project.nextId = 100;
     project.materials = {{.id = asset.material, .name = "stone"}};
@@ -46,7 +46,7 @@ double paintingOf(const Asset& asset) {
     Bakes bakes;
     PatternCanvas canvas(document, selection, bakes);
     selection.prune(document.project());
-    PlaneBreaking cut = cutBy(recipeOf(asset), asset.prism, {}).value();
+    PlanarFracture cut = planarFracture(recipeOf(asset), asset.prism, {}).value();
     bakes.setPattern(asset.id,
                      std::make_shared<BakedPattern>(BakedPattern{.asset = std::make_shared<const Asset>(asset),
                                                                  .seeds = std::move(cut.seeds),
@@ -55,12 +55,12 @@ double paintingOf(const Asset& asset) {
                                                                  .fault = {}}));
     canvas.resize(kCanvas);
     canvas.show();
-    QCoreApplication::processEvents();  // only then is it painted
+    QCoreApplication::processEvents();  // paints the canvas
     canvas.fit();
     CanvasView view = canvas.view();
-    int turn = 0;
+    int run = 0;
     return medianOf([&] {
-        view.scale *= ++turn % 2 == 0 ? 1.0 + 1e-9 : 1.0 - 1e-9;
+        view.scale *= ++run % 2 == 0 ? 1.0 + 1e-9 : 1.0 - 1e-9;
         canvas.setView(view);
         canvas.repaint();
     });
@@ -71,16 +71,16 @@ void measureRebuild() {
         "| 500 pieces | cells, ms | fragments, ms | painting, ms | cells : painting | fragments : painting |\n");
     std::printf("| --- | --- | --- | --- | --- | --- |\n");
     for (const auto& [name, asset] : patternAssets(kFew)) {
-        const double cells = medianOf([&] { cutBy(recipeOf(asset), asset.prism, {}).value(); });
+        const double cells = medianOf([&] { planarFracture(recipeOf(asset), asset.prism, {}).value(); });
         const double fragments = medianOf([&] { bake(asset).value(); });
-        const double painting = paintingOf(asset);
+        const double painting = repaintTime(asset);
         std::printf("| %s | %.3f | %.3f | %.3f | %.2f | %.2f |\n", name.c_str(), cells, fragments, painting,
                     cells / painting, fragments / painting);
     }
 }
 
-/// How long a bake goes on after it was cancelled, ms.
-double cancelledAfter(const Asset& asset, double milliseconds) {
+/// The time from the cancellation of a bake to its end, ms.
+double cancelLatency(const Asset& asset, double milliseconds) {
     const TaskContext task;
     Clock::time_point ended;
     std::thread worker([&] {
@@ -88,10 +88,10 @@ double cancelledAfter(const Asset& asset, double milliseconds) {
         ended = Clock::now();
     });
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(milliseconds));
-    const Clock::time_point asked = Clock::now();
+    const Clock::time_point cancelled = Clock::now();
     task.cancel.cancel();
     worker.join();
-    return std::max(0.0, std::chrono::duration<double, std::milli>(ended - asked).count());
+    return std::max(0.0, std::chrono::duration<double, std::milli>(ended - cancelled).count());
 }
 
 void measureCancel() {
@@ -101,7 +101,7 @@ void measureCancel() {
     for (const auto& [name, asset] : patternAssets(kMany)) {
         const double whole = millisecondsOf([&] { bake(asset).value(); });
         std::vector<double> times;
-        for (int k = 0; k < kCancels; ++k) times.push_back(cancelledAfter(asset, whole * random.unit()));
+        for (int k = 0; k < kCancels; ++k) times.push_back(cancelLatency(asset, whole * random.unit()));
         std::printf("| %s | %.0f | %.2f | %.2f |\n", name.c_str(), whole, percentile(times, 0.5),
                     *std::ranges::max_element(times));
     }

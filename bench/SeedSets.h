@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/Random.h"
-#include "core/geometry/Vec.h"
+#include "core/geometry/predicates/Vec.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace rubble::bench {
 
 using SeedList = std::vector<Vec2>;
 
-/// Sets of uniform random seeds in the unit square: at least three, more of few seeds, the same in every run.
+/// Sets of uniform random seeds in the unit square: at least three, more if they are small; the same in every run.
 inline std::vector<SeedList> seedSets(std::size_t seedsInEach) {
     constexpr std::size_t kSeedsInAll = 200'000;
     constexpr std::uint64_t kRandomSeed = 2;
@@ -23,16 +23,16 @@ inline std::vector<SeedList> seedSets(std::size_t seedsInEach) {
     return sets;
 }
 
-/// Inputs made beforehand and handed out in turn, so that no round of a benchmark sees the input of the one before.
+/// Prepared inputs in rotation, so that successive iterations of a benchmark have different inputs.
 template <class Input>
-class InTurn {
+class InputRotation {
 public:
-    explicit InTurn(std::vector<Input> inputs) : m_inputs(std::move(inputs)) {}
-    const Input& next() { return m_inputs[++m_turn % m_inputs.size()]; }
+    explicit InputRotation(std::vector<Input> inputs) : m_inputs(std::move(inputs)) {}
+    const Input& next() { return m_inputs[++m_next % m_inputs.size()]; }
 
 private:
     std::vector<Input> m_inputs;
-    std::size_t m_turn = 0;
+    std::size_t m_next = 0;
 };
 
 }  // namespace rubble::bench

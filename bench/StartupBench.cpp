@@ -1,7 +1,7 @@
-// How long the editor takes from the start of its process to a window with the house in it, beside an empty Qt window. Needs
-// a display.
-#include "editor/MainWindow.h"
-#include "editor/Program.h"
+// Measures the time from process start to a window that shows the house, compared with an empty Qt window. Needs a
+// display.
+#include "editor/window/MainWindow.h"
+#include "editor/window/Program.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -18,20 +18,20 @@
 namespace {
 
 constexpr int kRuns = 15;
-constexpr QSize kWindow{1440, 900};  // as the editor's first one
-constexpr int kLongest = 60'000;     // milliseconds; who takes longer has failed
+constexpr QSize kWindow{1440, 900};           // the editor's default size
+constexpr int kTimeoutMilliseconds = 60'000;  // milliseconds; longer runs have failed
 
-/// What a window reaches, in this order.
+/// The stages of a window, in order.
 enum class Stage { Painted, Complete };
 constexpr std::array kNames = {"painted", "complete"};
 using Times = std::array<double, kNames.size()>;  // ms
 
-void tell(Stage stage) {
+void report(Stage stage) {
     std::puts(kNames[static_cast<std::size_t>(stage)]);
     std::fflush(stdout);
 }
 
-/// Calls a function when a widget was painted first and events that waited have been answered.
+/// Calls a function after a widget's first paint, when the queued events are processed.
 class FirstPaint : public QObject {
 public:
     FirstPaint(QWidget* widget, std::function<void()> then) : QObject(widget), m_then(std::move(then)) {
@@ -52,23 +52,23 @@ int showEmpty() {
     QWidget window;
     window.resize(kWindow);
     new FirstPaint(&window, [] {
-        tell(Stage::Painted);
-        tell(Stage::Complete);
+        report(Stage::Painted);
+        report(Stage::Complete);
         QCoreApplication::exit();
     });
     window.show();
     return QApplication::exec();
 }
 
-/// Waits until all assets are baked and the 3D view has drawn what they became.
+/// Waits until all assets are baked and the 3D view has drawn them.
 void tellWhenComplete(rubble::MainWindow& window) {
     auto* view = window.findChild<QOpenGLWidget*>();
     const auto finish = [&window, view] {
         if (window.workspace().baker().isBusy()) return;
-        // The scene is made anew before the next frame.
+        // The scene is updated before the next frame.
         QTimer::singleShot(0, view, [view] {
             QObject::connect(view, &QOpenGLWidget::frameSwapped, view, [] {
-                tell(Stage::Complete);
+                report(Stage::Complete);
                 QCoreApplication::exit();
             });
             view->update();
@@ -89,14 +89,14 @@ int showHouse(const QString& project) {
         auto* window = qobject_cast<rubble::MainWindow*>(widget);
         if (!window) continue;
         new FirstPaint(window->centralWidget(), [window] {
-            tell(Stage::Painted);
+            report(Stage::Painted);
             tellWhenComplete(*window);
         });
     }
     return QApplication::exec();
 }
 
-/// From the start of a process to each stage; nothing where it failed.
+/// The times from process start to each stage; nothing on failure.
 std::optional<Times> timesOf(const QStringList& arguments) {
     QElapsedTimer timer;
     timer.start();
@@ -106,7 +106,7 @@ std::optional<Times> timesOf(const QStringList& arguments) {
     Times times;
     for (std::size_t stage = 0; stage < kNames.size(); ++stage) {
         while (!child.canReadLine()) {
-            if (!child.waitForReadyRead(kLongest)) return std::nullopt;
+            if (!child.waitForReadyRead(kTimeoutMilliseconds)) return std::nullopt;
         }
         times[stage] = static_cast<double>(timer.nsecsElapsed()) / 1e6;
         if (child.readLine().trimmed() != kNames[stage]) return std::nullopt;
@@ -124,7 +124,7 @@ double median(const std::vector<Times>& runs, Stage stage) {
 
 int compare(const QString& project) {
     std::vector<Times> empty, house;
-    // In turn, so that what disturbs one disturbs the other; the first run of each only warms the disk's cache.
+    // Alternating, so that disturbances affect both; the first run of each only warms the disk cache.
     for (int run = -1; run < kRuns; ++run) {
         const std::optional<Times> ofEmpty = timesOf({"--empty"}), ofHouse = timesOf({"--house", project});
         if (!ofEmpty || !ofHouse) {

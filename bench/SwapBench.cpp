@@ -1,8 +1,8 @@
-// What it costs to swap bodies for their pieces, in steps of the same scene: one polytope for ten fragments and for thirty that are
-// cut in that moment, and all polytopes of the house at once. Each is done many times from the same snapshot.
+// The cost of swaps in steps of the same scene: one polytope for ten fragments, one for thirty that are computed at the
+// impact, and all polytopes of the house at once. Each is repeated from the same snapshot.
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
-#include "core/play/Session.h"
+#include "core/play/session/Session.h"
 #include "tests/support/House.h"
 #include "tests/support/scenes/Scenes.h"
 
@@ -14,7 +14,7 @@ using bench::millisecondsOf;
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;  // s
-constexpr int kSettling = 120;        // steps before the clock starts
+constexpr int kSettling = 120;        // steps before the measurement
 constexpr int kRounds = 50;
 constexpr int kStepsAfter = 10;
 
@@ -27,9 +27,9 @@ Session started(const Project& project) {
 
 /// Medians over all rounds, in milliseconds.
 struct Cost {
-    double step = 0.0;      // of the scene as it stands
-    double swap = 0.0;      // taking wholes out, putting pieces in
-    double withSwap = 0.0;  // of the step that swaps, its first collision of the pieces included
+    double step = 0.0;      // of the scene without a swap
+    double swap = 0.0;      // removing wholes, adding fragments
+    double withSwap = 0.0;  // of the step with the swap, including the first collision of the fragments
     double after = 0.0;     // of the ten steps that follow
 };
 

@@ -1,13 +1,13 @@
-// What stands between a changed seed and its picture, and what a picture takes: making the scene of a new bake, making it
-// again where nothing but its explosion changed, taking it to the card, drawing it, and finding the piece under the
-// pointer. And in play, by moving fragments: making a moment, which is the physics thread's, preparing a frame of it, which
-// is the window's beside drawing, and preparing one more frame within the same step. Wall-clock times; pictures of 1280 x 720 by whatever EGL finds, which is the processor where there is no card.
+// Measures the stages from an edited seed to its image: building the scene of a new bake, rebuilding it when only the
+// explode factor changed, uploading it, drawing it, and picking. In play, with moving fragments: building a scene (on
+// the physics thread), preparing its first frame (in the window, besides drawing), and preparing another frame of the
+// same step. Wall-clock times; images of 1280 x 720 with any driver that EGL finds, in software without a GPU.
 #include "bench/MovingFragments.h"
 #include "bench/RatioReporter.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/scene/SessionSceneBuilder.h"
 
 #include <epoxy/gl.h>
 
@@ -16,9 +16,9 @@ using namespace rubble::bench;
 
 namespace {
 
-constexpr PictureSize kSize{1280, 720};
+constexpr ImageSize kSize{1280, 720};
 
-/// A project with one box, and some bakes of it that differ in their seeds.
+/// A project with one box, and bakes of it with different seeds.
 struct Boxes {
     Project project;
     std::vector<AssetBakes> bakes;
@@ -39,15 +39,15 @@ Boxes boxes(std::size_t pieces) {
     return made;
 }
 
-/// A renderer with its context and something to draw to.
+/// A renderer with its context and a target.
 struct Stage {
-    std::unique_ptr<SurfacelessContext> context = SurfacelessContext::made().value();
-    std::unique_ptr<Renderer> renderer = Renderer::made().value();
+    std::unique_ptr<SurfacelessContext> context = SurfacelessContext::create().value();
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
     RenderTarget target{kSize, PixelFormat::Colour, 1};
 };
 
-PictureView viewOf(const RenderScene& scene, int msaa) {
-    PictureView view{.camera = orbited({}, 0.6, 0.4), .size = kSize};
+RenderView viewOf(const RenderScene& scene, int msaa) {
+    RenderView view{.camera = orbited({}, 0.6, 0.4), .size = kSize};
     view.settings.msaa = msaa;
     view.camera = framing(view.camera, boundsOf(scene), kSize);
     return view;
@@ -56,9 +56,9 @@ PictureView viewOf(const RenderScene& scene, int msaa) {
 void buildScene(benchmark::State& state) {
     const Boxes made = boxes(static_cast<std::size_t>(state.range(0)));
     SceneBuilder builder;
-    std::size_t turn = 0;
+    std::size_t index = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(builder.sceneOf(made.project, made.bakes[turn++ % made.bakes.size()], {}));
+        benchmark::DoNotOptimize(builder.sceneOf(made.project, made.bakes[index++ % made.bakes.size()], {}));
     }
 }
 
@@ -67,7 +67,7 @@ void explodeScene(benchmark::State& state) {
     SceneBuilder builder;
     double exploded = 0.0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(builder.sceneOf(made.project, made.bakes[0], {.exploded = exploded += 1e-3}));
+        benchmark::DoNotOptimize(builder.sceneOf(made.project, made.bakes[0], {.explodeFactor = exploded += 1e-3}));
     }
 }
 
@@ -83,88 +83,89 @@ void uploadScene(benchmark::State& state) {
     }
 }
 
-/// Draws while the camera turns.
-void drawTurning(benchmark::State& state, int msaa) {
+/// Draws while the camera orbits.
+void drawOrbiting(benchmark::State& state, int msaa) {
     const Boxes made = boxes(static_cast<std::size_t>(state.range(0)));
-    const auto scene = std::make_shared<const RenderScene>(sceneOf(made.project, made.bakes[0], {.exploded = 0.2}));
+    const auto scene =
+        std::make_shared<const RenderScene>(sceneOf(made.project, made.bakes[0], {.explodeFactor = 0.2}));
     Stage stage;
     stage.renderer->setScene(scene);
-    PictureView view = viewOf(*scene, msaa);
+    RenderView view = viewOf(*scene, msaa);
     const auto drawOnce = [&] {
         view.camera = orbited(view.camera, 0.01, 0.0);
         stage.renderer->draw(view, stage.target.framebuffer());
         glFinish();
     };
-    drawOnce();  // shadows, and what drivers put off until the first picture
+    drawOnce();  // warms up: shadows, and what drivers defer to the first frame
     for (auto _ : state) drawOnce();
 }
-void drawPlain(benchmark::State& state) { drawTurning(state, 1); }
-void drawMsaa(benchmark::State& state) { drawTurning(state, 4); }
+void drawPlain(benchmark::State& state) { drawOrbiting(state, 1); }
+void drawMsaa(benchmark::State& state) { drawOrbiting(state, 4); }
 
-/// The first question after the camera moved; those that follow only read a pixel.
+/// The first pick after a camera change; later ones only read a pixel.
 void pick(benchmark::State& state) {
     const Boxes made = boxes(static_cast<std::size_t>(state.range(0)));
     const auto scene = std::make_shared<const RenderScene>(sceneOf(made.project, made.bakes[0]));
     Stage stage;
     stage.renderer->setScene(scene);
-    PictureView view = viewOf(*scene, 1);
+    RenderView view = viewOf(*scene, 1);
     for (auto _ : state) {
         view.camera = orbited(view.camera, 0.01, 0.0);
         benchmark::DoNotOptimize(stage.renderer->bodyAt(view, kSize.width / 2, kSize.height / 2));
     }
 }
 
-/// What it takes beside the step itself.
-void makeMoment(benchmark::State& state) {
+/// Without the step itself.
+void buildPlayScene(benchmark::State& state) {
     const auto scene = boxesInTheAir(static_cast<std::size_t>(state.range(0)));
     Session session = brokenBoxes(scene);
-    MomentBuilder builder(scene);
+    SessionSceneBuilder builder(scene);
     for (auto _ : state) {
         state.PauseTiming();
         session.step();
         state.ResumeTiming();
-        benchmark::DoNotOptimize(builder.momentOf(session));
+        benchmark::DoNotOptimize(builder.sceneOf(session));
     }
 }
 
-/// A whole's moment, and those of its pieces after it, step by step.
-std::vector<std::shared_ptr<const RenderScene>> momentsOfAFall(std::size_t pieces) {
+/// The scenes of a whole and, step by step, of its fragments.
+std::vector<std::shared_ptr<const RenderScene>> scenesOfAFall(std::size_t pieces) {
     const auto scene = boxesInTheAir(pieces);
-    MomentBuilder builder(scene);
-    std::vector<std::shared_ptr<const RenderScene>> moments{builder.momentOf(Session::start(scene, {}).value())};
+    SessionSceneBuilder builder(scene);
+    std::vector<std::shared_ptr<const RenderScene>> scenes{builder.sceneOf(Session::start(scene, {}).value())};
     Session session = brokenBoxes(scene);
     for (int k = 0; k < 6; ++k) {
-        moments.push_back(builder.momentOf(session));
+        scenes.push_back(builder.sceneOf(session));
         session.step();
     }
-    return moments;
+    return scenes;
 }
 
-/// Takes a new moment to the card.
+/// Uploads a new scene.
 void prepareFrame(benchmark::State& state) {
-    const auto moments = momentsOfAFall(static_cast<std::size_t>(state.range(0)));
+    const auto scenes = scenesOfAFall(static_cast<std::size_t>(state.range(0)));
     Stage stage;
-    PictureView view = viewOf(*moments[0], 1);
-    const auto drawNext = [&](const std::shared_ptr<const RenderScene>& moment) {
-        stage.renderer->setScene(moment);
+    RenderView view = viewOf(*scenes[0], 1);
+    const auto drawNext = [&](const std::shared_ptr<const RenderScene>& next) {
+        stage.renderer->setScene(next);
         stage.renderer->draw(view, stage.target.framebuffer());
         glFinish();
     };
-    drawNext(moments[0]);
+    drawNext(scenes[0]);
     RenderCounts before = stage.renderer->counts();
-    drawNext(moments[1]);
+    drawNext(scenes[1]);
     const RenderCounts& now = stage.renderer->counts();
     state.counters["geometry bytes at a swap"] = static_cast<double>(now.geometryBytes - before.geometryBytes);
     state.counters["body bytes"] = static_cast<double>(now.bodyBytes - before.bodyBytes);
     state.counters["draw calls"] = static_cast<double>(now.drawCalls - before.drawCalls);
-    std::size_t turn = 2;
+    std::size_t index = 2;
     for (auto _ : state) {
-        stage.renderer->setScene(moments[turn]);
+        stage.renderer->setScene(scenes[index]);
         state.PauseTiming();
-        view.moment = 0.5;
+        view.stepFraction = 0.5;
         stage.renderer->draw(view, stage.target.framebuffer());
         glFinish();
-        turn = turn + 1 < moments.size() ? turn + 1 : 2;
+        index = index + 1 < scenes.size() ? index + 1 : 2;
         state.ResumeTiming();
     }
 }
@@ -178,7 +179,7 @@ void add(const char* name, void (*measure)(benchmark::State&)) {
         ->UseRealTime();
 }
 
-/// In play, by 20,000 moving pieces; each turn steps or draws beside what is measured, so few turns are taken.
+/// In play, with 20,000 moving fragments; each iteration also steps or draws outside the measurement, so there are few.
 void addPlay(const char* name, void (*measure)(benchmark::State&)) {
     benchmark::RegisterBenchmark(name, measure)
         ->Arg(20'000)
@@ -196,7 +197,7 @@ int main(int argc, char** argv) {
     add("picture", drawPlain);
     add("picture, 4x MSAA", drawMsaa);
     add("first pick", pick);
-    addPlay("moment", makeMoment);
+    addPlay("moment", buildPlayScene);
     addPlay("frame prepared", prepareFrame);
     RatioReporter reporter(
         "pieces",

@@ -1,8 +1,8 @@
-// How long all Voronoi cells of random seeds take, clipped to the unit square: ours, CGAL's and Boost.Polygon's.
+// Measures the Voronoi cells of random seeds, clipped to the unit square, against CGAL and Boost.Polygon.
 #include "bench/Peers.h"
 #include "bench/RatioReporter.h"
 #include "bench/SeedSets.h"
-#include "core/fracture/VoronoiPartition.h"
+#include "core/fracture/voronoi/VoronoiPartition.h"
 
 #include <cmath>
 #include <cstdio>
@@ -28,10 +28,11 @@ Partition ourCells(std::span<const Vec2> seeds, int threads) {
     return *voronoiPartition(kUnitSquare, seeds, task);
 }
 
-/// Runs `cells` on one set of seeds after the other. The first run warms memory up, the last one's areas are checked.
+/// Runs `cells` on one set of seeds after the other. The first run is a warm-up; the areas of the last one are
+/// verified.
 template <class MakeCells>
 void measure(benchmark::State& state, MakeCells cells) {
-    InTurn<SeedList> sets(seedSets(static_cast<std::size_t>(state.range(0))));
+    InputRotation<SeedList> sets(seedSets(static_cast<std::size_t>(state.range(0))));
     auto last = cells(sets.next());
     for (auto _ : state) {
         last = cells(sets.next());

@@ -1,7 +1,8 @@
 #include "app/cli/Cli.h"
 
-#include "app/cli/CommonOptions.h"
-#include "app/cli/Verb.h"
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
 #include "core/base/Version.h"
 
 #include <CLI/CLI.hpp>
@@ -13,10 +14,11 @@ namespace rubble {
 namespace {
 
 constexpr const char* kDescription =
-    "Rubble makes solids breakable: it cuts prisms into Voronoi fragments and writes them for 3D programs and engines.";
+    "Rubble makes solids destructible: it fractures prisms into Voronoi fragments and exports them to 3D programs and "
+    "engines.";
 
-constexpr const char* kFooter = R"(Results go to standard output, one sentence a fault to standard error.
-Exit status: 0 success, 1 bad input, 2 wrong usage, 130 stopped by Ctrl+C.
+constexpr const char* kFooter = R"(Results go to standard output, errors and warnings to standard error.
+Exit status: 0 success, 1 error, 2 wrong usage, 130 stopped by Ctrl+C.
 
 Examples:
   rubble-cli new wall.rubble
@@ -31,18 +33,18 @@ std::string verbNames(const CLI::App& program) {
     return joinedText(names);
 }
 
-/// Says what is wrong with arguments that nothing takes.
-std::string extrasFault(const CLI::App& program) {
+/// Returns the error message for arguments that no option accepts.
+std::string extrasError(const CLI::App& program) {
     const std::vector<std::string> extras = program.remaining(true);
     const bool isVerb = program.get_subcommands().empty() && !extras.front().starts_with('-');
-    if (isVerb) return '"' + extras.front() + "\" is no verb; the verbs are " + verbNames(program);
-    return "Not expected: " + joinedText(extras);
+    if (isVerb) return '"' + extras.front() + "\" is not a verb; the verbs are " + verbNames(program);
+    return "Unexpected arguments: " + joinedText(extras);
 }
 
-/// The first line of a fault, as one sentence that also says where help is.
-std::string usageSentence(const CLI::App& program, const CLI::ParseError& fault) {
-    const bool hasExtras = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    std::string sentence = hasExtras ? extrasFault(program) : fault.what();
+/// Returns the first line of a parse error as one sentence with a hint on --help.
+std::string usageError(const CLI::App& program, const CLI::ParseError& error) {
+    const bool hasExtras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    std::string sentence = hasExtras ? extrasError(program) : error.what();
     sentence.erase(std::min(sentence.find('\n'), sentence.size()));
     while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.pop_back();
     std::string help = "rubble-cli";
@@ -50,7 +52,7 @@ std::string usageSentence(const CLI::App& program, const CLI::ParseError& fault)
     return sentence + "; see " + help + " --help.";
 }
 
-int endedBy(const Status& status, const CliContext& context) {
+int finish(const Status& status, const CliContext& context) {
     if (status) return kExitSuccess;
     context.err << status.error().message << '\n';
     return status.error().code == ErrorCode::Cancelled ? kExitCancelled : kExitBadInput;
@@ -63,32 +65,32 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.footer(kFooter);
     program.set_version_flag("--version", std::string("rubble-cli ") + programVersion(), "Print the version and exit");
     program.set_help_flag("-h,--help", "Print this help and exit");
-    program.require_subcommand(0, 1);  // none is told below, in our words
+    program.require_subcommand(0, 1);  // a missing verb is reported below
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     const std::vector<Verb> verbs = {
-        addNew(program),    addImport(program), addSeeds(program),  addFracture(program), addExport(program),
-        addCheck(program),  addDraw(program),   addRender(program), addFilm(program),     addSimulate(program),
-        addReplay(program), addTest(program),   addIntent(program), addAudit(program),    addMaterials(program),
+        addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
+        addCheck(program),  addDraw(program),   addRender(program),   addFilm(program),     addSimulate(program),
+        addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
         addDiff(program),   addSheet(program)};
     for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(
-            std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them back to front
+            std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 expects them in reverse order
     } catch (const CLI::Success& request) {
         program.exit(request, context.out, context.err);
-        return endedBy(writeOutput("-", "", context), context);
-    } catch (const CLI::ParseError& fault) {
-        context.err << usageSentence(program, fault) << '\n';
+        return finish(writeOutput("-", "", context), context);
+    } catch (const CLI::ParseError& error) {
+        context.err << usageError(program, error) << '\n';
         return kExitUsage;
     }
-    const auto chosen =
+    const auto selected =
         std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.command->parsed(); });
-    if (chosen == verbs.end()) {
-        context.err << "No verb is given; see rubble-cli --help.\n";
+    if (selected == verbs.end()) {
+        context.err << "No verb given; see rubble-cli --help.\n";
         return kExitUsage;
     }
-    return endedBy(chosen->action(context), context);
+    return finish(selected->action(context), context);
 }
 
 }  // namespace rubble

@@ -1,5 +1,5 @@
 #include "app/cli/Cli.h"
-#include "app/cli/Terminal.h"
+#include "app/cli/console/Terminal.h"
 
 #include <iostream>
 #include <system_error>

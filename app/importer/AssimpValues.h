@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Vec.h"
+#include "core/geometry/predicates/Vec.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -14,12 +14,12 @@ namespace rubble {
 
 using Mat4 = glm::dmat4;
 
-/// The number that was meant: of the decimals that single precision takes for the same, the shortest.
+/// Returns the shortest decimal that rounds to `value` in single precision: the number most likely meant.
 double decimalOf(float value);
 Vec3 pointOf(const aiVector3D& point);
 Mat4 matrixOf(const aiMatrix4x4& matrix);
 
-/// A name of the file as UTF-8, on one line; what is not UTF-8 is taken to be Latin-1.
+/// Returns a name as UTF-8 on one line. Names that are not valid UTF-8 are read as Latin-1.
 std::string nameOf(const aiString& source);
 
 }  // namespace rubble

@@ -16,34 +16,34 @@
 namespace rubble {
 namespace {
 
-/// True where one of a reader's endings, which stand between spaces, is ours.
-bool isOurs(const aiImporterDesc& description) {
-    const std::string endings = std::string(" ") + description.mFileExtensions + " ";
+/// Returns whether one of a reader's suffixes, which are separated by spaces, is a supported one.
+bool isSupported(const aiImporterDesc& description) {
+    const std::string suffixes = std::string(" ") + description.mFileExtensions + " ";
     return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl ", " ply "},
-                               [&](const char* ending) { return endings.find(ending) != std::string::npos; });
+                               [&](const char* suffix) { return suffixes.find(suffix) != std::string::npos; });
 }
 
-/// Only the formats that we answer for: the library's other readers are never run.
-void keepOurFormats(Assimp::Importer& importer) {
+/// Unregisters the library's readers of other formats.
+void keepSupportedFormats(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        // Its type is not public, so that it cannot be deleted: it goes with the process.
-        if (!isOurs(*importer.GetImporterInfo(i))) importer.UnregisterLoader(importer.GetImporter(i));
+        // A reader cannot be deleted, because its type is not public; it leaks until the process ends.
+        if (!isSupported(*importer.GetImporterInfo(i))) importer.UnregisterLoader(importer.GetImporter(i));
     }
 }
 
 std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// The first line of what the library said, as the end of a sentence.
+/// Returns the first line of the library's error message, as the end of a sentence.
 std::string reasonOf(const Assimp::Importer& importer) {
     std::string reason = importer.GetErrorString();
     reason.erase(std::min(reason.find_first_of("\r\n"), reason.size()));
     while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
-    return reason.empty() ? "no reason is given" : reason;
+    return reason.empty() ? "unknown error" : reason;
 }
 
-/// A number of the file's own description, whatever its type.
+/// Returns a number from the file's metadata.
 template <class Number>
-std::optional<Number> described(const aiScene& scene, const char* key) {
+std::optional<Number> metadata(const aiScene& scene, const char* key) {
     if (scene.mMetaData == nullptr) return std::nullopt;
     Number number{};
     if (scene.mMetaData->Get(key, number)) return number;
@@ -55,22 +55,21 @@ enum class Format { Gltf, Fbx, Other };
 Format formatOf(const Assimp::Importer& importer, const aiScene& scene) {
     const int index = importer.GetPropertyInteger("importerIndex", -1);
     const aiImporterDesc* description = index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
-    const std::string endings = description == nullptr ? "" : description->mFileExtensions;
-    if (endings.find("gltf") != std::string::npos) return Format::Gltf;
-    return endings.find("fbx") != std::string::npos || described<int>(scene, "UpAxis") ? Format::Fbx : Format::Other;
+    const std::string suffixes = description == nullptr ? "" : description->mFileExtensions;
+    if (suffixes.find("gltf") != std::string::npos) return Format::Gltf;
+    return suffixes.find("fbx") != std::string::npos || metadata<int>(scene, "UpAxis") ? Format::Fbx : Format::Other;
 }
 
 double metresPerUnit(const aiScene& scene, Format format) {
     if (format == Format::Gltf) return 1.0;
     if (format != Format::Fbx) return 0.0;
-    const auto asFloat = described<float>(scene, "UnitScaleFactor");
-    const double centimetres =
-        asFloat ? decimalOf(*asFloat) : described<double>(scene, "UnitScaleFactor").value_or(1.0);
+    const auto asFloat = metadata<float>(scene, "UnitScaleFactor");
+    const double centimetres = asFloat ? decimalOf(*asFloat) : metadata<double>(scene, "UnitScaleFactor").value_or(1.0);
     return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres / 100.0 : 0.01;
 }
 
-/// Linear to sRGB, to three decimals: none that an eye can tell.
-double encoded(double linear) {
+/// Converts linear to sRGB, rounded to three decimals.
+double srgbFromLinear(double linear) {
     const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
     return std::round(1e3 * value) / 1e3;
 }
@@ -87,29 +86,29 @@ std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
         for (int k = 0; k < 3; ++k) {
             const float part = colour[static_cast<unsigned>(k)];
             const double value = std::isfinite(part) ? std::clamp(decimalOf(part), 0.0, 1.0) : 0.8;
-            material.colour[k] = format == Format::Gltf ? encoded(value) : value;
+            material.colour[k] = format == Format::Gltf ? srgbFromLinear(value) : value;
         }
     }
     if (materials.empty()) materials.emplace_back();
     return materials;
 }
 
-/// The library hands on what files say: indices of points and materials that are not there.
-std::optional<std::string> indexFault(const aiMesh& mesh, std::size_t materialCount) {
+/// Returns an error for indices of missing points and materials, which the library does not check.
+std::optional<std::string> indexError(const aiMesh& mesh, std::size_t materialCount) {
     if (mesh.mMaterialIndex >= materialCount)
-        return "names material " + std::to_string(mesh.mMaterialIndex) + " of " + std::to_string(materialCount);
+        return "refers to material " + std::to_string(mesh.mMaterialIndex) + " of " + std::to_string(materialCount);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
         for (unsigned k = 0; k < face.mNumIndices; ++k) {
             if (face.mIndices[k] < mesh.mNumVertices) continue;
-            return "has a face that names point " + std::to_string(face.mIndices[k]) + " of " +
+            return "has a face that refers to point " + std::to_string(face.mIndices[k]) + " of " +
                    std::to_string(mesh.mNumVertices);
         }
     }
     return std::nullopt;
 }
 
-/// Adds a mesh's triangles to an object. A mirroring transform turns them round.
+/// Adds a mesh's triangles to an object. A mirroring transform reverses their winding.
 void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     const auto first = static_cast<std::uint32_t>(object.points.size());
     const bool isMirrored = glm::determinant(Mat3(fromMesh)) < 0.0;
@@ -130,7 +129,7 @@ void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     }
 }
 
-/// Walks through the nodes, an object for each with triangles.
+/// Visits the nodes and adds an object for each with triangles.
 class SceneReader {
 public:
     explicit SceneReader(const aiScene& source, SourceScene& scene) : m_source(source), m_scene(scene) {}
@@ -141,11 +140,10 @@ public:
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             const aiMesh& mesh = *m_source.mMeshes[node.mMeshes[i]];
             m_triangles += mesh.mNumFaces;
-            if (m_triangles > kMostTriangles)
-                return Error{ErrorCode::Limit,
-                             "holds more than " + std::to_string(kMostTriangles) + " triangles, too many to be read"};
-            if (std::optional<std::string> what = indexFault(mesh, m_scene.materials.size()))
-                return Error{ErrorCode::BadInput, *what};
+            if (m_triangles > kMaxTriangles)
+                return Error{ErrorCode::Limit, "holds more than " + std::to_string(kMaxTriangles) + " triangles"};
+            if (std::optional<std::string> error = indexError(mesh, m_scene.materials.size()))
+                return Error{ErrorCode::BadInput, *error};
             addMesh(mesh, fromNode, object);
         }
         if (!object.triangles.empty()) m_scene.objects.push_back(std::move(object));
@@ -160,8 +158,8 @@ private:
     std::size_t m_triangles = 0;
 };
 
-/// The first number in the scene that is not finite, as the end of a sentence.
-std::optional<std::string> numberFault(const SourceScene& scene) {
+/// Returns an error for the first number that is not finite, as the end of a sentence.
+std::optional<std::string> numberError(const SourceScene& scene) {
     const auto isFinite = [](const auto& vector) {
         return !glm::any(glm::isnan(vector)) && !glm::any(glm::isinf(vector));
     };
@@ -170,13 +168,13 @@ std::optional<std::string> numberFault(const SourceScene& scene) {
         const bool hasUvs = std::ranges::all_of(object.triangles, [&](const SourceTriangle& triangle) {
             return std::ranges::all_of(triangle.uvs, isFinite);
         });
-        if (!hasPoints) return "has a point in \"" + object.name + "\" that is not a finite number";
-        if (!hasUvs) return "has texture coordinates in \"" + object.name + "\" that are not finite numbers";
+        if (!hasPoints) return "has a point in \"" + object.name + "\" that is not finite";
+        if (!hasUvs) return "has texture coordinates in \"" + object.name + "\" that are not finite";
     }
     return std::nullopt;
 }
 
-Error fault(ErrorCode code, const std::string& path, const std::string& what) {
+Error fileError(ErrorCode code, const std::string& path, const std::string& what) {
     return {code, "\"" + fileName(path) + "\" " + what + "."};
 }
 
@@ -184,18 +182,19 @@ Error fault(ErrorCode code, const std::string& path, const std::string& what) {
 
 Result<SourceScene> readMeshFile(const std::string& path) {
     Assimp::Importer importer;
-    keepOurFormats(importer);
+    keepSupportedFormats(importer);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* source = importer.ReadFile(path, aiProcess_Triangulate);
     if (source == nullptr || source->mRootNode == nullptr)
-        return fault(ErrorCode::Unsupported, path,
-                     "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reasonOf(importer));
+        return fileError(ErrorCode::Unsupported, path,
+                         "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reasonOf(importer));
     const Format format = formatOf(importer, *source);
     SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
     const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
-    if (!added) return fault(added.error().code, path, added.error().message);
-    if (scene.objects.empty()) return fault(ErrorCode::Degenerate, path, "holds no triangle");
-    if (const std::optional<std::string> what = numberFault(scene)) return fault(ErrorCode::BadInput, path, *what);
+    if (!added) return fileError(added.error().code, path, added.error().message);
+    if (scene.objects.empty()) return fileError(ErrorCode::Degenerate, path, "has no triangles");
+    if (const std::optional<std::string> error = numberError(scene))
+        return fileError(ErrorCode::BadInput, path, *error);
     return scene;
 }
 

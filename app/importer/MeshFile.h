@@ -1,22 +1,22 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/geometry/SourceScene.h"
+#include "core/geometry/mesh/SourceScene.h"
 
 #include <string>
 
 namespace rubble {
 
-/// Reads an OBJ, glTF, GLB, FBX, STL or PLY file, known by its ending and else by its content: a SourceObject for each
-/// node with triangles, where its node's transforms put it, n-gons cut into triangles, points and lines left out.
-/// Numbers of single precision become their shortest decimals, so that 0.3 is 0.3. A file's own unit is told; FBX
-/// says its up axis and is turned y up.
+/// Reads an OBJ, glTF, GLB, FBX, STL or PLY file, recognized by its suffix or else its content: a SourceObject,
+/// transformed, for each node with triangles. Polygons are triangulated, points and lines ignored. Single-precision
+/// numbers are read as their shortest decimals, so that 0.3 is 0.3. The unit is that of the file; FBX files are rotated
+/// y up.
 ///
-/// Errors: Unsupported where the file is of no such kind or is damaged, with the reader's reason; Degenerate
-/// where it holds no triangle; BadInput where an index or a number is wrong; Limit above kMostTriangles.
+/// Errors: Unsupported if the file has another format or is damaged, with the library's reason; Degenerate if it has no
+/// triangles; BadInput for invalid indices and numbers; Limit above kMaxTriangles.
 Result<SourceScene> readMeshFile(const std::string& path);
 
-/// More would not fit into the memory that the program is given.
-inline constexpr std::size_t kMostTriangles = 2'000'000;
+/// More would exceed the importer's memory limit.
+inline constexpr std::size_t kMaxTriangles = 2'000'000;
 
 }  // namespace rubble

@@ -2,12 +2,12 @@
 
 namespace rubble {
 
-/// Prints where a promise inside the program was broken, then aborts.
+/// Prints the failed condition and its place to stderr and aborts.
 [[noreturn]] void assertionFailed(const char* condition, const char* file, int line);
 
 }  // namespace rubble
 
-/// A promise that this program makes to itself. Wrong input from outside is a Result, never this.
+/// Checks an internal invariant, in builds with RUBBLE_ASSERTS. Invalid input from outside is a Result instead.
 #ifdef RUBBLE_ASSERTS
 #define RUBBLE_ASSERT(condition) \
     (static_cast<bool>(condition) ? void() : ::rubble::assertionFailed(#condition, __FILE__, __LINE__))

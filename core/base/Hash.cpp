@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-static_assert(std::endian::native == std::endian::little, "hashes take numbers as little-endian bytes");
+static_assert(std::endian::native == std::endian::little, "hashing reads numbers as little-endian bytes");
 
 struct Hasher::State {
     XXH3_state_t* xxh = XXH3_createState();
@@ -27,7 +27,7 @@ std::string ContentHash::hex() const {
     return text;
 }
 
-std::optional<ContentHash> contentHashOf(std::string_view hex) {
+std::optional<ContentHash> parseContentHash(std::string_view hex) {
     ContentHash hash;
     const auto read = [&](std::size_t from, std::uint64_t& half) {
         const char* end = hex.data() + from + 16;

@@ -10,19 +10,19 @@
 
 namespace rubble {
 
-/// A 128-bit content hash: equal for equal bytes on every machine, never for security.
+/// A 128-bit content hash, the same on every machine. Not cryptographic.
 struct ContentHash {
     std::uint64_t high = 0;
     std::uint64_t low = 0;
     bool operator==(const ContentHash&) const = default;
-    /// Thirty-two lower-case hexadecimal digits.
+    /// 32 lower-case hexadecimal digits.
     std::string hex() const;
 };
 
-/// The hash that ContentHash::hex() wrote, or nothing where the text is none.
-std::optional<ContentHash> contentHashOf(std::string_view hex);
+/// Parses the text of ContentHash::hex(); nothing for any other text.
+std::optional<ContentHash> parseContentHash(std::string_view hex);
 
-/// Hashes bytes as they come. Numbers are hashed by their bits, little-endian.
+/// Hashes a sequence of bytes and numbers incrementally. Numbers are hashed as their little-endian bytes.
 /// Source: XXH3, 128 bits (libxxhash).
 class Hasher {
 public:

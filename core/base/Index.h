@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// No index: nobody, nowhere, none of them.
+/// The index that refers to nothing.
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 }  // namespace rubble

@@ -4,11 +4,11 @@
 
 namespace rubble {
 
-/// A number as it stands in a sentence for the user: the shortest text that reads back as the same number, NaN and
-/// infinity included, the same in every locale. Without an exponent from a millionth up to 1e15.
+/// A number for a message: the shortest text that parses to the same number, NaN and infinity included, in any locale.
+/// Without an exponent from 1e-6 up to 1e15.
 std::string messageText(double value);
 
-/// A measured number with as many significant digits as a reader wants, 1 to 17.
+/// A number with 1 to 17 significant digits.
 std::string roundedText(double value, int digits);
 
 }  // namespace rubble

@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-/// The value that `share` of all, in [0, 1], do not exceed; 0.5: the median. There is at least one value. O(n).
-double percentile(std::vector<double> values, double share);
+/// The smallest value that at least `fraction` of all values do not exceed (nearest-rank percentile); 0.5 is the
+/// median. Requires at least one value and a fraction in [0, 1]. O(n).
+double percentile(std::vector<double> values, double fraction);
 
 }  // namespace rubble

@@ -8,7 +8,7 @@ namespace rubble {
 
 Random::Random(std::uint64_t seed) {
     for (std::uint64_t& word : m_state) {
-        word = mixed(seed);
+        word = splitmix64(seed);
         seed += 0x9e3779b97f4a7c15u;
     }
 }
@@ -41,13 +41,13 @@ std::uint64_t Random::below(std::uint64_t count) {
     return bits % count;
 }
 
-std::uint64_t mixed(std::uint64_t value) {
+std::uint64_t splitmix64(std::uint64_t value) {
     value += 0x9e3779b97f4a7c15u;
     value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
     value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
     return value ^ (value >> 31);
 }
 
-std::uint64_t mixedWith(std::uint64_t seed, std::uint64_t value) { return mixed(seed ^ mixed(value)); }
+std::uint64_t mixSeeds(std::uint64_t seed, std::uint64_t value) { return splitmix64(seed ^ splitmix64(value)); }
 
 }  // namespace rubble

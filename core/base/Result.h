@@ -8,26 +8,26 @@
 
 namespace rubble {
 
-/// What kind of fault an Error names; tests and callers tell faults apart by it.
+/// The kind of an Error, for callers and tests to distinguish.
 enum class ErrorCode {
-    BadInput,     // a value that no caller may pass: not finite, negative, empty, malformed
-    Degenerate,   // valid numbers without the shape that is needed: zero area, all on one line
-    Crossing,     // an outline crosses or touches itself, or two of its rings do
-    Unsupported,  // well-formed, but of a kind or version this program does not know
-    NotFound,     // a name, an id or a file that is not there
-    Io,           // the system refused to read or write
-    Limit,        // more memory, time or elements than allowed
-    Cancelled,    // the caller asked to stop
+    BadInput,     // an invalid value: not finite, negative, empty, malformed
+    Degenerate,   // valid numbers without the required extent: zero area, collinear points
+    Crossing,     // an outline crosses or touches itself, or its rings each other
+    Unsupported,  // well-formed, but of an unknown kind or version
+    NotFound,     // no such name, id or file
+    Io,           // reading or writing failed
+    Limit,        // exceeds a limit of memory, time or count
+    Cancelled,    // cancelled by the caller
 };
 
-/// A fault in one sentence that a user can act on, with the values in it:
-/// "The outline crosses itself between points 4 and 9."
+/// An error as one sentence that a user can act on, with the values: "The outline crosses itself between points 4 and
+/// 9."
 struct Error {
     ErrorCode code = ErrorCode::BadInput;
     std::string message;
 };
 
-/// Either a T or the Error that kept it from being made.
+/// Either a T, or the Error of the function that should have returned it.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -37,7 +37,7 @@ public:
     bool hasValue() const { return m_state.index() == 0; }
     explicit operator bool() const { return hasValue(); }
 
-    /// The value; only where hasValue().
+    /// The value; requires hasValue().
     T& value() & { return checked(); }
     const T& value() const& { return const_cast<Result&>(*this).checked(); }
     T&& value() && { return std::move(checked()); }
@@ -47,7 +47,7 @@ public:
     T* operator->() { return &checked(); }
     const T* operator->() const { return &value(); }
 
-    /// The fault; only where not hasValue().
+    /// The error; requires !hasValue().
     const Error& error() const {
         RUBBLE_ASSERT(!hasValue());
         return std::get<1>(m_state);
@@ -62,7 +62,7 @@ private:
     std::variant<T, Error> m_state;
 };
 
-/// What a function gives that either succeeds or fails and has nothing else to say.
+/// The result of a function that returns no value.
 using Status = Result<std::monostate>;
 inline Status success() { return std::monostate{}; }
 

@@ -4,9 +4,10 @@
 
 namespace rubble {
 
-/// Milliseconds of wall time, from one call to the next.
+/// Measures wall-clock time.
 class Stopwatch {
 public:
+    /// Milliseconds since the last call, or construction.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         const double passed = std::chrono::duration<double, std::milli>(now - m_start).count();

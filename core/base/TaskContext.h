@@ -8,8 +8,7 @@
 
 namespace rubble {
 
-/// Asks long functions to stop. Copies share one flag, so that a window or a signal handler can
-/// keep one copy and hand the other to the work.
+/// Cancels a long function. Copies share one flag: the caller keeps one copy and passes another to the function.
 class CancelToken {
 public:
     void cancel() const { m_flag->store(true, std::memory_order_relaxed); }
@@ -19,18 +18,17 @@ private:
     std::shared_ptr<std::atomic<bool>> m_flag = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// What every long function is given: when to stop, whom to tell how far it is, and how many
-/// threads it may use. The results never depend on it.
+/// Cancellation, progress and the number of threads of a long function. Its result never depends on them.
 struct TaskContext {
     CancelToken cancel;
-    std::function<void(double fraction)> progress;  // in [0, 1], may be empty; called from the work's thread
+    std::function<void(double fraction)> progress;  // in [0, 1]; may be empty; called on the working thread
     int threads = 1;                                // at least 1
 
     bool isCancelled() const { return cancel.isCancelled(); }
     void report(double fraction) const {
         if (progress) progress(fraction);
     }
-    /// The same for a part of the work, whose progress is told between two fractions of the whole.
+    /// The context of a part of the work, whose progress is mapped to [from, to] of the whole.
     TaskContext stage(double from, double to) const {
         TaskContext part = *this;
         if (progress) {
@@ -38,7 +36,7 @@ struct TaskContext {
         }
         return part;
     }
-    /// The fault that a function returns when it was asked to stop.
+    /// The error that a cancelled function returns.
     static Error cancelled() { return {ErrorCode::Cancelled, "Cancelled."}; }
 };
 

@@ -8,20 +8,20 @@ namespace rubble {
 
 namespace {
 
-/// angle = quarterTurns · pi/2 + high + low, |high| <= pi/4 and a little.
+/// angle = quarterTurns · pi/2 + high + low, |high| <= pi/4 up to rounding.
 struct ReducedAngle {
     int quarterTurns;  // modulo four
     double high;
     double low;
 };
 
-ReducedAngle reduced(double angle) {
-    // pi/2 in parts of 33 bits: a product with a number of turns below 2^20 is exact.
+ReducedAngle reduce(double angle) {
+    // pi/2 in parts of 33 bits: their products with a number of turns below 2^20 are exact.
     constexpr double kFirst = 0x1.921fb544p+0;
     constexpr double kSecond = 0x1.0b4611a6p-34;
     constexpr double kRest = 0x1.3198a2e037073p-69;
     constexpr double kTurnsPerRadian = 0x1.45f306dc9c883p-1;
-    RUBBLE_ASSERT(std::abs(angle) <= kLargestAngle);
+    RUBBLE_ASSERT(std::abs(angle) <= kMaxAngle);
     const double turns = std::nearbyint(angle * kTurnsPerRadian);
     const double afterFirst = angle - turns * kFirst;
     const double second = turns * kSecond;
@@ -29,7 +29,7 @@ ReducedAngle reduced(double angle) {
     const double bVirtual = afterFirst - high;
     const double lost = (afterFirst - (high + bVirtual)) + (bVirtual - second);
     const double low = lost - turns * kRest;
-    // Once more rounded to a pair: near a multiple of pi/2 `low` matters as much as `high`.
+    // Renormalized: near a multiple of pi/2, `low` is as significant as `high`.
     const double sum = high + low;
     return {static_cast<int>(static_cast<long long>(turns) & 3), sum, (high - sum) + low};
 }
@@ -67,12 +67,12 @@ double sineOf(const ReducedAngle& angle) {
 
 }  // namespace
 
-double sine(double angle) { return sineOf(reduced(angle)); }
+double sine(double angle) { return sineOf(reduce(angle)); }
 
 double cosine(double angle) {
-    ReducedAngle ahead = reduced(angle);
-    ahead.quarterTurns = (ahead.quarterTurns + 1) & 3;
-    return sineOf(ahead);
+    ReducedAngle shifted = reduce(angle);
+    shifted.quarterTurns = (shifted.quarterTurns + 1) & 3;
+    return sineOf(shifted);
 }
 
 }  // namespace rubble

@@ -11,7 +11,7 @@ unsigned byteAt(std::string_view text, std::size_t at) {
 
 bool isWithin(unsigned byte, unsigned min, unsigned max) { return byte >= min && byte <= max; }
 
-/// How many bytes the character takes that begins at `at`; 0 where none does.
+/// The length in bytes of the character at `at`; 0 if malformed.
 std::size_t characterLength(std::string_view text, std::size_t at) {
     const unsigned lead = byteAt(text, at);
     const unsigned second = byteAt(text, at + 1);

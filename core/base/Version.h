@@ -2,7 +2,7 @@
 
 namespace rubble {
 
-/// The version of the program that this is a part of: "0.4.0". Another version may come to other bits.
+/// The version of this program, such as "0.4.0". Results may differ between versions.
 const char* programVersion();
 
 }  // namespace rubble

@@ -1,11 +1,11 @@
-// Reads a pack and tells what a physics engine would make of it: c++ -std=c++17 pack_example.cpp -o pack_example
+// Reads a pack and prints what a physics engine needs: c++ -std=c++17 pack_example.cpp -o pack_example
 #include "rubble_pack.hpp"
 
 #include <iostream>
 
 namespace {
 
-/// A body, and below it what it breaks into.
+/// Prints a body and, indented, its fragments.
 void print(const rubble_pack::Pack& pack, const rubble_pack::Body& body, std::uint32_t index, int depth) {
     std::size_t vertices = 0;
     for (const rubble_pack::Hull& hull : body.hulls) vertices += hull.vertices.size();
@@ -28,7 +28,7 @@ int main(int count, char** arguments) {
         std::cerr << fault << '\n';
         return 1;
     }
-    std::cout << pack.name << ", made of " << pack.material.name << ", breaks at " << pack.threshold << " N s\n";
+    std::cout << pack.name << ", made of " << pack.material.name << ", breaks at " << pack.threshold << " N·s\n";
     print(pack, pack.whole, rubble_pack::kNone, 0);
     return 0;
 }

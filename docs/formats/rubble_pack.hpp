@@ -5,16 +5,16 @@
 //     if (!rubble_pack::load("wall/pack.json", pack, fault)) return fail(fault);
 //     for (const rubble_pack::Body& fragment : pack.fragments) addBody(fragment.mass, fragment.hulls, fragment.offset);
 //
-// What every field means is told in pack.md, which lies beside this file. All indices that a read pack holds are in
-// range, so that they can be used without a check. Metres, kilograms, seconds; right-handed, y up.
+// The fields are described in pack.md, beside this file. All indices in a pack that was read are in range and need no
+// checks. Metres, kilograms, seconds; right-handed, y up.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the authors of Rubble
 //
 // Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
 // documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
-// rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
-// persons to whom the Software is furnished to do so, subject to the following conditions:
+// rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to
+// permit persons to whom the Software is furnished to do so, subject to the following conditions:
 //
 // The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
 // Software.
@@ -48,38 +48,38 @@ struct Vec3 {
     double x = 0.0, y = 0.0, z = 0.0;
 };
 
-/// The points p with dot(normal, p) <= offset lie inside; the normal has length 1.
+/// The points p with dot(normal, p) <= offset are inside; the normal has length 1.
 struct Plane {
     Vec3 normal;
     double offset = 0.0;  // m
 };
 
-/// An edge as a face's loop runs along it: +1 from its first vertex to its second, -1 back.
+/// An edge in the loop of a face: +1 from its first vertex to its second, -1 reversed.
 struct SignedEdge {
     std::uint32_t edge = 0;
     int sign = 1;
 };
 
-/// A closed convex solid in its body's frame. Step k of a face runs from vertex faces[f][k] to the next of that loop and
-/// along signedEdges[f][k]; the first two edges of a loop are never on one line.
+/// A closed convex solid in its body's frame. Step k of a face runs from vertex faces[f][k] to the next of that loop
+/// and along signedEdges[f][k]; the first two edges of a loop are never collinear.
 struct Hull {
     std::vector<Vec3> vertices;                        // m
     std::vector<std::array<std::uint32_t, 2>> edges;   // each once
     std::vector<std::vector<std::uint32_t>> faces;     // vertices, counter-clockwise from outside
-    std::vector<std::vector<SignedEdge>> signedEdges;  // one loop a face
-    std::vector<Plane> planes;                         // one a face
+    std::vector<std::vector<SignedEdge>> signedEdges;  // a loop for each face
+    std::vector<Plane> planes;                         // one for each face
 };
 
 struct Neighbour {
     std::uint32_t fragment = 0;  // index in Pack::fragments
-    double area = 0.0;           // m^2 that the two share
+    double area = 0.0;           // m^2, of contact
 };
 
 /// The whole or a fragment. Its frame has the axes of the asset and its centre of mass as origin.
 struct Body {
     std::string id;
     std::string name;                                // of its object in the meshes
-    std::uint32_t parent = kNone;                    // the fragment that it is a piece of; kNone: the whole
+    std::uint32_t parent = kNone;                    // the parent fragment; kNone: the whole
     Vec3 offset;                                     // of its frame in the asset's, m
     double volume = 0.0;                             // m^3
     double mass = 0.0;                               // kg
@@ -105,7 +105,7 @@ enum class MeshPlace { Assembled, Centred };
 struct Mesh {
     std::string file;
     MeshBodies bodies = MeshBodies::Fragments;
-    std::uint32_t fragment = kNone;  // the one that it holds, where it holds one
+    std::uint32_t fragment = kNone;  // for MeshBodies::Fragment
     MeshPlace place = MeshPlace::Assembled;
 };
 
@@ -113,13 +113,13 @@ struct Pack {
     std::uint32_t asset = 0;
     std::string name;
     std::string hash;        // equal for equal packs
-    double threshold = 0.0;  // N s; an impact at or above it breaks the body
+    double threshold = 0.0;  // N·s; an impact at or above it breaks the body
     Material material;
     std::vector<Mesh> meshes;
     Body whole;
-    std::vector<Body> fragments;  // parents stand before their pieces
+    std::vector<Body> fragments;  // parents before their children
 
-    /// The fragments that a body breaks into; kNone: the whole. Empty where it does not break.
+    /// The fragments of a body; kNone: of the whole. Empty if it does not break.
     std::vector<std::uint32_t> piecesOf(std::uint32_t parent) const {
         std::vector<std::uint32_t> pieces;
         for (std::uint32_t k = 0; k < fragments.size(); ++k) {
@@ -129,7 +129,7 @@ struct Pack {
     }
 };
 
-/// Reads the text of a pack.json. Where it is none, gives false, says why in one sentence and leaves the pack as it was.
+/// Parses a pack.json. On an error returns false, sets `fault` to a message and does not change the pack.
 inline bool parse(std::string_view json, Pack& pack, std::string& fault);
 
 /// Reads a file.

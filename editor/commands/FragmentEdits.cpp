@@ -1,8 +1,8 @@
 #include "editor/commands/FragmentEdits.h"
 
-#include "core/asset/FragmentPlace.h"
-#include "core/fracture/PatternPartition.h"
-#include "core/geometry/AreaMoments.h"
+#include "core/asset/bake/FragmentLookup.h"
+#include "core/fracture/pattern/PatternPartition.h"
+#include "core/geometry/polygon/AreaMoments.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QCoreApplication>
@@ -14,12 +14,12 @@ namespace rubble {
 
 namespace {
 
-constexpr std::uint32_t kSeedsOfFragment = 5;
+constexpr std::uint32_t kDefaultSeedCount = 5;
 
 QString tr(const char* text) { return QCoreApplication::translate("FragmentEdits", text); }
 
-/// The direction across the way along which an area is spread farthest.
-Vec2 acrossOf(const AreaMoments& moments) {
+/// The direction perpendicular to the principal axis of an area.
+Vec2 minorAxisOf(const AreaMoments& moments) {
     const double difference = moments.xx - moments.yy;
     const Vec2 along(difference + std::sqrt(difference * difference + 4.0 * moments.xy * moments.xy), 2.0 * moments.xy);
     if (along == Vec2(0.0, 0.0)) return moments.xx >= moments.yy ? Vec2(0.0, 1.0) : Vec2(1.0, 0.0);
@@ -27,101 +27,101 @@ Vec2 acrossOf(const AreaMoments& moments) {
 }
 
 FragmentLevel& leafOf(Asset& asset, const FragmentPath& path) {
-    const auto place = std::ranges::lower_bound(asset.leaves, path, {}, &FragmentLevel::fragment);
-    if (place != asset.leaves.end() && place->fragment == path) return *place;
-    return *asset.leaves.insert(place, {path, {}});
+    const auto position = std::ranges::lower_bound(asset.leaves, path, {}, &FragmentLevel::fragment);
+    if (position != asset.leaves.end() && position->fragment == path) return *position;
+    return *asset.leaves.insert(position, {path, {}});
 }
 
-/// Finds what is said of fragments that come from some seeds.
-struct FromSeeds {
+/// Tests whether edits concern fragments that come from some seeds.
+struct EditFilter {
     const std::set<SeedId>& seeds;
-    const FragmentPath& inside;  // the fragment that they break; empty: the whole
+    const FragmentPath& parent;  // the fragment that they fracture; empty: the whole asset
 
-    bool holds(const FragmentPath& path) const {
-        if (path == inside || !isWithin(path, inside)) return false;
-        const std::optional<PieceName> name = pieceNameOf(pieceOf(inside, path));
+    bool matches(const FragmentPath& path) const {
+        if (path == parent || !isWithin(path, parent)) return false;
+        const std::optional<PieceName> name = pieceNameOf(childOnPath(parent, path));
         return name && seeds.contains(name->seed);
     }
-    bool holds(const FragmentLevel& leaf) const { return holds(leaf.fragment); }
-    bool holds(const FragmentEdit& edit) const {
-        if (const auto* split = std::get_if<FragmentSplit>(&edit)) return holds(split->fragment);
+    bool matches(const FragmentLevel& leaf) const { return matches(leaf.fragment); }
+    bool matches(const FragmentEdit& edit) const {
+        if (const auto* split = std::get_if<FragmentSplit>(&edit)) return matches(split->fragment);
         const auto& merge = std::get<FragmentMerge>(edit);
-        return holds(merge.into) ||
-               std::ranges::any_of(merge.merged, [&](const FragmentPath& path) { return holds(path); });
+        return matches(merge.into) ||
+               std::ranges::any_of(merge.merged, [&](const FragmentPath& path) { return matches(path); });
     }
 };
 
 }  // namespace
 
-std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen,
-                                      const FragmentPath& inside, Vec2 offset) {
-    const std::string parent = inside.empty() ? std::string() : inside + "/";
-    std::vector<ChosenPiece> pieces;
+std::vector<SelectedPiece> selectedPieces(const Partition& partition, const Seeds& seeds,
+                                          const std::set<SeedId>& selected, const FragmentPath& parent, Vec2 offset) {
+    const std::string prefix = parent.empty() ? std::string() : parent + "/";
+    std::vector<SelectedPiece> pieces;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (!chosen.contains(cellId(partition, piece, seeds.ids))) continue;
+        if (!selected.contains(cellId(partition, piece, seeds.ids))) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
-        pieces.push_back({parent + pieceName(partition, piece, seeds.ids),
+        pieces.push_back({prefix + pieceName(partition, piece, seeds.ids),
                           moments.area,
-                          {offset + partition.origin + moments.centre, acrossOf(moments)}});
+                          {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
     }
     return pieces;
 }
 
-Line lineAcross(const Polygon& outline, Vec2 origin) {
+Line splitLine(const Polygon& outline, Vec2 origin) {
     const AreaMoments moments = momentsOf(outline);
-    return {origin + moments.centre, acrossOf(moments)};
+    return {origin + moments.centre, minorAxisOf(moments)};
 }
 
-Edit fractureFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
-    Edit edit{.text = tr("Fracture fragments")};
+Edit fractureFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
+    Edit edit{.text = tr("Fracture Fragments")};
     Asset changed = *findAsset(project, asset);
-    for (const ChosenPiece& piece : pieces) {
+    for (const SelectedPiece& piece : pieces) {
         FragmentLevel& leaf = leafOf(changed, piece.path);
         if (leaf.level) continue;
-        const Id layer = edit.takeId(project);
+        const Id layer = edit.allocateId(project);
         leaf.level.emplace();
         leaf.level->pattern.layers = {
-            {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsOfFragment}}};
+            {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kDefaultSeedCount}}};
     }
     edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
     return edit;
 }
 
-Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
     Asset changed = *findAsset(project, asset);
-    for (const ChosenPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
-    return altered(tr("Keep fragments whole"), std::move(changed));
+    for (const SelectedPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
+    return modify(tr("Keep Fragments Whole"), std::move(changed));
 }
 
-Edit mergeFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
-    const auto largest = std::ranges::max_element(pieces, {}, &ChosenPiece::area);
+Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
+    const auto largest = std::ranges::max_element(pieces, {}, &SelectedPiece::area);
     FragmentMerge merge{.into = largest->path, .merged = {}};
-    for (const ChosenPiece& piece : pieces) {
+    for (const SelectedPiece& piece : pieces) {
         if (piece.path != merge.into) merge.merged.push_back(piece.path);
     }
     Asset changed = *findAsset(project, asset);
     changed.edits.push_back(std::move(merge));
-    return altered(tr("Merge fragments"), std::move(changed));
+    return modify(tr("Merge Fragments"), std::move(changed));
 }
 
-Edit splitFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces) {
+Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
     Asset changed = *findAsset(project, asset);
-    for (const ChosenPiece& piece : pieces) changed.edits.push_back(FragmentSplit{piece.path, piece.across});
-    return altered(tr("Split fragments"), std::move(changed));
+    for (const SelectedPiece& piece : pieces) changed.edits.push_back(FragmentSplit{piece.path, piece.splitLine});
+    return modify(tr("Split Fragments"), std::move(changed));
 }
 
-Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& inside) {
+Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
     Asset changed = *findAsset(project, asset);
-    const FromSeeds from{seeds, inside};
-    std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return from.holds(edit); });
-    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return from.holds(leaf); });
-    return altered(tr("Restore fragments"), std::move(changed));
+    const EditFilter filter{seeds, parent};
+    std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); });
+    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
+    return modify(tr("Restore Fragments"), std::move(changed));
 }
 
-bool areRestorable(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& inside) {
-    const FromSeeds from{seeds, inside};
-    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return from.holds(edit); }) ||
-           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return from.holds(leaf); });
+bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
+    const EditFilter filter{seeds, parent};
+    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); }) ||
+           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
 }
 
 }  // namespace rubble

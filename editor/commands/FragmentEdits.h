@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/asset/Project.h"
-#include "core/fracture/Partition.h"
+#include "core/asset/project/Project.h"
+#include "core/fracture/partition/Partition.h"
 #include "editor/document/Edit.h"
 
 #include <set>
@@ -9,34 +9,35 @@
 
 namespace rubble {
 
-/// A piece of an asset's pattern as it is chosen in the canvas.
-struct ChosenPiece {
+/// A piece of a pattern that is selected in the canvas.
+struct SelectedPiece {
     FragmentPath path;
     double area = 0.0;  // m^2
-    Line across;        // through its centre, across its longest way
+    Line splitLine;     // through its centroid, perpendicular to its principal axis
 };
 
-/// The pieces that come from some seeds, in the order of the partition. `seeds` are those of the partition, which is of the whole or of
-/// the fragment `inside`, whose frame stands at `offset` (m) in the asset's.
-std::vector<ChosenPiece> chosenPieces(const Partition& partition, const Seeds& seeds, const std::set<SeedId>& chosen,
-                                      const FragmentPath& inside = {}, Vec2 offset = Vec2(0.0, 0.0));
+/// The pieces of the selected seeds, in the order of the partition. `seeds` are all seeds of the partition, which
+/// fractures the fragment `parent` (empty: the whole asset); `offset` (m) is the position of its frame in the asset's.
+std::vector<SelectedPiece> selectedPieces(const Partition& partition, const Seeds& seeds,
+                                          const std::set<SeedId>& selected, const FragmentPath& parent = {},
+                                          Vec2 offset = Vec2(0.0, 0.0));
 
-/// Through the middle of an outline, across its longest way; `origin` is where the outline's own stands, m.
-Line lineAcross(const Polygon& outline, Vec2 origin);
+/// The line through an outline's centroid, perpendicular to its principal axis; `origin` is added to it, m.
+Line splitLine(const Polygon& outline, Vec2 origin);
 
-/// Each of these fragments is broken by a pattern of its own from now on: a few scattered seeds to begin with, as long as it has none.
-Edit fractureFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces);
-/// They stay whole, whatever their level says.
-Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces);
+/// Gives each fragment without a pattern of its own one: a few scattered seeds.
+Edit fractureFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces);
+/// Excludes the fragments from being fractured by their level.
+Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces);
 /// Merges fragments into the largest of them.
-Edit mergeFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces);
-/// Cuts each fragment in two, across its longest way.
-Edit splitFragments(const Project& project, Id asset, const std::vector<ChosenPiece>& pieces);
+Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces);
+/// Splits each fragment in two, across its longest dimension.
+Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces);
 
-/// Takes back all merges and splits of pieces of these seeds, which break the whole or the fragment `inside`, and what makes them break
-/// in their own way.
-Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& inside = {});
-/// Whether there is anything to take back.
-bool areRestorable(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& inside = {});
+/// Removes all merges, splits and own patterns of fragments that come from these seeds of the pattern of `parent`
+/// (empty: the whole asset).
+Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});
+/// Whether restoreFragments() would remove anything.
+bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});
 
 }  // namespace rubble

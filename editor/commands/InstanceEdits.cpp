@@ -1,7 +1,7 @@
 #include "editor/commands/InstanceEdits.h"
 
-#include "core/asset/Names.h"
-#include "core/asset/ScenePlacing.h"
+#include "core/asset/placement/InstancePlacement.h"
+#include "core/asset/project/Names.h"
 #include "core/base/Trigonometry.h"
 
 #include <QCoreApplication>
@@ -14,7 +14,6 @@ namespace rubble {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("InstanceEdits", text); }
-QString tr(const char* one, const char* many, std::size_t count) { return count == 1 ? tr(one) : tr(many).arg(count); }
 
 bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
 
@@ -26,9 +25,9 @@ std::vector<Instance> instancesWith(const Project& project, std::span<const Id> 
     return instances;
 }
 
-/// An edit that alters every instance that the function changes.
+/// An edit with every instance that the function changes.
 template <class Function>
-Edit alteredInstances(const QString& text, const Project& project, const Function& change) {
+Edit editInstances(const QString& text, const Project& project, const Function& change) {
     Edit edit{.text = text};
     for (const Instance& instance : project.instances) {
         Instance changed = instance;
@@ -38,15 +37,15 @@ Edit alteredInstances(const QString& text, const Project& project, const Functio
     return edit;
 }
 
-/// Adds copies under ids and names of their own.
-class Copying {
+/// Collects copies, each with a fresh id and a unique name.
+class InstanceCopies {
 public:
-    Copying(const QString& text, const Project& project)
+    InstanceCopies(const QString& text, const Project& project)
         : m_project(project), m_edit{.text = text}, m_all(project.instances) {}
 
     void add(Instance copy) {
-        copy.id = m_edit.takeId(m_project);
-        copy.name = freeName(m_all, copy.name);
+        copy.id = m_edit.allocateId(m_project);
+        copy.name = uniqueName(m_all, copy.name);
         m_all.push_back(copy);
         m_edit.swaps.push_back(Swap<Instance>{copy.id, std::move(copy)});
     }
@@ -55,17 +54,17 @@ public:
 private:
     const Project& m_project;
     Edit m_edit;
-    std::vector<Instance> m_all;  // names of copies are taken, too
+    std::vector<Instance> m_all;  // with the copies, whose names must be unique, too
 };
 
-Pose turnedAbout(Vec2 middle, double angle, const Pose& pose) {
-    const Quat turn{cosine(angle / 2.0), 0.0, sine(angle / 2.0), 0.0};
-    const Vec3 axis{middle.x, 0.0, middle.y};
-    return {axis + turn * (pose.position - axis), glm::normalize(turn * pose.orientation)};
+Pose rotatedAbout(Vec2 centre, double angle, const Pose& pose) {
+    const Quat rotation{cosine(angle / 2.0), 0.0, sine(angle / 2.0), 0.0};
+    const Vec3 axis{centre.x, 0.0, centre.y};
+    return {axis + rotation * (pose.position - axis), glm::normalize(rotation * pose.orientation)};
 }
 
-/// The smallest number from 0 on that is not taken; it is taken then.
-std::uint32_t freeVariant(std::set<std::uint32_t>& taken) {
+/// Reserves the lowest variant that is not taken.
+std::uint32_t reserveVariant(std::set<std::uint32_t>& taken) {
     std::uint32_t variant = 0;
     while (!taken.insert(variant).second) ++variant;
     return variant;
@@ -75,8 +74,8 @@ double heightOf(const Instance& instance) { return instance.pose.position.y; }
 
 }  // namespace
 
-Edit gridOf(const Project& project, std::span<const Id> instances, const GridArray& array) {
-    Copying copying(tr("Array in rows"), project);
+Edit arrayInGrid(const Project& project, std::span<const Id> instances, const GridArray& array) {
+    InstanceCopies copies(tr("Array in Grid"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int y = 0; y < array.counts[1]; ++y) {
             for (int z = 0; z < array.counts[2]; ++z) {
@@ -84,24 +83,24 @@ Edit gridOf(const Project& project, std::span<const Id> instances, const GridArr
                     if (x == 0 && y == 0 && z == 0) continue;
                     Instance copy = instance;
                     copy.pose.position += Vec3(x, y, z) * array.steps;
-                    copying.add(std::move(copy));
+                    copies.add(std::move(copy));
                 }
             }
         }
     }
-    return copying.finished();
+    return copies.finished();
 }
 
-Edit ringOf(const Project& project, std::span<const Id> instances, const RingArray& array) {
-    Copying copying(tr("Array in a ring"), project);
+Edit arrayInRing(const Project& project, std::span<const Id> instances, const RingArray& array) {
+    InstanceCopies copies(tr("Array in Ring"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int k = 1; k < array.count; ++k) {
             Instance copy = instance;
-            copy.pose = turnedAbout(array.middle, k * array.turn, instance.pose);
-            copying.add(std::move(copy));
+            copy.pose = rotatedAbout(array.centre, k * array.angle, instance.pose);
+            copies.add(std::move(copy));
         }
     }
-    return copying.finished();
+    return copies.finished();
 }
 
 Addition placeInstance(const Project& project, Id asset, const Pose& pose) {
@@ -109,11 +108,11 @@ Addition placeInstance(const Project& project, Id asset, const Pose& pose) {
     for (AnySwap& swap : addition.edit.swaps) {
         if (auto* added = std::get_if<Swap<Instance>>(&swap)) added->value->pose = pose;
     }
-    addition.edit.text = tr("Place instance");
+    addition.edit.text = tr("Place Instance");
     return addition;
 }
 
-Edit dropInstances(const Project& project, std::span<const Id> instances) {
+Edit dropToGround(const Project& project, std::span<const Id> instances) {
     const AssetHulls hulls = assetHulls(project);
     std::vector<Instance> falling = instancesWith(project, instances);
     std::ranges::stable_sort(falling, {}, heightOf);
@@ -121,9 +120,9 @@ Edit dropInstances(const Project& project, std::span<const Id> instances) {
     for (const Instance& instance : project.instances) {
         if (!isAmong(instances, instance.id)) resting.push_back(instance);
     }
-    Edit edit{.text = tr("Place on ground")};
+    Edit edit{.text = tr("Drop to Ground")};
     for (Instance& instance : falling) {
-        const double fall = fallOf(instance, resting, project.ground, hulls);
+        const double fall = dropDistance(instance, resting, project.ground, hulls);
         instance.pose.position.y -= fall;
         resting.push_back(instance);
         if (fall != 0.0) edit.swaps.push_back(Swap<Instance>{instance.id, instance});
@@ -131,46 +130,48 @@ Edit dropInstances(const Project& project, std::span<const Id> instances) {
     return edit;
 }
 
-Edit spreadVariants(const Project& project, std::span<const Id> instances) {
+Edit assignDistinctVariants(const Project& project, std::span<const Id> instances) {
     std::map<Id, std::set<std::uint32_t>> taken;  // by asset
     for (const Instance& instance : project.instances) {
         if (!isAmong(instances, instance.id)) taken[instance.asset].insert(instance.variant);
     }
-    return alteredInstances(tr("Give variants"), project, [&](Instance& instance) {
-        if (isAmong(instances, instance.id)) instance.variant = freeVariant(taken[instance.asset]);
+    return editInstances(tr("Assign Distinct Variants"), project, [&](Instance& instance) {
+        if (isAmong(instances, instance.id)) instance.variant = reserveVariant(taken[instance.asset]);
     });
 }
 
 Edit hideInstances(const Project& project, std::span<const Id> instances) {
-    return alteredInstances(tr("Hide instance", "Hide %1 instances", instances.size()), project,
-                            [&](Instance& instance) { instance.isHidden |= isAmong(instances, instance.id); });
+    const int count = static_cast<int>(instances.size());
+    return editInstances(QCoreApplication::translate("InstanceEdits", "Hide %n Instance(s)", nullptr, count), project,
+                         [&](Instance& instance) { instance.isHidden |= isAmong(instances, instance.id); });
 }
 
 Edit isolateInstances(const Project& project, std::span<const Id> instances) {
-    return alteredInstances(tr("Hide other instances"), project,
-                            [&](Instance& instance) { instance.isHidden = !isAmong(instances, instance.id); });
+    return editInstances(tr("Hide Other Instances"), project,
+                         [&](Instance& instance) { instance.isHidden = !isAmong(instances, instance.id); });
 }
 
 Edit showAllInstances(const Project& project) {
-    return alteredInstances(tr("Show all instances"), project, [](Instance& instance) { instance.isHidden = false; });
+    return editInstances(tr("Show All Instances"), project, [](Instance& instance) { instance.isHidden = false; });
 }
 
 Edit lockInstances(const Project& project, std::span<const Id> instances) {
-    return alteredInstances(tr("Lock instance", "Lock %1 instances", instances.size()), project,
-                            [&](Instance& instance) { instance.isLocked |= isAmong(instances, instance.id); });
+    const int count = static_cast<int>(instances.size());
+    return editInstances(QCoreApplication::translate("InstanceEdits", "Lock %n Instance(s)", nullptr, count), project,
+                         [&](Instance& instance) { instance.isLocked |= isAmong(instances, instance.id); });
 }
 
 Edit unlockAllInstances(const Project& project) {
-    return alteredInstances(tr("Unlock all instances"), project, [](Instance& instance) { instance.isLocked = false; });
+    return editInstances(tr("Unlock All Instances"), project, [](Instance& instance) { instance.isLocked = false; });
 }
 
-Edit movedInstances(const QString& text, const Project& project, std::span<const Id> instances,
-                    std::span<const Pose> poses, quint64 stroke) {
-    Edit edit = alteredInstances(text, project, [&](Instance& instance) {
-        const auto place = std::ranges::find(instances, instance.id);
-        if (place != instances.end()) instance.pose = poses[static_cast<std::size_t>(place - instances.begin())];
+Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,
+                   std::span<const Pose> poses, quint64 mergeKey) {
+    Edit edit = editInstances(text, project, [&](Instance& instance) {
+        const auto found = std::ranges::find(instances, instance.id);
+        if (found != instances.end()) instance.pose = poses[static_cast<std::size_t>(found - instances.begin())];
     });
-    edit.stroke = stroke;
+    edit.mergeKey = mergeKey;
     return edit;
 }
 

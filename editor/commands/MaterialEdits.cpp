@@ -1,7 +1,7 @@
 #include "editor/commands/MaterialEdits.h"
 
-#include "core/asset/Names.h"
-#include "core/asset/Threshold.h"
+#include "core/asset/project/Names.h"
+#include "core/asset/project/Threshold.h"
 
 #include <QCoreApplication>
 
@@ -13,23 +13,23 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("MaterialEdits", text); }
 
-/// The id of the material that is the copy of a preset; added where it is not there.
-Id materialFrom(const Project& project, const MaterialPreset& preset, Edit& edit) {
+/// The id of the material that equals a preset; adds one if there is none.
+Id findOrAddMaterial(const Project& project, const MaterialPreset& preset, Edit& edit) {
     for (const Material& material : project.materials) {
         if (material == materialOf(preset, material.id)) return material.id;
     }
-    const Id id = edit.takeId(project);
+    const Id id = edit.allocateId(project);
     Material copy = materialOf(preset, id);
-    copy.name = freeName(project.materials, copy.name);
+    copy.name = uniqueName(project.materials, copy.name);
     edit.swaps.push_back(Swap<Material>{id, std::move(copy)});
     return id;
 }
 
-void takePattern(const Project& project, const MaterialPreset& preset, Asset& asset, Edit& edit) {
+void applyPattern(const Project& project, const MaterialPreset& preset, Asset& asset, Edit& edit) {
     if (preset.pattern.layers.empty()) return;
     asset.pattern = patternWithin(preset, boundsOf(asset.prism.outline.outer));
     for (PatternLayer& layer : asset.pattern.layers) {
-        layer.id = edit.takeId(project);
+        layer.id = edit.allocateId(project);
         layer.randomSeed = layer.id;
     }
     asset.leaves.clear();
@@ -39,28 +39,28 @@ void takePattern(const Project& project, const MaterialPreset& preset, Asset& as
 }  // namespace
 
 Addition addMaterial(const Project& project, const MaterialPreset& preset) {
-    Addition addition{{.text = tr("Add material")}};
-    addition.id = materialFrom(project, preset, addition.edit);
+    Addition addition{{.text = tr("Add Material")}};
+    addition.id = findOrAddMaterial(project, preset, addition.edit);
     return addition;
 }
 
-Edit makeOf(const Project& project, Id asset, const MaterialPreset& preset, const PresetUse& use) {
-    Edit edit{.text = tr("Use material")};
+Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset, const PresetOptions& options) {
+    Edit edit{.text = tr("Apply Material")};
     Asset changed = *findAsset(project, asset);
-    changed.material = materialFrom(project, preset, edit);
-    if (use.takesPattern) takePattern(project, preset, changed, edit);
-    if (use.derivesThreshold && preset.tensileStrength && !changed.contactTime) {
-        changed.contactTime = kUsualContactTime;
+    changed.material = findOrAddMaterial(project, preset, edit);
+    if (options.appliesPattern) applyPattern(project, preset, changed, edit);
+    if (options.derivesThreshold && preset.tensileStrength && !changed.contactTime) {
+        changed.contactTime = kDefaultContactTime;
     }
     edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
     return edit;
 }
 
-MaterialPreset presetFrom(const Project& project, Id material, Id assetAtHand) {
-    const auto isOfIt = [&](const Asset& asset) { return asset.material == material; };
-    const Asset* asset = findAsset(project, assetAtHand);
-    if (asset == nullptr || !isOfIt(*asset)) {
-        const auto first = std::ranges::find_if(project.assets, isOfIt);
+MaterialPreset presetFrom(const Project& project, Id material, Id activeAsset) {
+    const auto hasMaterial = [&](const Asset& asset) { return asset.material == material; };
+    const Asset* asset = findAsset(project, activeAsset);
+    if (asset == nullptr || !hasMaterial(*asset)) {
+        const auto first = std::ranges::find_if(project.assets, hasMaterial);
         asset = first != project.assets.end() ? &*first : nullptr;
     }
     return presetOf(*findMaterial(project, material), asset != nullptr ? asset->pattern : Pattern{});

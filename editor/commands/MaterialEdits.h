@@ -1,25 +1,26 @@
 #pragma once
 
-#include "core/asset/MaterialPreset.h"
+#include "core/asset/project/MaterialPreset.h"
 #include "editor/commands/ProjectEdits.h"
 
 namespace rubble {
 
-/// What an asset takes of a preset besides its figures.
-struct PresetUse {
-    bool takesPattern = false;      // that it usually breaks in, in place of the asset's own
-    bool derivesThreshold = false;  // from the strength, where that is told
+/// What else of a preset is applied to an asset.
+struct PresetOptions {
+    bool appliesPattern = false;    // replaces the asset's pattern by the preset's
+    bool derivesThreshold = false;  // from the tensile strength, if the preset has one
 };
 
-/// Adds a copy of a preset to a project's materials; the name is numbered where it is taken. One that is there with the same name and
-/// values is taken as it is: the edit is empty then.
+/// Adds a copy of a preset to the project's materials, with a number if its name is taken. If an equal material exists,
+/// returns that and an empty edit.
 Addition addMaterial(const Project& project, const MaterialPreset& preset);
 
-/// Makes an asset of a preset: adds the material unless it is there, and takes what is told. With another pattern, what was said of
-/// fragments of the old one (merged, split, broken in their own way) is dropped.
-Edit makeOf(const Project& project, Id asset, const MaterialPreset& preset, const PresetUse& use);
+/// Gives an asset the material of a preset, added if necessary. A new pattern removes the merges, splits and own
+/// patterns of fragments of the old one.
+Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset, const PresetOptions& options);
 
-/// A preset of a project's material, with the pattern of an asset that is made of it where there is one: that at hand, or the first.
-MaterialPreset presetFrom(const Project& project, Id material, Id assetAtHand);
+/// A preset of a project's material, with the pattern of an asset of this material: the active one if it has it,
+/// otherwise the first.
+MaterialPreset presetFrom(const Project& project, Id material, Id activeAsset);
 
 }  // namespace rubble

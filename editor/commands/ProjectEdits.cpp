@@ -1,7 +1,7 @@
 #include "editor/commands/ProjectEdits.h"
 
-#include "core/asset/Names.h"
-#include "editor/commands/PatternPlaces.h"
+#include "core/asset/project/Names.h"
+#include "editor/commands/AssetPatterns.h"
 
 #include <QCoreApplication>
 
@@ -12,13 +12,12 @@ namespace rubble {
 
 namespace {
 
-constexpr double kDensityOfStone = 2400.0;  // kg/m^3
-constexpr std::uint32_t kSeedsOfLevel = 4;  // in each fragment of a new level
-constexpr double kTimeOfShot = 0.5;         // s after the start
-constexpr double kGapBetweenAssets = 0.25;  // m, between a new asset and what is in the scene already
+constexpr double kDefaultDensity = 2400.0;      // kg/m^3, stone
+constexpr std::uint32_t kSeedsPerFragment = 4;  // of a new level
+constexpr double kDefaultShotTime = 0.5;        // s after the start
+constexpr double kGapBetweenAssets = 0.25;      // m, between a new asset and the scene
 
 QString tr(const char* text) { return QCoreApplication::translate("ProjectEdits", text); }
-QString tr(const char* one, const char* many, std::size_t count) { return count == 1 ? tr(one) : tr(many).arg(count); }
 
 bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
 
@@ -32,25 +31,25 @@ void addRemoval(Id id, Edit& edit) {
     edit.swaps.push_back(Swap<Value>{id, std::nullopt});
 }
 
-/// Half the width, at most, that an asset's outline takes in any turn about the vertical.
-double reachOf(const Asset& asset) {
-    double reach = asset.prism.depth / 2.0;
-    for (const Vec2 corner : asset.prism.outline.outer) reach = std::max(reach, std::abs(corner.x));
-    return reach;
+/// The largest horizontal extent of an asset from its axis, at any rotation about the vertical, m.
+double horizontalExtent(const Asset& asset) {
+    double extent = asset.prism.depth / 2.0;
+    for (const Vec2 corner : asset.prism.outline.outer) extent = std::max(extent, std::abs(corner.x));
+    return extent;
 }
 
-/// Upright on the ground, to the right of everything.
-Pose besideAll(const Project& project, const Asset& asset) {
-    double right = -reachOf(asset) - kGapBetweenAssets;
+/// Upright on the ground, to the right of all instances.
+Pose poseBesideScene(const Project& project, const Asset& asset) {
+    double right = -horizontalExtent(asset) - kGapBetweenAssets;
     for (const Instance& instance : project.instances) {
         const Asset& other = elementWith(project.assets, instance.asset);
-        right = std::max(right, instance.pose.position.x + reachOf(other));
+        right = std::max(right, instance.pose.position.x + horizontalExtent(other));
     }
     const double bottom = boundsOf(asset.prism.outline.outer).min.y;
-    return {.position = {right + kGapBetweenAssets + reachOf(asset), project.ground.height - bottom, 0.0}};
+    return {.position = {right + kGapBetweenAssets + horizontalExtent(asset), project.ground.height - bottom, 0.0}};
 }
 
-/// Takes the play-tests' expectations on removed instances and their removed shots out.
+/// Removes expectations on removed instances, and removed shots, from the play-tests.
 void removeFromPlayTests(const Project& project, std::span<const Id> instances, std::span<const Id> shots, Edit& edit) {
     for (const PlayTest& test : project.playTests) {
         PlayTest rest = test;
@@ -71,34 +70,34 @@ std::vector<Id> shotsThrowing(const Project& project, std::span<const Id> assets
 }
 
 Id appendMaterial(const Project& project, const std::string& name, Edit& edit) {
-    const Id id = edit.takeId(project);
-    edit.swaps.push_back(
-        Swap<Material>{id, Material{.id = id, .name = freeName(project.materials, name), .density = kDensityOfStone}});
+    const Id id = edit.allocateId(project);
+    edit.swaps.push_back(Swap<Material>{
+        id, Material{.id = id, .name = uniqueName(project.materials, name), .density = kDefaultDensity}});
     return id;
 }
 
 Id appendShot(const Project& project, const std::string& name, const ShotAction& action, Edit& edit) {
-    const Id id = edit.takeId(project);
-    const Shot shot{.id = id, .name = freeName(project.shots, name), .time = kTimeOfShot, .action = action};
+    const Id id = edit.allocateId(project);
+    const Shot shot{.id = id, .name = uniqueName(project.shots, name), .time = kDefaultShotTime, .action = action};
     edit.swaps.push_back(Swap<Shot>{id, shot});
     return id;
 }
 
-/// The project's first material; one that is added where there is none.
-Id firstMaterial(const Project& project, Edit& edit) {
+/// The project's first material; adds one if there is none.
+Id firstOrNewMaterial(const Project& project, Edit& edit) {
     return project.materials.empty() ? appendMaterial(project, "stone", edit) : project.materials.front().id;
 }
 
 Id appendInstance(const Project& project, const Asset& asset, Edit& edit) {
-    const Id id = edit.takeId(project);
+    const Id id = edit.allocateId(project);
     edit.swaps.push_back(Swap<Instance>{id, Instance{.id = id,
-                                                     .name = freeName(project.instances, asset.name),
+                                                     .name = uniqueName(project.instances, asset.name),
                                                      .asset = asset.id,
-                                                     .pose = besideAll(project, asset)}});
+                                                     .pose = poseBesideScene(project, asset)}});
     return id;
 }
 
-/// Swaps for the things of one kind that are not the same in both lists.
+/// Adds swaps for the elements that differ between two lists.
 template <class Value>
 void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to, Edit& edit) {
     for (const Value& value : to) {
@@ -110,16 +109,16 @@ void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to
     }
 }
 
-/// Gives layers ids of their own, and tells which became which. What patterns have in common stays so.
-void takeLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::map<Id, Id>& layers) {
+/// Gives layers fresh ids and records the mapping; equal ids stay equal.
+void replaceLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::map<Id, Id>& layers) {
     for (PatternLayer& layer : pattern.layers) {
         const auto [known, isNew] = layers.try_emplace(layer.id, 0);
-        if (isNew) known->second = edit.takeId(project);
+        if (isNew) known->second = edit.allocateId(project);
         layer.id = known->second;
     }
 }
 
-/// Names fragments as they are called when layers have other ids.
+/// Updates the fragment names of an asset whose layer ids were replaced.
 void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
     for (FragmentLevel& leaf : asset.leaves) leaf.fragment = withLayers(leaf.fragment, layers);
     std::ranges::sort(asset.leaves, {}, &FragmentLevel::fragment);
@@ -149,11 +148,11 @@ Edit editBetween(const QString& text, const Project& from, const Project& to) {
 }
 
 Addition addAsset(const Project& project, const std::string& name, const Prism& prism) {
-    Addition addition{{.text = tr("Add asset")}};
-    Asset asset{.name = freeName(project.assets, name), .prism = prism};
-    asset.material = firstMaterial(project, addition.edit);
-    asset.id = addition.id = addition.edit.takeId(project);
-    const Id layer = addition.edit.takeId(project);
+    Addition addition{{.text = tr("Add Asset")}};
+    Asset asset{.name = uniqueName(project.assets, name), .prism = prism};
+    asset.material = firstOrNewMaterial(project, addition.edit);
+    asset.id = addition.id = addition.edit.allocateId(project);
+    const Id layer = addition.edit.allocateId(project);
     asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};
     appendInstance(project, asset, addition.edit);
     addition.edit.swaps.push_back(Swap<Asset>{addition.id, std::move(asset)});
@@ -161,15 +160,15 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
 }
 
 Addition duplicateAsset(const Project& project, Id source) {
-    Addition addition{{.text = tr("Duplicate asset")}};
+    Addition addition{{.text = tr("Duplicate Asset")}};
     Asset copy = elementWith(project.assets, source);
-    copy.name = freeName(project.assets, copy.name);
-    copy.id = addition.id = addition.edit.takeId(project);
+    copy.name = uniqueName(project.assets, copy.name);
+    copy.id = addition.id = addition.edit.allocateId(project);
     std::map<Id, Id> layers;
-    takeLayerIds(project, copy.pattern, addition.edit, layers);
-    for (Level& level : copy.levels) takeLayerIds(project, level.pattern, addition.edit, layers);
+    replaceLayerIds(project, copy.pattern, addition.edit, layers);
+    for (Level& level : copy.levels) replaceLayerIds(project, level.pattern, addition.edit, layers);
     for (FragmentLevel& leaf : copy.leaves) {
-        if (leaf.level) takeLayerIds(project, leaf.level->pattern, addition.edit, layers);
+        if (leaf.level) replaceLayerIds(project, leaf.level->pattern, addition.edit, layers);
     }
     renameFragments(layers, copy);
     addition.edit.swaps = {Swap<Asset>{addition.id, std::move(copy)}};
@@ -177,7 +176,8 @@ Addition duplicateAsset(const Project& project, Id source) {
 }
 
 Edit removeAssets(const Project& project, std::span<const Id> assets) {
-    Edit edit{.text = tr("Delete asset", "Delete %1 assets", assets.size())};
+    const int count = static_cast<int>(assets.size());
+    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Delete %n Asset(s)", nullptr, count)};
     std::vector<Id> instances;
     for (const Instance& instance : project.instances) {
         if (isAmong(assets, instance.asset)) instances.push_back(instance.id);
@@ -191,22 +191,22 @@ Edit removeAssets(const Project& project, std::span<const Id> assets) {
 }
 
 Addition addMaterial(const Project& project, const std::string& name) {
-    Addition addition{{.text = tr("Add material")}};
+    Addition addition{{.text = tr("Add Material")}};
     addition.id = appendMaterial(project, name, addition.edit);
     return addition;
 }
 
 Addition duplicateMaterial(const Project& project, Id source) {
-    Addition addition{{.text = tr("Duplicate material")}};
+    Addition addition{{.text = tr("Duplicate Material")}};
     Material copy = elementWith(project.materials, source);
-    copy.name = freeName(project.materials, copy.name);
-    copy.id = addition.id = addition.edit.takeId(project);
+    copy.name = uniqueName(project.materials, copy.name);
+    copy.id = addition.id = addition.edit.allocateId(project);
     addition.edit.swaps = {Swap<Material>{addition.id, std::move(copy)}};
     return addition;
 }
 
 Edit removeMaterial(const Project& project, Id material) {
-    Edit edit{.text = tr("Delete material")};
+    Edit edit{.text = tr("Delete Material")};
     const auto other = std::ranges::find_if(project.materials, [&](const Material& m) { return m.id != material; });
     if (other == project.materials.end()) return edit;
     addRemoval<Material>(material, edit);
@@ -220,18 +220,19 @@ Edit removeMaterial(const Project& project, Id material) {
 }
 
 Addition addInstance(const Project& project, Id asset) {
-    Addition addition{{.text = tr("Add instance")}};
+    Addition addition{{.text = tr("Add Instance")}};
     addition.id = appendInstance(project, elementWith(project.assets, asset), addition.edit);
     return addition;
 }
 
 Edit duplicateInstances(const Project& project, std::span<const Id> instances, Vec3 by) {
-    Edit edit{.text = tr("Duplicate instance", "Duplicate %1 instances", instances.size())};
-    std::vector<Instance> all = project.instances;  // names of copies are taken, too
+    const int count = static_cast<int>(instances.size());
+    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Duplicate %n Instance(s)", nullptr, count)};
+    std::vector<Instance> all = project.instances;  // with the copies, whose names must be unique, too
     for (const Id id : instances) {
         Instance copy = elementWith(project.instances, id);
-        copy.id = edit.takeId(project);
-        copy.name = freeName(all, copy.name);
+        copy.id = edit.allocateId(project);
+        copy.name = uniqueName(all, copy.name);
         copy.pose.position += by;
         all.push_back(copy);
         edit.swaps.push_back(Swap<Instance>{copy.id, std::move(copy)});
@@ -240,50 +241,52 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 }
 
 Edit removeInstances(const Project& project, std::span<const Id> instances) {
-    Edit edit{.text = tr("Delete instance", "Delete %1 instances", instances.size())};
+    const int count = static_cast<int>(instances.size());
+    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Delete %n Instance(s)", nullptr, count)};
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     removeFromPlayTests(project, instances, {}, edit);
     return edit;
 }
 
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action) {
-    Addition added{.edit = {.text = tr("Keep shot")}};
+    Addition added{.edit = {.text = tr("Add Shot")}};
     added.id = appendShot(project, name, action, added.edit);
     return added;
 }
 
 Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot) {
-    Addition added{.edit = {.text = tr("Add play-test")}};
-    PlayTest test{.name = freeName(project.playTests, shot ? shot->name : "stands")};
+    Addition added{.edit = {.text = tr("Add Play-Test")}};
+    PlayTest test{.name = uniqueName(project.playTests, shot ? shot->name : "stands")};
     if (shot) {
         test.shots = {appendShot(project, shot->name, shot->action, added.edit)};
         test.expectations = {{.kind = ExpectationKind::Breaks}};
     } else {
         test.expectations = {{.kind = ExpectationKind::StandsUntouched, .value = test.duration}};
     }
-    added.id = test.id = added.edit.takeId(project);
+    added.id = test.id = added.edit.allocateId(project);
     added.edit.swaps.push_back(Swap<PlayTest>{added.id, std::move(test)});
     return added;
 }
 
-Edit removePlayTest(Id test) { return {.text = tr("Delete play-test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}}; }
+Edit removePlayTest(Id test) { return {.text = tr("Delete Play-Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}}; }
 
-Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t level) {
-    Addition addition{{.text = tr("Add layer")}};
-    addition.id = addition.edit.takeId(project);
+Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern) {
+    Addition addition{{.text = tr("Add Layer")}};
+    addition.id = addition.edit.allocateId(project);
     Asset changed = elementWith(project.assets, asset);
-    patternAt(changed, level)
+    patternAt(changed, pattern)
         .layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
     addition.edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
     return addition;
 }
 
 Edit addLevel(const Project& project, Id asset) {
-    Edit edit{.text = tr("Add level")};
-    const Id layer = edit.takeId(project);
+    Edit edit{.text = tr("Add Level")};
+    const Id layer = edit.allocateId(project);
     Asset changed = elementWith(project.assets, asset);
     Level level;
-    level.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsOfLevel}}};
+    level.pattern.layers = {
+        {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsPerFragment}}};
     changed.levels.push_back(std::move(level));
     edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
     return edit;

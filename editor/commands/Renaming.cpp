@@ -1,6 +1,6 @@
 #include "editor/commands/Renaming.h"
 
-#include "core/asset/Names.h"
+#include "core/asset/project/Names.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Renaming", text); }
 
-/// Gives the list that holds a part's things to a function.
+/// Calls a function with the list of a kind of elements.
 template <class Function>
 auto withListOf(const Project& project, Part part, const Function& function) {
     switch (part) {
@@ -36,11 +36,11 @@ QString nameFault(const Project& project, Part part, Id id, const QString& name)
     });
 }
 
-Edit renamed(const Project& project, Part part, Id id, const QString& name) {
+Edit renameElement(const Project& project, Part part, Id id, const QString& name) {
     return withListOf(project, part, [&](const auto& elements) {
         auto changed = *std::ranges::find(elements, id, [](const auto& element) { return element.id; });
         changed.name = name.trimmed().toStdString();
-        return altered(tr("Rename"), std::move(changed));
+        return modify(tr("Rename"), std::move(changed));
     });
 }
 

@@ -4,14 +4,13 @@
 
 namespace rubble {
 
-/// What is wrong with a name for a material, an asset or an instance, as a sentence: it is empty or another one's. Empty
-/// where it may be taken.
+/// Why a material, an asset or an instance cannot have a name, as a sentence: it is empty or taken. Empty if it can.
 QString nameFault(const Project& project, Part part, Id id, const QString& name);
 
-/// Gives a material, an asset or an instance another name, which has no fault.
-Edit renamed(const Project& project, Part part, Id id, const QString& name);
+/// Renames a material, an asset or an instance; nameFault() must be empty.
+Edit renameElement(const Project& project, Part part, Id id, const QString& name);
 
-/// The name of a material, an asset or an instance; empty where it is not there.
+/// The name of a material, an asset or an instance; empty if it does not exist.
 QString nameOf(const Project& project, Part part, Id id);
 
 }  // namespace rubble

@@ -1,19 +1,19 @@
 #include "editor/commands/Resizing.h"
 
-#include "core/fracture/PatternKind.h"
+#include "core/fracture/pattern/PatternKind.h"
 
 namespace rubble {
 
 namespace {
 
-/// A stretch along x and y that leaves one point where it is.
-struct Stretch {
+/// A scaling along x and y about a fixed point.
+struct Scaling {
     Box2 bounds;
     Vec2 centre;
     Vec2 factor;
-    Vec2 size;  // that the bounds come to
+    Vec2 size;  // of the scaled bounds
 
-    /// Corners of the bounds come to the same places, however the factor is rounded.
+    /// Maps the corners of the bounds exactly, however the factor is rounded.
     double mapped(double value, int axis) const {
         if (value == bounds.min[axis]) return centre[axis] - size[axis] / 2.0;
         if (value == bounds.max[axis]) return centre[axis] + size[axis] / 2.0;
@@ -24,11 +24,11 @@ struct Stretch {
     }
 };
 
-void stretch(Ring& ring, const Stretch& map) {
+void scale(Ring& ring, const Scaling& map) {
     for (Vec2& point : ring) point = map(point);
 }
 
-void stretch(Pattern& pattern, const Stretch& map) {
+void scale(Pattern& pattern, const Scaling& map) {
     for (PatternLayer& layer : pattern.layers) {
         for (SeedOverride& seed : layer.overrides) {
             if (!seed.isDeleted) seed.position = map(seed.position);
@@ -40,14 +40,14 @@ void stretch(Pattern& pattern, const Stretch& map) {
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
         }
-        if (auto* drawn = std::get_if<Strokes>(&layer.parameters)) {
-            for (Strokes::Stroke& stroke : drawn->strokes) stretch(stroke.points, map);
+        if (auto* drawn = std::get_if<CrackLines>(&layer.parameters)) {
+            for (CrackLines::CrackLine& stroke : drawn->lines) scale(stroke.points, map);
         }
     }
 }
 
-/// The map of UVs that gives a stretched point what the old one gave the point.
-void stretch(AffineUv& uv, const Stretch& map) {
+/// The UV map that gives a scaled point the UV of the original point.
+void scale(AffineUv& uv, const Scaling& map) {
     for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
         double& a = uv.coefficients[row];
         double& b = uv.coefficients[row + 1];
@@ -58,9 +58,9 @@ void stretch(AffineUv& uv, const Stretch& map) {
     }
 }
 
-void stretch(Surface& surface, const Stretch& map, double factorOfDepth) {
-    stretch(surface.front.map, map);
-    stretch(surface.back.map, map);
+void scale(Surface& surface, const Scaling& map, double factorOfDepth) {
+    scale(surface.front.map, map);
+    scale(surface.back.map, map);
     for (SurfaceTriangle& triangle : surface.triangles) {
         for (Vec3& corner : triangle.corners) corner = {map(Vec2{corner}), corner.z * factorOfDepth};
     }
@@ -72,15 +72,15 @@ Vec3 sizeOf(const Asset& asset) { return {boundsOf(asset.prism.outline.outer).si
 
 Asset resized(Asset asset, Vec3 size) {
     const Box2 bounds = boundsOf(asset.prism.outline.outer);
-    const Stretch map{bounds, (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(), Vec2{size}};
+    const Scaling map{bounds, (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(), Vec2{size}};
     if (asset.surface) {
         auto surface = std::make_shared<Surface>(*asset.surface);
-        stretch(*surface, map, size.z / asset.prism.depth);
+        scale(*surface, map, size.z / asset.prism.depth);
         asset.surface = std::move(surface);
     }
-    stretch(asset.prism.outline.outer, map);
-    for (Ring& hole : asset.prism.outline.holes) stretch(hole, map);
-    stretch(asset.pattern, map);
+    scale(asset.prism.outline.outer, map);
+    for (Ring& hole : asset.prism.outline.holes) scale(hole, map);
+    scale(asset.pattern, map);
     asset.prism.depth = size.z;
     return asset;
 }

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 namespace rubble {
 
 /// Width, height and depth of an asset's prism, m.
 Vec3 sizeOf(const Asset& asset);
 
-/// The asset stretched to a size, each above zero, about the middle of its outline's bounding box. Seeds that were placed
-/// or moved by hand, and the look of the mesh it was imported from, go along; scatters are thrown anew.
+/// The asset scaled to a size (each > 0) about the centre of its outline's bounding box. Seeds that were placed or
+/// moved by hand and the surface of an imported mesh are scaled along; scattered seeds are scattered again.
 Asset resized(Asset asset, Vec3 size);
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #include "editor/document/Autosave.h"
 
-#include "core/io/ProjectFile.h"
+#include "core/io/project/ProjectFile.h"
 
 #include <QDir>
 #include <QFile>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kBackupSuffix = ".rubble";
 constexpr const char* kLockSuffix = ".lock";
-constexpr const char* kOriginSuffix = ".json";  // says what it is a backup of
+constexpr const char* kOriginSuffix = ".json";  // names the project it backs up
 constexpr const char* kProjectKey = "project";
 
 QString withSuffix(const QString& backupPath, const char* suffix) {
@@ -41,13 +41,13 @@ QString projectOf(const QString& backupPath) {
 
 QString backupFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/backups"; }
 
-std::vector<Backup> leftBackups(const QString& folder) {
+std::vector<Backup> orphanedBackups(const QString& folder) {
     std::vector<Backup> backups;
     for (const QFileInfo& file : QDir(folder).entryInfoList({QString("*") + kBackupSuffix}, QDir::Files)) {
         const QString path = file.absoluteFilePath();
         QLockFile lock(withSuffix(path, kLockSuffix));
         lock.setStaleLockTime(0);
-        if (!lock.tryLock(0)) continue;  // its program lives
+        if (!lock.tryLock(0)) continue;  // its program is running
         backups.push_back({path, projectOf(path), file.lastModified()});
     }
     std::ranges::stable_sort(backups, [](const Backup& a, const Backup& b) { return a.time > b.time; });
@@ -70,10 +70,10 @@ Autosave::Autosave(const Document& document, const QString& folder, QObject* par
     connect(&m_timer, &QTimer::timeout, this, &Autosave::writeNow);
     connect(&document, &Document::changed, this, &Autosave::noteChange);
     connect(&document, &Document::modifiedChanged, this,
-            [this](bool isModified) { isModified ? noteChange() : dropBackup(); });
+            [this](bool isModified) { isModified ? noteChange() : discardBackup(); });
 }
 
-Autosave::~Autosave() { dropBackup(); }
+Autosave::~Autosave() { discardBackup(); }
 
 void Autosave::setInterval(std::chrono::seconds interval) {
     m_timer.stop();
@@ -96,7 +96,7 @@ void Autosave::writeNow() {
         emit failed(tr("The backup could not be written: %1").arg(QString::fromStdString(status.error().message)));
 }
 
-void Autosave::dropBackup() {
+void Autosave::discardBackup() {
     m_timer.stop();
     m_hasChange = false;
     removeBackup({m_path, {}, {}});

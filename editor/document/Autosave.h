@@ -11,34 +11,34 @@
 
 namespace rubble {
 
-/// A project that a program saved aside and then did not live to save or drop.
+/// A backup whose program ended without saving or discarding its changes.
 struct Backup {
     QString path;         // of the backup
-    QString projectPath;  // what it is a backup of; empty where that was never saved
+    QString projectPath;  // the project it backs up; empty if that was never saved
     QDateTime time;       // when it was written
 };
 
-/// Where backups lie: a folder of the user's own.
+/// The user's folder for backups.
 QString backupFolder();
 
 /// The backups in a folder whose program has ended, newest first.
-std::vector<Backup> leftBackups(const QString& folder);
-/// Removes a backup and what belongs to it.
+std::vector<Backup> orphanedBackups(const QString& folder);
+/// Removes a backup and its description.
 void removeBackup(const Backup& backup);
 
-/// Saves a document aside every so often, if it was changed since, into a file of its own in a folder; never over the
-/// project. The backup goes when the document is saved or closed.
+/// Writes a backup of a changed document into a folder from time to time, never over the project itself. The backup is
+/// removed when the document is saved or closed.
 class Autosave : public QObject {
     Q_OBJECT
 public:
     Autosave(const Document& document, const QString& folder, QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// How long after a change it is saved, at the latest; zero or less: never.
+    /// The longest time from a change to the backup; zero or less disables backups.
     void setInterval(std::chrono::seconds interval);
-    /// What the document is saved as, for who restores it.
+    /// The path of the document's file, stored with the backup.
     void setProjectPath(const QString& path) { m_projectPath = path; }
-    /// Writes what has not been written yet.
+    /// Writes changes that are not backed up yet.
     void writeNow();
 
 signals:
@@ -46,7 +46,7 @@ signals:
 
 private:
     void noteChange();
-    void dropBackup();
+    void discardBackup();
 
     const Document& m_document;
     QString m_path;

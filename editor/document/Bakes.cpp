@@ -26,9 +26,11 @@ bool Bakes::areCurrent(const Project& project) const {
     });
 }
 
-std::shared_ptr<const BakedPattern> Bakes::findPattern(Id asset, const FragmentPath& inside) const {
-    if (!inside.empty()) {
-        return m_inside && m_inside->asset->id == asset && m_inside->inside == inside ? m_inside : nullptr;
+std::shared_ptr<const BakedPattern> Bakes::findPattern(Id asset, const FragmentPath& parent) const {
+    if (!parent.empty()) {
+        return m_fragmentPattern && m_fragmentPattern->asset->id == asset && m_fragmentPattern->parent == parent
+                   ? m_fragmentPattern
+                   : nullptr;
     }
     const auto pattern = m_patterns.find(asset);
     return pattern == m_patterns.end() ? nullptr : pattern->second;
@@ -40,12 +42,12 @@ void Bakes::set(Id asset, std::shared_ptr<const BakedAsset> result) {
 }
 
 void Bakes::setPattern(Id asset, std::shared_ptr<const BakedPattern> pattern) {
-    (pattern->inside.empty() ? m_patterns[asset] : m_inside) = std::move(pattern);
+    (pattern->parent.empty() ? m_patterns[asset] : m_fragmentPattern) = std::move(pattern);
     emit patternChanged(asset);
 }
 
 void Bakes::remove(Id asset) {
-    if (m_inside && m_inside->asset->id == asset) m_inside.reset();
+    if (m_fragmentPattern && m_fragmentPattern->asset->id == asset) m_fragmentPattern.reset();
     if (m_patterns.erase(asset) > 0) emit patternChanged(asset);
     if (m_results.erase(asset) > 0) emit changed(asset);
 }

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// A step that can be undone: undo and redo are the same swap.
+/// An undo step: undo and redo are the same swap.
 class Document::Command : public QUndoCommand {
 public:
     Command(Document& document, Edit edit) : QUndoCommand(edit.text), m_document(document), m_edit(std::move(edit)) {}
@@ -14,11 +14,11 @@ public:
     void undo() override { m_document.apply(m_edit, true); }
     void redo() override { m_document.apply(m_edit, std::exchange(m_wasDone, true)); }
 
-    int id() const override { return m_edit.stroke == 0 ? -1 : 1; }
+    int id() const override { return m_edit.mergeKey == 0 ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override {
-        auto& later = const_cast<Command&>(static_cast<const Command&>(*other));  // it is deleted after this
-        if (later.m_edit.stroke != m_edit.stroke) return false;
-        join(m_edit, std::move(later.m_edit));
+        auto& later = const_cast<Command&>(static_cast<const Command&>(*other));  // Qt deletes it after this
+        if (later.m_edit.mergeKey != m_edit.mergeKey) return false;
+        merge(m_edit, std::move(later.m_edit));
         setObsolete(isNoChange(m_document.project(), m_edit));
         return true;
     }
@@ -57,9 +57,9 @@ void Document::setUnsaved() {
     emit modifiedChanged(isModified());
 }
 
-void Document::apply(Edit& edit, bool isStepTaken) {
+void Document::apply(Edit& edit, bool isUndoOrRedo) {
     Changes changes = swapInto(m_project, edit);
-    changes.isStepTaken = isStepTaken;
+    changes.isUndoOrRedo = isUndoOrRedo;
     emit changed(changes);
 }
 

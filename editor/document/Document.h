@@ -7,30 +7,30 @@
 
 namespace rubble {
 
-/// The one owner of a project that is being edited, and of what can be undone. Everybody else reads `project()`, makes an
-/// Edit and pushes it; whatever way a project changes, `changed` tells it once it is done.
+/// Owns the project being edited and its undo stack. All other code reads project(), makes an Edit and pushes it.
+/// `changed` is emitted after every change: an edit, undo, redo or replacement.
 class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(Project project, QObject* parent = nullptr);
 
     const Project& project() const { return m_project; }
-    /// Undo and redo; its clean state is what lies on disk.
+    /// Its clean state is the saved file.
     QUndoStack& undoStack() { return m_undoStack; }
 
-    /// Carries an edit out as one step that can be undone, or as a part of the step before where both belong to one
-    /// stroke. An edit that changes nothing makes no step; a stroke that comes back to where it began leaves none.
+    /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that
+    /// changes nothing adds no step, and merged edits that cancel out leave none.
     void push(Edit edit);
-    /// A number for the edits of one drag.
-    quint64 newStroke() { return ++m_lastStroke; }
-    /// Puts another project in place of this one: what was read from disk. Nothing can be undone then.
+    /// A fresh merge key, for the edits of one drag.
+    quint64 newMergeKey() { return ++m_lastMergeKey; }
+    /// Replaces the project, for example by one read from a file, and clears the undo stack.
     void replace(Project project);
 
-    /// What is on disk is not what is edited.
+    /// Whether the project differs from the saved file.
     bool isModified() const { return !m_undoStack.isClean() || m_isUnsaved; }
-    /// The project was saved as it is.
+    /// Marks the current state as saved.
     void setSaved();
-    /// The project is nowhere on disk as it is: a restored backup, say.
+    /// Marks the current state as never saved: a restored backup, for example.
     void setUnsaved();
 
 signals:
@@ -39,11 +39,11 @@ signals:
 
 private:
     class Command;
-    void apply(Edit& edit, bool isStepTaken);
+    void apply(Edit& edit, bool isUndoOrRedo);
 
     Project m_project;
     QUndoStack m_undoStack;
-    quint64 m_lastStroke = 0;
+    quint64 m_lastMergeKey = 0;
     bool m_isUnsaved = false;
 };
 

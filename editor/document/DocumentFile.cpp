@@ -1,7 +1,7 @@
 #include "editor/document/DocumentFile.h"
 
-#include "core/io/AtomicFile.h"
-#include "core/io/ProjectFile.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 
 #include <QFileInfo>
 
@@ -20,8 +20,8 @@ std::optional<ContentHash> hashOnDisk(const QString& path) {
 }  // namespace
 
 DocumentFile::DocumentFile(Document& document, QObject* parent) : QObject(parent), m_document(document) {
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &DocumentFile::look);
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DocumentFile::look);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &DocumentFile::checkForChange);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DocumentFile::checkForChange);
 }
 
 QString DocumentFile::name() const { return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName(); }
@@ -30,27 +30,27 @@ Status DocumentFile::open(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     Result<Project> project = loadProject(toPath(absolute));
     if (!project) return project.error();
-    return take(std::move(*project), absolute);
+    return replaceDocument(std::move(*project), absolute);
 }
 
 Status DocumentFile::restore(const QString& backupPath, const QString& path) {
     Result<Project> project = loadProject(toPath(backupPath));
     if (!project) return project.error();
-    const Status taken = take(std::move(*project), path);
-    if (taken) m_document.setUnsaved();
-    return taken;
+    const Status replaced = replaceDocument(std::move(*project), path);
+    if (replaced) m_document.setUnsaved();
+    return replaced;
 }
 
 Status DocumentFile::save() {
     const Status saved = write(m_path);
-    if (saved) watch();  // the file was renamed into place: another one to watch
+    if (saved) watch();  // saving renames a new file into place, which the watcher does not know
     return saved;
 }
 
 Status DocumentFile::saveAs(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (absolute == m_path) return save();
-    const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::take(absolute);
+    const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::acquire(absolute);
     if (!lock) return lock.error();
     const Status saved = write(absolute);
     if (!saved) return saved;
@@ -69,10 +69,10 @@ Status DocumentFile::write(const QString& path) {
     return success();
 }
 
-/// Edits another project in place of the one before, and locks and watches its path if it has one.
-Status DocumentFile::take(Project project, const QString& path) {
+/// Replaces the document's project; locks and watches its path if it has one.
+Status DocumentFile::replaceDocument(Project project, const QString& path) {
     if (!path.isEmpty() && path != m_path) {
-        const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::take(path);
+        const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::acquire(path);
         if (!lock) return lock.error();
         m_lock = *lock;
     }
@@ -92,7 +92,7 @@ void DocumentFile::watch() {
     m_watcher.addPaths({m_path, QFileInfo(m_path).absolutePath()});
 }
 
-void DocumentFile::look() {
+void DocumentFile::checkForChange() {
     const std::optional<ContentHash> now = hashOnDisk(m_path);
     if (!m_watcher.files().contains(m_path)) m_watcher.addPath(m_path);
     if (now == m_onDisk) return;

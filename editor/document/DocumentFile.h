@@ -9,48 +9,48 @@
 
 namespace rubble {
 
-/// Where a document lies on disk: it opens and saves it, holds its lock and notices when somebody else writes the file.
+/// The file of a document: opens and saves it, holds its lock, and watches for changes by other programs.
 class DocumentFile : public QObject {
     Q_OBJECT
 public:
     explicit DocumentFile(Document& document, QObject* parent = nullptr);
 
-    /// Empty until it was saved or opened.
+    /// Empty until the document was opened or saved.
     const QString& path() const { return m_path; }
     /// "house.rubble", or "Untitled".
     QString name() const;
 
-    /// Puts a file's project into the document. On a fault all stays as it was.
+    /// Loads a file into the document. On an error nothing changes.
     ///
-    /// Errors: those of loadProject() and ProjectLock::take().
+    /// Errors: those of loadProject() and ProjectLock::acquire().
     Status open(const QString& path);
-    /// Takes a restored backup for the document, unsaved, as what lies (or will lie) at `path`, which may be empty.
+    /// Loads a backup into the document, unsaved, as the project at `path`; empty: a project that was never saved.
     Status restore(const QString& backupPath, const QString& path);
-    /// Saves where it lies; path() is not empty.
+    /// Saves to path(), which must not be empty.
     Status save();
-    /// Saves elsewhere, and stays there.
+    /// Saves to another path, which becomes path().
     ///
-    /// Errors: those of saveProject() and ProjectLock::take().
+    /// Errors: those of saveProject() and ProjectLock::acquire().
     Status saveAs(const QString& path);
-    /// Reads the file again, whatever was changed here.
+    /// Loads the file again and drops unsaved changes.
     Status reload() { return open(m_path); }
 
 signals:
     void pathChanged(const QString& path);
-    /// Another program has written the file, or removed it.
+    /// Another program wrote or removed the file.
     void changedOnDisk();
 
 private:
-    Status take(Project project, const QString& path);
+    Status replaceDocument(Project project, const QString& path);
     Status write(const QString& path);
     void watch();
-    void look();
+    void checkForChange();
 
     Document& m_document;
     QString m_path;
     std::shared_ptr<ProjectLock> m_lock;
     QFileSystemWatcher m_watcher;
-    std::optional<ContentHash> m_onDisk;  // of the bytes that were read or written last
+    std::optional<ContentHash> m_onDisk;  // of the bytes last read or written
 };
 
 }  // namespace rubble

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 #include <QMimeData>
 
 namespace rubble {
 
-/// What is dragged from one part of a window to another: an asset, by its id.
+/// The MIME type of an asset that is dragged and dropped within a window; the data is its id.
 inline constexpr const char* kAssetMimeType = "application/x-rubble-asset";
 
 inline QMimeData* mimeDataOf(Id asset) {
@@ -14,7 +14,7 @@ inline QMimeData* mimeDataOf(Id asset) {
     data->setData(kAssetMimeType, QByteArray::number(asset));
     return data;
 }
-/// 0 where it is none.
+/// The dragged asset's id; 0 if the data is no asset.
 inline Id draggedAsset(const QMimeData* data) { return data->data(kAssetMimeType).toUInt(); }
 
 }  // namespace rubble

@@ -9,50 +9,50 @@ namespace rubble {
 
 namespace {
 
-/// Where a project keeps things of one kind, and what the kind is called in changes.
+/// The list of a project that holds the elements of one type, and their kind.
 template <class Value>
-struct Home {
+struct ElementList {
     Part part;
     std::vector<Value> Project::*list;
 };
 template <class Value>
-constexpr Home<Value> kHome{};
+constexpr ElementList<Value> kElementList{};
 template <>
-constexpr Home<Material> kHome<Material>{Part::Material, &Project::materials};
+constexpr ElementList<Material> kElementList<Material>{Part::Material, &Project::materials};
 template <>
-constexpr Home<Asset> kHome<Asset>{Part::Asset, &Project::assets};
+constexpr ElementList<Asset> kElementList<Asset>{Part::Asset, &Project::assets};
 template <>
-constexpr Home<Instance> kHome<Instance>{Part::Instance, &Project::instances};
+constexpr ElementList<Instance> kElementList<Instance>{Part::Instance, &Project::instances};
 template <>
-constexpr Home<Shot> kHome<Shot>{Part::Shot, &Project::shots};
+constexpr ElementList<Shot> kElementList<Shot>{Part::Shot, &Project::shots};
 template <>
-constexpr Home<PlayTest> kHome<PlayTest>{Part::PlayTest, &Project::playTests};
+constexpr ElementList<PlayTest> kElementList<PlayTest>{Part::PlayTest, &Project::playTests};
 
-/// Where the thing with an id stands, or would.
+/// The position of the element with an id, or where it would be inserted.
 template <class List>
-auto placeOf(List& list, Id id) {
+auto positionOf(List& list, Id id) {
     return std::ranges::lower_bound(list, id, {}, [](const auto& element) { return element.id; });
 }
 
 template <class Value>
 Change exchange(Project& project, Swap<Value>& swap) {
-    auto& list = project.*kHome<Value>.list;
-    const auto place = placeOf(list, swap.id);
-    const bool isThere = place != list.end() && place->id == swap.id;
+    auto& list = project.*kElementList<Value>.list;
+    const auto position = positionOf(list, swap.id);
+    const bool exists = position != list.end() && position->id == swap.id;
     RUBBLE_ASSERT(!swap.value || swap.value->id == swap.id);
-    if (isThere && swap.value) {
-        std::swap(*place, *swap.value);
-        return {kHome<Value>.part, swap.id, ChangeKind::Altered};
+    if (exists && swap.value) {
+        std::swap(*position, *swap.value);
+        return {kElementList<Value>.part, swap.id, ChangeKind::Modified};
     }
-    if (isThere) {
-        swap.value = std::move(*place);
-        list.erase(place);
-        return {kHome<Value>.part, swap.id, ChangeKind::Removed};
+    if (exists) {
+        swap.value = std::move(*position);
+        list.erase(position);
+        return {kElementList<Value>.part, swap.id, ChangeKind::Removed};
     }
     RUBBLE_ASSERT(swap.value);
-    list.insert(place, std::move(*swap.value));
+    list.insert(position, std::move(*swap.value));
     swap.value.reset();
-    return {kHome<Value>.part, swap.id, ChangeKind::Added};
+    return {kElementList<Value>.part, swap.id, ChangeKind::Added};
 }
 
 Change exchange(Project& project, SceneSettings& scene) {
@@ -60,15 +60,15 @@ Change exchange(Project& project, SceneSettings& scene) {
     std::swap(project.gravity, scene.gravity);
     std::swap(project.damage, scene.damage);
     std::swap(project.debris, scene.debris);
-    return {Part::Scene, 0, ChangeKind::Altered};
+    return {Part::Scene, 0, ChangeKind::Modified};
 }
 
 template <class Value>
 bool isSame(const Project& project, const Swap<Value>& swap) {
-    const auto& list = project.*kHome<Value>.list;
-    const auto place = placeOf(list, swap.id);
-    const bool isThere = place != list.end() && place->id == swap.id;
-    return isThere ? swap.value && *swap.value == *place : !swap.value;
+    const auto& list = project.*kElementList<Value>.list;
+    const auto position = positionOf(list, swap.id);
+    const bool exists = position != list.end() && position->id == swap.id;
+    return exists ? swap.value && *swap.value == *position : !swap.value;
 }
 
 bool isSame(const Project& project, const SceneSettings& scene) { return sceneSettings(project) == scene; }
@@ -79,7 +79,7 @@ Id idOf(const Swap<Value>& swap) {
 }
 Id idOf(const SceneSettings&) { return 0; }
 
-bool areOfSameThing(const AnySwap& a, const AnySwap& b) {
+bool areOfSameElement(const AnySwap& a, const AnySwap& b) {
     const auto id = [](const auto& swap) { return idOf(swap); };
     return a.index() == b.index() && std::visit(id, a) == std::visit(id, b);
 }
@@ -95,7 +95,7 @@ bool Changes::touches(Part part, Id id) const {
            std::ranges::any_of(list, [&](const Change& change) { return change.part == part && change.id == id; });
 }
 
-Id Edit::takeId(const Project& project) {
+Id Edit::allocateId(const Project& project) {
     const Id id = nextId.value_or(project.nextId);
     nextId = id + 1;
     return id;
@@ -110,10 +110,10 @@ Changes swapInto(Project& project, Edit& edit) {
     return changes;
 }
 
-void join(Edit& earlier, Edit&& later) {
+void merge(Edit& earlier, Edit&& later) {
     for (AnySwap& swap : later.swaps) {
-        const auto isSameThing = [&](const AnySwap& other) { return areOfSameThing(swap, other); };
-        if (std::ranges::none_of(earlier.swaps, isSameThing)) earlier.swaps.push_back(std::move(swap));
+        const auto isSameElement = [&](const AnySwap& other) { return areOfSameElement(swap, other); };
+        if (std::ranges::none_of(earlier.swaps, isSameElement)) earlier.swaps.push_back(std::move(swap));
     }
     if (!earlier.nextId) earlier.nextId = later.nextId;
 }

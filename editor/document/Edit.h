@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 #include <QString>
 
@@ -10,7 +10,7 @@
 
 namespace rubble {
 
-/// What a project's scene is besides its instances; edited as one value.
+/// The settings of a project's scene, without its instances; edited as one value.
 struct SceneSettings {
     Ground ground;
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
@@ -19,28 +19,28 @@ struct SceneSettings {
     bool operator==(const SceneSettings&) const = default;
 };
 
-/// The kinds of things a project holds.
+/// The kinds of elements of a project.
 enum class Part { Material, Asset, Instance, Shot, PlayTest, Scene };
-enum class ChangeKind { Added, Removed, Altered };
+enum class ChangeKind { Added, Removed, Modified };
 
-/// What became of one thing.
+/// A change of one element.
 struct Change {
     Part part = Part::Asset;
     Id id = 0;  // 0 for Part::Scene
-    ChangeKind kind = ChangeKind::Altered;
+    ChangeKind kind = ChangeKind::Modified;
     bool operator==(const Change&) const = default;
 };
-/// All that one edit changed; everything where another project came in its place.
+/// The changes of one edit.
 struct Changes {
     std::vector<Change> list;
-    bool isEverything = false;
-    bool isStepTaken = false;  // by undo or redo: what is being dragged is not what is there any more
+    bool isEverything = false;  // the project was replaced
+    bool isUndoOrRedo = false;  // a drag in progress must end: its state is outdated
 
     bool touches(Part part) const;
     bool touches(Part part, Id id) const;
 };
 
-/// Another value for the thing with an id; none: it is not there.
+/// A new value for the element with an id; none removes the element.
 template <class Value>
 struct Swap {
     Id id = 0;
@@ -48,26 +48,26 @@ struct Swap {
 };
 using AnySwap = std::variant<Swap<Material>, Swap<Asset>, Swap<Instance>, Swap<Shot>, Swap<PlayTest>, SceneSettings>;
 
-/// A new state for parts of a project, as values. Carrying it out swaps them with what was there, so that carrying it out
-/// again undoes it. It names each thing once.
+/// New values for some elements of a project. Applying it swaps them with the project's, so that applying it again
+/// undoes it. It contains each element at most once.
 struct Edit {
-    QString text;                // what the user did: "Move seed"
-    std::vector<AnySwap> swaps;  // of things with different ids
-    std::optional<Id> nextId;    // where ids were taken
-    quint64 stroke = 0;          // edits of one drag carry the same number and become one step; 0: a step of its own
+    QString text;                // of the undo step: "Move Seed"
+    std::vector<AnySwap> swaps;  // of different elements
+    std::optional<Id> nextId;    // if ids were allocated
+    quint64 mergeKey = 0;        // edits with the same key, those of one drag, become one undo step; 0: no merging
     bool isEmpty() const { return swaps.empty(); }
 
-    /// Takes a fresh id from the project, or the next one.
-    Id takeId(const Project& project);
+    /// Returns a fresh id: the project's next one, or the one after the last allocated here.
+    Id allocateId(const Project& project);
 };
 
-/// Exchanges the edit's values with the project's, and says what changed.
+/// Swaps the edit's values with the project's and returns the changes.
 Changes swapInto(Project& project, Edit& edit);
 
-/// Joins `later`, carried out after `earlier`, both already swapped, into `earlier`.
-void join(Edit& earlier, Edit&& later);
+/// Merges `later` into `earlier`. Both are applied already, in this order.
+void merge(Edit& earlier, Edit&& later);
 
-/// True where carrying out the edit would change nothing.
+/// Whether applying the edit would change nothing.
 bool isNoChange(const Project& project, const Edit& edit);
 
 SceneSettings sceneSettings(const Project& project);

@@ -1,7 +1,7 @@
 #include "editor/document/FragmentSeeds.h"
 
-#include "core/asset/FragmentPlace.h"
-#include "core/fracture/PatternPartition.h"
+#include "core/asset/bake/FragmentLookup.h"
+#include "core/fracture/pattern/PatternPartition.h"
 
 namespace rubble {
 
@@ -12,17 +12,17 @@ std::vector<SeedId> seedsOfFragments(const Bake& bake) {
     return seeds;
 }
 
-std::vector<std::optional<SeedId>> seedsOfFragments(const Bake& bake, const FragmentPath& inside) {
+std::vector<std::optional<SeedId>> seedsOfFragments(const Bake& bake, const FragmentPath& parent) {
     std::vector<std::optional<SeedId>> seeds(bake.fragmentCount());
-    const std::optional<std::uint32_t> broken = fragmentAt(bake, inside);
-    if (!broken) return seeds;
-    for (const BakedBreaking& breaking : bake.breakings) {
-        for (std::uint32_t k = 0; k < breaking.fragments.count(); ++k) {
-            std::optional<SeedId>& seed = seeds[breaking.first + k];
-            if (breaking.parent == *broken) {
-                seed = cellId(breaking.fragments.partition, breaking.fragments[k].piece(), breaking.seeds.ids);
-            } else if (breaking.parent != kNone) {
-                seed = seeds[breaking.parent];  // numbered before its pieces
+    const std::optional<std::uint32_t> fractured = fragmentAt(bake, parent);
+    if (!fractured) return seeds;
+    for (const BakedFracture& fracture : bake.fractures) {
+        for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
+            std::optional<SeedId>& seed = seeds[fracture.first + k];
+            if (fracture.parent == *fractured) {
+                seed = cellId(fracture.fragments.partition, fracture.fragments[k].piece(), fracture.seeds.ids);
+            } else if (fracture.parent != kNone) {
+                seed = seeds[fracture.parent];  // it has a lower index
             }
         }
     }

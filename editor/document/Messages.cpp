@@ -6,35 +6,7 @@ namespace rubble {
 
 namespace {
 
-constexpr Id kSceneTopic = ~Id{0};  // no asset's
-
-Severity severityOf(ReportCode code) {
-    switch (code) {
-        case ReportCode::SplitCell:
-        case ReportCode::MergedPiece:
-        case ReportCode::DroppedSeed:
-        case ReportCode::Gap: return Severity::Note;
-        case ReportCode::DuplicateSeed:
-        case ReportCode::SeedWithoutCell:
-        case ReportCode::ThinPiece:
-        case ReportCode::LostOverride:
-        case ReportCode::NoRoom:
-        case ReportCode::LostPiece:
-        case ReportCode::LooseCut:
-        case ReportCode::VanishedPiece: return Severity::Warning;
-    }
-    return Severity::Warning;
-}
-
-/// The seed of the first level that a report is about. Those of deeper levels begin with their fragment's name.
-std::optional<SeedId> seedOf(const Report& report, const Seeds& seeds) {
-    const bool isOfLayer = report.code == ReportCode::LostOverride || report.code == ReportCode::DroppedSeed ||
-                           report.code == ReportCode::LooseCut;
-    if (isOfLayer) return SeedId{report.of, report.seed};
-    const bool isOfDeeperLevel = report.message.starts_with("Fragment ");
-    if (isOfDeeperLevel || report.seed >= seeds.ids.size()) return std::nullopt;
-    return seeds.ids[report.seed];
-}
+constexpr Id kSceneTopic = ~Id{0};  // no asset has this id
 
 }  // namespace
 
@@ -76,11 +48,11 @@ void Messages::clear() {
 
 std::vector<Message> messagesOf(const Bake& bake) {
     std::vector<Message> messages;
-    for (const Report& report : bake.reports) {
-        messages.push_back({.severity = severityOf(report.code),
+    for (const Diagnostic& report : bake.diagnostics) {
+        messages.push_back({.severity = report.severity,
                             .text = QString::fromStdString(report.message),
                             .asset = bake.asset,
-                            .seed = seedOf(report, bake.breakings.front().seeds)});
+                            .seed = seedOf(report.place)});
     }
     return messages;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -11,23 +11,21 @@
 
 namespace rubble {
 
-enum class Severity { Note, Warning, Fault };
-
-/// Something the user should know, and where it is.
+/// A message to the user and what it is about.
 struct Message {
     Severity severity = Severity::Note;
     QString text;  // one sentence
     Id asset = 0;  // 0: none
     std::optional<SeedId> seed;
-    std::vector<Id> instances;  // that it is about
+    std::vector<Id> instances;  // it is about
     QDateTime time = QDateTime::currentDateTime();
 
-    /// There is something to show it by.
+    /// Whether there is something to select or frame for it.
     bool hasPlace() const { return asset != 0 || !instances.empty(); }
 };
 
-/// What was told about a document in one window: the reports of every asset's last bake, what is wrong in the scene, and what
-/// imports and exports had to say, in the order it was told.
+/// The messages about a document in one window, oldest first: those of every asset's last bake, of the scene, and of
+/// imports and exports.
 class Messages : public QObject {
     Q_OBJECT
 public:
@@ -35,9 +33,9 @@ public:
 
     const std::vector<Message>& list() const { return m_list; }
     void add(Message message);
-    /// Takes the place of what was told of this asset's bake before.
+    /// Replaces the messages of this asset's last bake.
     void setOfBake(Id asset, std::vector<Message> messages);
-    /// Takes the place of what was told of the scene before.
+    /// Replaces the messages of the scene.
     void setOfScene(std::vector<Message> messages);
     void clear();
 
@@ -48,10 +46,10 @@ private:
     void replace(Id topic, std::vector<Message> messages);
 
     std::vector<Message> m_list;
-    std::vector<Id> m_topics;  // of which asset's bake each message is, or of kSceneTopic; 0: it stays
+    std::vector<Id> m_topics;  // of each message: the asset of its bake or kSceneTopic; 0: none, never replaced
 };
 
-/// The reports of a bake as messages.
+/// The messages of a bake.
 std::vector<Message> messagesOf(const Bake& bake);
 
 }  // namespace rubble

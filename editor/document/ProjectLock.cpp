@@ -21,22 +21,24 @@ Error refusal(const QLockFile& file, const QString& projectPath) {
     if (!file.getLockInfo(&process, &host, &program)) {
         return {ErrorCode::Io, tr("\"%1\" is open in another program.").arg(name).toStdString()};
     }
-    return {ErrorCode::Io,
-            tr("\"%1\" is open already: in %2 on %3, process %4.").arg(name, program, host).arg(process).toStdString()};
+    return {ErrorCode::Io, tr("\"%1\" is already open in %2 on %3, process %4. Close it there first.")
+                               .arg(name, program, host)
+                               .arg(process)
+                               .toStdString()};
 }
 
 }  // namespace
 
 QString lockPathOf(const QString& projectPath) {
     const QFileInfo file(projectPath);
-    const QString canonical = file.canonicalFilePath();  // two links to one file have one lock
+    const QString canonical = file.canonicalFilePath();  // symbolic links to one file share a lock
     const QFileInfo real(canonical.isEmpty() ? file.absoluteFilePath() : canonical);
     return real.absolutePath() + "/." + real.fileName() + ".lock";
 }
 
-Result<std::shared_ptr<ProjectLock>> ProjectLock::take(const QString& projectPath) {
+Result<std::shared_ptr<ProjectLock>> ProjectLock::acquire(const QString& projectPath) {
     const std::shared_ptr<ProjectLock> lock(new ProjectLock(lockPathOf(projectPath)));
-    lock->m_file.setStaleLockTime(0);  // a lock grows old only by its process ending
+    lock->m_file.setStaleLockTime(0);  // a lock is stale only once its process has ended
     if (!lock->m_file.tryLock(0)) return refusal(lock->m_file, projectPath);
     return lock;
 }

@@ -9,19 +9,20 @@
 
 namespace rubble {
 
-/// Keeps others from editing the same project file: a hidden file beside it, ".house.rubble.lock", which names program,
-/// process and machine. It goes with this object; what a process of this machine left behind that has ended is no lock.
+/// Keeps other programs from editing the same project file: a hidden file beside it, ".house.rubble.lock", with the
+/// name of the program, process and machine. The destructor removes it; a lock left by a process of this machine that
+/// has ended is ignored.
 class ProjectLock {
 public:
-    /// Errors: Io, saying who has the project open, or that the folder cannot be written to.
-    static Result<std::shared_ptr<ProjectLock>> take(const QString& projectPath);
+    /// Errors: Io if another process holds the lock, which the message names, or the folder is not writable.
+    static Result<std::shared_ptr<ProjectLock>> acquire(const QString& projectPath);
 
 private:
     explicit ProjectLock(const QString& lockPath) : m_file(lockPath) {}
     QLockFile m_file;
 };
 
-/// Where the lock of a project file lies.
+/// The path of a project file's lock.
 QString lockPathOf(const QString& projectPath);
 
 }  // namespace rubble

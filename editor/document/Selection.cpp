@@ -6,40 +6,40 @@
 namespace rubble {
 
 void Selection::setAsset(Id asset) {
-    takeAsset(asset);
+    activate(asset);
     setSubject(Part::Asset);
 }
 
-void Selection::takeAsset(Id asset) {
+void Selection::activate(Id asset) {
     if (asset == m_asset) return;
     m_asset = asset;
-    const bool wasInside = !std::exchange(m_inside, {}).empty();
-    m_choice = {};
+    const bool hadEntered = !std::exchange(m_enteredFragment, {}).empty();
+    m_fragments = {};
     m_seeds.clear();
     m_hidden = {};
     emit assetChanged(asset);
-    if (wasInside) emit insideChanged();
+    if (hadEntered) emit enteredFragmentChanged();
     emit seedsChanged();
     emit hiddenChanged();
 }
 
-void Selection::setInside(FragmentPath fragment) {
-    if (fragment == m_inside) return;
-    m_inside = std::move(fragment);
-    m_seeds = m_choice.seedsInside(m_inside);
-    emit insideChanged();
+void Selection::setEnteredFragment(FragmentPath fragment) {
+    if (fragment == m_enteredFragment) return;
+    m_enteredFragment = std::move(fragment);
+    m_seeds = m_fragments.seedsOf(m_enteredFragment);
+    emit enteredFragmentChanged();
     emit seedsChanged();
 }
 
-void Selection::setSeeds(Seeds seeds) { setChoice({std::move(seeds), std::nullopt, m_inside}); }
+void Selection::setSeeds(Seeds seeds) { setFragments({std::move(seeds), std::nullopt, m_enteredFragment}); }
 
-void Selection::setChoice(FragmentChoice choice) {
-    if (choice.isEmpty()) choice = {};
-    if (choice == m_choice) return;
-    m_choice = std::move(choice);
-    m_seeds = m_choice.seedsInside(m_inside);
+void Selection::setFragments(FragmentSelection fragments) {
+    if (fragments.isEmpty()) fragments = {};
+    if (fragments == m_fragments) return;
+    m_fragments = std::move(fragments);
+    m_seeds = m_fragments.seedsOf(m_enteredFragment);
     emit seedsChanged();
-    if (!m_choice.isEmpty()) setSubject(Part::Asset);
+    if (!m_fragments.isEmpty()) setSubject(Part::Asset);
 }
 
 void Selection::toggleSeed(SeedId seed) {
@@ -48,7 +48,7 @@ void Selection::toggleSeed(SeedId seed) {
     setSeeds(std::move(seeds));
 }
 
-void Selection::setHidden(FragmentChoice hidden) {
+void Selection::setHidden(FragmentSelection hidden) {
     if (hidden == m_hidden) return;
     m_hidden = std::move(hidden);
     emit hiddenChanged();
@@ -59,7 +59,7 @@ void Selection::setInstances(const Project& project, std::set<Id> instances) {
     for (const Instance& instance : project.instances) {
         if (instances.contains(instance.id)) assets.insert(instance.asset);
     }
-    if (assets.size() == 1) takeAsset(*assets.begin());
+    if (assets.size() == 1) activate(*assets.begin());
     if (instances != m_instances) {
         m_instances = std::move(instances);
         emit instancesChanged();
@@ -76,12 +76,13 @@ void Selection::setMaterial(Id material) {
 }
 
 void Selection::setSubject(Part subject) {
-    const bool isChosen = (subject == Part::Material && m_material != 0) || (subject == Part::Asset && m_asset != 0) ||
-                          (subject == Part::Instance && !m_instances.empty());
-    const Part taken = isChosen ? subject : Part::Scene;
-    if (taken == m_subject) return;
-    m_subject = taken;
-    emit subjectChanged(taken);
+    const bool isSelected = (subject == Part::Material && m_material != 0) ||
+                            (subject == Part::Asset && m_asset != 0) ||
+                            (subject == Part::Instance && !m_instances.empty());
+    const Part effective = isSelected ? subject : Part::Scene;
+    if (effective == m_subject) return;
+    m_subject = effective;
+    emit subjectChanged(effective);
 }
 
 void Selection::prune(const Project& project) {

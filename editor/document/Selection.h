@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/document/Edit.h"
-#include "editor/document/FragmentChoice.h"
+#include "editor/document/FragmentSelection.h"
 
 #include <QObject>
 
@@ -9,55 +9,57 @@
 
 namespace rubble {
 
-/// What is chosen in one window, shared by tree, canvas, table and viewport. Not saved and not undone.
+/// The selection of one window, shared by tree, canvas, table and viewport. It is neither saved nor undone.
 ///
-/// One asset is at hand: the one that canvas and tables show. The canvas is inside its whole, or inside one of its fragments that is
-/// broken again. Seeds are those of the pattern in there; choosing one means choosing all fragments that come from it, and choosing some
-/// of these chooses the seed, too. Hidden fragments are left out of pictures.
+/// One asset is active: canvas and tables show it. The canvas shows the pattern of the whole asset, or of one of its
+/// fractured fragments that was entered. Selecting a seed of that pattern selects all fragments that come from it;
+/// selecting some of these fragments selects the seed, too. Hidden fragments are not drawn.
 ///
-/// What was chosen last is the subject, which an inspector is about: a material, instances, an asset (choosing seeds counts
-/// as choosing theirs), or the scene where nothing is chosen.
+/// The inspector shows the subject, which is what was selected last: a material, instances, an asset (also by its
+/// seeds), or the scene if nothing is selected.
 class Selection : public QObject {
     Q_OBJECT
 public:
-    using Seeds = FragmentChoice::Seeds;
+    using Seeds = FragmentSelection::Seeds;
 
     using QObject::QObject;
 
+    /// The active asset; 0 if there is none.
     Id asset() const { return m_asset; }
-    /// The fragment whose pattern is seen and edited; empty: the whole.
-    const FragmentPath& inside() const { return m_inside; }
-    /// The chosen fragments, and the seeds that they come from.
-    const FragmentChoice& choice() const { return m_choice; }
-    /// The seeds of the pattern that is seen from which chosen fragments come.
+    /// The fragment whose pattern is shown and edited; empty: the whole asset.
+    const FragmentPath& enteredFragment() const { return m_enteredFragment; }
+    /// The selected fragments and the seeds that they come from.
+    const FragmentSelection& fragments() const { return m_fragments; }
+    /// The seeds of the shown pattern that selected fragments come from.
     const Seeds& seeds() const { return m_seeds; }
-    const FragmentChoice& hidden() const { return m_hidden; }
+    const FragmentSelection& hidden() const { return m_hidden; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
     /// Part::Material, Asset, Instance or Scene.
     Part subject() const { return m_subject; }
 
-    /// Takes an asset at hand; another one than before leaves no seed chosen or hidden, and is seen as a whole.
+    /// Makes an asset active. A change of asset clears the selected and hidden fragments and exits the entered
+    /// fragment.
     void setAsset(Id asset);
-    /// Goes into a fragment, or into the whole. What is chosen stays.
-    void setInside(FragmentPath fragment);
+    /// Enters a fragment; an empty path shows the whole asset. The selection stays.
+    void setEnteredFragment(FragmentPath fragment);
     void setSeeds(Seeds seeds);
-    void setChoice(FragmentChoice choice);
-    /// Chooses the seed, or takes it out of the chosen ones.
+    void setFragments(FragmentSelection fragments);
+    /// Adds the seed to the selection or removes it.
     void toggleSeed(SeedId seed);
-    void setHidden(FragmentChoice hidden);
-    /// Chooses instances; their asset comes to hand where it is one.
+    void setHidden(FragmentSelection hidden);
+    /// Selects instances. Their asset becomes active if all have the same.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
-    /// Makes what is chosen of a part the subject; the scene where nothing of it is.
+    /// Makes the selected elements of this kind the subject, or the scene if none is selected.
     void setSubject(Part subject);
-    /// Forgets what the project does not hold any more.
+    /// Removes everything that is not in the project.
     void prune(const Project& project);
 
 signals:
     void assetChanged(rubble::Id asset);
-    void insideChanged();
-    /// Other seeds, or other fragments of theirs.
+    void enteredFragmentChanged();
+    /// The selected seeds or fragments changed.
     void seedsChanged();
     void hiddenChanged();
     void instancesChanged();
@@ -65,15 +67,15 @@ signals:
     void subjectChanged(rubble::Part subject);
 
 private:
-    void takeAsset(Id asset);
+    void activate(Id asset);
 
     Part m_subject = Part::Scene;
     Id m_asset = 0;
     Id m_material = 0;
-    FragmentPath m_inside;
-    FragmentChoice m_choice;
-    Seeds m_seeds;  // of m_choice, inside m_inside
-    FragmentChoice m_hidden;
+    FragmentPath m_enteredFragment;
+    FragmentSelection m_fragments;
+    Seeds m_seeds;  // of m_fragments, in the pattern of m_enteredFragment
+    FragmentSelection m_hidden;
     std::set<Id> m_instances;
 };
 

@@ -1,6 +1,6 @@
 #include "editor/play/PlayEngine.h"
 
-#include "core/play/Forecast.h"
+#include "core/play/analysis/Forecast.h"
 
 #include <algorithm>
 #include <ranges>
@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kSecondsOfFlight = 4.0;
+constexpr double kTrajectorySeconds = 4.0;
 
 StepCost costOf(const Session& session) {
     const StepTimes& times = session.world().times();
@@ -20,22 +20,22 @@ StepCost costOf(const Session& session) {
             .finish = times.finish};
 }
 
-PlayFigures figuresOf(const Session& session) {
+PlayStatistics statisticsOf(const Session& session) {
     const StepCounts counts = session.world().counts();
     const Momenta momenta = session.world().momenta();
-    PlayFigures figures{.cost = costOf(session),
-                        .candidatePairs = counts.candidatePairs,
-                        .contactPoints = counts.contactPoints,
-                        .energy = momenta.kinetic + momenta.potential};
+    PlayStatistics statistics{.cost = costOf(session),
+                              .candidatePairs = counts.candidatePairs,
+                              .contactPoints = counts.contactPoints,
+                              .energy = momenta.kinetic + momenta.potential};
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
-        ++figures.bodies;
-        if (session.world().state(body.body).asleep) ++figures.asleep;
+        ++statistics.bodies;
+        if (session.world().state(body.body).asleep) ++statistics.asleep;
     }
-    return figures;
+    return statistics;
 }
 
-ToldBreak told(const Session& session, const PlayBreak& broken) {
+BreakRecord recordOf(const Session& session, const PlayBreak& broken) {
     return {.step = broken.step,
             .name = session.nameOf(broken.body),
             .impact = broken.impact,
@@ -67,15 +67,15 @@ PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t 
     return script;
 }
 
-Result<std::unique_ptr<PlayEngine>> PlayEngine::started(const std::shared_ptr<const PlayScene>& scene,
-                                                        PlayScript script, const TaskContext& task) {
+Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
+                                                       const TaskContext& task) {
     Result<Session> session = Session::start(scene, script.settings);
     if (!session) return session.error();
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
     std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
-    engine->m_beganWithDestruction = script.settings.hasDestruction;
-    const Status begun = engine->m_timeline.seek(script.begin, task, [&engine] { engine->tell(); });
-    if (!begun) return begun.error();
+    engine->m_startsWithDestruction = script.settings.hasDestruction;
+    const Status started = engine->m_timeline.seek(script.begin, task, [&engine] { engine->recordStep(); });
+    if (!started) return started.error();
     return engine;
 }
 
@@ -88,44 +88,44 @@ bool PlayEngine::hasDestruction() const {
         const auto* input = std::get_if<DestructionInput>(&one.input);
         if (input != nullptr && one.step <= session().stepsDone()) return input->isOn;
     }
-    return m_beganWithDestruction;
+    return m_startsWithDestruction;
 }
 
 void PlayEngine::step() {
-    if (const Status played = m_timeline.step(); !played) m_news.notices.push_back(played.error().message);
-    tell();
+    if (const Status played = m_timeline.step(); !played) m_update.notices.push_back(played.error().message);
+    recordStep();
 }
 
 void PlayEngine::seek(std::uint64_t step, const TaskContext& task) {
-    const Status gone = m_timeline.seek(step, task, [this] { tell(); });
-    if (!gone && gone.error().code != ErrorCode::Cancelled) m_news.notices.push_back(gone.error().message);
+    const Status gone = m_timeline.seek(step, task, [this] { recordStep(); });
+    if (!gone && gone.error().code != ErrorCode::Cancelled) m_update.notices.push_back(gone.error().message);
 }
 
-/// Of a step that was never played before.
-void PlayEngine::tell() {
+/// Records a step that is played for the first time.
+void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
-    if (step <= m_told) return;
-    m_told = step;
+    if (step <= m_recordedSteps) return;
+    m_recordedSteps = step;
     const PlayEvents& events = session().events();
-    for (const PlayBreak& broken : events.breaks) m_news.breaks.push_back(told(session(), broken));
-    m_news.notices.insert(m_news.notices.end(), events.notices.begin(), events.notices.end());
-    m_news.costs.push_back(costOf(session()));
+    for (const PlayBreak& broken : events.breaks) m_update.breaks.push_back(recordOf(session(), broken));
+    m_update.notices.insert(m_update.notices.end(), events.notices.begin(), events.notices.end());
+    m_update.costs.push_back(costOf(session()));
     if (step > m_hashes.size() || m_hashes[step - 1] == session().hash().low) return;
-    m_news.notices.push_back("At step " + std::to_string(step) + " this goes another way than it was recorded.");
+    m_update.notices.push_back("Step " + std::to_string(step) + " differs from the recording.");
     m_hashes.clear();
 }
 
 void PlayEngine::add(const PlayInput& input) {
     const std::uint64_t now = session().stepsDone();
     if (const Status added = m_timeline.add(input); !added) {
-        m_news.notices.push_back(added.error().message);
+        m_update.notices.push_back(added.error().message);
         return;
     }
-    if (m_told > now) {  // it goes another way from here
-        m_told = now;
-        m_news.forgetBeyond = now;
-        std::erase_if(m_news.breaks, [now](const ToldBreak& one) { return one.step > now; });
-        std::erase_if(m_news.costs, [now](const StepCost& one) { return one.step > now; });
+    if (m_recordedSteps > now) {  // the recorded future is void
+        m_recordedSteps = now;
+        m_update.discardAfter = now;
+        std::erase_if(m_update.breaks, [now](const BreakRecord& one) { return one.step > now; });
+        std::erase_if(m_update.costs, [now](const StepCost& one) { return one.step > now; });
     }
     if (m_hashes.size() > now) m_hashes.resize(now);
 }
@@ -133,35 +133,35 @@ void PlayEngine::add(const PlayInput& input) {
 void PlayEngine::fire(const std::string& name, const ShotAction& action) {
     const ShotInput shot{name, action};
     add(shot);
-    m_news.shot = shot;
+    m_update.shot = shot;
 }
 
 void PlayEngine::throwAlong(const Throw& thrown, const Ray& ray) {
-    fire("throw", rubble::thrownAlong(session(), thrown, ray));
+    fire("throw", rubble::throwAlong(session(), thrown, ray));
 }
 
-void PlayEngine::strikeAlong(double impulse, const Ray& ray) {
-    if (const std::optional<Hammer> blow = blowAlong(session(), impulse, ray)) fire("hammer", *blow);
+void PlayEngine::hammerAlong(double impulse, const Ray& ray) {
+    if (const std::optional<Hammer> blow = rubble::hammerAlong(session(), impulse, ray)) fire("hammer", *blow);
 }
 
-void PlayEngine::blastAlong(const Explosion& explosion, const Ray& ray) {
-    if (const std::optional<Explosion> blast = rubble::blastAlong(session(), explosion, ray)) fire("blast", *blast);
+void PlayEngine::explosionAlong(const Explosion& explosion, const Ray& ray) {
+    if (const std::optional<Explosion> blast = rubble::explosionAlong(session(), explosion, ray)) fire("blast", *blast);
 }
 
 void PlayEngine::grabAlong(double force, const Ray& ray) {
-    const std::optional<CastHit> hit = metBy(session().world(), ray);
+    const std::optional<CastHit> hit = firstHit(session().world(), ray);
     if (!hit || session().world().kind(hit->body) != BodyKind::Dynamic) return;
-    m_held = glm::dot(hit->point - ray.from, ray.direction);
+    m_grabDistance = glm::dot(hit->point - ray.from, ray.direction);
     add(GrabInput{static_cast<std::uint32_t>(session().world().tag(hit->body)), hit->point, force});
 }
 
 void PlayEngine::dragAlong(const Ray& ray) {
-    if (m_held) add(DragInput{ray.at(*m_held)});
+    if (m_grabDistance) add(DragInput{ray.at(*m_grabDistance)});
 }
 
-void PlayEngine::letGo() {
-    if (m_held) add(LetGoInput{});
-    m_held.reset();
+void PlayEngine::release() {
+    if (m_grabDistance) add(ReleaseInput{});
+    m_grabDistance.reset();
 }
 
 void PlayEngine::aim(std::optional<Throw> thrown, const Ray& ray) {
@@ -174,11 +174,11 @@ void PlayEngine::setOverlays(const PlayOverlays& overlays) {
     m_builder.setOverlays(overlays);
 }
 
-/// Of what is aimed, wherever on a body it would hit.
+/// Updates the break forecast of the aimed throw.
 void PlayEngine::forecast() {
     std::optional<std::vector<BodyForecast>> bodies;
     if (m_isForecast && m_aim) {
-        const Throw thrown = rubble::thrownAlong(session(), m_aim->thrown, m_aim->ray);
+        const Throw thrown = rubble::throwAlong(session(), m_aim->thrown, m_aim->ray);
         if (Result<std::vector<BodyForecast>> forecast = breakForecast(session(), thrown))
             bodies = std::move(*forecast);
     }
@@ -188,20 +188,22 @@ void PlayEngine::forecast() {
 PlayFrame PlayEngine::frame() {
     forecast();
     PlayFrame frame{.played = m_scene,
-                    .scene = m_builder.momentOf(session()),
+                    .scene = m_builder.sceneOf(session()),
                     .step = session().stepsDone(),
                     .length = m_timeline.length(),
-                    .figures = figuresOf(session()),
-                    .isHolding = m_held.has_value(),
+                    .statistics = statisticsOf(session()),
+                    .isHolding = m_grabDistance.has_value(),
                     .hasDestruction = hasDestruction()};
-    if (m_aim) frame.flight = flightOf(session(), thrownAlong(session(), m_aim->thrown, m_aim->ray), kSecondsOfFlight);
+    if (m_aim)
+        frame.trajectory =
+            trajectoryOf(session(), rubble::throwAlong(session(), m_aim->thrown, m_aim->ray), kTrajectorySeconds);
     return frame;
 }
 
-PlayNews PlayEngine::takeNews() {
-    PlayNews news = std::exchange(m_news, {});
-    news.frame = frame();
-    return news;
+PlayUpdate PlayEngine::takeUpdate() {
+    PlayUpdate update = std::exchange(m_update, {});
+    update.frame = frame();
+    return update;
 }
 
 }  // namespace rubble

@@ -1,62 +1,61 @@
 #pragma once
 
-#include "core/play/Replay.h"
+#include "core/play/session/Replay.h"
 #include "editor/play/PlayFrame.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/scene/SessionSceneBuilder.h"
 
 namespace rubble {
 
-/// What is played from the start: nothing, or what was recorded.
+/// The inputs of a session: none, or recorded ones.
 struct PlayScript {
     SessionSettings settings;
     std::vector<TimedInput> inputs;  // ascending step
     std::uint64_t steps = 0;
-    std::uint64_t begin = 0;            // the moment that is shown first, after so many steps
-    std::vector<std::uint64_t> hashes;  // that the steps came to; empty: nothing is known of it
+    std::uint64_t begin = 0;            // the step that is displayed first
+    std::vector<std::uint64_t> hashes;  // recorded state hashes of the steps; empty: unknown
 };
 PlayScript scriptOf(const Replay& replay);
-/// Of a play-test: its shots, for as long as it lasts, shown from a moment on.
+/// The shots of a play-test for its duration, displayed from step `begin` on.
 PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin);
 
-/// A project in play, as a window sees it: carries out what the user does, tells what becomes of it. Knows no time but steps.
-/// Everything of it happens in one thread.
+/// An interactive session: applies user input and collects updates for display. It counts steps and knows no wall-clock
+/// time. Used in one thread.
 class PlayEngine {
 public:
     /// Errors: those of Session::start() and Timeline::seek().
-    static Result<std::unique_ptr<PlayEngine>> started(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
-                                                       const TaskContext& task = {});
+    static Result<std::unique_ptr<PlayEngine>> create(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
+                                                      const TaskContext& task = {});
 
     const Timeline& timeline() const { return m_timeline; }
     const Session& session() const { return m_timeline.session(); }
-    /// Whether things break from this moment on: as it began, unless an input says otherwise.
+    /// Whether bodies can break from this step on.
     bool hasDestruction() const;
 
     void step();
     void seek(std::uint64_t step, const TaskContext& task);
-    /// What cannot be followed is told as a notice.
+    /// An invalid input becomes a notice.
     void add(const PlayInput& input);
     void fire(const std::string& name, const ShotAction& action);
-    /// Each towards what a ray from the eye meets.
+    /// Each acts on the first hit of a ray from the eye.
     void throwAlong(const Throw& thrown, const Ray& ray);
-    void strikeAlong(double impulse, const Ray& ray);
-    void blastAlong(const Explosion& explosion, const Ray& ray);
-    /// Takes hold of what the ray meets; it is then drawn along with the ray, as far away as it was.
+    void hammerAlong(double impulse, const Ray& ray);
+    void explosionAlong(const Explosion& explosion, const Ray& ray);
+    /// Grabs the body hit by the ray and drags it along with later rays, at the same distance.
     void grabAlong(double force, const Ray& ray);
     void dragAlong(const Ray& ray);
-    void letGo();
-    /// What would be thrown now; nothing: nobody aims.
+    void release();
+    /// Sets the throw whose trajectory and forecast are shown; nothing: none.
     void aim(std::optional<Throw> thrown, const Ray& ray);
 
-    /// What moments show beside bodies. Heat is the break forecast of what is aimed, where something is; else that of the last
-    /// impacts.
+    /// Sets the overlays. Heat shows the break forecast of the aimed throw; without one, the recent impacts.
     void setOverlays(const PlayOverlays& overlays);
 
-    /// Takes what happened since it was asked last, with the moment as it is.
-    PlayNews takeNews();
+    /// Returns and clears the pending update, with the current frame.
+    PlayUpdate takeUpdate();
 
 private:
     PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline, std::vector<std::uint64_t> hashes);
-    void tell();
+    void recordStep();
     PlayFrame frame();
     void forecast();
 
@@ -67,14 +66,14 @@ private:
 
     std::shared_ptr<const PlayScene> m_scene;
     Timeline m_timeline;
-    MomentBuilder m_builder;
-    std::vector<std::uint64_t> m_hashes;  // of the steps of a script
-    bool m_beganWithDestruction = true;
-    std::uint64_t m_told = 0;  // how many steps were told of
+    SessionSceneBuilder m_builder;
+    std::vector<std::uint64_t> m_hashes;  // of the script
+    bool m_startsWithDestruction = true;
+    std::uint64_t m_recordedSteps = 0;  // number of steps in updates so far
     std::optional<Aim> m_aim;
-    bool m_isForecast = false;     // heat is that of the aim
-    std::optional<double> m_held;  // how far from the eye what is grabbed is, m
-    PlayNews m_news;
+    bool m_isForecast = false;             // the heat overlay shows the aimed throw
+    std::optional<double> m_grabDistance;  // from the eye, m; nothing: no body is grabbed
+    PlayUpdate m_update;
 };
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/Aim.h"
+#include "core/play/session/Aim.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <memory>
@@ -10,29 +10,29 @@
 
 namespace rubble {
 
-/// How long a step took, ms of wall-clock time.
+/// The wall-clock time of a step by phase, ms.
 struct StepCost {
     std::uint64_t step = 0;
-    double pairs = 0.0;    // finding pairs
-    double collide = 0.0;  // how they touch
-    double swaps = 0.0;    // breaking and exchanging bodies
-    double solve = 0.0;    // preparing and solving
+    double pairs = 0.0;    // broad phase
+    double collide = 0.0;  // narrow phase
+    double swaps = 0.0;    // breaking bodies and swapping them for fragments
+    double solve = 0.0;    // preparing and solving constraints
     double finish = 0.0;
     double total() const { return pairs + collide + swaps + solve + finish; }
 };
 
-/// What is to be told about a moment.
-struct PlayFigures {
+/// Statistics of a step.
+struct PlayStatistics {
     StepCost cost;
-    int bodies = 0;  // without the ground
+    int bodies = 0;  // except the ground
     int asleep = 0;
     int candidatePairs = 0;
     int contactPoints = 0;
-    double energy = 0.0;  // J, kinetic and of height
+    double energy = 0.0;  // J, kinetic and potential
 };
 
-/// A break as it is told.
-struct ToldBreak {
+/// A break as it is listed.
+struct BreakRecord {
     std::uint64_t step = 0;
     std::string name;
     double impact = 0.0;     // N s
@@ -43,25 +43,25 @@ struct ToldBreak {
     double ratio() const { return impact / threshold; }
 };
 
-/// A moment of play as a window shows it.
+/// The state after a step as it is displayed.
 struct PlayFrame {
     std::shared_ptr<const PlayScene> played;
     std::shared_ptr<const RenderScene> scene;
     std::uint64_t step = 0;
     std::uint64_t length = 0;  // of the timeline, steps
-    double shownFrom = 0.0;    // s of the clock: when the way from the moment before begins to be shown
-    double shownFor = 0.0;     // s that it takes; 0: it is shown at once
-    PlayFigures figures;
-    std::optional<Flight> flight;  // of what is being aimed
-    bool isHolding = false;        // something is grabbed
-    bool hasDestruction = true;    // things break from here on
+    double shownFrom = 0.0;    // clock time at which the interpolation from the previous frame starts, s
+    double shownFor = 0.0;     // duration of the interpolation, s; 0: none
+    PlayStatistics statistics;
+    std::optional<Trajectory> trajectory;  // of the throw being aimed
+    bool isHolding = false;                // a body is grabbed
+    bool hasDestruction = true;            // bodies can break from here on
 };
 
-/// What happened since the last news, in order.
-struct PlayNews {
+/// What happened since the previous update, in order.
+struct PlayUpdate {
     std::optional<PlayFrame> frame;             // the newest
-    std::optional<std::uint64_t> forgetBeyond;  // what was told of later steps is not so any more; before the following
-    std::vector<ToldBreak> breaks;
+    std::optional<std::uint64_t> discardAfter;  // the records of later steps are void; applied before the following
+    std::vector<BreakRecord> breaks;
     std::vector<StepCost> costs;  // of new steps
     std::vector<std::string> notices;
     std::optional<ShotInput> shot;  // the last that was fired

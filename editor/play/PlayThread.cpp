@@ -8,22 +8,22 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// Puts newer news behind older ones.
-void join(PlayNews& news, PlayNews&& newer) {
-    if (newer.forgetBeyond) {
-        const std::uint64_t last = *newer.forgetBeyond;
-        news.forgetBeyond = std::min(news.forgetBeyond.value_or(last), last);
-        std::erase_if(news.breaks, [last](const ToldBreak& one) { return one.step > last; });
-        std::erase_if(news.costs, [last](const StepCost& one) { return one.step > last; });
+/// Appends a newer update to an older one.
+void merge(PlayUpdate& update, PlayUpdate&& newer) {
+    if (newer.discardAfter) {
+        const std::uint64_t last = *newer.discardAfter;
+        update.discardAfter = std::min(update.discardAfter.value_or(last), last);
+        std::erase_if(update.breaks, [last](const BreakRecord& one) { return one.step > last; });
+        std::erase_if(update.costs, [last](const StepCost& one) { return one.step > last; });
     }
     const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
     };
-    append(news.breaks, newer.breaks);
-    append(news.costs, newer.costs);
-    append(news.notices, newer.notices);
-    if (newer.frame) news.frame = std::move(newer.frame);
-    if (newer.shot) news.shot = std::move(newer.shot);
+    append(update.breaks, newer.breaks);
+    append(update.costs, newer.costs);
+    append(update.notices, newer.notices);
+    if (newer.frame) update.frame = std::move(newer.frame);
+    if (newer.shot) update.shot = std::move(newer.shot);
 }
 
 }  // namespace
@@ -36,48 +36,48 @@ PlayThread::~PlayThread() {
         m_isQuitting = true;
         cancelAll();
     }
-    m_woken.notify_all();
+    m_wake.notify_all();
     m_thread.join();
 }
 
 void PlayThread::cancelAll() {
-    m_cancelMaking.cancel();
+    m_cancelStart.cancel();
     m_cancelSeek.cancel();
 }
 
-/// Lets go of what is played for another, or for nothing.
-void PlayThread::replaceBy(Maker maker) {
+/// Replaces the engine by another, or by none.
+void PlayThread::restartWith(EngineFactory factory) {
     const std::lock_guard lock(m_mutex);
     cancelAll();
     m_isStopping = true;
-    m_isWanted = maker != nullptr;
-    m_maker = std::move(maker);
+    m_isStarted = factory != nullptr;
+    m_factory = std::move(factory);
     m_tasks.clear();
     m_seek.reset();
-    m_news = {};
-    m_woken.notify_all();
+    m_update = {};
+    m_wake.notify_all();
 }
 
-void PlayThread::start(Maker maker) { replaceBy(std::move(maker)); }
+void PlayThread::start(EngineFactory factory) { restartWith(std::move(factory)); }
 
 void PlayThread::stop() {
     setPlaying(false);
-    replaceBy(nullptr);
+    restartWith(nullptr);
 }
 
 void PlayThread::post(Task task) {
     const std::lock_guard lock(m_mutex);
-    if (!m_isWanted) return;
+    if (!m_isStarted) return;
     m_tasks.push_back(std::move(task));
-    m_woken.notify_all();
+    m_wake.notify_all();
 }
 
 void PlayThread::seek(std::uint64_t step) {
     const std::lock_guard lock(m_mutex);
-    if (!m_isWanted) return;
+    if (!m_isStarted) return;
     m_seek = step;
-    m_cancelSeek.cancel();  // of the way to where one wanted to go before
-    m_woken.notify_all();
+    m_cancelSeek.cancel();  // of a running seek
+    m_wake.notify_all();
 }
 
 void PlayThread::setPlaying(bool isPlaying) {
@@ -85,14 +85,14 @@ void PlayThread::setPlaying(bool isPlaying) {
     if (m_isPlaying == isPlaying) return;
     m_isPlaying = isPlaying;
     m_due = nowLocked() + interval();
-    m_woken.notify_all();
+    m_wake.notify_all();
 }
 
 void PlayThread::setTimeScale(double scale) {
     const std::lock_guard lock(m_mutex);
     m_timeScale = scale;
     m_due = std::min(m_due, nowLocked() + interval());
-    m_woken.notify_all();
+    m_wake.notify_all();
 }
 
 double PlayThread::interval() const { return m_stepLength / m_timeScale; }
@@ -120,22 +120,22 @@ void PlayThread::useSteppedClock() {
 void PlayThread::advance(double seconds) {
     std::unique_lock lock(m_mutex);
     m_steppedNow += seconds;
-    m_woken.notify_all();
+    m_wake.notify_all();
     m_idle.wait(lock, [this] { return !m_isBusy && !isWorkWaiting(); });
 }
 
 void PlayThread::settle() { advance(0.0); }
 
-PlayNews PlayThread::takeNews() {
+PlayUpdate PlayThread::takeUpdate() {
     const std::lock_guard lock(m_mutex);
-    m_isAnnounced = false;
-    return std::exchange(m_news, {});
+    m_isUpdateSignalled = false;
+    return std::exchange(m_update, {});
 }
 
 bool PlayThread::isWorkWaiting() const {
-    if (m_isQuitting || m_isStopping || m_maker) return true;
+    if (m_isQuitting || m_isStopping || m_factory) return true;
     if (!m_hasEngine) return false;
-    constexpr double kSlack = 1e-9;  // s: sums of steps are not exact
+    constexpr double kSlack = 1e-9;  // s: sums of step lengths are rounded
     return !m_tasks.empty() || m_seek || (m_isPlaying && nowLocked() + kSlack >= m_due);
 }
 
@@ -150,11 +150,11 @@ void PlayThread::run() {
         }
         m_idle.notify_all();
         const bool isTimed = !m_isStepped && m_hasEngine && m_isPlaying;
-        const auto isWoken = [this] { return isWorkWaiting(); };
+        const auto hasWork = [this] { return isWorkWaiting(); };
         if (isTimed) {
-            m_woken.wait_for(lock, Seconds(m_due - nowLocked()), isWoken);
+            m_wake.wait_for(lock, Seconds(m_due - nowLocked()), hasWork);
         } else {
-            m_woken.wait(lock, isWoken);
+            m_wake.wait(lock, hasWork);
         }
     }
     lock.unlock();
@@ -162,7 +162,7 @@ void PlayThread::run() {
 }
 
 void PlayThread::work(std::unique_lock<std::mutex>& lock) {
-    if (m_isStopping || m_maker) return make(lock);
+    if (m_isStopping || m_factory) return createEngine(lock);
     if (!m_tasks.empty()) {
         const std::deque<Task> tasks = std::exchange(m_tasks, {});
         lock.unlock();
@@ -184,20 +184,20 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
     playStep(lock);
 }
 
-/// Lets go of the engine and makes the one that is wanted.
-void PlayThread::make(std::unique_lock<std::mutex>& lock) {
-    const Maker maker = std::exchange(m_maker, nullptr);
+/// Destroys the engine and creates the requested one, if any.
+void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
+    const EngineFactory factory = std::exchange(m_factory, nullptr);
     m_isStopping = m_hasEngine = false;
-    m_cancelMaking = CancelToken();
-    const TaskContext task{.cancel = m_cancelMaking};
+    m_cancelStart = CancelToken();
+    const TaskContext task{.cancel = m_cancelStart};
     lock.unlock();
     m_engine.reset();
-    if (!maker) return lock.lock();
-    Result<std::unique_ptr<PlayEngine>> made = maker(task);
+    if (!factory) return lock.lock();
+    Result<std::unique_ptr<PlayEngine>> made = factory(task);
     lock.lock();
-    if (m_isQuitting || m_isStopping || m_maker) return;  // something else is wanted by now
+    if (m_isQuitting || m_isStopping || m_factory) return;  // superseded meanwhile
     if (!made) {
-        m_isWanted = false;
+        m_isStarted = false;
         m_tasks.clear();
         m_seek.reset();
         emit failed(QString::fromStdString(made.error().message));
@@ -221,14 +221,14 @@ void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
 
 void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {
     lock.unlock();
-    PlayNews news = m_engine->takeNews();
+    PlayUpdate update = m_engine->takeUpdate();
     lock.lock();
-    if (m_isStopping || m_maker) return;
-    news.frame->shownFrom = nowLocked();
-    news.frame->shownFor = shownFor;
-    join(m_news, std::move(news));
-    if (std::exchange(m_isAnnounced, true)) return;
-    emit hasNews();
+    if (m_isStopping || m_factory) return;
+    update.frame->shownFrom = nowLocked();
+    update.frame->shownFor = shownFor;
+    merge(m_update, std::move(update));
+    if (std::exchange(m_isUpdateSignalled, true)) return;
+    emit updateReady();
 }
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
-// Finds the body of a vertex: where it stands, what it looks like. See RenderScene.
-uniform samplerBuffer motions;  // two texels a body: position and shrinking, orientation (x, y, z, w)
-uniform samplerBuffer earlier;  // the same, a step before; read only where edges.w < 1
-uniform samplerBuffer apart;    // one: the way apart; read only where edges.z > 0
-uniform usamplerBuffer looks;   // one: outside and inside colour (0xRRGGBB), marks, row of heat
+// Looks up the pose and the appearance of a vertex's body: see RenderScene.
+uniform samplerBuffer poses;           // two texels per body: position and shrinkage, orientation (x, y, z, w)
+uniform samplerBuffer previousPoses;   // the same, one step earlier; read only if edges.w < 1
+uniform samplerBuffer explodeOffsets;  // one texel per body; read only if edges.z > 0
+uniform usamplerBuffer appearances;    // one texel per body: outside and inside colour (0xRRGGBB), marks, row of heat
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -17,32 +17,32 @@ const uint kSelected = 2u;
 const uint kHovered = 4u;
 
 int bodyIndex() { return int(firstBody + piece); }
-uvec4 lookOfBody() {
-    uvec4 look = texelFetch(looks, bodyIndex());
-    if (uint(bodyIndex()) + 1u == hovered.x) look.z |= kHovered;
-    return look;
+uvec4 appearanceOfBody() {
+    uvec4 appearance = texelFetch(appearances, bodyIndex());
+    if (uint(bodyIndex()) + 1u == hovered.x) appearance.z |= kHovered;
+    return appearance;
 }
 
-vec3 turned(vec4 orientation, vec3 v) {
+vec3 rotated(vec4 orientation, vec3 v) {
     return v + 2.0 * cross(orientation.xyz, cross(orientation.xyz, v) + orientation.w * v);
 }
 struct BodyPose {
-    vec4 place;  // w: how much it has shrunk
+    vec4 position;  // w: shrinkage
     vec4 orientation;
 };
-// Between the poses a step before and now; turned the shorter way.
+// Interpolates the previous and the current pose; rotates the shorter way.
 BodyPose poseOfBody() {
     int first = 2 * bodyIndex();
-    BodyPose now = BodyPose(texelFetch(motions, first), texelFetch(motions, first + 1));
+    BodyPose now = BodyPose(texelFetch(poses, first), texelFetch(poses, first + 1));
     if (edges.w >= 1.0) return now;
-    vec4 turn = texelFetch(earlier, first + 1);
-    if (dot(turn, now.orientation) < 0.0) turn = -turn;
-    return BodyPose(mix(texelFetch(earlier, first), now.place, edges.w),
-                    normalize(mix(turn, now.orientation, edges.w)));
+    vec4 orientation = texelFetch(previousPoses, first + 1);
+    if (dot(orientation, now.orientation) < 0.0) orientation = -orientation;
+    return BodyPose(mix(texelFetch(previousPoses, first), now.position, edges.w),
+                    normalize(mix(orientation, now.orientation, edges.w)));
 }
 vec3 pointInScene(BodyPose pose) {
-    vec3 point = pose.place.xyz + turned(pose.orientation, (1.0 - pose.place.w) * position);
-    return edges.z > 0.0 ? point + edges.z * texelFetch(apart, bodyIndex()).xyz : point;
+    vec3 point = pose.position.xyz + rotated(pose.orientation, (1.0 - pose.position.w) * position);
+    return edges.z > 0.0 ? point + edges.z * texelFetch(explodeOffsets, bodyIndex()).xyz : point;
 }
-// Where nothing is drawn.
-const vec4 kNowhere = vec4(2.0, 2.0, 2.0, 1.0);
+// Outside the clip volume: discards the vertex.
+const vec4 kClipped = vec4(2.0, 2.0, 2.0, 1.0);

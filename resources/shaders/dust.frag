@@ -1,11 +1,11 @@
-// A puff that is ragged at its edge, lit from above, and fades where it meets what is solid instead of being cut by it.
-uniform sampler2D depths;  // of what is solid
+// A soft particle with a noisy edge, lit from above, that fades where it meets solid surfaces.
+uniform sampler2D depths;  // of the solid surfaces
 in vec2 corner;
 in float eyeDistance;
 in float height;
 flat in vec4 puffColour;
 flat in float puffRadius;
-flat in float puffTurn;
+flat in float puffSeed;
 out vec4 pixel;
 
 float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
@@ -15,21 +15,21 @@ float noise(vec2 p) {
                mix(random(cell + vec2(0.0, 1.0)), random(cell + vec2(1.0, 1.0)), part.x), part.y);
 }
 
-// How far what is solid is from the eye, along the view.
+// The view depth of the solid surface.
 float solidDistance() {
     float device = 2.0 * texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r - 1.0;
     return eye.w > 0.5 ? depth.y / (device + depth.x) : (depth.y - device) / depth.x;
 }
 
 void main() {
-    float reach = length(corner);
-    if (reach >= 1.0) discard;
-    vec2 p = 1.7 * corner + 31.0 * puffTurn;
+    float radial = length(corner);
+    if (radial >= 1.0) discard;
+    vec2 p = 1.7 * corner + 31.0 * puffSeed;
     float cloud = 0.65 * noise(p) + 0.35 * noise(2.3 * p + 5.0);
-    float thick = (1.0 - smoothstep(0.15, 1.0, reach)) * smoothstep(0.1, 0.7, cloud + 0.35 * (1.0 - reach));
-    float thickness = max(puffRadius * sqrt(1.0 - reach * reach), 1e-4);  // as if it were a ball, of which some may be seen
+    float density = (1.0 - smoothstep(0.15, 1.0, radial)) * smoothstep(0.1, 0.7, cloud + 0.35 * (1.0 - radial));
+    float thickness = max(puffRadius * sqrt(1.0 - radial * radial), 1e-4);  // of a sphere
     float soft = clamp(0.5 + 0.5 * (solidDistance() - eyeDistance) / thickness, 0.0, 1.0);
     float low = clamp(0.5 + height / puffRadius, 0.0, 1.0);
     float light = (0.80 + 0.16 * corner.y + 0.10 * (cloud - 0.5)) * depth.w;
-    pixel = vec4(min(puffColour.rgb * light, vec3(1.0)), puffColour.a * thick * soft * low);
+    pixel = vec4(min(puffColour.rgb * light, vec3(1.0)), puffColour.a * density * soft * low);
 }

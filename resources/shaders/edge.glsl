@@ -1,4 +1,4 @@
-// How far a pixel is from the nearest edge of its face, in pixels; `placeAcross` is 0 or 1 at edges.
+// The distance of a pixel from the nearest edge of its face, in pixels; `placeAcross` is 0 or 1 at edges.
 float pixelsToEdge(vec2 placeAcross) {
     vec2 part = min(placeAcross, 1.0 - placeAcross);
     vec2 stepX = dFdx(placeAcross), stepY = dFdy(placeAcross);
@@ -6,7 +6,7 @@ float pixelsToEdge(vec2 placeAcross) {
     vec2 pixels = part / max(perPixel, vec2(1e-6));
     return min(pixels.x, pixels.y);
 }
-// The width of a face in pixels: lines fade on faces that are hardly wider.
+// The width of a face in pixels: edges fade on narrow faces.
 float pixelsAcross(vec2 placeAcross) {
     vec2 stepX = dFdx(placeAcross), stepY = dFdy(placeAcross);
     vec2 perPixel = sqrt(stepX * stepX + stepY * stepY);

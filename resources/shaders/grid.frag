@@ -1,9 +1,9 @@
 // A grid in metres that fades with distance.
-uniform vec3 worldOrigin;  // of the scene, less whole steps of the grid
+uniform vec3 worldOrigin;  // of the scene, modulo the grid's step
 in vec3 scenePoint;
 out vec4 pixel;
 
-// How much of a pixel is covered by lines of one pixel at multiples of `step`.
+// The coverage of a pixel by lines of one pixel's width at multiples of `step`.
 float gridCover(vec2 p, float step) {
     vec2 q = p / step;
     vec2 perPixel = max(fwidth(q), vec2(1e-6));

@@ -1,7 +1,7 @@
-// Adds a sample to the sum, or shows the mean of the sum.
+// Copies a texture times a weight: adds a sample to the sum, or divides the sum.
 uniform sampler2D source;
-uniform float share;
+uniform float weight;
 in vec2 place;
 out vec4 pixel;
 
-void main() { pixel = vec4(texture(source, place).rgb * share, 1.0); }
+void main() { pixel = vec4(texture(source, place).rgb * weight, 1.0); }

@@ -1,2 +1,2 @@
-// A body has the same colour all over; heat.glsl takes the place of this where it has not.
+// One colour for the whole surface; the alternative is heat.glsl.
 vec3 surfaceColour(vec3 colour, uint row, vec3 point, vec3 normal) { return colour; }

@@ -1,9 +1,9 @@
-// Light and its shadows, in three ways, since a processor that draws takes time for branches not taken, too: WITHOUT_SHADOWS;
-// as a picture is drawn at once; or as one of many samples, BY_SAMPLES, lit from one place of the sky.
+// Lights and shadows. Three variants, since a software rasterizer pays for branches that are not taken:
+// WITHOUT_SHADOWS; one pass; and BY_SAMPLES, for one of many samples, each lit from one point of the sky.
 uniform sampler2DShadow keyShadow;
 uniform sampler2DShadow skyShadow;
 
-// How much of a light reaches a point: four places of its shadow map, each smoothed by the card.
+// The visibility of a light from a point: four bilinear samples of its shadow map.
 float reached(sampler2DShadow map, vec3 place) {
     if (any(greaterThan(abs(place - 0.5), vec3(0.5)))) return 1.0;
     vec2 a = 0.75 / vec2(textureSize(map, 0)), b = vec2(a.x, -a.y);
@@ -17,8 +17,8 @@ float keyReached(vec3 point) { return 1.0; }
 float keyReached(vec3 point) { return reached(keyShadow, (keyFromScene * vec4(point, 1.0)).xyz); }
 #endif
 
-// What the sky gives to a surface, and how much of its light to the ground is missing: of all of it, or of one place
-// whose mean over many samples is the same but for what is hidden from it.
+// The sky light on a surface, and its part that is missing on the ground: of the whole sky, or of one point of it,
+// whose mean over many samples is the same where nothing is occluded.
 #ifdef BY_SAMPLES
 float skyReached(vec3 point) { return reached(skyShadow, (skyFromScene * vec4(point, 1.0)).xyz); }
 vec3 skyOn(vec3 n, vec3 point) {

@@ -1,10 +1,10 @@
 in vec2 place;
 out vec4 pixel;
 
-// Less than a step of eight bits, so that the gradient has no bands.
+// Dithers by less than one 8-bit step, which avoids banding.
 float noise(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5; }
 
-// The sky with a horizon over a ground that fades into it far away.
+// A sky above a ground that fades into the horizon.
 vec3 outdoors(vec3 direction) {
     float below = -direction.y, above = eye.y - ground.y;
     if (below <= 0.0) return mix(horizon.rgb, zenith.rgb, 1.0 - pow(1.0 + below, 4.0));

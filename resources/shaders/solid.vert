@@ -8,13 +8,13 @@ flat out uint heat;
 vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u) / 255.0; }
 
 void main() {
-    uvec4 look = lookOfBody();
+    uvec4 appearance = appearanceOfBody();
     BodyPose pose = poseOfBody();
     scenePoint = pointInScene(pose);
-    sceneNormal = turned(pose.orientation, normal);
+    sceneNormal = rotated(pose.orientation, normal);
     placeAcross = across;
-    colour = unpackedColour(side == 0u ? look.x : look.y);
-    marks = look.z;
-    heat = look.w;
-    gl_Position = (look.z & kHidden) != 0u ? kNowhere : clipFromScene * vec4(scenePoint, 1.0);
+    colour = unpackedColour(side == 0u ? appearance.x : appearance.y);
+    marks = appearance.z;
+    heat = appearance.w;
+    gl_Position = (appearance.z & kHidden) != 0u ? kClipped : clipFromScene * vec4(scenePoint, 1.0);
 }

@@ -1,6 +1,8 @@
-#include "core/io/AtomicFile.h"
-#include "core/io/PackMeshes.h"
+// Tests core/io/exchange and core/io/pack with Blender.
+#include "core/io/pack/PackMeshes.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/Fragments.h"
+#include "tests/support/TestProgram.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -20,7 +22,7 @@ namespace {
 const QString kScript = RUBBLE_SOURCE_DIR "/tests/blender/round_trip.py";
 const QByteArray kMark = "ROUND TRIP ";
 
-/// What Blender says of every file, by the file's name.
+/// Blender's report on each file, by name.
 QMap<QString, QJsonObject> imported(const QStringList& paths) {
     QProcess blender;
     blender.start(
@@ -47,7 +49,8 @@ double volumeOf(const QJsonArray& objects) {
 
 }  // namespace
 
-/// Exports an asset with concave, holed and cut-apart pieces on two levels, and looks at it with Blender's eyes.
+/// Exports an asset with concave, holed and cut-apart fragments on two levels, imports it into Blender and checks it
+/// there.
 class RoundTripTest : public QObject {
     Q_OBJECT
 private slots:
@@ -56,12 +59,12 @@ private slots:
         const Asset asset = ringAsset();
         m_bake = bake(asset).value();
         QStringList paths;
-        for (const PartPlace place : {PartPlace::Assembled, PartPlace::Centred}) {
+        for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
             const MeshOptions options{.place = place};
-            const QString prefix = place == PartPlace::Assembled ? "" : "centred-";
+            const QString prefix = place == PartPlacement::Assembled ? "" : "centred-";
             const PackMeshes meshes = packMeshes(m_bake, asset, Material{.id = 1, .name = "brick"}, options).value();
             for (const ExportFile& file : meshes.files) {
-                // Beside each other, so that each OBJ file finds its materials.
+                // In one folder, so that each OBJ file finds its MTL file.
                 const QString name = prefix + QString::fromStdString(file.name);
                 const QString path = m_folder.filePath(name.endsWith(".mtl") ? name.mid(prefix.size()) : name);
                 QVERIFY(writeFileAtomically(path.toStdString(), file.bytes));
@@ -72,7 +75,7 @@ private slots:
         QCOMPARE(m_files.size(), paths.size());
     }
 
-    void theAssetHasPiecesOfEveryKind() {
+    void assetHasFragmentsOfEveryKind() {
         const auto has = [&](const auto& isSuch) {
             bool isFound = false;
             for (std::uint32_t k = 0; k < m_bake.fragmentCount(); ++k) isFound |= isSuch(m_bake.fragment(k).solid);
@@ -83,7 +86,7 @@ private slots:
         QVERIFY(has([](const Fragment& solid) { return solid.hulls().size() > 1; }));
     }
 
-    void everyPieceIsClosedAndFillsTheWhole_data() {
+    void fragmentsAreClosedAndFillTheWhole_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<std::size_t>("count");
         QTest::addColumn<double>("volume");
@@ -108,7 +111,7 @@ private slots:
             }
         }
     }
-    void everyPieceIsClosedAndFillsTheWhole() {
+    void fragmentsAreClosedAndFillTheWhole() {
         QFETCH(QString, file);
         QFETCH(std::size_t, count);
         QFETCH(double, volume);
@@ -126,8 +129,8 @@ private slots:
         QVERIFY(std::abs(volumeOf(objects) - volume) < 1e-6 * m_bake.whole.volume);
     }
 
-    void yIsUpAndPiecesLieAtTheirPlaces() {
-        // Blender has z up: the square of 4 stands on its edge, a quarter metre deep on either side.
+    void yIsUpAndFragmentsAreInPlace() {
+        // z is up in Blender: the square of 4 m is upright, with a quarter metre of depth on either side.
         for (const char* name : {"old_ring.obj", "old_ring.glb", "old_ring-whole.obj", "old_ring-whole.glb"}) {
             const QJsonArray highest = m_files[name]["highest"].toArray();
             QVERIFY2(std::abs(highest[0].toDouble() - 4.0) < 1e-5, name);
@@ -142,5 +145,5 @@ private:
     QMap<QString, QJsonObject> m_files;
 };
 
-QTEST_GUILESS_MAIN(RoundTripTest)
+RUBBLE_TEST_WITH(RoundTripTest, QCoreApplication)
 #include "RoundTripTest.moc"

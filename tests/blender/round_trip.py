@@ -1,4 +1,4 @@
-"""Imports mesh files into Blender, each into an empty scene, and prints what came in as one line of JSON a file.
+"""Imports mesh files into Blender, each into an empty scene, and prints a line of JSON for each.
 
 blender --background --factory-startup --python round_trip.py -- FILE...
 """
@@ -15,13 +15,13 @@ numpy.bool = bool  # Blender 3.4's importer of glTF uses this name, which numpy 
 def open_file(path):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if path.endswith(".obj"):
-        bpy.ops.wm.obj_import(filepath=path)  # turns y up into Blender's z up
+        bpy.ops.wm.obj_import(filepath=path)  # converts y up to z up
     else:
         bpy.ops.import_scene.gltf(filepath=path)
 
 
 def weld(shape):
-    """Makes vertices at exactly the same place one: in glTF, faces with normals of their own share none."""
+    """Welds vertices at exactly the same position: in glTF, faces with different normals share none."""
     first = {}
     doubles = {vertex: first.setdefault(tuple(vertex.co), vertex) for vertex in shape.verts}
     bmesh.ops.weld_verts(shape, targetmap={vertex: other for vertex, other in doubles.items() if vertex is not other})

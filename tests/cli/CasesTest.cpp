@@ -1,3 +1,6 @@
+// Tests all verbs of app/cli.
+#include "tests/support/TestProgram.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -15,7 +18,7 @@ QByteArray contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Every file below a folder by its path in it.
+/// All files below a folder by their relative paths.
 QMap<QString, QByteArray> treeOf(const QString& folder) {
     QMap<QString, QByteArray> tree;
     QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
@@ -35,14 +38,14 @@ void writeTree(const QString& folder, const QMap<QString, QByteArray>& tree) {
     }
 }
 
-/// What a run has to give, or has given.
+/// The expected or actual result of a run.
 struct Outcome {
     QByteArray out;
     QByteArray err;
     QByteArray exit;
 };
 
-/// Runs the program with one argument a line of `args`, in a folder, on the case's `stdin`.
+/// Runs the program in a folder with the case's `args` and `stdin`.
 Outcome run(const QString& folder, const QString& caseFolder) {
     QByteArray lines = contentOf(caseFolder + "/args");
     lines.replace("{source}", RUBBLE_SOURCE_DIR);
@@ -62,23 +65,22 @@ Outcome run(const QString& folder, const QString& caseFolder) {
 
 }  // namespace
 
-/// Runs rubble-cli as a user does and compares all that it says, and all that it writes, byte for byte.
+/// Runs rubble-cli and compares its outputs, exit status and written files byte for byte.
 ///
-/// A case is a folder: `args` (one a line, {source} stands for the source tree), `stdin`, `stdout`, `stderr` and `exit`;
-/// the files in `before/` lie in the folder where it runs, those in `after/` are there when it
-/// has run, and no others; without `after/` nothing may have changed. RUBBLE_UPDATE_CASES=1 writes what it sees as what is expected: read the difference before you
-/// commit it.
+/// A case is a folder with `args` (an argument a line, {source} is the source tree), `stdin`, `stdout`, `stderr` and
+/// `exit`. It runs in a folder with the files of `before/`, which afterwards must have exactly those of `after/`, or of
+/// `before/` without it. RUBBLE_UPDATE_CASES=1 writes the actual results to the cases: review the difference.
 class CasesTest : public QObject {
     Q_OBJECT
 private slots:
-    void saysAndWrites_data() {
+    void outputAndFilesMatch_data() {
         QTest::addColumn<QString>("folder");
         const QStringList names = QDir(kCases).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
         QVERIFY(!names.isEmpty());
         for (const QString& name : names) QTest::newRow(qPrintable(name)) << kCases + '/' + name;
     }
 
-    void saysAndWrites() {
+    void outputAndFilesMatch() {
         QFETCH(QString, folder);
         QTemporaryDir place;
         writeTree(place.path(), treeOf(folder + "/before"));
@@ -102,5 +104,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CasesTest)
+RUBBLE_TEST_WITH(CasesTest, QCoreApplication)
 #include "CasesTest.moc"

@@ -1,5 +1,7 @@
+// Tests app/cli/verbs/FilmVerb.cpp.
 #include "tests/support/Ffmpeg.h"
 #include "tests/support/Pictures.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -53,17 +55,17 @@ QImage frame(const QTemporaryDir& place, const QString& name) {
 class FilmTest : public QObject {
     Q_OBJECT
 private slots:
-    void writesAPictureEverySoManySteps() {
+    void pictureIsWrittenEveryFewSteps() {
         const QTemporaryDir place;
         const Outcome outcome = film(place, {"--steps", "45", "--every", "20", "--size", "180x120"});
         QCOMPARE(outcome.err, QByteArray());
-        QCOMPARE(outcome.out, "3 pictures in " + place.filePath("film").toUtf8() + "\n");
+        QCOMPARE(outcome.out, "3 pictures written to " + place.filePath("film").toUtf8() + "\n");
         QCOMPARE(filesIn(place), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
         for (const QString& name : filesIn(place)) QCOMPARE(frame(place, name).size(), QSize(180, 120));
-        QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0001.png")) < 0.1);  // it stands
+        QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0001.png")) < 0.1);  // at rest
         QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0002.png")) > 0.2);  // the box flies
     }
-    void comparesWithoutDestructionAndWithIt() {
+    void comparisonShowsBothSides() {
         const QTemporaryDir place;
         const QStringList options{"--steps", "90", "--every", "90", "--size", "180x120", "--view", "front"};
         QCOMPARE(film(place, options + QStringList{"--compare"}).exit, 0);
@@ -76,16 +78,16 @@ private slots:
         }
         QCOMPARE(frame(place, "frame-0001.png").pixelColor(184, 60), QColor(Qt::white));
     }
-    void mixesNoFilms() {
+    void folderWithAFilmIsRejected() {
         const QTemporaryDir place;
         QCOMPARE(film(place, {"--steps", "0", "--size", "18x12"}).exit, 0);
         const Outcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
         QCOMPARE(outcome.exit, 1);
         QCOMPARE(outcome.err, place.filePath("film").toUtf8() +
-                                  " holds a film already: frame-0000.png. Give another folder, or remove its "
+                                  " already holds a film: frame-0000.png. Choose another folder, or remove its "
                                   "pictures.\n");
     }
-    void aFilmIsMadeWhereThereIsFfmpeg() {
+    void filmIsEncodedWithFfmpeg() {
         const QTemporaryDir place;
         const QString path = place.filePath("hit.mp4");
         const QStringList options{"film", RUBBLE_SOURCE_DIR "/projects/house.rubble",
@@ -100,24 +102,24 @@ private slots:
             const Outcome outcome = run(options);
             QCOMPARE(outcome.exit, 1);
             QCOMPARE(outcome.err,
-                     QByteArray("There is no ffmpeg on this machine to make a film with; give a folder to get its "
+                     QByteArray("A film needs ffmpeg, which is not installed; give a folder instead to write its "
                                 "pictures.\n"));
         }
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
         const Outcome outcome = run(options);
         QCOMPARE(outcome.err, QByteArray());
-        QCOMPARE(outcome.out, "3 pictures in " + path.toUtf8() + "\n");
+        QCOMPARE(outcome.out, "3 pictures written to " + path.toUtf8() + "\n");
         QFile film(path);
         QVERIFY(film.open(QIODevice::ReadOnly));
-        QVERIFY(film.readAll().contains("-framerate\n6\n"));  // as fast as it was played
+        QVERIFY(film.readAll().contains("-framerate\n6\n"));  // real time
     }
-    void itBeginsBeforeItEnds() {
+    void startAfterTheEndIsRejected() {
         const QTemporaryDir place;
         const Outcome outcome = film(place, {"--from", "20", "--steps", "10"});
         QCOMPARE(outcome.exit, 1);
-        QCOMPARE(outcome.err, QByteArray("The film would begin at step 20 and end at step 10.\n"));
+        QCOMPARE(outcome.err, QByteArray("The film would start at step 20 and end at step 10.\n"));
     }
-    void controlCKeepsWholePicturesOnly() {
+    void controlCKeepsOnlyCompletePictures() {
         const QTemporaryDir place;
         QProcess program;
         startFilm(program, place, {"--steps", "9999", "--size", "180x120"});
@@ -135,5 +137,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FilmTest)
+RUBBLE_TEST_WITH(FilmTest, QCoreApplication)
 #include "FilmTest.moc"

@@ -1,5 +1,7 @@
-#include "core/io/ProjectFile.h"
+// Tests app/cli/console/Terminal.cpp: cancelling with Ctrl+C.
+#include "core/io/project/ProjectFile.h"
 #include "tests/support/Fragments.h"
+#include "tests/support/TestProgram.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -15,7 +17,7 @@ using namespace rubble;
 
 namespace {
 
-/// Many seconds of work.
+/// A project that takes many seconds.
 Project largeProject() {
     Asset asset = assetOf(unitSquare(), 0.5);
     asset.id = 2;
@@ -34,14 +36,14 @@ Project largeProject() {
 class InterruptTest : public QObject {
     Q_OBJECT
 private slots:
-    void controlCLeavesNothingBehind() {
+    void controlCLeavesNoFiles() {
         QTemporaryDir place;
         const QString project = place.filePath("pipe.rubble");
         QCOMPARE(mkfifo(project.toUtf8().constData(), 0600), 0);
         QProcess program;
         program.start(RUBBLE_CLI, {"export", project, "--out", place.filePath("packs")});
         QFile pipe(project);
-        QVERIFY(pipe.open(QIODevice::WriteOnly));  // waits until the program reads it, and so listens to signals
+        QVERIFY(pipe.open(QIODevice::WriteOnly));  // returns when the program reads it
         pipe.write(QByteArray::fromStdString(projectText(largeProject())));
         pipe.close();
         kill(static_cast<pid_t>(program.processId()), SIGINT);
@@ -54,5 +56,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(InterruptTest)
+RUBBLE_TEST_WITH(InterruptTest, QCoreApplication)
 #include "InterruptTest.moc"

@@ -1,4 +1,6 @@
+// Tests app/cli/verbs/RenderVerb.cpp.
 #include "tests/support/Pictures.h"
+#include "tests/support/TestProgram.h"
 
 #include <QFileInfo>
 #include <QProcess>
@@ -34,11 +36,11 @@ QImage picture(const QTemporaryDir& place, const QStringList& options) {
 
 }  // namespace
 
-/// What no case folder can hold: pictures differ from driver to driver.
+/// Not a case of CasesTest: pictures differ between drivers.
 class RenderTest : public QObject {
     Q_OBJECT
 private slots:
-    void writesAPictureOfTheSizeAskedForWithoutADisplay() {
+    void pictureHasTheGivenSizeWithoutADisplay() {
         const QTemporaryDir place;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.remove("DISPLAY");
@@ -49,7 +51,7 @@ private slots:
         QCOMPARE(picture.size(), QSize(200, 120));
         QVERIFY(picture.pixelColor(100, 60).blue() + 30 < picture.pixelColor(100, 60).red());  // yellow masonry
     }
-    void aShotIsSeenWhereItBreaksTheHouse() {
+    void shotIsVisibleWhereItBreaksTheHouse() {
         const QTemporaryDir place;
         const QStringList hit{"--at", "90", "--view", "front", "--shot", "box at the door"};
         const QImage before = picture(place, hit.mid(0, 4)), after = picture(place, hit);
@@ -59,17 +61,17 @@ private slots:
         QVERIFY(meanDifference(unbroken.copy(besideTheDoor), after.copy(besideTheDoor)) > 5.0);
         QVERIFY(meanDifference(before.copy(behindIt), after.copy(behindIt)) < 1.0);
     }
-    void saysThatThereIsNoOpenGl() {
+    void missingOpenGlIsReported() {
         const QTemporaryDir place;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("__EGL_VENDOR_LIBRARY_DIRS", place.path());
         const Outcome outcome = render(place, {}, environment);
-        QCOMPARE(outcome.err, QString("There is no OpenGL 3.3 on this machine to draw pictures with: EGL offers no "
-                                      "drawing without a display.\n"));
+        QCOMPARE(outcome.err, QString("This machine has no OpenGL 3.3 to render images with: EGL does not support "
+                                      "rendering without a display.\n"));
         QCOMPARE(outcome.exit, 1);
         QVERIFY(!QFileInfo::exists(place.filePath("house.png")));
     }
 };
 
-QTEST_GUILESS_MAIN(RenderTest)
+RUBBLE_TEST_WITH(RenderTest, QCoreApplication)
 #include "RenderTest.moc"

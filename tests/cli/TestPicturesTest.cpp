@@ -1,4 +1,6 @@
+// Tests app/cli/verbs/TestVerb.cpp with --pictures.
 #include "tests/support/Pictures.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -11,7 +13,7 @@ using rubble::test::meanDifference;
 
 namespace {
 
-/// The house, of whose tests one expects what the shots do not do.
+/// The house with a play-test that fails.
 void writeHouse(const QString& file, const QByteArray& met, const QByteArray& failing) {
     QFile house(RUBBLE_SOURCE_DIR "/projects/house.rubble");
     if (!house.open(QIODevice::ReadOnly)) qFatal("no house");
@@ -41,7 +43,7 @@ Outcome tested(const QString& project, const QString& pictures) {
 class TestPicturesTest : public QObject {
     Q_OBJECT
 private slots:
-    void showsTheMomentOfAFailure() {
+    void pictureShowsTheMomentOfAFailure() {
         const QTemporaryDir place;
         const QString pictures = place.filePath("made/failures");
         writeHouse(place.filePath("house.rubble"), R"({"kind": "breaks", "instance": 21, "value": 0})",
@@ -61,7 +63,7 @@ private slots:
         const QRect whereTheBoxHits(530, 480, 70, 80);
         QVERIFY(meanDifference(seen.copy(whereTheBoxHits), drawnAfter(place, "0").copy(whereTheBoxHits)) > 20.0);
     }
-    void leavesNothingBehindWhereAllIsWell() {
+    void noPictureIsWrittenIfAllTestsPass() {
         const QTemporaryDir place;
         const Outcome outcome = tested(RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("failures"));
         QCOMPARE(outcome.exit, 0);
@@ -69,7 +71,7 @@ private slots:
     }
 
 private:
-    /// What `render` draws of the same moment.
+    /// The output of `render` at the same step.
     static QImage drawnAfter(const QTemporaryDir& place, const QString& step) {
         QProcess program;
         program.start(RUBBLE_CLI, {"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
@@ -79,5 +81,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPicturesTest)
+RUBBLE_TEST_WITH(TestPicturesTest, QCoreApplication)
 #include "TestPicturesTest.moc"

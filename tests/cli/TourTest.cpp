@@ -1,3 +1,6 @@
+// Tests the commands in README.md.
+#include "tests/support/TestProgram.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -12,13 +15,13 @@ QString textOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// A command of the tour with what it is said to print.
+/// A command of the tour with its quoted output.
 struct Step {
     QString command;
     QString output;
 };
 
-/// The lines of the README's console blocks: those after "$ " are commands, the others what they print.
+/// Parses the README's console blocks: lines after "$ " are commands, the others their outputs.
 QList<Step> stepsOf(const QString& readme) {
     QList<Step> steps;
     bool isConsole = false;
@@ -34,7 +37,7 @@ QList<Step> stepsOf(const QString& readme) {
     return steps;
 }
 
-/// What a command prints on both outputs, in a folder, with rubble-cli on the path.
+/// Runs a command in a folder with rubble-cli in PATH and returns both outputs.
 QString outputOf(const QString& command, const QString& folder) {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("PATH", QFileInfo(RUBBLE_CLI).path() + ':' + environment.value("PATH"));
@@ -48,7 +51,7 @@ QString outputOf(const QString& command, const QString& folder) {
     return QString::fromUtf8(shell.readAll());
 }
 
-/// Equal but for "…", which stands for anything.
+/// Compares texts, in which "…" matches anything.
 bool matches(const QString& output, const QString& expected) {
     const QString pattern = QRegularExpression::escape(expected).replace(QRegularExpression::escape("…"), ".*");
     const QRegularExpression expression(QRegularExpression::anchoredPattern(pattern),
@@ -58,11 +61,11 @@ bool matches(const QString& output, const QString& expected) {
 
 }  // namespace
 
-/// The README's tour gives what it says, command by command, in a folder that holds what a clone does.
+/// Runs the commands of the README's tour in a folder with the files of a clone and compares their outputs.
 class TourTest : public QObject {
     Q_OBJECT
 private slots:
-    void everyStepPrintsWhatItSays() {
+    void everyStepPrintsTheQuotedOutput() {
         const QList<Step> steps = stepsOf(textOf(RUBBLE_SOURCE_DIR "/README.md"));
         QVERIFY(steps.size() >= 5);
         QTemporaryDir clone;
@@ -74,13 +77,13 @@ private slots:
             QVERIFY2(matches(output, step.output), qPrintable("$ " + step.command + "\nprints\n" + output));
         }
     }
-    /// The picture on the front page was drawn by the command below it.
-    void thePictureIsWhatTheProgramDraws() {
+    /// The picture in the README is the output of the command below it.
+    void pictureMatchesTheProgramsOutput() {
         const QString drawn = outputOf("rubble-cli draw projects/house.rubble", RUBBLE_SOURCE_DIR);
         QVERIFY(drawn.startsWith("<svg"));
         QCOMPARE(textOf(RUBBLE_SOURCE_DIR "/docs/pictures/house.svg"), drawn);
     }
 };
 
-QTEST_GUILESS_MAIN(TourTest)
+RUBBLE_TEST_WITH(TourTest, QCoreApplication)
 #include "TourTest.moc"

@@ -1,3 +1,5 @@
+#include "tests/support/TestProgram.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -10,7 +12,7 @@ const QDir kSource(RUBBLE_SOURCE_DIR);
 
 struct Link {
     QString page;    // from the source folder
-    QString target;  // as it is written
+    QString target;  // as written
 };
 
 QStringList pagesBelow(const QString& folder) {
@@ -33,7 +35,7 @@ QList<Link> linksOf(const QString& page) {
     return links;
 }
 
-/// The file a link leads to, from the source folder.
+/// The target file of a link, from the source folder.
 QString fileOf(const Link& link) {
     const QString folder = QFileInfo(link.page).path();
     return QDir::cleanPath(folder + '/' + link.target.section('#', 0, 0));
@@ -59,8 +61,8 @@ private slots:
                      qPrintable(link.target));
         }
     }
-    void linksOfDocsStayWithinWhatIsInstalled_data() { addPages(pagesBelow("docs")); }
-    void linksOfDocsStayWithinWhatIsInstalled() {
+    void linksOfDocsLeadToInstalledFiles_data() { addPages(pagesBelow("docs")); }
+    void linksOfDocsLeadToInstalledFiles() {
         QFETCH(const QString, page);
         const QRegularExpression installed("^(docs|projects|resources/schemas)/");
         for (const Link& link : linksOf(page)) {
@@ -70,5 +72,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LinksTest)
+RUBBLE_TEST_WITH(LinksTest, QCoreApplication)
 #include "LinksTest.moc"

@@ -1,4 +1,5 @@
-#include "editor/ManualPage.h"
+#include "editor/help/ManualPage.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QFile>
@@ -15,7 +16,7 @@ namespace {
 const QDir kManual(RUBBLE_SOURCE_DIR "/docs/manual");
 constexpr int kPageWidth = 780;  // pixels
 
-/// A picture as a page shows it, of a file that is this wide.
+/// A page's picture resource for a file of this width.
 QVariant shownPicture(int width) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("picture.png");
@@ -37,14 +38,14 @@ public:
     static void initMain() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
 
 private slots:
-    void aWidePictureBecomesAsWideAsThePage() {
+    void widePictureIsScaledToThePage() {
         const auto picture = shownPicture(2 * kPageWidth).value<QImage>();
         QCOMPARE(picture.deviceIndependentSize(), QSizeF(kPageWidth, 50.0));
     }
-    void aSmallPictureStaysAsItIs() {
+    void smallPictureIsNotScaled() {
         QCOMPARE(QImage::fromData(shownPicture(kPageWidth).toByteArray()).width(), kPageWidth);
     }
-    void tablesHaveRoomAroundTheirWords() {
+    void tablesHavePadding() {
         ManualPage page;
         show(page, kManual.filePath("shortcuts.md"));
         int tables = 0;
@@ -56,11 +57,11 @@ private slots:
         }
         QCOMPARE(tables, 7);
     }
-    void everyPageIsShownFromItsHeadingOn_data() {
+    void everyPageStartsWithItsHeading_data() {
         QTest::addColumn<QString>("name");
         for (const QString& name : kManual.entryList({"*.md"}, QDir::Files)) QTest::newRow(qPrintable(name)) << name;
     }
-    void everyPageIsShownFromItsHeadingOn() {
+    void everyPageStartsWithItsHeading() {
         QFETCH(const QString, name);
         QFile file(kManual.filePath(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -71,5 +72,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ManualPageTest)
+RUBBLE_TEST_WITH(ManualPageTest, QApplication)
 #include "ManualPageTest.moc"

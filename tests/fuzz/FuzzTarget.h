@@ -8,7 +8,7 @@
 
 namespace rubble::test {
 
-/// Hands bytes of libFuzzer to a reader and stops where it finds something wrong.
+/// Runs a check on bytes from libFuzzer and aborts if it returns a fault.
 inline int fuzz(Sentence (*faultOf)(std::string_view), const std::uint8_t* data, std::size_t size) {
     const std::string bytes(data, data + size);
     if (const Sentence fault = faultOf(bytes)) {

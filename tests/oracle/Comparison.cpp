@@ -1,8 +1,10 @@
 #include "tests/oracle/Comparison.h"
 
-#include "core/fracture/Verify.h"
-#include "core/fracture/VoronoiPartition.h"
-#include "core/geometry/PolygonFaults.h"
+#include "core/fracture/verify/VerifyDelaunay.h"
+#include "core/fracture/verify/VerifyNearestSeed.h"
+#include "core/fracture/verify/VerifyPartition.h"
+#include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/geometry/polygon/PolygonFaults.h"
 #include "tests/oracle/ExactDelaunay.h"
 #include "tests/oracle/ExactVoronoi.h"
 #include "tests/oracle/SubdivisionFault.h"
@@ -18,25 +20,25 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-/// How far a corner may lie from its exact place, in units of the outline's extent: 8 units in the last place within
-/// which points are one, and as much again for rounding.
-constexpr double kHair = 16.0 * 0x1p-52;
-/// A piece or neck this much wider than a hair can not be lost.
-constexpr double kSafely = 4.0;
+/// The maximum error of a corner as a fraction of the outline's extent: 8 ulp of weld distance, and as much for
+/// rounding.
+constexpr double kCornerError = 16.0 * 0x1p-52;
+/// A piece or neck wider than the corner error by this factor cannot be lost.
+constexpr double kSafetyFactor = 4.0;
 constexpr double kRelative = 1e-9;
 
 struct Scale {
     double diameter;
-    double hair;  // m
+    double cornerError;  // m
 };
 
 Scale scaleOf(const Polygon& outline) {
     const Box2 box = boundsOf(outline.outer);
     const double extent = std::max({box.size().x, box.size().y});
-    return {box.diagonal(), kHair * extent};
+    return {box.diagonal(), kCornerError * extent};
 }
 
-/// What the partition says about one seed, in the same terms as ExactCell.
+/// The cell of one seed in the partition, in the terms of ExactCell.
 struct FoundCell {
     std::uint32_t pieces = 0;
     double area = 0.0;
@@ -65,29 +67,29 @@ std::string compared(const char* what, double found, double exact) {
 }
 
 Fault neighbourFault(const FoundCell& found, const ExactCell& exact, const Scale& scale) {
-    const double least = kLeastSharedEdge * scale.diameter;
-    const double band = kSafely * 2.0 * scale.hair;
+    const double minLength = kMinSharedEdge * scale.diameter;
+    const double band = kSafetyFactor * 2.0 * scale.cornerError;
     std::map<std::uint32_t, double> expected(exact.shared.begin(), exact.shared.end());
     for (const auto& [seed, length] : expected) {
-        const auto place = found.shared.find(seed);
-        const double foundLength = place == found.shared.end() ? 0.0 : place->second;
-        if (length > 1.5 * least && std::abs(foundLength - length) > kRelative * length + band + 0.1 * least)
+        const auto entry = found.shared.find(seed);
+        const double foundLength = entry == found.shared.end() ? 0.0 : entry->second;
+        if (length > 1.5 * minLength && std::abs(foundLength - length) > kRelative * length + band + 0.1 * minLength)
             return compared(("edge shared with seed " + std::to_string(seed)).c_str(), foundLength, length);
     }
     for (const auto& [seed, length] : found.shared)
-        if (length > 1.5 * least && !expected.contains(seed))
+        if (length > 1.5 * minLength && !expected.contains(seed))
             return "shares " + std::to_string(length) + " m with seed " + std::to_string(seed) +
-                   ", which it does not touch";
+                   ", which is no neighbour";
     return std::nullopt;
 }
 
 Fault cellFault(const FoundCell& found, const ExactCell& exact, Vec2 shift, const Scale& scale) {
-    const double areaBand = scale.hair * exact.perimeter;
+    const double areaBand = scale.cornerError * exact.perimeter;
     if (std::abs(found.area - exact.area) > kRelative * exact.area + areaBand)
         return compared("area", found.area, exact.area);
-    if (found.pieces < exact.fewestPieces || found.pieces > exact.mostPieces)
-        return std::to_string(found.pieces) + " pieces instead of " + std::to_string(exact.fewestPieces) + " to " +
-               std::to_string(exact.mostPieces);
+    if (found.pieces < exact.minPieces || found.pieces > exact.maxPieces)
+        return std::to_string(found.pieces) + " pieces instead of " + std::to_string(exact.minPieces) + " to " +
+               std::to_string(exact.maxPieces);
     if (found.pieces == 0) return std::nullopt;
     const double lever = scale.diameter * std::min(1.0, 2.0 * areaBand / exact.area);
     if (glm::distance(found.centroid, exact.centroid + shift) > kRelative * scale.diameter + lever)
@@ -95,30 +97,31 @@ Fault cellFault(const FoundCell& found, const ExactCell& exact, Vec2 shift, cons
     return neighbourFault(found, exact, scale);
 }
 
-/// Each seed without piece is reported as what it is, and no other.
+/// Verifies that exactly the seeds without piece are reported, with the right code.
 Fault reportFault(const Partition& partition, const std::vector<FoundCell>& found,
                   const std::vector<ExactCell>& exact) {
-    std::map<std::uint32_t, Report> reports;
-    for (const Report& report : partition.reports)
-        if (report.code == ReportCode::DuplicateSeed || report.code == ReportCode::SeedWithoutCell)
-            if (!reports.try_emplace(report.seed, report).second)
-                return "seed " + std::to_string(report.seed) + " is reported twice";
+    std::map<std::uint32_t, Diagnostic> reports;
+    for (const Diagnostic& report : partition.diagnostics)
+        if (report.code == DiagnosticCode::DuplicateSeed || report.code == DiagnosticCode::SeedWithoutCell)
+            if (!reports.try_emplace(report.place.seed, report).second)
+                return "seed " + std::to_string(report.place.seed) + " is reported twice";
     for (std::uint32_t seed = 0; seed < found.size(); ++seed) {
         const std::string name = "seed " + std::to_string(seed);
         const auto report = reports.find(seed);
         if ((report != reports.end()) != (found[seed].pieces == 0))
             return name + " has a piece and a report, or neither";
         if (report == reports.end()) continue;
-        const bool isDuplicate = report->second.code == ReportCode::DuplicateSeed;
+        const bool isDuplicate = report->second.code == DiagnosticCode::DuplicateSeed;
         if (isDuplicate != (exact[seed].sameAs != ExactCell::kSelf)) return name + " is wrongly reported";
-        if (isDuplicate && report->second.of != exact[seed].sameAs) return name + " is said to equal another seed";
+        if (isDuplicate && report->second.place.otherSeed != exact[seed].sameAs)
+            return name + " is said to equal another seed";
     }
     return std::nullopt;
 }
 
 Fault cellsFault(const FractureCase& input, const Partition& partition) {
     const Scale scale = scaleOf(input.outline);
-    const auto exact = exactCells(input.outline, input.seeds, kSafely * scale.hair);
+    const auto exact = exactCells(input.outline, input.seeds, kSafetyFactor * scale.cornerError);
     const auto found = foundCells(partition, input.seeds.size());
     const Vec2 shift = input.outline.outer[0] - partition.origin;
     for (std::size_t seed = 0; seed < exact.size(); ++seed)
@@ -136,11 +139,11 @@ Fault partitionFault(const FractureCase& input, const Delaunay& delaunay) {
     return cellsFault(input, *partition);
 }
 
-/// Leaves out elements one by one, from the last, as long as `isFaulty` stays true; keeps at least `least`.
+/// Removes elements one by one, from the last, while `isFaulty` stays true; keeps at least `minSize`.
 template <class List, class IsFaulty>
-bool shrink(List& list, std::size_t least, IsFaulty isFaulty) {
+bool shrink(List& list, std::size_t minSize, IsFaulty isFaulty) {
     bool hasShrunk = false;
-    for (std::size_t k = list.size(); k-- > 0 && list.size() > least;) {
+    for (std::size_t k = list.size(); k-- > 0 && list.size() > minSize;) {
         const auto element = list[k];
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(k));
         if (isFaulty())

@@ -7,14 +7,14 @@
 
 namespace rubble::oracle {
 
-/// Fractures the case and holds all that comes out against the oracle and the verify functions; says what is wrong
-/// first, or nothing.
+/// Fractures the case and compares all results with the oracle and the verify functions. Returns the first fault, or
+/// nothing.
 ///
-/// Areas agree to 1e-9, piece counts, neighbours and seeds without cell exactly, as far as points that are rounded once
-/// can tell: an error of kHair in the place of each corner is allowed for.
+/// Areas agree to 1e-9; piece counts, neighbours and seeds without cell agree exactly, within the precision of points
+/// that are rounded once: each corner may be off by kCornerError.
 std::optional<std::string> fractureFault(const FractureCase& fractureCase);
 
-/// The smallest case made from a faulty one by leaving out seeds, holes and corners as long as it stays faulty.
+/// Minimizes a failing case: removes seeds, holes and corners while it still fails.
 FractureCase shrunk(FractureCase faulty);
 
 }  // namespace rubble::oracle

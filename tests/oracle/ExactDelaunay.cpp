@@ -16,7 +16,7 @@ std::string named(const std::array<std::uint32_t, 3>& triangle) {
            std::to_string(triangle[2]) + ")";
 }
 
-/// How many triangles there are; none where all points lie on one line.
+/// The number of triangles; 0 if all points are collinear.
 std::size_t expectedCount(const std::vector<Point>& points) {
     const CGAL::Delaunay_triangulation_2<Kernel> triangulation(points.begin(), points.end());
     return triangulation.dimension() == 2 ? triangulation.number_of_faces() : 0;
@@ -25,7 +25,7 @@ std::size_t expectedCount(const std::vector<Point>& points) {
 std::optional<std::string> triangleFault(const std::array<std::uint32_t, 3>& triangle,
                                          const std::vector<Point>& points) {
     for (const std::uint32_t corner : triangle)
-        if (corner >= points.size()) return named(triangle) + " names no seed";
+        if (corner >= points.size()) return named(triangle) + " refers to a seed that does not exist";
     const Point& a = points[triangle[0]];
     const Point& b = points[triangle[1]];
     const Point& c = points[triangle[2]];
@@ -38,7 +38,8 @@ std::optional<std::string> triangleFault(const std::array<std::uint32_t, 3>& tri
         if (side == CGAL::ON_ORIENTED_BOUNDARY) lowest = std::min(lowest, seed);
     }
     if (std::find(triangle.begin(), triangle.end(), lowest) == triangle.end())
-        return named(triangle) + " is not joined to seed " + std::to_string(lowest) + ", the lowest on its circle";
+        return named(triangle) + " does not have seed " + std::to_string(lowest) +
+               ", the lowest on its circle, as a corner";
     return std::nullopt;
 }
 
@@ -52,7 +53,7 @@ std::optional<std::string> delaunayFault(std::span<const std::array<std::uint32_
         return std::to_string(triangles.size()) + " triangles instead of " + std::to_string(count);
     if (!std::is_sorted(triangles.begin(), triangles.end()) ||
         std::adjacent_find(triangles.begin(), triangles.end()) != triangles.end())
-        return "the triangles are not sorted, or one is there twice";
+        return "the triangles are not sorted, or one occurs twice";
     for (const auto& triangle : triangles)
         if (auto fault = triangleFault(triangle, points)) return fault;
     return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Vec.h"
+#include "core/geometry/predicates/Vec.h"
 
 #include <array>
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace rubble::oracle {
 
-/// Holds a list of triangles of input indices against CGAL: as many as CGAL's Delaunay triangulation has; each
-/// counter-clockwise with an empty circumcircle; where more than three distinct seeds lie on that circle, the lowest
-/// index of them is a corner. Says what is wrong first, or nothing. Quadratic in the seeds.
+/// Compares triangles of seed indices with CGAL: their number is that of CGAL's Delaunay triangulation; each is
+/// counter-clockwise with an empty circumcircle; of more than three distinct seeds on that circle the lowest index is a
+/// corner. Returns the first fault, or nothing. Quadratic in the seeds.
 std::optional<std::string> delaunayFault(std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const Vec2> seeds);
 

@@ -18,34 +18,34 @@ using SiteVertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Pr
 using SiteStructure = CGAL::Triangulation_data_structure_2<SiteVertex>;
 using SiteTriangulation = CGAL::Delaunay_triangulation_2<Predicates, SiteStructure>;
 
-/// Who competes with whom: the neighbours of each seed in CGAL's Delaunay triangulation.
-struct Rivals {
+/// The neighbours of each seed in CGAL's Delaunay triangulation.
+struct Neighbours {
     std::vector<std::vector<std::uint32_t>> of;
     std::vector<std::uint32_t> sameAs;
 };
 
-Rivals rivalsAmong(std::span<const Vec2> seeds) {
-    Rivals rivals{std::vector<std::vector<std::uint32_t>>(seeds.size()),
-                  std::vector<std::uint32_t>(seeds.size(), ExactCell::kSelf)};
+Neighbours neighboursOf(std::span<const Vec2> seeds) {
+    Neighbours neighbours{std::vector<std::vector<std::uint32_t>>(seeds.size()),
+                          std::vector<std::uint32_t>(seeds.size(), ExactCell::kSelf)};
     SiteTriangulation triangulation;
     for (std::uint32_t seed = 0; seed < seeds.size(); ++seed) {
         const std::size_t before = triangulation.number_of_vertices();
         const auto vertex = triangulation.insert(Predicates::Point_2(seeds[seed].x, seeds[seed].y));
         if (triangulation.number_of_vertices() == before)
-            rivals.sameAs[seed] = vertex->info();
+            neighbours.sameAs[seed] = vertex->info();
         else
             vertex->info() = seed;
     }
     for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end(); ++edge) {
         const auto one = edge->first->vertex(SiteTriangulation::cw(edge->second))->info();
         const auto other = edge->first->vertex(SiteTriangulation::ccw(edge->second))->info();
-        rivals.of[one].push_back(other);
-        rivals.of[other].push_back(one);
+        neighbours.of[one].push_back(other);
+        neighbours.of[other].push_back(one);
     }
-    return rivals;
+    return neighbours;
 }
 
-/// A counter-clockwise box that holds the outline with room to spare.
+/// A counter-clockwise box that contains the outline with a wide margin.
 Convex boxAround(const Polygon& outline) {
     Vec2 low = outline.outer[0];
     Vec2 high = low;
@@ -53,9 +53,9 @@ Convex boxAround(const Polygon& outline) {
         low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
         high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
     }
-    const double room = (high.x - low.x) + (high.y - low.y);
-    low -= Vec2(room, room);
-    high += Vec2(room, room);
+    const double margin = (high.x - low.x) + (high.y - low.y);
+    low -= Vec2(margin, margin);
+    high += Vec2(margin, margin);
     const std::array<Point, 4> corners{Point(low.x, low.y), Point(high.x, low.y), Point(high.x, high.y),
                                        Point(low.x, high.y)};
     Convex convex;
@@ -66,15 +66,15 @@ Convex boxAround(const Polygon& outline) {
     return convex;
 }
 
-/// Sets that are joined pairwise.
-class Groups {
+/// Disjoint sets.
+class DisjointSets {
 public:
-    explicit Groups(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
+    explicit DisjointSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
     std::size_t of(std::size_t member) const {
         while (m_parent[member] != member) member = m_parent[member];
         return member;
     }
-    void join(std::size_t one, std::size_t other) { m_parent[of(one)] = of(other); }
+    void merge(std::size_t one, std::size_t other) { m_parent[of(one)] = of(other); }
 
 private:
     std::vector<std::size_t> m_parent;
@@ -88,7 +88,7 @@ struct Part {
     double perimeter;
 };
 
-/// Side k of a triangle of the outline carries the name kCutBase + k once it has cut a cell.
+/// The name of a side that a cell gets from side k of a triangle is kCutBase + k.
 constexpr std::uint32_t kCutBase = 0xfffffff0u;
 
 std::vector<Part> partsOf(const Convex& cell, const OutlineTriangles& triangles) {
@@ -104,25 +104,26 @@ std::vector<Part> partsOf(const Convex& cell, const OutlineTriangles& triangles)
     return parts;
 }
 
-/// The length of the part's side that was cut by side k of its triangle; 0 where there is none.
-double cutLength(const Part& part, std::uint32_t k) {
+/// The length of the part's side along side k of its triangle; 0 if there is none.
+double crossSectionLength(const Part& part, std::uint32_t k) {
     double length = 0.0;
     for (std::size_t s = 0; s < part.region.sides.size(); ++s)
         if (part.region.sides[s].name == kCutBase + k) length += part.region.lengthOf(s);
     return length;
 }
 
-/// How many pieces the parts make where those are joined that share more than `leastNeck`; pieces that are nowhere
-/// wider than `leastWidth` are not counted.
-std::uint32_t pieceCount(const std::vector<Part>& parts, const OutlineTriangles& triangles, double leastNeck,
-                         double leastWidth) {
-    Groups groups(parts.size());
+/// The number of connected pieces, where parts that share more than `minNeck` are connected; pieces nowhere wider than
+/// `minWidth` are not counted.
+std::uint32_t pieceCount(const std::vector<Part>& parts, const OutlineTriangles& triangles, double minNeck,
+                         double minWidth) {
+    DisjointSets groups(parts.size());
     std::map<std::size_t, std::size_t> partIn;
     for (std::size_t p = 0; p < parts.size(); ++p) partIn[parts[p].triangle] = p;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const auto across = partIn.find(triangles[parts[p].triangle].across[k]);
-            if (across != partIn.end() && cutLength(parts[p], k) > leastNeck) groups.join(p, across->second);
+            const auto neighbour = partIn.find(triangles[parts[p].triangle].neighbours[k]);
+            if (neighbour != partIn.end() && crossSectionLength(parts[p], k) > minNeck)
+                groups.merge(p, neighbour->second);
         }
     }
     std::vector<double> width(parts.size(), 0.0);
@@ -131,7 +132,7 @@ std::uint32_t pieceCount(const std::vector<Part>& parts, const OutlineTriangles&
         widest = std::max(widest, 2.0 * parts[p].area / parts[p].perimeter);
     }
     return static_cast<std::uint32_t>(
-        std::count_if(width.begin(), width.end(), [&](double w) { return w > leastWidth; }));
+        std::count_if(width.begin(), width.end(), [&](double w) { return w > minWidth; }));
 }
 
 /// Adds the lengths of the part's sides that lie on bisectors and inside the outline.
@@ -141,7 +142,7 @@ void addShared(const Part& part, const OutlineTriangle& triangle, std::map<std::
         if (name == Side::kUnnamed || name >= kCutBase) continue;
         bool liesOnWall = false;
         for (std::size_t k = 0; k < 3; ++k)
-            if (triangle.across[k] == OutlineTriangle::kOutside && part.region.liesOn(s, triangle.sides[k]))
+            if (triangle.neighbours[k] == OutlineTriangle::kOutside && part.region.liesOn(s, triangle.sides[k]))
                 liesOnWall = true;
         if (!liesOnWall) shared[name] += part.region.lengthOf(s);
     }
@@ -161,8 +162,8 @@ ExactCell summed(const std::vector<Part>& parts, const OutlineTriangles& triangl
     cell.shared.assign(shared.begin(), shared.end());
     const std::uint32_t loose = pieceCount(parts, triangles, 0.0, hair);
     const std::uint32_t firm = pieceCount(parts, triangles, hair, 0.0);
-    cell.fewestPieces = std::min(loose, firm);
-    cell.mostPieces = std::max(loose, firm);
+    cell.minPieces = std::min(loose, firm);
+    cell.maxPieces = std::max(loose, firm);
     return cell;
 }
 
@@ -170,18 +171,18 @@ ExactCell summed(const std::vector<Part>& parts, const OutlineTriangles& triangl
 
 std::vector<ExactCell> exactCells(const Polygon& outline, std::span<const Vec2> seeds, double hair) {
     const OutlineTriangles triangles = trianglesOf(outline);
-    const Rivals rivals = rivalsAmong(seeds);
+    const Neighbours neighbours = neighboursOf(seeds);
     const Convex box = boxAround(outline);
     const Point origin(outline.outer[0].x, outline.outer[0].y);
     std::vector<ExactCell> cells(seeds.size());
     for (std::uint32_t seed = 0; seed < seeds.size(); ++seed) {
-        cells[seed].sameAs = rivals.sameAs[seed];
+        cells[seed].sameAs = neighbours.sameAs[seed];
         if (cells[seed].sameAs != ExactCell::kSelf) continue;
         const Point site(seeds[seed].x, seeds[seed].y);
         Convex cell = box;
-        for (const std::uint32_t rival : rivals.of[seed]) {
+        for (const std::uint32_t neighbour : neighbours.of[seed]) {
             if (cell.isEmpty()) break;
-            cell = clipped(cell, {CGAL::bisector(site, Point(seeds[rival].x, seeds[rival].y)), rival});
+            cell = clipped(cell, {CGAL::bisector(site, Point(seeds[neighbour].x, seeds[neighbour].y)), neighbour});
         }
         if (!cell.isEmpty()) cells[seed] = summed(partsOf(cell, triangles), triangles, origin, hair);
     }

@@ -1,7 +1,7 @@
 #include "tests/oracle/FractureCases.h"
 
 #include "core/base/Random.h"
-#include "core/geometry/PolygonFaults.h"
+#include "core/geometry/polygon/PolygonFaults.h"
 
 #include <algorithm>
 #include <array>
@@ -25,12 +25,12 @@ int integerBetween(Random& random, int low, int high) {
     return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low + 1)));
 }
 
-/// A ring seen from `centre` in order of angle, its corners between `least` and `most` away.
-Ring star(Random& random, Vec2 centre, int corners, double least, double most) {
+/// A star-shaped ring around `centre`, its corners at a distance between `min` and `max`.
+Ring star(Random& random, Vec2 centre, int corners, double min, double max) {
     Ring ring;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2.0 * std::numbers::pi * (k + random.between(0.1, 0.9)) / corners;
-        ring.push_back(centre + random.between(least, most) * Vec2(std::cos(angle), std::sin(angle)));
+        ring.push_back(centre + random.between(min, max) * Vec2(std::cos(angle), std::sin(angle)));
     }
     return ring;
 }
@@ -45,7 +45,7 @@ Polygon rectangle(Random& random) {
     return {{{0, 0}, {size.x, 0}, size, {0, size.y}}, {}};
 }
 
-Polygon turnedRectangle(Random& random) {
+Polygon rotatedRectangle(Random& random) {
     const double angle = random.between(0.0, 6.28);
     const Vec2 along = random.between(0.1, 3.0) * Vec2(std::cos(angle), std::sin(angle));
     const Vec2 across = random.between(0.1, 3.0) * Vec2(-std::sin(angle), std::cos(angle));
@@ -66,14 +66,14 @@ Polygon starWithHoles(Random& random) {
     for (int hole = 0; hole < holes; ++hole)
         polygon.holes.push_back(
             reversed(star(random, places[static_cast<std::size_t>(hole)], integerBetween(random, 3, 7), 0.03, 0.17)));
-    // A star of few corners may come too near to its centre.
+    // A star with few corners may come too close to its centre.
     while (!validated(polygon)) polygon.holes.pop_back();
     return polygon;
 }
 
 Polygon thousandCorners(Random& random) { return {star(random, {0.5, 0.5}, 1000, 0.3, 0.5), {}}; }
 
-/// Teeth on a back; whole numbers, so that bisectors of lattice seeds run along its sides.
+/// A comb with integer coordinates, so that bisectors of lattice seeds run along its sides.
 Polygon comb(Random& random) {
     const int teeth = integerBetween(random, 2, 5);
     const double depth = integerBetween(random, 1, 5);
@@ -91,7 +91,7 @@ Polygon elbow(Random& random) {
     return {{{0, 0}, {width, 0}, {width, 1}, {1, 1}, {1, height}, {0, height}}, {}};
 }
 
-/// A plate with square holes on a lattice, points on its straight sides.
+/// A plate with square holes on a lattice and points on its straight sides.
 Polygon lattice(Random& random) {
     const int columns = integerBetween(random, 1, 3);
     Polygon polygon;
@@ -113,7 +113,7 @@ Polygon moved(Polygon polygon, Vec2 by, double scale) {
     return polygon;
 }
 
-/// A million away with sides of 256 steps of 1e-6, rounded as they come.
+/// A million away, with sides of 256 steps of 1e-6, rounded.
 Polygon farAway(Random& random) {
     const Vec2 corner(random.between(9e5, 1.1e6), random.between(-1.1e6, -9e5));
     return moved({{{0, 0}, {256, 0}, {256, 256}, {128, 128}, {0, 256}}, {}}, corner, 1e-6);
@@ -145,7 +145,7 @@ std::vector<Vec2> few(const Polygon& outline, Random& random) {
     return seeds;
 }
 
-/// Whole or half steps, far beyond the outline too: cocircular, collinear, equal, on corners and sides.
+/// On a half-integer lattice, also outside the outline: cocircular, collinear, equal, on corners and sides.
 std::vector<Vec2> latticeSeeds(const Polygon& outline, Random& random) {
     std::vector<Vec2> seeds;
     const int count = integerBetween(random, 3, 24);
@@ -165,7 +165,7 @@ std::vector<Vec2> grid(const Polygon& outline, Random& random) {
     return seeds;
 }
 
-/// On a line with a direction of small whole numbers, so that the sites are collinear exactly.
+/// On a line with a direction of small integers, so that the sites are exactly collinear.
 std::vector<Vec2> collinear(const Polygon& outline, Random& random) {
     const Box2 box = boxOf(outline);
     const double step = std::exp2(std::floor(std::log2(std::max(box.max.x - box.min.x, box.max.y - box.min.y))) - 5.0);
@@ -185,7 +185,7 @@ std::vector<Vec2> duplicates(const Polygon& outline, Random& random) {
     return seeds;
 }
 
-std::vector<Vec2> oneUnitApart(const Polygon& outline, Random& random) {
+std::vector<Vec2> oneUlpApart(const Polygon& outline, Random& random) {
     std::vector<Vec2> seeds = uniform(outline, random);
     const std::size_t count = seeds.size();
     for (std::size_t k = 0; k < count; k += 3) {
@@ -197,7 +197,7 @@ std::vector<Vec2> oneUnitApart(const Polygon& outline, Random& random) {
     return seeds;
 }
 
-/// Its corners and points on its sides, and a few anywhere.
+/// Its corners and points on its sides, and a few others.
 std::vector<Vec2> onTheOutline(const Polygon& outline, Random& random) {
     const std::size_t corners = outline.outer.size();
     std::vector<Vec2> seeds = few(outline, random);
@@ -221,7 +221,7 @@ std::vector<Vec2> outside(const Polygon& outline, Random& random) {
 }
 
 constexpr std::array kOutlines{NamedOutline{"rectangle", rectangle},
-                               NamedOutline{"turned rectangle", turnedRectangle},
+                               NamedOutline{"rotated rectangle", rotatedRectangle},
                                NamedOutline{"sliver", sliver},
                                NamedOutline{"triangle", triangle},
                                NamedOutline{"star with holes", starWithHoles},
@@ -231,14 +231,10 @@ constexpr std::array kOutlines{NamedOutline{"rectangle", rectangle},
                                NamedOutline{"far away", farAway},
                                NamedOutline{"star with holes", starWithHoles},
                                NamedOutline{"comb", comb}};
-constexpr std::array kSeeds{NamedSeeds{"uniform", uniform},
-                            NamedSeeds{"few", few},
-                            NamedSeeds{"lattice", latticeSeeds},
-                            NamedSeeds{"grid", grid},
-                            NamedSeeds{"collinear", collinear},
-                            NamedSeeds{"duplicates", duplicates},
-                            NamedSeeds{"1 unit apart", oneUnitApart},
-                            NamedSeeds{"on the outline", onTheOutline},
+constexpr std::array kSeeds{NamedSeeds{"uniform", uniform},         NamedSeeds{"few", few},
+                            NamedSeeds{"lattice", latticeSeeds},    NamedSeeds{"grid", grid},
+                            NamedSeeds{"collinear", collinear},     NamedSeeds{"duplicates", duplicates},
+                            NamedSeeds{"1 ulp apart", oneUlpApart}, NamedSeeds{"on the outline", onTheOutline},
                             NamedSeeds{"outside", outside}};
 constexpr std::uint64_t kThousandCornersEvery = 200;
 

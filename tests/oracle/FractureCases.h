@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Polygon.h"
+#include "core/geometry/polygon/Polygon.h"
 
 #include <cstdint>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rubble::oracle {
 
-/// An input of the fracture core, and where it comes from: the same number makes the same case.
+/// A generated input of the fracture core; its number determines it.
 struct FractureCase {
     std::uint64_t number = 0;
     std::string family;  // "comb, lattice seeds"
@@ -16,12 +16,12 @@ struct FractureCase {
     std::vector<Vec2> seeds;
 };
 
-/// The case with a number. Numbers go round all kinds of outlines (rectangles, slivers, stars, combs, L, cells of a
-/// lattice, 1,000 corners, points on straight sides, up to three holes, far from the origin) and, crosswise, all kinds
-/// of seeds (uniform, integer lattice, grid, collinear, few, duplicates, 1 unit apart, on the outline, outside).
+/// The case with a number. Numbers cycle through all combinations of outlines (rectangles, slivers, stars, combs, L,
+/// lattices, 1,000 corners, points on straight sides, up to three holes, far from the origin) and seeds (uniform,
+/// integer lattice, grid, collinear, few, duplicates, 1 ulp apart, on the outline, outside).
 FractureCase fractureCase(std::uint64_t number);
 
-/// The case as the JSON that `rubble-cli fracture` reads, every digit kept.
+/// The case as JSON for `rubble-cli fracture`, with all digits.
 std::string jsonOf(const FractureCase& fractureCase);
 
 }  // namespace rubble::oracle

@@ -1,5 +1,6 @@
 #include "tests/oracle/Comparison.h"
 #include "tests/support/JsonCases.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QTest>
@@ -12,15 +13,15 @@ namespace {
 constexpr const char* kFirst = "RUBBLE_ORACLE_FIRST";  // number of the first random case
 constexpr const char* kCount = "RUBBLE_ORACLE_CASES";
 constexpr std::uint64_t kDefaultCount = 2000;
-constexpr int kMostFaults = 10;
+constexpr int kMaxFaults = 10;
 
-std::uint64_t environmentNumber(const char* name, std::uint64_t otherwise) {
+std::uint64_t environmentNumber(const char* name, std::uint64_t fallback) {
     bool isNumber = false;
     const std::uint64_t number = qEnvironmentVariable(name).toULongLong(&isNumber);
-    return isNumber ? number : otherwise;
+    return isNumber ? number : fallback;
 }
 
-/// What is wrong and how to see it again.
+/// Prints a fault with its minimized input.
 void print(const FractureCase& faulty, const std::string& fault) {
     const FractureCase small = shrunk(faulty);
     qWarning("Case %llu (%s): %s\nShrunk to %s\n%s", static_cast<unsigned long long>(faulty.number),
@@ -30,11 +31,11 @@ void print(const FractureCase& faulty, const std::string& fault) {
 
 }  // namespace
 
-/// The whole way from an outline and seeds to the partition against exact rational arithmetic.
+/// Compares all stages from outline and seeds to the partition with exact rational arithmetic.
 class FractureOracleTest : public QObject {
     Q_OBJECT
 private slots:
-    void pastFaultsStayAway() {
+    void corpusCasesAgree() {
         const QDir corpus(RUBBLE_SOURCE_DIR "/tests/corpus/fracture");
         for (const QString& name : corpus.entryList({"*.json"}, QDir::Files, QDir::Name)) {
             const auto input = test::seededOutline(test::readJson(corpus.filePath(name)));
@@ -44,10 +45,10 @@ private slots:
     }
     void randomCasesAgree() {
         const std::uint64_t first = environmentNumber(kFirst, 0), count = environmentNumber(kCount, kDefaultCount);
-        qInfo("Cases %llu to %llu; %s and %s choose others.", static_cast<unsigned long long>(first),
+        qInfo("Cases %llu to %llu; %s and %s select others.", static_cast<unsigned long long>(first),
               static_cast<unsigned long long>(first + count - 1), kFirst, kCount);
         int faults = 0;
-        for (std::uint64_t number = first; number < first + count && faults < kMostFaults; ++number) {
+        for (std::uint64_t number = first; number < first + count && faults < kMaxFaults; ++number) {
             const FractureCase input = fractureCase(number);
             const std::optional<std::string> fault = fractureFault(input);
             if (!fault) continue;
@@ -58,5 +59,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FractureOracleTest)
+RUBBLE_TEST(FractureOracleTest)
 #include "FractureOracleTest.moc"

@@ -55,7 +55,7 @@ OutlineTriangles trianglesOf(const Polygon& outline) {
             const auto& from = face->vertex(Triangulation::ccw(k))->point();
             const auto& to = face->vertex(Triangulation::cw(k))->point();
             triangle.sides[static_cast<std::size_t>(k)] = Line(exact(from), exact(to));
-            triangle.across[static_cast<std::size_t>(k)] = face->neighbor(k)->info();
+            triangle.neighbours[static_cast<std::size_t>(k)] = face->neighbor(k)->info();
             triangle.box += from.bbox();
         }
         triangles.push_back(triangle);

@@ -5,7 +5,7 @@
 namespace rubble::oracle {
 namespace {
 
-/// The double next to a lazy number: its interval where that is narrow enough, else the rational itself.
+/// A lazy number rounded to double: from its interval if that is narrow enough, else from the exact rational.
 double rounded(const Exact::FT& number) {
     constexpr double kNarrow = 1e-13;
     const CGAL::Interval_nt<false>& interval = number.approx();
@@ -15,9 +15,9 @@ double rounded(const Exact::FT& number) {
     return CGAL::to_double(number.exact());
 }
 
-Point meeting(const Line& one, const Line& other) {
-    const auto meeting = CGAL::intersection(one, other);
-    return *boost::get<Point>(&*meeting);
+Point intersectionOf(const Line& one, const Line& other) {
+    const auto intersection = CGAL::intersection(one, other);
+    return *boost::get<Point>(&*intersection);
 }
 
 }  // namespace
@@ -60,9 +60,9 @@ Convex clipped(const Convex& region, const Side& cut) {
         if (from == CGAL::ON_ORIENTED_BOUNDARY)
             emit(region.corners[k], to == CGAL::ON_NEGATIVE_SIDE ? cut : region.sides[k]);
         if (from == CGAL::ON_POSITIVE_SIDE && to == CGAL::ON_NEGATIVE_SIDE)
-            emit(meeting(region.sides[k].line, cut.line), cut);
+            emit(intersectionOf(region.sides[k].line, cut.line), cut);
         if (from == CGAL::ON_NEGATIVE_SIDE && to == CGAL::ON_POSITIVE_SIDE)
-            emit(meeting(region.sides[k].line, cut.line), region.sides[k]);
+            emit(intersectionOf(region.sides[k].line, cut.line), region.sides[k]);
     }
     return part;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Vec.h"
+#include "core/geometry/predicates/Vec.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,12 +18,12 @@ using Line = Exact::Line_2;
 /// A straight side of a convex region, which lies to the left of its line.
 struct Side {
     Line line;
-    std::uint32_t name;  // who brought it
+    std::uint32_t name;  // of the half-plane that it comes from
     static constexpr std::uint32_t kUnnamed = 0xffffffffu;
 };
 
-/// A convex region, counter-clockwise: sides[k] runs from corners[k] to the next. Each corner is an input point or where two
-/// lines of the input meet, so that the exact numbers stay short however often it is clipped.
+/// A convex region, counter-clockwise: sides[k] runs from corners[k] to the next. Each corner is an input point or an
+/// intersection of two input lines, so that the exact numbers stay short after any number of clips.
 struct Convex {
     std::vector<Point> corners;
     std::vector<Side> sides;
@@ -35,13 +35,13 @@ struct Convex {
     CGAL::Bbox_2 box() const;
 };
 
-/// The part of the region to the left of a side; empty where that has no area. A side of the region that lies on the
-/// cut keeps its name.
+/// The part of the region to the left of a side; empty if it has no area. A side of the region that lies on the cut
+/// keeps its name.
 Convex clipped(const Convex& region, const Side& cut);
 
 double areaOf(const Convex& region);
 double perimeterOf(const Convex& region);
-/// The integral of position less `origin` over the region.
+/// The integral of (position - origin) over the region.
 Vec2 momentOf(const Convex& region, const Point& origin);
 
 }  // namespace rubble::oracle

@@ -1,7 +1,10 @@
-#include "core/asset/Bake.h"
-#include "core/geometry/HullOverlap.h"
+#include "core/asset/bake/Bake.h"
+#include "core/asset/checks/VerifyBake.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/geometry/hull/HullOverlap.h"
 #include "tests/support/House.h"
 #include "tests/support/Resting.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -54,7 +57,7 @@ private slots:
         for (const Instance& instance : m_house.instances) ++counts[findAsset(m_house, instance.asset)->name];
         QCOMPARE(counts, (std::map<std::string, int>{{"gable", 2}, {"roof", 4}, {"wall", 71}}));
     }
-    void hasTheMeasuresOfTheThesis() {
+    void hasTheThesisDimensions() {
         const Ring& gable = findAsset(m_house, "gable")->prism.outline.outer;
         QCOMPARE(glm::distance(gable[0], gable[1]), 5.0);
         QVERIFY(std::abs(glm::distance(gable[1], gable[2]) - 2.89) < 1e-15);
@@ -65,7 +68,7 @@ private slots:
         QCOMPARE(boundsOf(findAsset(m_house, "roof")->prism.outline.outer).size(), Vec2(3.5, 3.0));
         QCOMPARE(findAsset(m_house, "roof")->prism.depth, 0.25);
     }
-    void largerAssetsHaveMoreSeedsAndNoneTen() {
+    void largerAssetsHaveMoreSeeds() {
         const std::size_t wall = seedsOfAsset(*findAsset(m_house, "wall")).size();
         const std::size_t gable = seedsOfAsset(*findAsset(m_house, "gable")).size();
         const std::size_t roof = seedsOfAsset(*findAsset(m_house, "roof")).size();
@@ -83,7 +86,7 @@ private slots:
             }
         }
     }
-    void allStandOnTheGroundOrAbove() {
+    void noBodyIsBelowTheGround() {
         for (const Placed& placed : m_bodies) {
             for (const Vec3& vertex : placed.body.vertices) {
                 const Pose& pose = placed.instance->pose;
@@ -112,7 +115,7 @@ private slots:
         }
     }
     /// An opening is open to its top: no block stands where the one below it was left out.
-    void everyBlockStandsOnABlock() {
+    void everyBlockRestsOnABlock() {
         const auto stands = [&](Vec3 position) {
             return std::ranges::any_of(m_house.instances, [&](const Instance& instance) {
                 return isWall(m_house, instance) && instance.pose.position == position;
@@ -124,20 +127,20 @@ private slots:
             QVERIFY2(stands(position - Vec3(0.0, 1.0, 0.0)), instance.name.c_str());
         }
     }
-    void everyAssetBreaksIntoOnePieceASeed() {
+    void everySeedGivesOneFragment() {
         for (const Asset& asset : m_house.assets) {
             const Result<Bake> baked = bake(asset);
             QVERIFY2(baked.hasValue(), asset.name.c_str());
             QCOMPARE(verifyBake(*baked, asset).value_or(""), std::string());
             QCOMPARE(std::size_t{baked->fragmentCount()}, seedsOfAsset(asset).size());
-            QVERIFY(baked->reports.empty());
+            QVERIFY(baked->diagnostics.empty());
         }
     }
-    void theRoofHoldsByFriction() {
+    void roofIsHeldByFriction() {
         for (const Material& material : m_house.materials) QCOMPARE(material.friction, 0.8);
         QVERIFY(gableHeight() / (kGableBase / 2.0) < 0.8);
     }
 };
 
-QTEST_APPLESS_MAIN(HouseTest)
+RUBBLE_TEST(HouseTest)
 #include "HouseTest.moc"

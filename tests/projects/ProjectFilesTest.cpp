@@ -1,26 +1,29 @@
-#include "core/asset/Bake.h"
-#include "core/io/AtomicFile.h"
-#include "core/io/ProjectFile.h"
+#include "core/asset/bake/Bake.h"
+#include "core/asset/checks/VerifyBake.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/House.h"
 #include "tests/support/Pane.h"
+#include "tests/support/TestProgram.h"
 #include "tests/support/WallWithOpenings.h"
 
 #include <QTest>
 
 using namespace rubble;
 
-/// The demo projects in projects/ are what their builders in tests/support/ build. RUBBLE_UPDATE_PROJECTS=1 writes them.
+/// The demo projects in projects/ are what their builders in tests/support/ build. RUBBLE_UPDATE_PROJECTS=1 writes
+/// them.
 class ProjectFilesTest : public QObject {
     Q_OBJECT
 private slots:
-    void filesAreWhatIsBuilt_data() {
+    void filesMatchTheBuiltProjects_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<Project>("built");
         QTest::newRow("house") << "house.rubble" << test::house();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();
     }
-    void filesAreWhatIsBuilt() {
+    void filesMatchTheBuiltProjects() {
         QFETCH(QString, name);
         QFETCH(Project, built);
         const std::string path = RUBBLE_SOURCE_DIR "/projects/" + name.toStdString();
@@ -32,24 +35,24 @@ private slots:
         QVERIFY(loaded.hasValue() && *loaded == built);
     }
 
-    void thePaneBreaksInto200() {
+    void paneBreaksInto200() {
         const Project project = test::pane();
         const Result<Bake> baked = bake(project.assets[0]);
         QVERIFY(baked.hasValue());
         QCOMPARE(baked->fragmentCount(), 200u);
-        QCOMPARE(baked->reports.size(), std::size_t{0});
+        QCOMPARE(baked->diagnostics.size(), std::size_t{0});
         QCOMPARE(verifyBake(*baked, project.assets[0]).value_or(""), std::string());
     }
-    void theWallWithOpeningsBreaksTwice() {
+    void wallWithOpeningsBreaksTwice() {
         const Project project = test::wallWithOpenings();
         const Result<Bake> baked = bake(project.assets[0]);
         QVERIFY(baked.hasValue());
         QCOMPARE(verifyBake(*baked, project.assets[0]).value_or(""), std::string());
-        QVERIFY(baked->breakings[0].seeds.positions.size() == 60 && baked->breakings.back().level == 1);
+        QVERIFY(baked->fractures[0].seeds.positions.size() == 60 && baked->fractures.back().level == 1);
         // 4 x 2.6 m less door and window, 0.24 m thick.
         QCOMPARE(baked->whole.volume, (4.0 * 2.6 - 0.9 * 2.05 - 1.2 * 1.15) * 0.24);
     }
 };
 
-QTEST_APPLESS_MAIN(ProjectFilesTest)
+RUBBLE_TEST(ProjectFilesTest)
 #include "ProjectFilesTest.moc"

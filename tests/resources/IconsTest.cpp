@@ -1,3 +1,6 @@
+// Tests resources/icons.
+#include "tests/support/TestProgram.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -11,7 +14,7 @@
 
 namespace {
 
-constexpr const char* kProgramIcon = "rubble.svg";  // in its own colours and size
+constexpr const char* kProgramIcon = "rubble.svg";  // has its own colours and size
 const QDir kIcons(RUBBLE_SOURCE_DIR "/resources/icons");
 
 QByteArray textOf(const QString& path) {
@@ -19,11 +22,11 @@ QByteArray textOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// All of the editor's and the viewport's code.
+/// The source code that names icons: editor, viewport, and the kinds of pattern layers.
 QString code() {
     QString text;
-    for (const char* room : {"editor", "viewport"}) {
-        const QString folder = QString(RUBBLE_SOURCE_DIR "/") + room;
+    for (const char* part : {"editor", "viewport", "core/fracture"}) {
+        const QString folder = QString(RUBBLE_SOURCE_DIR "/") + part;
         for (QDirIterator at(folder, {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); at.hasNext();) {
             text += textOf(at.next());
         }
@@ -31,7 +34,7 @@ QString code() {
     return text;
 }
 
-/// An icon as the program draws it: its ink in a colour that the renderer knows.
+/// Loads an icon as the program does: with a colour that the renderer supports.
 QImage drawn(QByteArray svg, int pixels) {
     svg.replace("currentColor", "#232323");
     QSvgRenderer renderer(svg);
@@ -42,7 +45,7 @@ QImage drawn(QByteArray svg, int pixels) {
     return image;
 }
 
-/// The greatest opacity along the frame of a picture.
+/// The maximum opacity on the border of a picture.
 int opacityOfFrame(const QImage& image) {
     int most = 0;
     const int last = image.width() - 1;
@@ -76,8 +79,8 @@ private slots:
         QVERIFY(image != drawn("<svg/>", 96));
         QCOMPARE(opacityOfFrame(image), 0);  // nothing is cut off
     }
-    /// An action without an icon, or with a name that is misspelt, would be seen by users only.
-    void everyIconThatTheCodeNamesIsThere() {
+    /// Finds actions with missing or misspelt icons, which would otherwise only show at run time.
+    void everyIconNamedInTheCodeExists() {
         const QRegularExpression naming(R"re((?|\{"([a-z0-9]+(?:-[a-z0-9]+)+)",\s(?:\w+::)?tr\()re"
                                         R"re(|\b(?:icon|iconNamed|panelButton|newAction|addDock)\("([a-z0-9-]+)")re"
                                         R"re(|\bmenuAction\(\S+ "([a-z0-9-]+)"))re");
@@ -89,19 +92,19 @@ private slots:
         }
         QVERIFY(names > 40);
     }
-    void everyIconIsNamedByTheCode() {
+    void everyIconIsUsed() {
         const QString text = code();
         for (const QString& file : kIcons.entryList({"*.svg"}, QDir::Files)) {
             const QString name = file.chopped(4);
             QVERIFY2(file == kProgramIcon || text.contains('"' + name + '"'), qPrintable(name));
         }
     }
-    void theProgramsIconIsDrawn() {
+    void programIconIsDrawn() {
         const QImage image = drawn(textOf(kIcons.filePath(kProgramIcon)), 64);
         QCOMPARE(image.pixelColor(32, 32).alpha(), 255);
         QCOMPARE(opacityOfFrame(image), 0);
     }
-    void theResourceHoldsEveryIcon() {
+    void resourceContainsEveryIcon() {
         const QString list = textOf(RUBBLE_SOURCE_DIR "/resources/icons.qrc");
         const QRegularExpression entry("<file alias=\"(.+)\">icons/\\1</file>");
         QStringList names;
@@ -110,5 +113,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(IconsTest)
+RUBBLE_TEST_WITH(IconsTest, QCoreApplication)
 #include "IconsTest.moc"

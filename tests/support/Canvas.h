@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/geometry/OutlineShapes.h"
-#include "editor/Baker.h"
-#include "editor/canvas/PatternCanvas.h"
-#include "editor/canvas/SeedTool.h"
+#include "core/geometry/polygon/OutlineShapes.h"
+#include "editor/background/Baker.h"
+#include "editor/canvas/tools/SeedTool.h"
+#include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/Projects.h"
 
@@ -11,7 +11,7 @@
 
 namespace rubble {
 
-/// A project of one asset at hand: a prism with one layer.
+/// A project with one asset: a prism with one layer.
 inline Project projectOf(const Polygon& outline, LayerParameters parameters) {
     Project project;
     project.nextId = 10;
@@ -22,7 +22,7 @@ inline Project projectOf(const Polygon& outline, LayerParameters parameters) {
     return project;
 }
 
-/// A canvas on a document that is baked in the background, as in the editor.
+/// A canvas on a document with background baking, as in the editor.
 struct CanvasBench {
     explicit CanvasBench(Project project) : document(std::move(project)) {
         selection.prune(document.project());
@@ -32,7 +32,7 @@ struct CanvasBench {
     }
 
     const Asset& asset() const { return document.project().assets.front(); }
-    /// Until what is shown is the pattern of what the document holds.
+    /// Waits until the canvas shows the current pattern.
     void settle() {
         QVERIFY(QTest::qWaitFor([&] { return isSettled(); }));
         QCoreApplication::processEvents();
@@ -43,10 +43,10 @@ struct CanvasBench {
     }
 
     QPoint pixels(Vec2 metres) const { return canvas.view().pixels(metres).toPoint(); }
-    /// Where the pixel nearest to a point lies, m.
+    /// The centre of the pixel nearest to a point, m.
     Vec2 metres(Vec2 point) const { return canvas.view().metres(pixels(point)); }
-    Vec2 seedAt(std::size_t seed) const { return canvas.shownPattern()->seeds().positions[seed]; }
-    SeedId seedId(std::size_t seed) const { return canvas.shownPattern()->seeds().ids[seed]; }
+    Vec2 seedAt(std::size_t seed) const { return canvas.displayedPattern()->seeds().positions[seed]; }
+    SeedId seedId(std::size_t seed) const { return canvas.displayedPattern()->seeds().ids[seed]; }
 
     void click(Vec2 at, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mouseMove(&canvas, pixels(at));

@@ -5,8 +5,9 @@
 
 namespace rubble {
 
-/// Pearson's sum over (seen - expected)^2 / expected, by the least sum that so many categories exceed once in a hundred times
-/// where what is seen follows what is expected: below 1 stands for p > 0.01. Categories of which none is expected must be empty.
+/// Pearson's sum over (seen - expected)^2 / expected, by the least sum that so many categories exceed once in a hundred
+/// times where what is seen follows what is expected: below 1 stands for p > 0.01. Categories of which none is expected
+/// must be empty.
 /// Source: the approximation of Wilson and Hilferty 1931, within half a per cent from ten categories on.
 inline double chiSquareByLimit(const std::vector<double>& seen, const std::vector<double>& expected) {
     constexpr double kNormalAtHundredth = 2.3263;

@@ -4,7 +4,7 @@
 
 namespace rubble::test {
 
-/// A bar with teeth 1 m wide and 1 m apart, which a hull each takes.
+/// A comb with teeth 1 m wide and 1 m apart; each needs its own hull.
 inline Polygon comb(int teeth) {
     Polygon outline;
     outline.outer = {{0.0, 0.0}, {2.0 * teeth - 1.0, 0.0}};
@@ -18,7 +18,7 @@ inline Polygon comb(int teeth) {
     return outline;
 }
 
-/// One of 20 teeth as asset 2, in one piece.
+/// A project with a comb of 20 teeth, in one piece, as asset 2.
 inline Project combProject() {
     Project project = boxProject(PlacedSeeds{{{0, {0.5, 0.5}}}});
     project.assets[0].prism.outline = comb(20);

@@ -12,9 +12,9 @@
 
 namespace rubble::test {
 
-/// What to do with the next dialog: done once it is there and active.
+/// Calls answer(dialog) once the next dialog of this type is shown.
 template <class Dialog>
-void whenAsked(std::function<void(Dialog&)> answer) {
+void onNextDialog(std::function<void(Dialog&)> answer) {
     auto* timer = new QTimer(qApp);
     QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
         auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
@@ -26,10 +26,10 @@ void whenAsked(std::function<void(Dialog&)> answer) {
     timer->start(20);
 }
 
-/// Types a path into a dialog that opens or saves, and does so.
-inline void takeFile(QFileDialog& dialog, const QString& path) {
+/// Enters a path into a file dialog and presses Open or Save.
+inline void acceptFile(QFileDialog& dialog, const QString& path) {
     auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
-    name->setText(path);  // typed, its completer would hold the mouse
+    name->setText(path);  // keyClicks() would open the completer, which grabs the mouse
     auto* buttons = dialog.findChild<QDialogButtonBox*>();
     const bool opens = dialog.acceptMode() == QFileDialog::AcceptOpen;
     QTest::mouseClick(buttons->button(opens ? QDialogButtonBox::Open : QDialogButtonBox::Save), Qt::LeftButton);

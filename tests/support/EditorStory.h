@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/io/ProjectFile.h"
-#include "editor/MainWindow.h"
-#include "editor/Program.h"
-#include "editor/SceneView.h"
-#include "editor/Views.h"
-#include "editor/canvas/PatternCanvas.h"
+#include "core/io/project/ProjectFile.h"
+#include "editor/canvas/widget/PatternCanvas.h"
+#include "editor/view3d/SceneView.h"
+#include "editor/views/Views.h"
+#include "editor/window/MainWindow.h"
+#include "editor/window/Program.h"
 #include "tests/support/TestSettings.h"
-#include "viewport/ViewportWidget.h"
+#include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -22,16 +22,16 @@
 
 namespace rubble {
 
-/// What tests share that work a whole window by mouse and keys: one with a project, its settings kept apart from the user's.
+/// Base of the tests that drive a whole window by mouse and keys. The window's settings are separate from the user's.
 class EditorStory : public QObject {
 protected:
     static constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
 
     void open(Project project) {
         begin();
-        m_window.reset(m_program->showNew(std::move(project), true));
+        m_window.reset(m_program->showProject(std::move(project)));
         show();
-        viewport().setFlights(false);
+        viewport().setCameraAnimation(false);
     }
     void openFile(const QString& path) {
         begin();
@@ -39,14 +39,14 @@ protected:
         QVERIFY(m_window);
         show();
     }
-    /// Waits until all is baked, shows all of it, and keeps the project's text in m_before.
+    /// Opens a project, waits until it is baked, frames the asset and stores the project's text in m_before.
     void openBaked(Project project) {
         open(std::move(project));
         QTRY_VERIFY_WITH_TIMEOUT(window().workspace().bakes().areCurrent(this->project()), kPatience);
-        window().views().fit();
+        window().views().frameAsset();
         m_before = text();
     }
-    /// Without asking whether to save.
+    /// Closes the window without asking whether to save.
     void close() {
         m_window.reset();
         m_program.reset();
@@ -60,20 +60,20 @@ protected:
     std::string text() { return projectText(project()); }
     QUndoStack& stack() { return m_window->workspace().document().undoStack(); }
     QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
-    bool hasView() { return viewport().fault().isEmpty(); }
+    bool hasView() { return viewport().errorText().isEmpty(); }
     bool isBaked(Id asset, std::uint32_t fragments) {
         const auto baked = m_window->workspace().bakes().find(asset);
         return baked && baked->bake && baked->bake->fragmentCount() == fragments;
     }
 
-    /// How many bodies of the scene have a mark: kHidden, kSelected.
+    /// The number of bodies in the 3D view with a mark: kHidden, kSelected.
     int bodiesMarked(std::uint32_t mark) {
-        const auto isMarked = [&](const BodyLook& look) { return (look.marks & mark) != 0; };
-        return static_cast<int>(std::ranges::count_if(viewport().scene().looks, isMarked));
+        const auto isMarked = [&](const BodyAppearance& look) { return (look.marks & mark) != 0; };
+        return static_cast<int>(std::ranges::count_if(viewport().scene().appearances, isMarked));
     }
 
     QPoint pixels(Vec2 metres) { return canvas().view().pixels(metres).toPoint(); }
-    /// Moves the pointer; QTest::mouseMove() knows no modifiers.
+    /// Moves the pointer with modifiers, which QTest::mouseMove() does not support.
     static void moveTo(QWidget& widget, QPoint at, Qt::KeyboardModifiers modifiers = {},
                        Qt::MouseButtons buttons = Qt::NoButton) {
         QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
@@ -87,7 +87,7 @@ protected:
         QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
     }
 
-    /// Chooses in the canvas what lies within these corners, m.
+    /// Selects with the lasso in the canvas; corners in m.
     void lasso(std::initializer_list<Vec2> corners) {
         const QPoint first = pixels(*corners.begin()), last = pixels(*(corners.end() - 1));
         QTest::mousePress(&canvas(), Qt::LeftButton, Qt::AltModifier, first);
@@ -97,7 +97,7 @@ protected:
 
     QString pathOf(const QString& name) const { return m_folder.filePath(name); }
 
-    std::string m_before;  // the project's text, as a test keeps it
+    std::string m_before;  // the project's text before the test
 
 private:
     void begin() {
@@ -107,7 +107,7 @@ private:
         QApplication::setQuitOnLastWindowClosed(false);
         m_program = std::make_unique<Program>();
     }
-    /// The window has the keys, whether there is a window manager or not.
+    /// Shows the window and gives it the keyboard focus, also without a window manager.
     void show() {
         m_window->setAttribute(Qt::WA_DeleteOnClose, false);
         m_window->activateWindow();

@@ -7,7 +7,8 @@
 
 namespace rubble::test {
 
-/// The first folder of PATH holds this instead of ffmpeg as long as it lives; with no script, PATH holds no program at all.
+/// The first folder of PATH holds this instead of ffmpeg as long as it lives; with no script, PATH holds no program at
+/// all.
 class Ffmpeg {
 public:
     /// Makes a film that holds its own arguments, a line each, where the pictures are there.

@@ -28,7 +28,7 @@ private:
     void (*m_oldAction)(int) = nullptr;
 };
 
-/// Permissions count for root only after it has become somebody else.
+/// Permissions count for root only after it has changed to another user.
 class AsNobody {
 public:
     AsNobody() : m_wasRoot(::geteuid() == 0 && ::seteuid(65534) == 0) {}

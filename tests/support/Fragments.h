@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
+#include "core/fracture/pieces/Extrusion.h"
 #include "tests/support/Outlines.h"
 
 namespace rubble {
@@ -18,8 +19,9 @@ inline Pattern scatterOf(std::uint32_t count, std::uint32_t layer) {
     return pattern;
 }
 
-/// The square ring with one more hole in its left side, half a metre deep, volume 5.98, as asset "old ring" in 12 cells: some
-/// go around a corner, some are cut apart, one has a hole. Those of half a cubic metre and more are cut in three again.
+/// The square ring with one more hole in its left side, half a metre deep, volume 5.98, as asset "old ring" in 12
+/// cells: some go around a corner, some are cut apart, one has a hole. Those of half a cubic metre and more are cut in
+/// three again.
 inline Asset ringAsset() {
     Polygon outline = squareRing();
     outline.holes.push_back(reversed(rectangle({0.4, 2.0}, {0.6, 2.2})));
@@ -35,7 +37,7 @@ inline Asset ringAsset() {
 /// A piece with its outline as the prism's frame has it, and the piece behind each edge, ring after ring.
 struct LoosePiece {
     Polygon outline;
-    std::vector<std::uint32_t> across;
+    std::vector<std::uint32_t> neighbours;
 };
 
 /// A bake of one level with these pieces as fragments, whose corners need not fit together.
@@ -53,14 +55,14 @@ inline Bake bakeOf(const std::vector<LoosePiece>& pieces, double depth) {
     for (const LoosePiece& piece : pieces) {
         addRing(piece.outline.outer);
         for (const Ring& hole : piece.outline.holes) addRing(hole);
-        partition.across.insert(partition.across.end(), piece.across.begin(), piece.across.end());
+        partition.neighbours.insert(partition.neighbours.end(), piece.neighbours.begin(), piece.neighbours.end());
         partition.seedOfPiece.push_back(partition.pieceCount());
         partition.pieceOfSeed.push_back(partition.pieceCount() - 1);
         partition.ringsOfPiece.push_back(static_cast<std::uint32_t>(partition.cornersOfRing.size()) - 1);
     }
     Bake bake;
-    bake.breakings.resize(1);
-    bake.breakings[0].fragments = *extrudedFragments({pieces[0].outline, depth}, std::move(partition));
+    bake.fractures.resize(1);
+    bake.fractures[0].fragments = *extrudedFragments({pieces[0].outline, depth}, std::move(partition));
     return bake;
 }
 

@@ -1,13 +1,18 @@
 #pragma once
 
-#include "core/fracture/ThesisMethod.h"
-#include "core/fracture/Verify.h"
-#include "core/fracture/VoronoiPartition.h"
-#include "core/io/BodiesJson.h"
-#include "core/io/FractureJson.h"
-#include "core/io/MaterialFile.h"
-#include "core/io/PackFile.h"
-#include "core/io/ProjectFile.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/thesis/ThesisMethod.h"
+#include "core/fracture/verify/VerifyDelaunay.h"
+#include "core/fracture/verify/VerifyFragments.h"
+#include "core/fracture/verify/VerifyNearestSeed.h"
+#include "core/fracture/verify/VerifyPartition.h"
+#include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/io/fracture/FractureJson.h"
+#include "core/io/pack/PackFile.h"
+#include "core/io/play/BodiesJson.h"
+#include "core/io/project/MaterialPresetFile.h"
+#include "core/io/project/ProjectFile.h"
 
 #include <cmath>
 #include <optional>
@@ -16,19 +21,19 @@
 
 namespace rubble::test {
 
-/// What fuzz targets do with bytes, and the corpus test with those that once went wrong: reads them, carries out what was
-/// accepted and says what is wrong with it, or nothing. Bigger input than this is read only.
-inline constexpr std::size_t kMostFuzzedSeeds = 64;
-inline constexpr std::size_t kMostFuzzedCorners = 64;
-inline constexpr std::size_t kMostFuzzedBodies = 16;
+// The checks of the fuzz targets and the corpus test: each reads the bytes, processes accepted input and returns the
+// first fault, or nothing. Input beyond these sizes is only read.
+inline constexpr std::size_t kMaxFuzzedSeeds = 64;
+inline constexpr std::size_t kMaxFuzzedCorners = 64;
+inline constexpr std::size_t kMaxFuzzedBodies = 16;
 inline constexpr int kFuzzedSteps = 5;
 
 using Sentence = std::optional<std::string>;
 
-/// Every refusal says something.
-inline Sentence refusalFault(const Error& error) {
+/// Every error has a message, which is a sentence.
+inline Sentence errorFault(const Error& error) {
     if (!error.message.empty() && error.message.back() == '.') return std::nullopt;
-    return "The refusal \"" + error.message + "\" is no sentence.";
+    return "The error \"" + error.message + "\" is not a sentence.";
 }
 
 inline std::size_t cornersOf(const Polygon& polygon) {
@@ -37,79 +42,79 @@ inline std::size_t cornersOf(const Polygon& polygon) {
     return corners;
 }
 
-/// Every stage of cutting a prism.
+/// Verifies every stage of the fracture of a prism.
 inline Sentence stageFault(const FractureInput& input) {
     const Result<Delaunay> delaunay = triangulate(input.seeds);
-    if (!delaunay) return refusalFault(delaunay.error());
+    if (!delaunay) return errorFault(delaunay.error());
     if (Sentence fault = verifyDelaunay(*delaunay, input.seeds)) return fault;
     Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay);
-    if (!partition) return refusalFault(partition.error());
+    if (!partition) return errorFault(partition.error());
     if (Sentence fault = verifyPartition(*partition, input.prism.outline)) return fault;
     if (Sentence fault = verifyNearestSeed(*partition, input.seeds)) return fault;
     const Result<Fragments> fragments = extrudedFragments(input.prism, std::move(*partition));
-    if (!fragments) return refusalFault(fragments.error());
+    if (!fragments) return errorFault(fragments.error());
     return verifyFragments(*fragments, input.prism);
 }
 
 inline Sentence fractureFault(std::string_view bytes) {
     const Result<FractureInput> input = readFractureInput(bytes);
-    if (!input) return refusalFault(input.error());
-    if (input->seeds.size() > kMostFuzzedSeeds || cornersOf(input->prism.outline) > kMostFuzzedCorners)
+    if (!input) return errorFault(input.error());
+    if (input->seeds.size() > kMaxFuzzedSeeds || cornersOf(input->prism.outline) > kMaxFuzzedCorners)
         return std::nullopt;
     for (const FractureMethod method : {FractureMethod::Exact, FractureMethod::Thesis}) {
         const Result<std::string> json = fractureJson(*input, method);
-        if (!json) return refusalFault(json.error());
+        if (!json) return errorFault(json.error());
     }
     return stageFault(*input);
 }
 
-/// A project that is read must come back from its own text, and the text from it.
+/// A project must read back from its own text, and give the same text again.
 inline Sentence projectFault(std::string_view bytes) {
     const Result<Project> project = readProjectText(bytes);
-    if (!project) return refusalFault(project.error());
+    if (!project) return errorFault(project.error());
     if (Sentence fault = verifyProject(*project)) return fault;
     const std::string text = projectText(*project);
     const Result<Project> again = readProjectText(text);
-    if (!again) return "What was written is refused: " + again.error().message;
-    if (projectText(*again) != text) return "What was written reads back as something else.";
+    if (!again) return "The written text is rejected: " + again.error().message;
+    if (projectText(*again) != text) return "The written text reads back differently.";
     return std::nullopt;
 }
 
-/// A material that is read must come back from its own text, and be one that a project can keep.
+/// A material must read back from its own text, and be valid in a project.
 inline Sentence materialFault(std::string_view bytes) {
     const Result<MaterialPreset> preset = readMaterialPresetText(bytes);
-    if (!preset) return refusalFault(preset.error());
+    if (!preset) return errorFault(preset.error());
     if (Sentence fault = verifyPreset(*preset)) return fault;
     const std::string text = materialPresetText(*preset);
     const Result<MaterialPreset> again = readMaterialPresetText(text);
-    if (!again) return "What was written is refused: " + again.error().message;
-    if (materialPresetText(*again) != text) return "What was written reads back as something else.";
+    if (!again) return "The written text is rejected: " + again.error().message;
+    if (materialPresetText(*again) != text) return "The written text reads back differently.";
     Project project{.nextId = 2};
     project.materials = {materialOf(*preset, 1)};
     return verifyProject(project);
 }
 
-/// A pack may be wrong in itself; saying so must not fail.
+/// A pack may be inconsistent; verifying it must not fail.
 inline Sentence packFault(std::string_view bytes) {
     const Result<Pack> pack = readPack(bytes);
-    if (!pack) return refusalFault(pack.error());
+    if (!pack) return errorFault(pack.error());
     const Sentence fault = verifyPack(*pack);
-    return fault ? refusalFault({ErrorCode::BadInput, *fault}) : std::nullopt;
+    return fault ? errorFault({ErrorCode::BadInput, *fault}) : std::nullopt;
 }
 
-/// Bodies that are accepted move without ending up nowhere.
+/// Accepted bodies keep finite poses in a simulation.
 inline Sentence bodiesFault(std::string_view bytes) {
     const Result<BodyScene> scene = readBodyScene(bytes);
-    if (!scene) return refusalFault(scene.error());
+    if (!scene) return errorFault(scene.error());
     if (Sentence fault = verifyBodyScene(*scene)) return fault;
-    if (scene->bodies.size() > kMostFuzzedBodies) return std::nullopt;
+    if (scene->bodies.size() > kMaxFuzzedBodies) return std::nullopt;
     Result<SceneWorld> moved = makeWorld(*scene);
-    if (!moved) return refusalFault(moved.error());
+    if (!moved) return errorFault(moved.error());
     for (int step = 0; step < kFuzzedSteps; ++step) moved->world.step(1.0 / 60.0);
     for (std::size_t k = 0; k < moved->bodies.size(); ++k) {
         const Pose pose = moved->world.state(moved->bodies[k]).pose;
         const bool isFinite = std::isfinite(glm::length(pose.position)) && std::isfinite(glm::length(pose.orientation));
-        if (!isFinite) return "Body \"" + scene->bodies[k].name + "\" is nowhere after some steps.";
+        if (!isFinite) return "Body \"" + scene->bodies[k].name + "\" has a pose that is not finite after some steps.";
     }
     return std::nullopt;
 }

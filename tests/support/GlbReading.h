@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Mesh.h"
+#include "core/geometry/mesh/Mesh.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@
 
 namespace rubble {
 
-/// A GLB file in its two chunks.
+/// The two chunks of a GLB file.
 struct Glb {
     nlohmann::json json;
     std::string binary;
@@ -24,7 +24,7 @@ inline std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
     return word;
 }
 
-/// Takes the file apart; says what is against the container's rules: magic, version, lengths, padding, kinds of chunks.
+/// Parses a GLB file; fails on a wrong magic number, version, length, padding or type of chunk.
 inline std::string openGlb(const std::string& bytes, Glb& glb) {
     if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF" || wordAt(bytes, 4) != 2) return "header";
     if (wordAt(bytes, 8) != bytes.size() || bytes.size() % 4 != 0) return "length of the file";
@@ -39,7 +39,7 @@ inline std::string openGlb(const std::string& bytes, Glb& glb) {
     return {};
 }
 
-/// The numbers of an accessor, element by element.
+/// The elements of an accessor.
 template <class T>
 std::vector<T> numbersOf(const Glb& glb, const nlohmann::json& accessor) {
     static const std::map<std::string, std::size_t> kComponents{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
@@ -50,7 +50,7 @@ std::vector<T> numbersOf(const Glb& glb, const nlohmann::json& accessor) {
     return numbers;
 }
 
-/// A node's mesh in its own frame, its vertices of equal position made one; `material` is the primitive's.
+/// The mesh of a node in its own frame, with vertices welded by position; `material` of a face is the primitive's.
 inline Mesh meshOfNode(const Glb& glb, const nlohmann::json& node) {
     Mesh mesh;
     std::map<std::tuple<float, float, float>, std::uint32_t> known;

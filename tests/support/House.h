@@ -9,9 +9,9 @@
 
 namespace rubble::test {
 
-// The thesis's house: 5 m wide (x), 6 m long (z), its ridge along z at x = 0. Four courses of 20 wall blocks less nine
-// openings, two gables, four roof panels: 77 bodies. Whatever touches in a wall touches exactly: all those coordinates
-// are multiples of 1/4 m and the turns are made of halves, so that nothing is rounded.
+// The house of the thesis: 5 m wide (x), 6 m long (z), its ridge along z at x = 0. Four courses of 20 wall blocks less
+// nine openings, two gables, four roof panels: 77 bodies. Blocks touch exactly: their coordinates are multiples of 1/4
+// m and their quaternions consist of halves, so that nothing is rounded.
 inline constexpr double kGableBase = 5.0;      // m
 inline constexpr double kGableSide = 2.89;     // m
 inline constexpr double kWallHeight = 4.0;     // m
@@ -21,22 +21,22 @@ inline constexpr double kRoofAlong = 3.0;      // m, half the ridge
 inline constexpr double kRoofDepth = 0.25;     // m
 inline constexpr double kWallThickness = 0.5;  // m
 
-/// The panels of the roof stand off from all that they lie on, and from each other, by this many metres. The slope is no
-/// machine number: this is a hundred times what rounding makes of a panel's corners, and nothing to see.
+/// The distance of the roof panels from their supports and from each other, m: invisible, and a hundred times the
+/// rounding of the panels' corners, since the slope is not exactly representable.
 inline constexpr double kRoofGap = 0x1p-40;
 
 inline double gableHeight() { return std::sqrt(kGableSide * kGableSide - kGableBase * kGableBase / 4.0); }
 
-/// A wall of the house: its blocks stand in columns, five a course.
+/// A wall of the house: columns of blocks, five per course.
 struct WallRow {
     std::string name;
-    Vec3 first;                         // where the middle of its lowest first block stands
+    Vec3 first;                         // centre of the lowest block of the first column
     Vec3 step;                          // from column to column
     Quat orientation;                   // of a block
-    std::array<int, 5> blocksInColumn;  // those left out are the openings: always on top of what stands
+    std::array<int, 5> blocksInColumn;  // missing ones are openings, always at the top
 };
 
-/// One of the four turns that take a block to itself, so that neighbours do not break alike.
+/// One of the four rotations that map a block to itself, so that neighbours fracture differently.
 inline Quat halfTurn(int number) {
     constexpr std::array<std::array<double, 4>, 4> kTurns = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
     const auto& [w, x, y, z] = kTurns[static_cast<std::size_t>(number % 4)];
@@ -72,7 +72,7 @@ inline Pose panelPose(double side, double alongRidge) {
     const double above = kRoofDepth / 2.0 + kRoofGap;
     const Vec3 position{side * (cosine * kRoofSlope / 2.0 + sine * above),
                         kWallHeight + gableHeight() - sine * kRoofSlope / 2.0 + cosine * above, alongRidge};
-    // A quarter turn about x lays the panel flat, then the slope turns it about z by the angle whose cosine is known.
+    // A quarter turn about x lays the panel flat; then the slope rotates it about z by an angle with a known cosine.
     const double w = std::sqrt((1.0 + cosine) / 4.0);
     const double z = sine / (4.0 * w);
     const Quat right{w, -w, z, -z};
@@ -87,26 +87,28 @@ inline void addRoof(Project& project, Id roof) {
     addInstance(project, roof, "roof back right", panelPose(1.0, -middle));
 }
 
-/// Seeds that were moved apart until their cells are of much the same size.
+/// Relaxed seeds, so that their cells have similar sizes.
 inline std::vector<LayerParameters> evenSeeds(std::uint32_t count) {
     return {UniformScatter{.count = count}, LloydRelaxation{.rounds = 3}};
 }
 
-/// What walls, gables and roof are to take, and what not.
+/// The strength requirements of walls, gables and roof.
 inline void addIntents(Project& project) {
-    const auto survives = [](const HitIntent& hit) { return Intent{IntentOutcome::Survives, hit}; };
-    const Intent breaksWhenDropped{IntentOutcome::Breaks, DropIntent{.height = 0.5}};
-    const std::array<HitIntent, 3> survived{{{.mass = 40.0, .speed = 14.0},  // the ball at the gable
-                                             {.mass = 40.0, .speed = 14.0},
-                                             {.mass = 100.0, .speed = 15.0}}};  // what else may fall on a roof
+    const auto survives = [](const HitRequirement& hit) {
+        return StrengthRequirement{RequirementOutcome::Survives, hit};
+    };
+    const StrengthRequirement breaksWhenDropped{RequirementOutcome::Breaks, DropRequirement{.height = 0.5}};
+    const std::array<HitRequirement, 3> survived{{{.mass = 40.0, .speed = 14.0},  // the ball at the gable
+                                                  {.mass = 40.0, .speed = 14.0},
+                                                  {.mass = 100.0, .speed = 15.0}}};  // other debris
     for (std::size_t k = 0; k < survived.size(); ++k) {
-        project.assets[k].intents = {survives(survived[k]), breaksWhenDropped};
+        project.assets[k].requirements = {survives(survived[k]), breaksWhenDropped};
     }
 }
 
-/// One that breaks a few blocks, one that brings the roof down, one that only rattles; and what is expected of each.
+/// Shots that break a few blocks, bring the roof down, or break nothing; with their play-tests.
 inline void addShots(Project& project) {
-    constexpr double kTime = 0.5;  // s: until then the house is seen to stand
+    constexpr double kTime = 0.5;  // s: before it the house must stand
     const Id box =
         addShot(project, "box at the door", kTime,
                 Throw{.size = Vec3(0.6), .mass = 200.0, .from = {3.5, 2.4, 9.0}, .to = {1.0, 1.6, 3.0}, .speed = 22.0});

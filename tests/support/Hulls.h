@@ -2,8 +2,8 @@
 
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
-#include "core/geometry/ConvexHull.h"
-#include "core/physics/Hull.h"
+#include "core/geometry/hull/ConvexHull.h"
+#include "core/physics/shape/Hull.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -21,7 +21,7 @@ inline Vec3 randomIn(Random& random, double half) {
     return {x, y, random.between(-half, half)};
 }
 
-/// A rotation that is as likely as any other.
+/// A uniformly random rotation.
 inline Quat randomTurn(Random& random) {
     while (true) {
         const Vec3 v = randomIn(random, 1.0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Polygon.h"
+#include "core/geometry/polygon/Polygon.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -12,7 +12,7 @@
 
 namespace rubble::test {
 
-/// An outline and the seeds that break it, as they stand in files of test data.
+/// An outline and its seeds, from a file of test data.
 struct SeededOutline {
     std::string name;
     Polygon outline;
@@ -41,10 +41,10 @@ inline SeededOutline seededOutline(const QJsonObject& object) {
     return result;
 }
 
-/// One of the small cases in which the reference method goes wrong, with its exact answer.
+/// A small case in which the reference method is wrong, with the exact result.
 struct Counterexample : SeededOutline {
-    std::vector<double> areas;                           // m^2, one a seed
-    std::vector<std::vector<std::uint32_t>> neighbours;  // ascending, one list a seed
+    std::vector<double> areas;                           // m^2, by seed
+    std::vector<std::vector<std::uint32_t>> neighbours;  // by seed, ascending
 };
 
 inline std::vector<Counterexample> counterexamples() {

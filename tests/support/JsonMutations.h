@@ -9,10 +9,10 @@
 
 namespace rubble::test {
 
-/// A document with one thing wrong, and what is said of it.
+/// A document with one error, and its expected path.
 struct JsonMutation {
-    std::string name;   // what was done, for messages
-    std::string place;  // "assets[2].prism.depth", as sentences begin
+    std::string name;   // of the mutation, for messages
+    std::string place;  // "assets[2].prism.depth", as error messages start
     nlohmann::json document;
 };
 
@@ -36,7 +36,7 @@ inline std::string placeOf(const Json::json_pointer& pointer, const Json& root) 
     return place.empty() ? "The document" : place;
 }
 
-/// A value of every type but the one that stands there.
+/// Values of every type except the current one.
 inline std::vector<Json> otherTypes(const Json& value) {
     std::vector<Json> wrong;
     if (!value.is_null()) wrong.push_back(nullptr);
@@ -57,10 +57,10 @@ inline void forEachPlace(const Json& value, Json::json_pointer at,
         for (std::size_t k = 0; k < value.size(); ++k) forEachPlace(value[k], at / k, visit);
 }
 
-/// Whether a list holds things with keys, of which any number may be there.
+/// Returns whether an array holds objects.
 inline bool holdsObjects(const Json& value) { return value.is_array() && !value.empty() && value.front().is_object(); }
 
-/// A value without the things that its lists hold.
+/// Returns a value with its arrays of objects emptied.
 inline Json bare(const Json& value) {
     if (holdsObjects(value)) return Json::array();
     if (!value.is_object()) return value;
@@ -69,13 +69,13 @@ inline Json bare(const Json& value) {
     return less;
 }
 
-/// A document with one place in it.
+/// A document and a position in it.
 struct Placed {
     Json document;
     Json::json_pointer at;
 };
 
-/// A document with nothing in its lists but what the steps (from the last one on) lead through: the same place in less.
+/// Returns the same position in a reduced document, whose arrays hold only the elements on the way to it.
 inline Placed around(const Json& value, std::vector<std::string> steps) {
     if (steps.empty()) return {value, Json::json_pointer()};
     const std::string step = steps.back();
@@ -102,8 +102,8 @@ inline Placed around(const Json& document, Json::json_pointer at) {
     return around(document, std::move(steps));
 }
 
-/// Calls visit(at, what, value) for every value replaced by one of every other type, every key left out, and one more in every
-/// object, place by place. `fits` tells values that are as good at a place.
+/// Calls visit(at, what, value) for each mutation: every value replaced by one of every other type, every key removed,
+/// and a key added to every object. Skips values for which `fits` is true.
 inline void forEachMutation(
     const Json& document, const std::function<bool(const std::string& place, const Json& value)>& fits,
     const std::function<void(const Json::json_pointer& at, const std::string& what, Json value)>& visit) {
@@ -126,7 +126,7 @@ inline void forEachMutation(
 
 }  // namespace mutation
 
-/// All of these, each as a document of its own.
+/// Returns the documents of all mutations.
 inline std::vector<JsonMutation> mutationsOf(
     const nlohmann::json& document,
     const std::function<bool(const std::string& place, const nlohmann::json& value)>& fits) {
@@ -139,15 +139,15 @@ inline std::vector<JsonMutation> mutationsOf(
     return mutations;
 }
 
-/// A document with another value at a place, as text.
+/// Returns the text of a document with another value at a position.
 inline std::string changedText(nlohmann::json document, const std::string& pointer, const std::string& value) {
     document[nlohmann::json::json_pointer(pointer)] = nlohmann::json::parse(value);
     return document.dump();
 }
 
-/// Which of a document's mutations its reader or its schema lets pass, or tells with another place; empty where none.
-/// `faultOf` reads a text and says what is wrong with it. It is given all of the document, the schema only what lies around the place:
-/// validating takes long, and no schema of ours asks in one thing of a list about the others.
+/// Returns the mutations of a document that its reader or its schema accepts, or reports with another path; empty if
+/// all is well. `faultOf` reads a text and returns its error. It gets the whole document; the schema gets a reduced
+/// one, because validation is slow and none of our schemas relates elements of an array.
 inline std::string untoldMutation(
     const nlohmann::json& document, const Schema& schema,
     const std::function<bool(const std::string& place, const nlohmann::json& value)>& fits,
@@ -160,7 +160,7 @@ inline std::string untoldMutation(
         if (!untold.empty()) return;
         if (at != last) {
             near = mutation::around(document, last = at);
-            if (!schema.fault(near.document).empty()) near = {document, at};  // a list must not be as short
+            if (!schema.fault(near.document).empty()) near = {document, at};  // an array must not be that short
         }
         std::swap(changed[at], value);
         const std::string fault = faultOf(changed.dump());

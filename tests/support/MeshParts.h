@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/io/MeshPart.h"
+#include "core/asset/mesh/FragmentMesh.h"
+#include "core/io/exchange/MeshPart.h"
 #include "tests/support/Fragments.h"
 
 namespace rubble {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Mesh.h"
+#include "core/geometry/mesh/Mesh.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Mesh.h"
+#include "core/geometry/mesh/Mesh.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,16 +11,16 @@
 
 namespace rubble {
 
-/// An object of an OBJ file. Its faces carry the run of usemtl that they stand in as `material`.
+/// An object of an OBJ file. `material` of a face is the index of its usemtl run.
 struct ObjObject {
     std::string name;
     std::string group;
     std::vector<std::string> materials;  // in the order of their runs
-    Mesh mesh;                           // indices from the object's own first line on; inside: after the first run
+    Mesh mesh;                           // indices relative to the object; faces after the first run are inside
 };
 
-/// A small reader of the OBJ files that we write, and of those alone; independent of the locale. Normals are made of
-/// length 1 again, since they have seven decimals.
+/// Reads the OBJ files that Rubble writes, independently of the locale. Normals, which have seven decimals, are
+/// normalized.
 inline std::vector<ObjObject> readObj(const std::string& text) {
     const auto numberOf = [](const std::string& word) {
         double number = 0.0;
@@ -28,7 +28,7 @@ inline std::vector<ObjObject> readObj(const std::string& text) {
         return number;
     };
     std::vector<ObjObject> objects;
-    std::uint32_t positions = 1, uvs = 1, normals = 1;  // of the objects before
+    std::uint32_t positions = 1, uvs = 1, normals = 1;  // of preceding objects
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);

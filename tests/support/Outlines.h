@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Polygon.h"
+#include "core/geometry/polygon/Polygon.h"
 
 namespace rubble {
 
@@ -11,7 +11,7 @@ inline Polygon unitSquare() { return {rectangle({0.0, 0.0}, {1.0, 1.0}), {}}; }
 
 inline Ring reversed(const Ring& ring) { return {ring.rbegin(), ring.rend()}; }
 
-/// A square of side 4 with a hole of side 2 in its middle.
+/// A square of side 4 with a central hole of side 2.
 inline Polygon squareRing() {
     return {rectangle({0.0, 0.0}, {4.0, 4.0}), {reversed(rectangle({1.0, 1.0}, {3.0, 3.0}))}};
 }

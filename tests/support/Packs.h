@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/PackFile.h"
+#include "core/io/pack/PackFile.h"
 #include "tests/support/Projects.h"
 
 namespace rubble {
@@ -12,15 +12,15 @@ inline const std::vector<PackMeshFile>& packMeshes() {
     return files;
 }
 
-/// A square ring of two levels: cut-apart cells, several hulls a body, pieces of pieces.
-inline Asset ringAsset() {
+/// A square ring with two levels: cells cut apart, bodies of several hulls, fragments of fragments.
+inline Asset twoLevelRing() {
     Asset asset = boxAsset(3, 4, UniformScatter{.count = 5});
     asset.prism.outline = squareRing();
     asset.levels = {{.pattern = {{{.id = 5, .randomSeed = 2, .parameters = UniformScatter{.count = 3}}}}}};
     return asset;
 }
 
-/// The pack of an asset of heavy brick with these meshes.
+/// The pack of an asset made of heavy brick, with these meshes.
 inline std::string packOf(const Asset& asset, int threads = 1) {
     const Result<Bake> baked = bake(asset);
     TaskContext task;

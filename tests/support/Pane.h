@@ -10,8 +10,8 @@ namespace rubble::test {
 
 inline constexpr std::uint32_t kPanePieces = 200;
 
-/// Seeds on rings about a point that was hit, closer together towards it: seven rings of twelve, each turned by half a
-/// step against the one before, and one in the middle.
+/// Seeds on rings around a point of impact, denser towards it: seven rings of twelve, each rotated by half a step from
+/// the one before, and one in the centre.
 inline PlacedSeeds impactSeeds(Vec2 centre) {
     constexpr std::uint32_t kRings = 7;
     constexpr std::uint32_t kRays = 12;
@@ -27,8 +27,7 @@ inline PlacedSeeds impactSeeds(Vec2 centre) {
     return placed;
 }
 
-/// projects/pane.rubble: a window pane held in its frame, in 200 pieces: fine about the place that was hit, coarse
-/// around it.
+/// projects/pane.rubble: a fixed window pane with 200 fragments, fine near the point of impact and coarse elsewhere.
 inline Project pane() {
     Project project;
     const Id glass = addMaterial(project, {.name = "glass",

@@ -1,20 +1,19 @@
 #pragma once
 
-#include "core/fracture/PatternKind.h"
+#include "core/fracture/pattern/PatternKind.h"
 
 #include <memory>
 #include <vector>
 
 namespace rubble {
 
-/// A picture of 2 x 2 pixels: black, grey, white, and white that is half transparent.
+/// An image of 2 x 2 pixels: black, grey, white, and half transparent white.
 inline std::shared_ptr<const GreyImage> fourPixels() {
     return std::make_shared<GreyImage>(GreyImage{
         .width = 2, .height = 2, .bits = 8, .grey = {0, 0x7f, 0xff, 0xff}, .opacity = {0xff, 0xff, 0xff, 0x80}});
 }
 
-/// Layers of all kinds with a few seeds each, for outlines of about a metre around the origin: what holds for every kind is tried
-/// with these.
+/// Layers of all kinds, with a few seeds each, for outlines with a radius of about a metre around the origin.
 inline std::vector<LayerParameters> patternSamples() {
     return {UniformScatter{.count = 12},
             UniformScatter{.count = {CountBy::Density, 8.0}, .domain = ScatterDomain::BoundingBox},
@@ -43,10 +42,10 @@ inline std::vector<LayerParameters> patternSamples() {
             Slices{},
             Slices{.cuts = 7, .angle = 0.4, .offsetVariation = 1.0, .angleVariation = 0.7},
             Slices{.cuts = 4, .angle = 0.0, .offsetVariation = 0.0, .angleVariation = 0.0},
-            Strokes{{{0, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}},
-                     {3, {{0.1, -2.0}, {-0.1, 2.0}}},
-                     {4, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}, {0.4, 0.4}}},
-                     {9, {{0.0, 0.0}, {0.3, 0.55}}}}},
+            CrackLines{{{0, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}},
+                        {3, {{0.1, -2.0}, {-0.1, 2.0}}},
+                        {4, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}, {0.4, 0.4}}},
+                        {9, {{0.0, 0.0}, {0.3, 0.55}}}}},
             Grain{.angle = 0.7, .ratio = 4.0},
             WeightedLloyd{.rounds = 2}};
 }

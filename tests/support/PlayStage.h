@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 #include "editor/play/PlayController.h"
 #include "tests/support/Sessions.h"
 
 namespace rubble::test {
 
-/// A document in play by a clock that the test moves on.
+/// A document in play, with a clock that the test advances.
 class Stage {
 public:
     static constexpr double kStep = 1.0 / 60.0;  // s
@@ -15,7 +15,7 @@ public:
         controller.thread().useSteppedClock();
         bake();
     }
-    /// Bakes all that is there, as the editor does in the background.
+    /// Bakes all assets, as the editor does in the background.
     void bake() {
         for (const Asset& asset : document.project().assets) {
             const Result<Bake> made = rubble::bake(asset);
@@ -27,7 +27,7 @@ public:
     }
     void settle() {
         controller.thread().settle();
-        controller.takeNews();
+        controller.applyUpdate();
     }
     void start() {
         controller.play();
@@ -36,7 +36,7 @@ public:
     }
     void advance(int steps) {
         for (int k = 0; k < steps; ++k) controller.thread().advance(kStep);
-        controller.takeNews();
+        controller.applyUpdate();
     }
     std::uint64_t step() const { return controller.frame()->step; }
     ContentHash hash() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/Polygon.h"
+#include "core/geometry/polygon/Polygon.h"
 
 #include <array>
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// Unit cells of a lattice, some of them set: a source of faces that touch themselves in corners.
+/// A set of unit lattice cells, for polygons that touch themselves in points.
 class Polyomino {
 public:
     Polyomino(int width, int height) : m_width(width), m_height(height), m_cells(width * height) {}
@@ -19,10 +19,10 @@ public:
         return x >= 0 && x < m_width && y >= 0 && y < m_height && m_cells[x * m_height + y];
     }
 
-    /// The face of all cells joined by edges to a cell that is set, every lattice point on its boundary a corner.
-    /// Where it touches itself, its boundary goes on around the same cell.
+    /// The union of all set cells that are edge-connected to a cell; every lattice point on its boundary is a corner.
+    /// Where it touches itself, the boundary continues around the same cell.
     Polygon componentAt(int x, int y) const {
-        const Polyomino component = joinedTo(x, y);
+        const Polyomino component = componentOf(x, y);
         std::map<Edge, bool> open;
         for (int i = 0; i < m_width; ++i)
             for (int j = 0; j < m_height; ++j) component.addBoundary(i, j, open);
@@ -43,14 +43,14 @@ public:
     }
 
 private:
-    /// From a lattice point, direction 0 to the right, then counter-clockwise.
+    /// An edge from a lattice point; direction 0 is to the right, then counter-clockwise.
     struct Edge {
         int x, y, direction;
         auto operator<=>(const Edge&) const = default;
     };
     static constexpr std::array<std::array<int, 2>, 4> kStep{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-    Polyomino joinedTo(int x, int y) const {
+    Polyomino componentOf(int x, int y) const {
         Polyomino component(m_width, m_height);
         std::vector<std::pair<int, int>> open{{x, y}};
         while (!open.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 #include <string>
 #include <utility>
@@ -15,7 +15,7 @@ inline Id addMaterial(Project& project, Material material) {
     return project.materials.back().id;
 }
 
-/// A recipe of these layers, in this order. A layer's random seed is its id.
+/// A pattern of these layers, in this order. A layer's random seed is its id.
 inline Pattern patternOf(Project& project, std::vector<LayerParameters> layers) {
     Pattern pattern;
     for (LayerParameters& parameters : layers) {
@@ -25,7 +25,7 @@ inline Pattern patternOf(Project& project, std::vector<LayerParameters> layers) 
     return pattern;
 }
 
-/// Adds an asset that these layers break.
+/// Adds an asset with these layers.
 inline Id addAsset(Project& project, Asset asset, std::vector<LayerParameters> layers) {
     asset.id = project.nextId++;
     asset.pattern = patternOf(project, std::move(layers));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 #include "tests/support/Outlines.h"
 #include "tests/support/PatternSamples.h"
 
@@ -17,7 +17,7 @@ inline Asset boxAsset(Id id, Id layer, LayerParameters parameters) {
     return asset;
 }
 
-/// A project of one such box, asset 2, with the seeds of layer 3; it stands once, as instance 10.
+/// A project with one such box, asset 2, with the seeds of layer 3, and instance 10 of it.
 inline Project boxProject(LayerParameters parameters) {
     Project project;
     project.nextId = 100;
@@ -27,7 +27,7 @@ inline Project boxProject(LayerParameters parameters) {
     return project;
 }
 
-/// A project in which everything is there and nothing has its usual value.
+/// A project with every kind of element, in which no member has its default value.
 inline Project fullProject() {
     Project project;
     project.nextId = 40;
@@ -64,10 +64,10 @@ inline Project fullProject() {
         {.id = 28, .parameters = BrickBond{BondKind::Flemish, 0.4, 0.2, 0.25, 0.02, {0.1, -0.2}}},
         {.id = 29, .parameters = Slices{7, -0.4, 0.75, 0.125}},
         {.id = 36,
-         .parameters = Strokes{{{2, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}}, {5, {{0.1, -2.0}, {-0.1, 2.0}}}}}},
+         .parameters = CrackLines{{{2, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}}, {5, {{0.1, -2.0}, {-0.1, 2.0}}}}}},
         {.id = 37, .parameters = Grain{0.7, 4.0}},
         {.id = 38, .parameters = WeightedLloyd{2}}};
-    wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::PartOfWhole, 0.01},
+    wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::FractionOfWhole, 0.01},
                     .gap = 1.0 / 512.0,
                     .roughness = {.amplitude = 0.003, .frequency = 12.5, .octaves = 4, .randomSeed = 77}};
     wall.leaves = {
@@ -80,9 +80,10 @@ inline Project fullProject() {
     wall.threshold = 55.5;
     wall.contactTime = 0.00125;
     wall.insideUvScale = 2.0;
-    wall.cutAtImpact = {.pieces = 17, .reach = 0.45};
-    wall.intents = {{.outcome = IntentOutcome::Breaks, .event = HitIntent{.mass = 2.5, .speed = 1.0 / 3.0}},
-                    {.outcome = IntentOutcome::Survives, .event = DropIntent{.height = 1.75}}};
+    wall.cutAtImpact = {.pieces = 17, .falloffRadius = 0.45};
+    wall.requirements = {
+        {.outcome = RequirementOutcome::Breaks, .event = HitRequirement{.mass = 2.5, .speed = 1.0 / 3.0}},
+        {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}}};
     SurfaceTriangle triangle;
     triangle.corners = {Vec3{0.0, 0.0, 0.125}, Vec3{1.0, 0.0, 0.125}, Vec3{0.0, 1.0, 0.125}};
     triangle.uvs = {Vec2{0.0, 1.0}, Vec2{1.0, 0.1}, Vec2{-0.5, 0.0}};
@@ -106,7 +107,7 @@ inline Project fullProject() {
     project.ground = {.isOn = false, .height = -0.5, .friction = 0.7, .restitution = 0.2};
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
-    project.debris = {.lifetime = 12.5, .fade = 0.75, .mostPieces = 300};
+    project.debris = {.lifetime = 12.5, .fade = 0.75, .maxPieces = 300};
     project.shots = {
         {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
         {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},

@@ -10,15 +10,15 @@
 
 namespace rubble::test {
 
-/// Some outline about the origin, within 1 m of it: by turns convex, concave, or with a hole.
+/// A random outline within 1 m of the origin: convex, concave, or with a hole, depending on `kind`.
 inline Polygon randomOutline(Random& random, int kind) {
     const int corners = 3 + static_cast<int>(random.below(6));
-    const double start = random.between(0.0, 1.0), breadth = random.between(0.3, 1.0);
+    const double start = random.between(0.0, 1.0), aspect = random.between(0.3, 1.0);
     Polygon outline;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2.0 * std::numbers::pi * (k + start) / corners;
         const double radius = kind % 3 == 1 ? random.between(0.3, 1.0) : 1.0;  // a star, or on an ellipse
-        outline.outer.push_back(radius * Vec2(cosine(angle), breadth * sine(angle)));
+        outline.outer.push_back(radius * Vec2(cosine(angle), aspect * sine(angle)));
     }
     if (kind % 3 == 2) {
         const Vec2 half(random.between(0.04, 0.1), random.between(0.02, 0.08));
@@ -27,7 +27,7 @@ inline Polygon randomOutline(Random& random, int kind) {
     return outline;
 }
 
-/// A project of one asset of some outline, material and size in four pieces; its ground throws back, too.
+/// A project with one asset of random outline, material and size and four fragments, and a ground with restitution.
 inline Project randomAsset(Random& random, int kind) {
     Project project;
     const Id stone = addMaterial(project, {.name = "stone",

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "core/asset/Threshold.h"
+#include "core/asset/project/Threshold.h"
 #include "core/base/Random.h"
-#include "core/fracture/SeedEdits.h"
-#include "core/geometry/OutlineShapes.h"
-#include "core/io/MaterialFile.h"
+#include "core/fracture/pattern/SeedEdits.h"
+#include "core/geometry/polygon/OutlineShapes.h"
+#include "core/io/project/MaterialPresetFile.h"
 #include "editor/commands/FragmentEdits.h"
 #include "editor/commands/MaterialEdits.h"
 #include "editor/commands/ProjectEdits.h"
 
 namespace rubble {
 
-/// Some edit that a user may make of a project, chosen at random.
-inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
+/// A random edit of a project, as a user may make it.
+inline Edit randomEdit(const Project& project, Random& random, quint64 mergeKey) {
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random.below(count)); };
     const std::size_t kind = below(16);
     if (project.assets.empty() || kind == 0) {
@@ -32,38 +32,38 @@ inline Edit randomEdit(const Project& project, Random& random, quint64 stroke) {
         case 8: {
             SceneSettings scene = sceneSettings(project);
             scene.ground.height = random.unit();
-            return altered("Move ground", scene, stroke);
+            return modify("Move ground", scene, mergeKey);
         }
         case 9:
             asset.shaping.gap = 0.01 * random.unit();
             asset.shaping.smallPieces.rule = random.below(2) == 0 ? SmallPieceRule::Merge : SmallPieceRule::DropSeeds;
-            return altered("Shape pieces", std::move(asset), stroke);
+            return modify("Shape pieces", std::move(asset), mergeKey);
         case 10:
         case 11: {
             const std::string id = std::to_string(asset.pattern.layers[0].id) + ".";
-            const std::vector<ChosenPiece> pieces{{.path = id + "0", .area = 2.0}, {.path = id + "1", .area = 1.0}};
+            const std::vector<SelectedPiece> pieces{{.path = id + "0", .area = 2.0}, {.path = id + "1", .area = 1.0}};
             return kind == 10 ? mergeFragments(project, asset.id, pieces) : splitFragments(project, asset.id, pieces);
         }
         case 12: {
             Material material = project.materials[below(project.materials.size())];
             material.tensileStrength.reset();
             if (random.below(3) > 0) material.tensileStrength = 1e5 + 1e7 * random.unit();
-            return altered("Set tensile strength", std::move(material), stroke);
+            return modify("Set tensile strength", std::move(material), mergeKey);
         }
         case 13:
             asset.threshold = thresholdOf(project, asset);  // as the inspector does: it stays what it was
             asset.contactTime.reset();
             if (random.below(3) > 0) asset.contactTime = 1e-4 + 1e-2 * random.unit();
-            return altered("Set where the threshold comes from", std::move(asset), stroke);
+            return modify("Set where the threshold comes from", std::move(asset), mergeKey);
         case 14: {
             static const MaterialLibrary kLibrary = materialLibrary();
-            return makeOf(project, asset.id, kLibrary.materials[below(kLibrary.materials.size())].preset,
-                          {.takesPattern = random.below(2) == 0, .derivesThreshold = random.below(2) == 0});
+            return applyPreset(project, asset.id, kLibrary.materials[below(kLibrary.materials.size())].preset,
+                               {.appliesPattern = random.below(2) == 0, .derivesThreshold = random.below(2) == 0});
         }
         default: {
             const PatternLayer& layer = asset.pattern.layers[below(asset.pattern.layers.size())];
             moveSeed(asset.pattern, {layer.id, 0}, {random.unit(), random.unit()});
-            return altered("Move seed", std::move(asset), stroke);
+            return modify("Move seed", std::move(asset), mergeKey);
         }
     }
 }

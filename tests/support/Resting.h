@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry/HalfPlaneClip.h"
-#include "core/geometry/HullOverlap.h"
+#include "core/geometry/hull/HullOverlap.h"
+#include "core/geometry/polygon/HalfPlaneClip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace rubble::test {
 
-/// The corners seen from above that lie on one side of a body: those whose height along `axis` is greatest.
+/// The horizontal projection of the corners on one side of a body: those with the largest height along `axis`.
 inline std::vector<Vec2> faceFromAbove(const std::vector<Vec3>& corners, Vec3 axis, double tolerance) {
     double highest = -std::numeric_limits<double>::infinity();
     for (const Vec3& corner : corners) highest = std::max(highest, glm::dot(corner, axis));
@@ -21,8 +21,8 @@ inline std::vector<Vec2> faceFromAbove(const std::vector<Vec3>& corners, Vec3 ax
     return face;
 }
 
-/// The lines through two of the points that have no point on their right: the hull's edges, each with its inside on
-/// the left. Points as few as a body's corners need nothing faster.
+/// The edges of the points' convex hull as lines with the inside on their left. Quadratic, which is enough for a body's
+/// corners.
 inline std::vector<HalfPlane> hullSides(const std::vector<Vec2>& points) {
     std::vector<HalfPlane> sides;
     for (const Vec2 from : points) {
@@ -39,14 +39,14 @@ inline std::vector<HalfPlane> hullSides(const std::vector<Vec2>& points) {
     return sides;
 }
 
-/// How far inside the hull of the points a point lies, m; negative outside, or where there is no hull.
+/// The depth of a point inside the convex hull of the points, m; negative outside, or without a hull.
 inline double depthInside(const std::vector<Vec2>& points, Vec2 point) {
     double depth = points.empty() ? -1.0 : std::numeric_limits<double>::infinity();
     for (const HalfPlane& side : hullSides(points)) depth = std::min(depth, side.offset - glm::dot(side.normal, point));
     return depth;
 }
 
-/// The points, which may also be two or one, in an order around their middle.
+/// The points (one or more) ordered around their mean.
 inline std::vector<Vec2> ringAround(std::vector<Vec2> points) {
     Vec2 centre(0.0);
     for (const Vec2 point : points) centre += point / static_cast<double>(points.size());
@@ -56,7 +56,7 @@ inline std::vector<Vec2> ringAround(std::vector<Vec2> points) {
     return points;
 }
 
-/// The part of a ring, or of a line there and back, on the inner side; a line stays one, as clipByHalfPlane() would not.
+/// The part of a ring on the inner side of a line. Unlike clipByHalfPlane() it keeps degenerate rings.
 inline std::vector<Vec2> clipped(const std::vector<Vec2>& ring, const HalfPlane& side) {
     std::vector<Vec2> kept;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -72,7 +72,7 @@ inline std::vector<Vec2> clipped(const std::vector<Vec2>& ring, const HalfPlane&
     return kept;
 }
 
-/// What two faces have in common, seen from above: nothing, a line or an area.
+/// The horizontal intersection of two faces: empty, a line or an area.
 inline std::vector<Vec2> commonFromAbove(const std::vector<Vec2>& first, const std::vector<Vec2>& second) {
     const bool isSecondWide = second.size() > 2;
     std::vector<Vec2> common = ringAround(isSecondWide ? first : second);
@@ -82,19 +82,19 @@ inline std::vector<Vec2> commonFromAbove(const std::vector<Vec2>& first, const s
     return common;
 }
 
-/// Where a body rests on another, seen from above: empty unless they are at most `reach` apart and the lower one holds
-/// the upper one up.
+/// The horizontal contact area of a body resting on another: empty if they are farther apart than `tolerance` or the
+/// lower one does not support the upper one.
 inline std::vector<Vec2> restingPoints(const Polytope& upper, const Pose& upperPose, const Polytope& lower,
-                                       const Pose& lowerPose, double reach) {
+                                       const Pose& lowerPose, double tolerance) {
     const HullOverlap overlap = hullOverlap(lower, lowerPose, upper, upperPose);
-    if (overlap.depth < -reach || overlap.normal.y < 0.5) return {};
+    if (overlap.depth < -tolerance || overlap.normal.y < 0.5) return {};
     const auto placed = [](const Polytope& body, const Pose& pose) {
         std::vector<Vec3> corners;
         for (const Vec3& vertex : body.vertices) corners.push_back(pose.position + pose.orientation * vertex);
         return corners;
     };
-    return commonFromAbove(faceFromAbove(placed(lower, lowerPose), overlap.normal, reach),
-                           faceFromAbove(placed(upper, upperPose), -overlap.normal, reach));
+    return commonFromAbove(faceFromAbove(placed(lower, lowerPose), overlap.normal, tolerance),
+                           faceFromAbove(placed(upper, upperPose), -overlap.normal, tolerance));
 }
 
 }  // namespace rubble::test

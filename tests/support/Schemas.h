@@ -12,7 +12,7 @@ public:
     explicit Schema(const std::string& name);
     ~Schema();
 
-    /// Where and why the JSON does not fit; empty where it does.
+    /// Returns path and reason if the JSON does not match; empty if it does.
     std::string fault(const nlohmann::json& json) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/Session.h"
+#include "core/play/session/Session.h"
 #include "tests/support/Outlines.h"
 #include "tests/support/ProjectParts.h"
 
@@ -24,8 +24,7 @@ inline Session sessionOf(const Project& project, const SessionSettings& settings
     return std::move(*session);
 }
 
-/// A block of 1 x 1 x 0.5 m and density 1000 in `pieces` pieces, breaking at 100 N s, over a ground that it does not touch; no
-/// gravity.
+/// A block of 1 x 1 x 0.5 m, density 1000, `pieces` fragments and threshold 100 N·s, above the ground, without gravity.
 inline Project floatingBlock(std::uint32_t pieces = 5) {
     Project project;
     const Id stone = addMaterial(project, {.name = "stone", .density = 1000.0});
@@ -37,13 +36,13 @@ inline Project floatingBlock(std::uint32_t pieces = 5) {
     return project;
 }
 
-/// A box of 0.2 m thrown along -z at the middle of what stands at (0, 5, 0).
+/// A box of 0.2 m thrown along -z at (0, 5, 0).
 inline Throw throwAtBlock(double mass, double speed) {
     return {.size = {0.2, 0.2, 0.2}, .mass = mass, .from = {0.0, 5.0, 1.0}, .to = {0.0, 5.0, 0.0}, .speed = speed};
 }
 
-/// Follows an input that must be possible.
-inline void give(Session& session, const PlayInput& input) {
+/// Adds an input that must be valid.
+inline void addInput(Session& session, const PlayInput& input) {
     if (const Status added = session.add(input); !added) qFatal("%s", added.error().message.c_str());
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/physics/BodyScene.h"
-#include "core/physics/Penetration.h"
+#include "core/physics/queries/Penetration.h"
+#include "core/physics/world/BodyScene.h"
 
 #include <QTest>
 

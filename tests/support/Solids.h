@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry/ConvexParts.h"
-#include "core/geometry/TriangleMesh.h"
+#include "core/geometry/mesh/TriangleMesh.h"
+#include "core/geometry/polygon/ConvexParts.h"
 
 #include <glm/gtc/quaternion.hpp>
 

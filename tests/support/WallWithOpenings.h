@@ -5,14 +5,14 @@
 
 namespace rubble::test {
 
-/// A wall of 4 x 2.6 m about its middle: a door is a notch from below, a window is a hole.
+/// A wall of 4 x 2.6 m around the origin; the door is a notch from below, the window a hole.
 inline Polygon outlineWithDoorAndWindow() {
     const Ring outer = {{-2.0, -1.3}, {0.5, -1.3}, {0.5, 0.75}, {1.4, 0.75},
                         {1.4, -1.3},  {2.0, -1.3}, {2.0, 1.3},  {-2.0, 1.3}};
     return {outer, {reversed(rectangle({-1.4, -0.4}, {-0.2, 0.75}))}};
 }
 
-/// projects/wall-with-openings.rubble: one outline with a door and a window; its larger pieces break once more.
+/// projects/wall-with-openings.rubble: one outline with a door and a window; its larger pieces are fractured again.
 inline Project wallWithOpenings() {
     Project project;
     const Id concrete = addMaterial(project, {.name = "concrete",

@@ -1,4 +1,6 @@
+// Tests resources/linux.
 #include "tests/support/RunProgram.h"
+#include "tests/support/TestProgram.h"
 
 #include <QFile>
 #include <QImage>
@@ -23,7 +25,7 @@ QString helpOf(const QStringList& verb) {
     return runProgram(RUBBLE_BINARY_DIR "/bin/rubble-cli", verb + QStringList("--help")).output;
 }
 
-/// All that a pattern's first group matches.
+/// Returns all matches of the first group of a pattern.
 QStringList matches(const QString& text, const char* pattern) {
     QStringList found;
     for (auto match = QRegularExpression(pattern, QRegularExpression::MultilineOption).globalMatch(text);
@@ -51,24 +53,24 @@ double difference(const QImage& a, const QImage& b) {
 class DesktopTest : public QObject {
     Q_OBJECT
 private slots:
-    void theDesktopEntryIsValid() {
+    void desktopEntryIsValid() {
         const ProgramOutcome checked = runProgram("desktop-file-validate", {kLinux + kId + ".desktop"});
         QCOMPARE(checked.output + checked.error, QString());
         QCOMPARE(checked.exit, 0);
     }
-    void theDescriptionIsValid() {
+    void metainfoIsValid() {
         const ProgramOutcome checked =
             runProgram("appstreamcli", {"validate", "--no-net", kLinux + kId + ".metainfo.xml"});
         QVERIFY2(checked.exit == 0, qPrintable(checked.output + checked.error));
     }
-    void theDescriptionsReleaseIsThisOne() {
+    void metainfoNamesThisRelease() {
         const QStringList releases = matches(textOf(kLinux + kId + ".metainfo.xml"), "<release version=\"([^\"]+)\"");
         QCOMPARE(releases.value(0), QString(RUBBLE_VERSION));
     }
 
-    void theManTellsEveryVerbAndOption() {
+    void manPageDescribesEveryVerbAndOption() {
         const QString man = textOf(kLinux + "rubble-cli.1").remove('\\');
-        const QStringList verbs = matches(helpOf({}).section("Verbs:", 1).section("\n\n", 0, 0), "^  ([a-z]+) ");
+        const QStringList verbs = matches(helpOf({}).section("Verbs:", 1).section("\n\n", 0, 0), "^  ([a-z]+)[, ]");
         QVERIFY(verbs.size() >= 6);
         for (const QString& verb : verbs) {
             const QString chapter = man.section("\n.SS " + verb + '\n', 1).section("\n.S", 0, 0);
@@ -78,21 +80,21 @@ private slots:
             }
         }
     }
-    void theMansAreOfThisVersion_data() {
+    void manPagesAreOfThisVersion_data() {
         QTest::addColumn<QString>("page");
         QTest::newRow("rubble") << "rubble.1";
         QTest::newRow("rubble-cli") << "rubble-cli.1";
     }
-    void theMansAreOfThisVersion() {
+    void manPagesAreOfThisVersion() {
         QFETCH(const QString, page);
         QVERIFY(textOf(kLinux + page).contains("\"Rubble " RUBBLE_VERSION "\""));
     }
 
-    void thePicturesOfTheIconAreThatIcon_data() {
+    void bitmapsMatchTheIcon_data() {
         QTest::addColumn<int>("size");
         for (const int size : {16, 24, 32, 48, 64, 128, 256, 512}) QTest::addRow("%d", size) << size;
     }
-    void thePicturesOfTheIconAreThatIcon() {
+    void bitmapsMatchTheIcon() {
         QFETCH(const int, size);
         const QImage picture(kLinux + QString("icons/%1-%2.png").arg(kId).arg(size));
         QCOMPARE(picture.size(), QSize(size, size));
@@ -100,9 +102,9 @@ private slots:
         drawn.fill(Qt::transparent);
         QPainter painter(&drawn);
         QSvgRenderer(QString(RUBBLE_SOURCE_DIR "/resources/icons/rubble.svg")).render(&painter);
-        QVERIFY(difference(picture, drawn) < 8.0);  // renderers smooth edges a little differently
+        QVERIFY(difference(picture, drawn) < 8.0);  // antialiasing differs between renderers
     }
 };
 
-QTEST_GUILESS_MAIN(DesktopTest)
+RUBBLE_TEST_WITH(DesktopTest, QCoreApplication)
 #include "DesktopTest.moc"

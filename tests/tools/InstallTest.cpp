@@ -1,4 +1,6 @@
+// Tests the install target.
 #include "tests/support/RunProgram.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -19,7 +21,7 @@ private slots:
         qputenv("XDG_DATA_HOME", m_root.filePath("nothing").toUtf8());
     }
 
-    void allIsThere_data() {
+    void allFilesAreInstalled_data() {
         QTest::addColumn<QString>("file");
         for (const char* file : {"bin/rubble-cli",
                                  "libexec/rubble/rubble-importer",
@@ -46,42 +48,42 @@ private slots:
             QTest::newRow(file) << file;
         }
     }
-    void allIsThere() {
+    void allFilesAreInstalled() {
         QFETCH(const QString, file);
         QVERIFY(QFileInfo::exists(m_root.filePath(file)));
     }
-    void nothingElseIsInTheWay() {
+    void noOtherFilesAreInstalled() {
         QCOMPARE(QDir(m_root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot),
                  QStringList({"bin", "libexec", "share"}));
         QCOMPARE(QDir(m_root.filePath("bin")).entryList(QDir::Files), QStringList({"rubble", "rubble-cli"}));
     }
 
-    void theInstalledProgramDrawsTheInstalledHouse() {
+    void installedProgramDrawsTheInstalledHouse() {
         const ProgramOutcome drawn = runCli({"draw", m_root.filePath("share/rubble/projects/house.rubble")});
         QCOMPARE(drawn.exit, 0);
         QVERIFY(drawn.output.startsWith("<svg"));
     }
-    void theInstalledEditorStarts() {
+    void installedEditorStarts() {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("QT_QPA_PLATFORM", "offscreen");
         const ProgramOutcome started = runProgram(m_root.filePath("bin/rubble"), {"--version"}, environment);
         QCOMPARE(started.exit, 0);
         QVERIFY2(started.output.startsWith("Rubble "), qPrintable(started.output));
     }
-    void theInstalledProgramFindsItsImporter() {
+    void installedProgramFindsItsImporter() {
         const ProgramOutcome imported = runCli(
             {"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/wall.glb", "--into", m_root.filePath("imported.rubble")});
         QCOMPARE(imported.error, QString());
         QCOMPARE(imported.exit, 0);
     }
 
-    void projectsAreKnownByTheirName() {
+    void projectsAreRecognizedByTheirSuffix() {
         const QMimeType type = QMimeDatabase().mimeTypeForFile("/nowhere/house.rubble", QMimeDatabase::MatchExtension);
         QCOMPARE(type.name(), QString("application/x-rubble"));
         QCOMPARE(type.comment(), QString("Rubble project"));
         QVERIFY(type.inherits("application/json"));
     }
-    void projectsAreKnownByWhatIsInThem() {
+    void projectsAreRecognizedByTheirContent() {
         QFile house(m_root.filePath("share/rubble/projects/house.rubble"));
         QVERIFY(house.open(QIODevice::ReadOnly));
         QCOMPARE(QMimeDatabase().mimeTypeForData(house.readAll()).name(), QString("application/x-rubble"));
@@ -96,5 +98,5 @@ private:
     const QTemporaryDir m_root;
 };
 
-QTEST_GUILESS_MAIN(InstallTest)
+RUBBLE_TEST_WITH(InstallTest, QCoreApplication)
 #include "InstallTest.moc"

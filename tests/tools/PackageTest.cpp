@@ -1,4 +1,6 @@
+// Tests the Debian package.
 #include "tests/support/RunProgram.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -19,7 +21,7 @@ private slots:
         m_package = m_folder.filePath(packages.first());
     }
 
-    void itSaysWhatItIs() {
+    void packageHasADescription() {
         QCOMPARE(field("Package"), QString("rubble"));
         QCOMPARE(field("Version"), QString(RUBBLE_VERSION));
         QCOMPARE(field("Section"), QString("graphics"));
@@ -27,24 +29,24 @@ private slots:
         const QStringList description = field("Description").split('\n');
         QCOMPARE(description.first(), QString("editor of destructible assets"));
         QVERIFY(description.size() > 3);
-        for (const QString& line : description.mid(1)) {  // two spaces would keep lines from being filled
+        for (const QString& line : description.mid(1)) {  // two spaces would prevent reflowing
             QVERIFY2(line.startsWith(' ') && !line.startsWith("  ") && line.size() <= 80, qPrintable(line));
         }
     }
-    void itDependsOnTheLibrariesOfItsPrograms() {
+    void packageDependsOnTheLibrariesOfItsPrograms() {
         const QString depends = field("Depends");
         for (const char* library : {"libassimp5", "libc6", "libqt6svg6", "libstdc++6", "libtbb12"}) {
             QVERIFY2(depends.contains(library), qPrintable(depends));
         }
     }
-    void itHoldsFilesOfRootBelowUsr() {
+    void filesAreOwnedByRootBelowUsr() {
         const QString content = runProgram("dpkg-deb", {"--contents", m_package}).output;
         QVERIFY(content.contains("./usr/bin/rubble-cli\n"));
         for (const QString& line : content.split('\n', Qt::SkipEmptyParts)) {
             QVERIFY2(line.contains(" root/root ") && line.contains(" ./usr/"), qPrintable(line));
         }
     }
-    void itStartsWhereItIsUnpacked() {
+    void programsRunWhereUnpacked() {
         const ProgramOutcome tried = runProgram(RUBBLE_SOURCE_DIR "/tools/package", {"--unpack", m_package});
         QVERIFY2(tried.exit == 0, qPrintable(tried.output + tried.error));
     }
@@ -58,5 +60,5 @@ private:
     QString m_package;
 };
 
-QTEST_GUILESS_MAIN(PackageTest)
+RUBBLE_TEST_WITH(PackageTest, QCoreApplication)
 #include "PackageTest.moc"

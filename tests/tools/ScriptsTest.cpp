@@ -1,3 +1,6 @@
+// Tests the scripts in tools and cmake.
+#include "tests/support/TestProgram.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -31,7 +34,7 @@ bool writeFile(const QString& path, const QByteArray& text) {
            file.setPermissions(file.permissions() | QFile::ExeOwner);
 }
 
-/// A search path on which dpkg-query knows every package but one, and apt-get only says how it was called, by root.
+/// A PATH in which dpkg-query knows all packages but one, and apt-get, run by root, prints its arguments.
 bool makeDebian(const QString& place, const QByteArray& missing) {
     const QByteArray query = "#!/bin/sh\n[ \"$3\" = '" + missing + "' ] || printf installed\n";
     return writeFile(place + "/dpkg-query", query) && writeFile(place + "/id", "#!/bin/sh\necho 0\n") &&
@@ -39,16 +42,31 @@ bool makeDebian(const QString& place, const QByteArray& missing) {
            QFile::link("/usr/bin/env", place + "/env");
 }
 
-/// A room `core/base` that includes what is given, and one `core/geometry` that may use it.
-bool makeRooms(const QString& place, const QByteArray& baseInclude) {
-    return writeFile(place + "/arrows.txt", "core/base: core/base\ncore/geometry: core/geometry core/base\n") &&
-           writeFile(place + "/core/base/Base.h", "#include " + baseInclude + "\n") &&
-           writeFile(place + "/core/geometry/Geometry.cpp", "#include \"core/base/Base.h\"\n#include <vector>\n");
+/// A module core/base, whose only header includes what is given, and a module core/geometry with the sub-folders hull
+/// and mesh, of which mesh may use the other.
+bool makeModules(const QString& root, const QByteArray& baseIncludes) {
+    return writeFile(root + "/dependencies.txt",
+                     "core/base: core/base\n"
+                     "core/geometry/hull: core/base core/geometry/hull\n"
+                     "core/geometry/mesh: core/base core/geometry/hull core/geometry/mesh\n") &&
+           writeFile(root + "/core/base/Base.h", "#include " + baseIncludes + "\n") &&
+           writeFile(root + "/core/geometry/hull/Hull.h", "#include <core/base/Base.h>\n") &&
+           writeFile(root + "/core/geometry/mesh/Mesh.cpp",
+                     "#include \"core/geometry/hull/Hull.h\"\n#include <vector>\n");
 }
 
-Outcome checkArrows(const QString& place) {
-    return run("cmake", {"-DROOT=" + place, "-DARROWS=" + place + "/arrows.txt", "-P",
-                         RUBBLE_SOURCE_DIR "/cmake/CheckArrows.cmake"});
+/// Whether the check fails and says this; its lines are broken anywhere, so white space does not count.
+bool isRefused(const QString& root, const QString& message) {
+    const Outcome outcome = run("cmake", {"-DROOT=" + root, "-DDEPENDENCIES=" + root + "/dependencies.txt", "-P",
+                                          RUBBLE_SOURCE_DIR "/cmake/CheckDependencies.cmake"});
+    return outcome.exit != 0 && outcome.err.simplified().contains(message);
+}
+
+/// What the check of words prints of a file with this text.
+Outcome checkWords(const QByteArray& text) {
+    const QTemporaryDir folder;
+    if (!writeFile(folder.filePath("Text.md"), text)) return {};
+    return run(kTools + "words", {folder.filePath("Text.md")});
 }
 
 }  // namespace
@@ -56,21 +74,21 @@ Outcome checkArrows(const QString& place) {
 class ScriptsTest : public QObject {
     Q_OBJECT
 private slots:
-    void setupSaysWhatIsNeededOnASystemItDoesNotKnow() {
+    void setupListsPackagesOnAnUnknownSystem() {
         const Outcome outcome = run("/bin/bash", {kTools + "setup"}, "/nowhere");
         QCOMPARE(outcome.exit, 1);
         QVERIFY(outcome.err.startsWith("tools/setup: installs packages on Debian 12 and its relatives only"));
         QVERIFY(outcome.err.contains("nlohmann-json3-dev"));
         QCOMPARE(outcome.err.count('\n'), 1);
     }
-    void setupDoesNothingWhereAllIsThere() {
+    void setupDoesNothingIfAllIsInstalled() {
         const QTemporaryDir place;
         QVERIFY(makeDebian(place.path(), ""));
         const Outcome outcome = run("/bin/bash", {kTools + "setup", "all"}, place.path());
         QCOMPARE(outcome.err + outcome.out, QString());
         QCOMPARE(outcome.exit, 0);
     }
-    void setupInstallsWhatIsMissingAndNothingElse() {
+    void setupInstallsOnlyMissingPackages() {
         const QTemporaryDir place;
         QVERIFY(makeDebian(place.path(), "libglm-dev"));
         const Outcome outcome = run("/bin/bash", {kTools + "setup"}, place.path());
@@ -78,32 +96,77 @@ private slots:
         QVERIFY(outcome.err.endsWith("apt-get -y -qq -o Dpkg::Use-Pty=0 install --no-install-recommends libglm-dev\n"));
         QCOMPARE(outcome.exit, 0);
     }
-    void setupRefusesAGroupItDoesNotKnow() {
+    void setupRejectsAnUnknownGroup() {
         const Outcome outcome = run(kTools + "setup", {"everything"});
         QCOMPARE(outcome.err, QString("tools/setup: 'everything' is none of build, test, package, coverage, all.\n"));
         QCOMPARE(outcome.exit, 1);
     }
 
-    void arrowsAllowWhatARoomMayUse() {
-        const QTemporaryDir place;
-        QVERIFY(makeRooms(place.path(), "<string>"));
-        QCOMPARE(checkArrows(place.path()).exit, 0);
+    void includesOfLowerFoldersAreAllowed() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<string>"));
+        const Outcome outcome =
+            run("cmake", {"-DROOT=" + root.path(), "-DDEPENDENCIES=" + root.path() + "/dependencies.txt", "-P",
+                          RUBBLE_SOURCE_DIR "/cmake/CheckDependencies.cmake"});
+        QCOMPARE(outcome.err, QString());
+        QCOMPARE(outcome.exit, 0);
     }
-    void arrowsRefuseAnIncludeUpwards() {
-        const QTemporaryDir place;
-        QVERIFY(makeRooms(place.path(), "\"core/geometry/Polygon.h\""));
-        const Outcome outcome = checkArrows(place.path());
-        QVERIFY(outcome.exit != 0);
-        QVERIFY(outcome.err.contains("core/base/Base.h: core/base may not use core/geometry"));
+    void includesOfHigherModulesAreRefused() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "\"core/geometry/hull/Hull.h\""));
+        QVERIFY(isRefused(root.path(), "core/base/Base.h: core/base may not use core/geometry/hull"));
     }
-    void arrowsRefuseQtInTheCore() {
-        const QTemporaryDir place;
-        QVERIFY(makeRooms(place.path(), "<QString>"));
-        const Outcome outcome = checkArrows(place.path());
-        QVERIFY(outcome.exit != 0);
-        QVERIFY(outcome.err.contains("core/base/Base.h: core/base may not use Qt"));
+    void includesInAngleBracketsAreChecked() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<core/geometry/hull/Hull.h>"));
+        QVERIFY(isRefused(root.path(), "core/base/Base.h: core/base may not use core/geometry/hull"));
+    }
+    void includesOfHigherSubFoldersAreRefused() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<string>"));
+        QVERIFY(writeFile(root.filePath("core/geometry/hull/Hull.cpp"), "#include \"core/geometry/mesh/Mesh.h\"\n"));
+        QVERIFY(
+            isRefused(root.path(), "core/geometry/hull/Hull.cpp: core/geometry/hull may not use core/geometry/mesh"));
+    }
+    void qtIsRefusedInTheCore() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<QString>"));
+        QVERIFY(isRefused(root.path(), "core/base/Base.h: core/base may not use Qt"));
+    }
+    void sourcesBesideSubFoldersAreRefused() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<string>"));
+        QVERIFY(writeFile(root.filePath("core/geometry/Ray.h"), "\n"));
+        QVERIFY(isRefused(root.path(), "core/geometry/Ray.h: no module has sources in core/geometry"));
+    }
+    void foldersOfTooManySourcesAreRefused() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<string>"));
+        for (int i = 0; i < 50; ++i) QVERIFY(writeFile(root.filePath(QString("core/base/File%1.h").arg(i)), "\n"));
+        QVERIFY(isRefused(root.path(), "core/base has more than 50 sources"));
+    }
+    void typesOfOneNameAreRefused() {
+        const QTemporaryDir root;
+        QVERIFY(makeModules(root.path(), "<string>"));
+        QVERIFY(writeFile(root.filePath("core/geometry/hull/Box.h"), "struct Box {};\n"));
+        QVERIFY(writeFile(root.filePath("core/geometry/mesh/Box.h"), "class Box {};\n"));
+        QVERIFY(isRefused(root.path(), "both define Box"));
+    }
+
+    void retiredTermsAreFoundWithTheirReplacement() {
+        // The term is in two parts here, so that it is not found in this file.
+        const Outcome outcome = checkWords(QByteArray("Plain words.\nNo asset is at") + " hand.\n");
+        QCOMPARE(outcome.exit, 1);
+        QVERIFY2(outcome.out.contains("Text.md:2: \"at"
+                                      " hand\": write active"),
+                 qPrintable(outcome.out));
+    }
+    void plainTextHasNoRetiredTerms() {
+        const Outcome outcome = checkWords("No asset selected. At handover, a handful of seeds.\n");
+        QCOMPARE(outcome.out + outcome.err, QString());
+        QCOMPARE(outcome.exit, 0);
     }
 };
 
-QTEST_GUILESS_MAIN(ScriptsTest)
+RUBBLE_TEST_WITH(ScriptsTest, QCoreApplication)
 #include "ScriptsTest.moc"

@@ -1,8 +1,8 @@
 #include "viewport/film/Film.h"
 
-#include "core/io/FilmFile.h"
-#include "core/io/PictureSequence.h"
-#include "viewport/render/Picture.h"
+#include "core/io/media/FilmFile.h"
+#include "core/io/media/PictureSequence.h"
+#include "viewport/render/OffscreenRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,44 +15,45 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kGap = 8;                // pixels between two takes
-constexpr double kDrawingShare = 0.9;  // of the time that a film takes; the rest is ffmpeg's
+constexpr int kGap = 8;                     // pixels between two playbacks
+constexpr double kRenderingFraction = 0.9;  // of the time that a film takes; the rest is ffmpeg's
 
-/// The moment of all takes after so many steps, side by side. Between two steps it is on the way to the later one.
-Result<Image> pictureAt(std::span<Take> takes, PictureMaker& maker, const FilmPlan& plan, double time,
-                        const TaskContext& task) {
-    constexpr double kRounding = 1e-6;  // steps: what sums of fractions are off
+/// The frame of all playbacks at a time in steps, side by side. A fractional time interpolates towards the later step.
+Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& renderer, const FilmPlan& plan,
+                      double time, const TaskContext& task) {
+    constexpr double kRounding = 1e-6;  // steps: rounding error of sums of fractions
     const double step = std::max(0.0, std::ceil(time - kRounding));
-    PictureView view = plan.view;
-    view.moment = std::clamp(1.0 - (step - time), 0.0, 1.0);
-    std::optional<Image> picture;
-    for (Take& take : takes) {
-        const auto moment = take.momentAfter(static_cast<std::uint64_t>(step), task);
-        if (!moment) return moment.error();
-        Result<Image> image = maker.pictureOf(*moment, view, plan.samples, task);
+    RenderView view = plan.view;
+    view.stepFraction = std::clamp(1.0 - (step - time), 0.0, 1.0);
+    std::optional<Image> frame;
+    for (SessionPlayback& playback : playbacks) {
+        const auto scene = playback.sceneAtStep(static_cast<std::uint64_t>(step), task);
+        if (!scene) return scene.error();
+        Result<Image> image = renderer.renderImage(*scene, view, plan.samples, task);
         if (!image) return image.error();
-        picture = picture ? besideEachOther(*picture, *image, kGap) : std::move(*image);
+        frame = frame ? besideEachOther(*frame, *image, kGap) : std::move(*image);
     }
-    return std::move(*picture);
+    return std::move(*frame);
 }
 
-Status shoot(std::span<Take> takes, const FilmPlan& plan, PictureSequence& sequence, const TaskContext& task) {
-    Result<PictureMaker> maker = PictureMaker::made();
-    if (!maker) return maker.error();
+Status renderTo(std::span<SessionPlayback> playbacks, const FilmPlan& plan, PictureSequence& sequence,
+                const TaskContext& task) {
+    Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
+    if (!renderer) return renderer.error();
     const TaskContext part{.cancel = task.cancel};
-    for (int picture = 0; picture < plan.pictures; ++picture) {
-        const Result<Image> image = pictureAt(takes, *maker, plan, plan.first + picture * plan.every, part);
+    for (int frame = 0; frame < plan.frames; ++frame) {
+        const Result<Image> image = frameAt(playbacks, *renderer, plan, plan.first + frame * plan.stepsPerFrame, part);
         if (!image) return image.error();
         const Result<std::string> png = pngOf(*image);
         if (!png) return png.error();
         if (const Status added = sequence.add(*png); !added) return added;
-        task.report(static_cast<double>(picture + 1) / plan.pictures);
+        task.report(static_cast<double>(frame + 1) / plan.frames);
     }
     return success();
 }
 
-/// Where nothing is, beside a film.
-fs::path pictureFolderOf(const fs::path& film) {
+/// An unused hidden folder beside a film.
+fs::path frameFolder(const fs::path& film) {
     std::error_code ignored;
     for (int k = 0;; ++k) {
         const fs::path folder = film.parent_path() / ("." + film.filename().string() + "." + std::to_string(k));
@@ -62,27 +63,28 @@ fs::path pictureFolderOf(const fs::path& film) {
 
 }  // namespace
 
-int picturesBetween(double first, double last, double every) {
-    constexpr double kRounding = 1e-6;  // steps: what quotients of fractions are off
-    const double pictures = std::floor((last - first) / every + kRounding) + 1.0;
-    return static_cast<int>(std::clamp(pictures, 1.0, 1e9));
+int frameCount(double first, double last, double stepsPerFrame) {
+    constexpr double kRounding = 1e-6;  // frames: rounding error of quotients of fractions
+    const double frames = std::floor((last - first) / stepsPerFrame + kRounding) + 1.0;
+    return static_cast<int>(std::clamp(frames, 1.0, 1e9));
 }
 
-Status filmPictures(std::span<Take> takes, const FilmPlan& plan, const fs::path& folder, Unfinished unfinished,
-                    const TaskContext& task) {
-    const auto sequence = PictureSequence::begun(folder);
+Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& folder,
+                    Unfinished unfinished, const TaskContext& task) {
+    const auto sequence = PictureSequence::create(folder);
     if (!sequence) return sequence.error();
-    const Status shot = shoot(takes, plan, **sequence, task);
-    if (shot || unfinished == Unfinished::Kept) (*sequence)->keep();
-    return shot;
+    const Status rendered = renderTo(playbacks, plan, **sequence, task);
+    if (rendered || unfinished == Unfinished::Kept) (*sequence)->keep();
+    return rendered;
 }
 
-Status filmFile(std::span<Take> takes, const FilmPlan& plan, const fs::path& film, const TaskContext& task) {
-    const fs::path folder = pictureFolderOf(film);
-    const auto sequence = PictureSequence::begun(folder);  // which removes it in the end
+Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& film,
+                  const TaskContext& task) {
+    const fs::path folder = frameFolder(film);
+    const auto sequence = PictureSequence::create(folder);  // removes the folder when destroyed
     if (!sequence) return sequence.error();
-    const Status shot = shoot(takes, plan, **sequence, task.stage(0.0, kDrawingShare));
-    return shot ? encodeFilm(folder, plan.rate, film, task) : shot;
+    const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
+    return rendered ? encodeFilm(folder, plan.frameRate, film, task) : rendered;
 }
 
 }  // namespace rubble

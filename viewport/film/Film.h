@@ -2,40 +2,41 @@
 
 #include "core/base/TaskContext.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/scene/Take.h"
+#include "viewport/scene/SessionPlayback.h"
 
 #include <filesystem>
 #include <span>
 
 namespace rubble {
 
-/// Which moments of a play become pictures, how they are seen, and how fast they follow each other in a film.
+/// The frames of a film and its frame rate.
 struct FilmPlan {
-    PictureView view;    // of each take; its moment says nothing
-    int samples = 8;     // see pictureOf()
-    double first = 0.0;  // steps into the play, >= 0: the first picture
-    double every = 1.0;  // steps from picture to picture, > 0; between two steps things are drawn on their way
-    int pictures = 1;    // at most kMostPictures
-    double rate = 30.0;  // pictures a second
+    RenderView view;             // of each playback; its stepFraction is ignored
+    int samples = 8;             // see renderImage()
+    double first = 0.0;          // step of the first frame, >= 0
+    double stepsPerFrame = 1.0;  // > 0; poses between two steps are interpolated
+    int frames = 1;              // at most kMaxPictures
+    double frameRate = 30.0;     // frames per second
 };
 
-/// How many pictures show a play from one step to another.
-int picturesBetween(double first, double last, double every);
+/// The number of frames from step `first` to step `last`.
+int frameCount(double first, double last, double stepsPerFrame);
 
-/// What becomes of the pictures of a film that is cancelled or cannot be finished.
+/// Whether the frames of a cancelled or failed film stay on disk.
 enum class Unfinished { Kept, Removed };
 
-/// Draws takes moment by moment without a display, side by side where there are several, and writes their pictures: see
-/// PictureSequence. The takes have not begun.
+/// Renders the frames of playbacks without a display, side by side if there are several, and writes them as images: see
+/// PictureSequence. The playbacks must not have started.
 ///
-/// Errors: those of PictureMaker and of PictureSequence; Cancelled.
-Status filmPictures(std::span<Take> takes, const FilmPlan& plan, const std::filesystem::path& folder,
+/// Errors: those of OffscreenRenderer and of PictureSequence; Cancelled.
+Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const std::filesystem::path& folder,
                     Unfinished unfinished, const TaskContext& task = {});
 
-/// The same as a film: see encodeFilm(). Its pictures lie beside it until it is made; they are always removed.
+/// The same, encoded as a film: see encodeFilm(). The images lie in a hidden folder beside it meanwhile and are always
+/// removed.
 ///
-/// Errors: those of filmPictures() and encodeFilm().
-Status filmFile(std::span<Take> takes, const FilmPlan& plan, const std::filesystem::path& film,
-                const TaskContext& task = {});
+/// Errors: those of renderFrames() and encodeFilm().
+Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const std::filesystem::path& film,
+                  const TaskContext& task = {});
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
 #include "viewport/render/FrameBlock.h"
 
-#include "core/asset/PieceColours.h"
-#include "core/physics/ImpactSpeeds.h"
-#include "viewport/scene/MomentColours.h"
+#include "core/asset/project/FragmentColours.h"
+#include "core/physics/solver/SpeedThresholds.h"
+#include "viewport/scene/OverlayColours.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -14,14 +14,15 @@ namespace {
 
 constexpr float kKeyLight = 0.82f, kEyeLight = 0.1f;
 constexpr float kEdgeWidth = 0.85f;    // points, on each side of an edge
-constexpr double kLowestLight = 0.05;  // of its length, upwards
-constexpr double kFineStep = 0.3;      // of the distance: the largest power of ten below it is the fine step
-constexpr double kGroundBelow = 2e-4;  // of the distance, so that what stands on the ground is in front of it
+constexpr double kLowestLight = 0.05;  // least y of a unit direction towards a light
+constexpr double kFineStep = 0.3;      // the fine step is the largest power of ten below this times the distance
+constexpr double kGroundBias = 2e-4;   // of the distance, by which the ground is lowered against z-fighting
 
 glm::vec4 direction(Vec3 v, float w) { return glm::vec4(glm::vec3(v), w); }
 
-/// Adds the part of the ground that the shadow of a ball around a box reaches: least and greatest x and z, in the world.
-/// Light that comes in lower than kLowestLight gives the ground so little that its farthest shadow is not missed.
+/// Extends `part` (x and z, in the world) by the ground that the shadow of a box's bounding sphere can reach.
+/// Directions are clamped to kLowestLight: lower light hardly brightens the ground, so that its far shadows may be cut
+/// off.
 void includeShadow(Box2& part, const Box3& bounds, double height, Vec3 towardsLight) {
     const double radius = 0.5 * bounds.diagonal(), rise = std::max(towardsLight.y, kLowestLight);
     const Vec3 centre = bounds.centre();
@@ -32,14 +33,14 @@ void includeShadow(Box2& part, const Box3& bounds, double height, Vec3 towardsLi
     }
 }
 
-/// The grid's fine step, and how visible it is: it fades before the next coarser takes its place.
+/// The grid's fine step and its opacity: it fades out before the next coarser step replaces it.
 glm::vec2 gridStep(const Camera& camera) {
     const double power = std::log10(kFineStep * camera.distance);
     const double whole = std::floor(power);
     return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
 }
 
-/// The colours of 0, 1/4, 1/2, 3/4, just below 1, and of what breaks: between them they are even.
+/// The heat colours at 0, 1/4, 1/2, 3/4, just below 1, and of breaking bodies; linear between these.
 std::array<glm::vec4, 6> heatRamp() {
     constexpr double kBelowOne = 1.0 - 1e-9;
     std::array<glm::vec4, 6> ramp;
@@ -52,11 +53,11 @@ std::array<glm::vec4, 6> heatRamp() {
 
 }  // namespace
 
-FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const Box3& bounds,
+FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Box3& bounds,
                       const std::optional<LightSample>& sample) {
     const Camera& camera = view.camera;
     const RenderSettings& settings = view.settings;
-    const Surroundings around = surroundingsOf(settings.theme);
+    const Environment environment = environmentOf(settings.theme);
     const CameraMatrices matrices = matricesOf(camera, view.size, scene.origin, bounds);
     const Vec2 offset = sample ? sample->pixelOffset : Vec2(0.0);
     const Vec3 moved(2.0 * offset.x / view.size.width, 2.0 * offset.y / view.size.height, 0.0);
@@ -70,12 +71,13 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
     frame.skyDirection = sample ? direction(sample->skyDirection, 0.0f) : glm::vec4(0.0f);
     frame.skyLight = {0.42f, 0.44f, 0.48f, kEyeLight};
     frame.groundLight = {0.17f, 0.16f, 0.15f, 0.0f};
-    frame.backgroundTop = around.backgroundTop;
-    frame.backgroundBottom = around.backgroundBottom;
-    frame.grid = around.grid;
-    const double below = scene.groundHeight - kGroundBelow * camera.distance;
-    const double reach = std::max(4.0 * camera.distance, bounds.diagonal());
-    frame.ground = direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(reach));
+    frame.backgroundTop = environment.backgroundTop;
+    frame.backgroundBottom = environment.backgroundBottom;
+    frame.grid = environment.grid;
+    const double below = scene.groundHeight - kGroundBias * camera.distance;
+    const double gridRadius = std::max(4.0 * camera.distance, bounds.diagonal());
+    frame.ground =
+        direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(gridRadius));
     if (!bounds.isEmpty()) {
         Box2 shaded;
         includeShadow(shaded, bounds, below, keyDirection());
@@ -83,26 +85,26 @@ FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const B
         const Vec2 origin(scene.origin.x, scene.origin.z);
         frame.shaded = glm::vec4(glm::dvec4(shaded.min - origin, shaded.max - origin));
     }
-    frame.spacing = glm::vec4(gridStep(camera), around.shadowStrength, 0.0f);
+    frame.spacing = glm::vec4(gridStep(camera), environment.shadowStrength, 0.0f);
     const std::uint32_t accent = packed(settings.accent);
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
     frame.edges = {kEdgeWidth * scale, settings.hasEdges ? 0.85f : 0.0f,
-                   scene.apart.empty() ? 0.0f : static_cast<float>(scene.exploded),
-                   scene.earlier.empty() ? 1.0f : static_cast<float>(view.moment)};
+                   scene.explodeOffsets.empty() ? 0.0f : static_cast<float>(scene.explodeFactor),
+                   scene.previousPoses.empty() ? 1.0f : static_cast<float>(view.stepFraction)};
     const double halfHeight = metresPerPixel(camera, {2, 2}) / camera.distance;
     frame.right = direction(axesOf(camera).right, static_cast<float>(halfHeight * view.size.aspect()));
     frame.up = direction(axesOf(camera).up, static_cast<float>(halfHeight));
-    frame.depth = glm::vec4(matrices.projection[2][2], matrices.projection[3][2], 0.0, around.dustLight);
+    frame.depth = glm::vec4(matrices.projection[2][2], matrices.projection[3][2], 0.0, environment.dustLight);
     const bool hasSky = scene.isOutdoors && camera.projection == Projection::Perspective;
-    frame.zenith = glm::vec4(around.zenith, hasSky ? 1.0f : 0.0f);
-    frame.horizon = glm::vec4(around.horizon, 1.0f);
-    frame.soil = glm::vec4(around.soil, 1.0f);
+    frame.zenith = glm::vec4(environment.zenith, hasSky ? 1.0f : 0.0f);
+    frame.horizon = glm::vec4(environment.horizon, 1.0f);
+    frame.soil = glm::vec4(environment.soil, 1.0f);
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
-    frame.missile = scene.heatSource.from;
-    frame.missileWay = scene.heatSource.gravity;
-    frame.strike = {kImpactSpeed, kRestitutionSpeed, 0.0f, 0.0f};
+    frame.projectile = scene.heatSource.from;
+    frame.projectileGravity = scene.heatSource.gravity;
+    frame.impactSpeeds = {kMinImpactSpeed, kMinRestitutionSpeed, 0.0f, 0.0f};
     frame.heatRamp = heatRamp();
-    frame.picture = {view.size.width, view.size.height, 0.0f, scale};
+    frame.viewport = {view.size.width, view.size.height, 0.0f, scale};
     return frame;
 }
 

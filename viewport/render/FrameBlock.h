@@ -9,22 +9,22 @@
 
 namespace rubble {
 
-/// The block Frame of frame.glsl, where each field is explained.
+/// The uniform block Frame of frame.glsl, where each field is documented.
 struct FrameBlock {
     glm::mat4 clipFromScene, keyFromScene, skyFromScene;
     glm::vec4 eye, back, keyDirection, skyDirection, skyLight, groundLight;
     glm::vec4 backgroundTop, backgroundBottom, grid, ground, shaded, spacing, accent, edges;
-    glm::vec4 right, up, depth, zenith, horizon, soil, picture;
-    glm::vec4 missile, missileWay, strike;
+    glm::vec4 right, up, depth, zenith, horizon, soil, viewport;
+    glm::vec4 projectile, projectileGravity, impactSpeeds;
     std::array<glm::vec4, 6> heatRamp;
     glm::uvec4 hovered;
 };
 
-/// What does not depend on shadows of a picture of a scene, whose bounds are given; `sample` where it is one of many.
-FrameBlock frameBlock(const PictureView& view, const RenderScene& scene, const Box3& bounds,
+/// All fields but the shadow matrices. `bounds`: of the scene; `sample`: given if the image is one sample of many.
+FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Box3& bounds,
                       const std::optional<LightSample>& sample);
 
-/// Where the grid's zero lies as seen from a scene's origin, less whole steps: keeps its digits far from zero.
+/// The scene's origin modulo the grid's coarse step, so that the grid stays precise far from zero.
 glm::vec3 gridOrigin(const FrameBlock& frame, const RenderScene& scene);
 
 }  // namespace rubble

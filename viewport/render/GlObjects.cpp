@@ -5,7 +5,7 @@
 namespace rubble {
 
 template <GlKind kind>
-GlObject<kind> GlObject<kind>::made() {
+GlObject<kind> GlObject<kind>::create() {
     GLuint id = 0;
     if constexpr (kind == GlKind::Buffer) glGenBuffers(1, &id);
     if constexpr (kind == GlKind::Texture) glGenTextures(1, &id);

@@ -7,7 +7,7 @@ namespace rubble {
 
 enum class GlKind { Buffer, Texture, VertexArray, Framebuffer, Renderbuffer, Shader, Program };
 
-/// Owns a name of the graphics library; the context it was made in is current when it goes.
+/// Owns an OpenGL object name. Its context must be current on destruction.
 template <GlKind kind>
 class GlObject {
 public:
@@ -20,12 +20,12 @@ public:
         return *this;
     }
 
-    /// A new one.
-    static GlObject made();
+    /// A new object.
+    static GlObject create();
     std::uint32_t id() const { return m_id; }
 
 private:
-    std::uint32_t m_id = 0;  // 0: nothing
+    std::uint32_t m_id = 0;  // 0: none
 };
 
 using GlBuffer = GlObject<GlKind::Buffer>;

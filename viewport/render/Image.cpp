@@ -32,7 +32,7 @@ Result<std::string> pngOf(const Image& image) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
     if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
-        return Error{ErrorCode::Limit, std::string("The picture could not be made a PNG: ") + png.message + "."};
+        return Error{ErrorCode::Limit, std::string("The image could not be encoded as PNG: ") + png.message + "."};
     }
     bytes.resize(size);
     return bytes;

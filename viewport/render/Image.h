@@ -8,19 +8,19 @@
 
 namespace rubble {
 
-/// A picture: rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.
+/// Pixels in rows from top to bottom, three bytes (red, green, blue; sRGB) each.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
 };
 
-/// Two pictures of one height, with so many white pixels between them.
+/// Two images of equal height side by side, with a white gap of `gap` pixels.
 Image besideEachOther(const Image& left, const Image& right, int gap);
 
-/// The picture as a PNG file's bytes.
+/// Encodes an image as PNG.
 ///
-/// Errors: Limit where there is no memory for it.
+/// Errors: Limit if there is not enough memory.
 Result<std::string> pngOf(const Image& image);
 
 }  // namespace rubble

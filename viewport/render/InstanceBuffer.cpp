@@ -28,10 +28,10 @@ void InstanceBuffer::write(std::span<const std::byte> bytes, std::size_t count) 
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STREAM_DRAW);
 }
 
-void InstanceBuffer::draw(int corners) const {
+void InstanceBuffer::draw(int vertices) const {
     if (m_count == 0) return;
     glBindVertexArray(m_array.id());
-    glDrawArraysInstanced(GL_TRIANGLES, 0, corners, static_cast<GLsizei>(m_count));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, static_cast<GLsizei>(m_count));
     glBindVertexArray(0);
 }
 

@@ -8,10 +8,10 @@
 
 namespace rubble {
 
-/// Things that are drawn each by the same few corners, which a shader makes: an instance each. Written anew as they change.
+/// Instance attributes of shapes whose few vertices a shader generates. Rewritten when they change.
 class InstanceBuffer {
 public:
-    /// `floats`: how many numbers each attribute of an instance has, in order.
+    /// `floats`: the number of floats of each attribute, in order.
     explicit InstanceBuffer(std::initializer_list<int> floats);
 
     template <class T>
@@ -19,14 +19,14 @@ public:
         write(std::as_bytes(instances), instances.size());
     }
     std::size_t count() const { return m_count; }
-    /// Draws triangles of so many corners an instance by the program in use.
-    void draw(int corners) const;
+    /// Draws triangles of `vertices` vertices per instance with the current program.
+    void draw(int vertices) const;
 
 private:
     void write(std::span<const std::byte> bytes, std::size_t count);
 
-    GlBuffer m_buffer = GlBuffer::made();
-    GlVertexArray m_array = GlVertexArray::made();
+    GlBuffer m_buffer = GlBuffer::create();
+    GlVertexArray m_array = GlVertexArray::create();
     std::size_t m_count = 0;
 };
 

@@ -10,20 +10,20 @@
 namespace rubble {
 namespace {
 
-constexpr double kLampRadius = 0.045;  // of its distance: shadows are soft, and still tell what casts them
+constexpr double kLampRadius = 0.045;  // of its distance: soft shadows whose casters remain recognizable
 
-/// Term `index` of a sequence that fills [0, 1) evenly; `step` irrational.
-double evenly(int index, double step) {
+/// Term `index` of an additive recurrence in [0, 1); `step` irrational.
+double quasirandom(int index, double step) {
     const double value = 0.5 + step * static_cast<double>(index);
     return value - std::floor(value);
 }
 
-/// Steps for four sequences that are even together: powers of the root of x^5 = x + 1.
+/// Steps of a four-dimensional low-discrepancy sequence: powers of the inverse of the root of x^5 = x + 1.
 constexpr double kSteps[] = {0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101};
 
 }  // namespace
 
-Surroundings surroundingsOf(Theme theme) {
+Environment environmentOf(Theme theme) {
     if (theme == Theme::Dark) {
         return {{0.27f, 0.29f, 0.33f, 1.0f},  {0.13f, 0.14f, 0.16f, 1.0f},
                 {0.85f, 0.88f, 0.95f, 0.22f}, {0.25f, 0.95f, 0.85f, 1.0f},
@@ -41,16 +41,16 @@ Surroundings surroundingsOf(Theme theme) {
 Vec3 keyDirection() { return glm::normalize(Vec3(-0.45, 0.95, 0.62)); }
 
 LightSample lightSample(int index) {
-    const double turn = 2.0 * std::numbers::pi;
-    const Vec3 middle = keyDirection();
-    const Vec3 right = glm::normalize(glm::cross(Vec3(0.0, 1.0, 0.0), middle)), up = glm::cross(middle, right);
-    const double radius = kLampRadius * std::sqrt(evenly(index, kSteps[0]));
-    const double angle = turn * evenly(index, kSteps[1]);
-    const double height = evenly(index, kSteps[2]), around = turn * evenly(index, kSteps[3]);
-    const double reach = std::sqrt(1.0 - height * height);
-    return {glm::normalize(middle + radius * (cosine(angle) * right + sine(angle) * up)),
-            {reach * cosine(around), height, reach * sine(around)},
-            {evenly(index, kSteps[1]) - 0.5, evenly(index, kSteps[3]) - 0.5}};
+    const double fullTurn = 2.0 * std::numbers::pi;
+    const Vec3 centre = keyDirection();
+    const Vec3 right = glm::normalize(glm::cross(Vec3(0.0, 1.0, 0.0), centre)), up = glm::cross(centre, right);
+    const double radius = kLampRadius * std::sqrt(quasirandom(index, kSteps[0]));
+    const double angle = fullTurn * quasirandom(index, kSteps[1]);
+    const double height = quasirandom(index, kSteps[2]), around = fullTurn * quasirandom(index, kSteps[3]);
+    const double horizontal = std::sqrt(1.0 - height * height);
+    return {glm::normalize(centre + radius * (cosine(angle) * right + sine(angle) * up)),
+            {horizontal * cosine(around), height, horizontal * sine(around)},
+            {quasirandom(index, kSteps[1]) - 0.5, quasirandom(index, kSteps[3]) - 0.5}};
 }
 
 }  // namespace rubble

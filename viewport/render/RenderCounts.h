@@ -4,11 +4,11 @@
 
 namespace rubble {
 
-/// What a renderer has asked of the card since it was made.
+/// Statistics of a renderer since its creation.
 struct RenderCounts {
-    std::uint64_t drawCalls = 0;  // of bodies, shadows and hulls included; the rest of a picture takes a fixed number
-    std::uint64_t geometryBytes = 0;  // uploaded: triangles, and which instance has which bodies
-    std::uint64_t bodyBytes = 0;      // uploaded: what is a few numbers a body
+    std::uint64_t drawCalls = 0;      // of bodies, including shadows and hulls; all else takes a fixed number per image
+    std::uint64_t geometryBytes = 0;  // uploaded: triangles and instance tables
+    std::uint64_t bodyBytes = 0;      // uploaded: per-body data
 };
 
 }  // namespace rubble

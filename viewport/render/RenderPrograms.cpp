@@ -5,46 +5,48 @@
 namespace rubble {
 namespace {
 
-/// Makes programs, and remembers the first fault.
-class ProgramMaker {
+/// Compiles programs and keeps the first error.
+class ProgramCompiler {
 public:
     using Files = std::initializer_list<std::string_view>;
 
-    ShaderProgram made(Files vertex, Files fragment, std::string_view defined = {}) {
-        Result<ShaderProgram> program = ShaderProgram::made(vertex, fragment, defined);
+    ShaderProgram compile(Files vertex, Files fragment, std::string_view defined = {}) {
+        Result<ShaderProgram> program = ShaderProgram::create(vertex, fragment, defined);
         if (program) return std::move(*program);
-        if (!m_fault) m_fault = program.error();
+        if (!m_error) m_error = program.error();
         return {};
     }
-    LitPrograms madeLit(Files vertex, Files fragment) {
-        return {made(vertex, fragment, "WITHOUT_SHADOWS"), made(vertex, fragment),
-                made(vertex, fragment, "BY_SAMPLES")};
+    LitPrograms compileLit(Files vertex, Files fragment) {
+        return {compile(vertex, fragment, "WITHOUT_SHADOWS"), compile(vertex, fragment),
+                compile(vertex, fragment, "BY_SAMPLES")};
     }
-    const std::optional<Error>& fault() const { return m_fault; }
+    const std::optional<Error>& error() const { return m_error; }
 
 private:
-    std::optional<Error> m_fault;
+    std::optional<Error> m_error;
 };
 
 }  // namespace
 
-Result<RenderPrograms> madePrograms() {
-    ProgramMaker maker;
+Result<RenderPrograms> compilePrograms() {
+    ProgramCompiler compiler;
     RenderPrograms programs{
-        .solid = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "plain.glsl", "solid.frag"}),
-        .heated = maker.madeLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "heat.glsl", "solid.frag"}),
-        .shade = maker.madeLit({"shade.vert"}, {"shadow.glsl", "shade.frag"}),
-        .lines = maker.made({"bodies.glsl", "solid.vert"}, {"edge.glsl", "lines.frag"}),
-        .depth = maker.made({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
-        .pick = maker.made({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
-        .sky = maker.made({"whole.vert"}, {"sky.frag"}),
-        .grid = maker.made({"grid.vert"}, {"grid.frag"}),
-        .strokes = maker.made({"strokes.vert"}, {"strokes.frag"}),
-        .spans = maker.made({"spans.vert"}, {"strokes.frag"}),
-        .dust = maker.made({"dust.vert"}, {"dust.frag"}),
-        .mean = maker.made({"whole.vert"}, {"mean.frag"}),
+        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
+                                     {"shadow.glsl", "edge.glsl", "plain.glsl", "solid.frag"}),
+        .heated =
+            compiler.compileLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "heat.glsl", "solid.frag"}),
+        .groundShadow = compiler.compileLit({"ground_shadow.vert"}, {"shadow.glsl", "ground_shadow.frag"}),
+        .wires = compiler.compile({"bodies.glsl", "solid.vert"}, {"edge.glsl", "wires.frag"}),
+        .depth = compiler.compile({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
+        .pick = compiler.compile({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
+        .sky = compiler.compile({"fullscreen.vert"}, {"sky.frag"}),
+        .grid = compiler.compile({"grid.vert"}, {"grid.frag"}),
+        .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
+        .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
+        .dust = compiler.compile({"dust.vert"}, {"dust.frag"}),
+        .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
-    if (maker.fault()) return *maker.fault();
+    if (compiler.error()) return *compiler.error();
     return programs;
 }
 

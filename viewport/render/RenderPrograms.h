@@ -6,18 +6,18 @@ namespace rubble {
 
 enum class Light { Plain, Shadowed, Sampled };
 
-/// What is drawn with light, in the three ways of shadow.glsl.
+/// The three lighting variants of a program: see shadow.glsl.
 struct LitPrograms {
     ShaderProgram plain, shadowed, sampled;
 };
 
-/// All programs of resources/shaders.
+/// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, heated, shade;
-    ShaderProgram lines, depth, pick, sky, grid, strokes, spans, dust, mean;
+    LitPrograms solid, heated, groundShadow;
+    ShaderProgram wires, depth, pick, sky, grid, screenLines, sceneLines, dust, mean;
 };
 
-/// Errors: those of ShaderProgram::made(), of the first that fails.
-Result<RenderPrograms> madePrograms();
+/// Errors: see ShaderProgram::create(), for the first program that fails.
+Result<RenderPrograms> compilePrograms();
 
 }  // namespace rubble

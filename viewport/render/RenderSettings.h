@@ -1,23 +1,23 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 
 namespace rubble {
 
 enum class Theme { Light, Dark };
 enum class Shading { Faces, Wireframe };
 
-/// How a scene is drawn, apart from what is in it.
+/// How a scene is drawn.
 struct RenderSettings {
     Theme theme = Theme::Light;
     Shading shading = Shading::Faces;
     bool hasEdges = true;  // dark lines along the edges of faces
     bool hasGrid = true;
     bool hasShadows = true;
-    bool hasAxes = true;  // the small cross of axes in the lower left corner
-    int msaa = 0;         // samples a pixel: 1, 2, 4 or 8, at most what the card has; 0: 4, or 1 without a card
-    double scale = 1.0;   // pixels of the display a point: lines and axes grow with it
-    Colour accent{1.0, 0.55, 0.1};  // of what is selected
+    bool hasAxes = true;  // axes indicator in the lower left corner
+    int msaa = 0;         // samples per pixel: 1, 2, 4 or 8, clamped to what the GPU supports; 0: 4, or 1 in software
+    double scale = 1.0;   // device pixels per point: scales lines and the axes indicator
+    Colour accent{1.0, 0.55, 0.1};  // of selected bodies
     bool operator==(const RenderSettings&) const = default;
 };
 

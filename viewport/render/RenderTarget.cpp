@@ -21,21 +21,21 @@ GlFormat glFormat(PixelFormat format) {
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
-int possible(int samples) {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::clamp(samples, 1, std::max(most, 1));
+int supported(int samples) {
+    GLint max = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &max);
+    return std::clamp(samples, 1, std::max(max, 1));
 }
 
 }  // namespace
 
-RenderTarget::RenderTarget(PictureSize size, PixelFormat format, int samples)
-    : m_size(size), m_samples(samples), m_framebuffer(GlFramebuffer::made()), m_depth(GlRenderbuffer::made()) {
+RenderTarget::RenderTarget(ImageSize size, PixelFormat format, int samples)
+    : m_size(size), m_samples(samples), m_framebuffer(GlFramebuffer::create()), m_depth(GlRenderbuffer::create()) {
     const GlFormat gl = glFormat(format);
-    const int count = possible(samples) > 1 ? possible(samples) : 0;
+    const int count = supported(samples) > 1 ? supported(samples) : 0;
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     if (count == 0) {
-        m_colour = GlTexture::made();
+        m_colour = GlTexture::create();
         glBindTexture(GL_TEXTURE_2D, m_colour.id());
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(gl.internal), size.width, size.height, 0, gl.components,
                      gl.type, nullptr);
@@ -43,10 +43,10 @@ RenderTarget::RenderTarget(PictureSize size, PixelFormat format, int samples)
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_colour.id(), 0);
     } else {
-        m_manyColours = GlRenderbuffer::made();
-        glBindRenderbuffer(GL_RENDERBUFFER, m_manyColours.id());
+        m_multisampleColour = GlRenderbuffer::create();
+        glBindRenderbuffer(GL_RENDERBUFFER, m_multisampleColour.id());
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, gl.internal, size.width, size.height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_manyColours.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_multisampleColour.id());
     }
     glBindRenderbuffer(GL_RENDERBUFFER, m_depth.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_DEPTH_COMPONENT32F, size.width, size.height);
@@ -58,13 +58,13 @@ void RenderTarget::bind() const {
     glViewport(0, 0, m_size.width, m_size.height);
 }
 
-void DepthCopy::take(PictureSize size) {
+void DepthCopy::copyBound(ImageSize size) {
     GLint bound = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     if (m_size != size) {
         m_size = size;
-        m_framebuffer = GlFramebuffer::made();
-        m_depths = GlTexture::made();
+        m_framebuffer = GlFramebuffer::create();
+        m_depths = GlTexture::create();
         glBindTexture(GL_TEXTURE_2D, m_depths.id());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size.width, size.height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                      nullptr);
@@ -81,7 +81,7 @@ void DepthCopy::take(PictureSize size) {
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
-void copyColours(std::uint32_t from, std::uint32_t to, PictureSize size) {
+void copyColours(std::uint32_t from, std::uint32_t to, ImageSize size) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
     glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);

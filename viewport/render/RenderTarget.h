@@ -7,41 +7,41 @@ namespace rubble {
 
 enum class PixelFormat { Colour, Float, BodyIndex };
 
-/// Something to draw to: colour, and depth beside it.
+/// A framebuffer with a colour and a depth attachment.
 class RenderTarget {
 public:
     RenderTarget() = default;
-    RenderTarget(PictureSize size, PixelFormat format, int samples);
+    RenderTarget(ImageSize size, PixelFormat format, int samples);
 
-    /// Whether it was made like this. `samples` is what was asked for.
-    bool isLike(PictureSize size, int samples) const { return m_size == size && m_samples == samples; }
+    /// Whether it was created with these arguments.
+    bool matches(ImageSize size, int samples) const { return m_size == size && m_samples == samples; }
     void bind() const;
     std::uint32_t framebuffer() const { return m_framebuffer.id(); }
-    std::uint32_t colourTexture() const { return m_colour.id(); }  // where samples is 1
+    std::uint32_t colourTexture() const { return m_colour.id(); }  // only if samples is 1
 
 private:
-    PictureSize m_size{0, 0};
+    ImageSize m_size{0, 0};
     int m_samples = 0;
     GlFramebuffer m_framebuffer;
     GlTexture m_colour;
-    GlRenderbuffer m_manyColours;
+    GlRenderbuffer m_multisampleColour;
     GlRenderbuffer m_depth;
 };
 
-/// How far what was drawn is from the eye, to be read by what is drawn after it.
+/// A copy of the depth buffer as a texture, for shaders that run later in the frame.
 class DepthCopy {
 public:
-    /// Copies the depths of the framebuffer that is bound, which stays so, of a size.
-    void take(PictureSize size);
+    /// Copies the depths of the bound framebuffer of a size, which stays bound.
+    void copyBound(ImageSize size);
     std::uint32_t texture() const { return m_depths.id(); }
 
 private:
-    PictureSize m_size{0, 0};
+    ImageSize m_size{0, 0};
     GlFramebuffer m_framebuffer;
     GlTexture m_depths;
 };
 
 /// Copies the colours of one framebuffer to another of the same size.
-void copyColours(std::uint32_t from, std::uint32_t to, PictureSize size);
+void copyColours(std::uint32_t from, std::uint32_t to, ImageSize size);
 
 }  // namespace rubble

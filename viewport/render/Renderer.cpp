@@ -1,6 +1,6 @@
 #include "viewport/render/Renderer.h"
 
-#include "viewport/render/PicturePainter.h"
+#include "viewport/render/RenderPasses.h"
 
 #include <epoxy/gl.h>
 
@@ -9,35 +9,35 @@
 namespace rubble {
 namespace {
 
-constexpr int kPickReach = 64;  // pixels around the pointer that are drawn at once, since it will move on
+constexpr int kPickMargin = 64;  // pixels around the pointer that are drawn at once, since it will move on
 
 }  // namespace
 
-/// What is drawn to, beside what draws.
-struct Renderer::State : PicturePainter {
-    using PicturePainter::PicturePainter;
+/// The passes and their render targets.
+struct Renderer::State : RenderPasses {
+    using RenderPasses::RenderPasses;
 
-    /// The kept target, made anew where it is not like this.
-    RenderTarget& target(RenderTarget& kept, PictureSize size, PixelFormat format, int samples) {
-        if (!kept.isLike(size, samples)) kept = RenderTarget(size, format, samples);
-        return kept;
+    /// The cached target, recreated if it does not match.
+    RenderTarget& target(RenderTarget& cached, ImageSize size, PixelFormat format, int samples) {
+        if (!cached.matches(size, samples)) cached = RenderTarget(size, format, samples);
+        return cached;
     }
 
-    RenderTarget picture, sample, sum, bodies;
-    int samplesTaken = 0;                // in `sum`
-    std::optional<Camera> bodiesCamera;  // that `bodies` was drawn by
-    double bodiesMoment = 1.0;           // and at
-    PixelBox bodiesPart;                 // where it was
+    RenderTarget image, sample, sum, bodies;
+    int samplesInSum = 0;
+    std::optional<Camera> bodiesCamera;  // of the content of `bodies`, as are the following two
+    double bodiesStepFraction = 1.0;
+    PixelBox bodiesPart;
 };
 
-Result<std::unique_ptr<Renderer>> Renderer::made() {
+Result<std::unique_ptr<Renderer>> Renderer::create() {
     if (epoxy_gl_version() < 33 || !epoxy_is_desktop_gl()) {
         const int version = epoxy_gl_version();
-        return Error{ErrorCode::Unsupported, "Drawing needs OpenGL 3.3; this machine offers " +
+        return Error{ErrorCode::Unsupported, "Drawing needs OpenGL 3.3; this machine supports " +
                                                  std::to_string(version / 10) + "." + std::to_string(version % 10) +
                                                  "."};
     }
-    Result<RenderPrograms> programs = madePrograms();
+    Result<RenderPrograms> programs = compilePrograms();
     if (!programs) return programs.error();
     return std::unique_ptr<Renderer>(new Renderer(std::make_unique<State>(std::move(*programs))));
 }
@@ -50,38 +50,38 @@ void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
     m_state->bodiesCamera.reset();
 }
 
-void Renderer::draw(const PictureView& view, std::uint32_t framebuffer) {
+void Renderer::draw(const RenderView& view, std::uint32_t framebuffer) {
     State& state = *m_state;
     state.frame = frameBlock(view, *state.scene.scene(), state.summary.bounds, {});
     state.drawShadows(view, {});
     const int samples = view.settings.msaa > 0 ? view.settings.msaa : isSoftware() ? 1 : 4;
-    RenderTarget& target = state.target(state.picture, view.size, PixelFormat::Colour, samples);
+    RenderTarget& target = state.target(state.image, view.size, PixelFormat::Colour, samples);
     target.bind();
-    state.drawPicture(view);
+    state.drawImage(view);
     copyColours(target.framebuffer(), framebuffer, view.size);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
-void Renderer::addSample(const PictureView& view, int index) {
+void Renderer::addSample(const RenderView& view, int index) {
     State& state = *m_state;
     const LightSample light = lightSample(index);
     state.frame = frameBlock(view, *state.scene.scene(), state.summary.bounds, light);
     state.drawShadows(view, light);
     RenderTarget& sample = state.target(state.sample, view.size, PixelFormat::Colour, 1);
     sample.bind();
-    state.drawPicture(view);
+    state.drawImage(view);
     state.target(state.sum, view.size, PixelFormat::Float, 1).bind();
     if (index > 0) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    state.drawTimes(sample, 1.0f);
+    state.drawScaled(sample, 1.0f);
     glDisable(GL_BLEND);
-    state.samplesTaken = index + 1;
+    state.samplesInSum = index + 1;
 }
 
-void Renderer::showMean(const PictureView& view, std::uint32_t framebuffer) {
+void Renderer::drawMean(const RenderView& view, std::uint32_t framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, view.size.width, view.size.height);
-    m_state->drawTimes(m_state->sum, 1.0f / static_cast<float>(m_state->samplesTaken));
+    m_state->drawScaled(m_state->sum, 1.0f / static_cast<float>(m_state->samplesInSum));
 }
 
 const RenderCounts& Renderer::counts() const { return m_state->scene.counts(); }
@@ -91,18 +91,18 @@ bool Renderer::isSoftware() const {
     return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
-std::optional<std::uint32_t> Renderer::bodyAt(const PictureView& view, int x, int y) {
+std::optional<std::uint32_t> Renderer::bodyAt(const RenderView& view, int x, int y) {
     State& state = *m_state;
     if (x < 0 || y < 0 || x >= view.size.width || y >= view.size.height) return std::nullopt;
     const int up = view.size.height - 1 - y;
-    const bool isKept = state.bodies.isLike(view.size, 1) && state.bodiesCamera == view.camera &&
-                        state.bodiesMoment == view.moment && state.bodiesPart.contains(x, up);
+    const bool isCached = state.bodies.matches(view.size, 1) && state.bodiesCamera == view.camera &&
+                          state.bodiesStepFraction == view.stepFraction && state.bodiesPart.contains(x, up);
     state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1).bind();
-    if (!isKept) {
-        state.bodiesPart = {x - kPickReach, up - kPickReach, 2 * kPickReach + 1, 2 * kPickReach + 1};
+    if (!isCached) {
+        state.bodiesPart = {x - kPickMargin, up - kPickMargin, 2 * kPickMargin + 1, 2 * kPickMargin + 1};
         state.drawBodies(view, state.bodiesPart);
         state.bodiesCamera = view.camera;
-        state.bodiesMoment = view.moment;
+        state.bodiesStepFraction = view.stepFraction;
     }
     std::uint32_t body = 0;
     glReadPixels(x, up, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);

@@ -12,45 +12,45 @@
 
 namespace rubble {
 
-/// From where a picture is taken, how large and in what manner.
-struct PictureView {
+/// The camera, the size and the settings of an image.
+struct RenderView {
     Camera camera;
-    PictureSize size;
+    ImageSize size;
     RenderSettings settings;
     std::optional<std::uint32_t> hovered;  // body under the pointer, drawn brighter
-    double moment = 1.0;                   // in [0, 1]: from where bodies were a step before to where they are
-    bool operator==(const PictureView&) const = default;
+    double stepFraction = 1.0;             // in [0, 1]: interpolates from the previous poses to the current ones
+    bool operator==(const RenderView&) const = default;
 };
 
-/// Draws scenes by OpenGL 3.3 core. The number of draw calls depends on the number of assets, not on that of pieces or
-/// instances. Every call needs the same current context, the destructor too.
+/// Draws scenes with OpenGL 3.3 core. The number of draw calls depends on the number of assets, not of pieces or
+/// instances. All calls, including the destructor, need the same current context.
 class Renderer {
 public:
-    /// Errors: Unsupported where the current context is older than OpenGL 3.3, or the driver refuses a shader.
-    static Result<std::unique_ptr<Renderer>> made();
+    /// Errors: Unsupported if the current context is older than OpenGL 3.3, or a shader does not compile.
+    static Result<std::unique_ptr<Renderer>> create();
     ~Renderer();
 
-    /// The scene that is drawn from now on. Uploads geometry that the last scene did not have, and a few numbers a body;
-    /// what else it does does not grow with bodies where the scene has a summary.
+    /// Sets the scene. Uploads geometry that the previous scene did not have and a few numbers per body; all else is
+    /// independent of the number of bodies if the scene has a summary.
     void setScene(std::shared_ptr<const RenderScene> scene);
 
-    /// Draws a picture to a framebuffer: at once, lit by a sky that nothing hides.
-    void draw(const PictureView& view, std::uint32_t framebuffer);
+    /// Draws to a framebuffer in one pass, with an unoccluded sky light.
+    void draw(const RenderView& view, std::uint32_t framebuffer);
 
-    /// Takes sample `index` (0 begins anew) of the same view, each lit from one place of the sky: the more, the softer
-    /// light and edges.
-    void addSample(const PictureView& view, int index);
-    /// Draws the mean of the samples that were taken.
-    void showMean(const PictureView& view, std::uint32_t framebuffer);
+    /// Accumulates sample `index` (0 restarts) of a view, each lit from one point of the sky: more samples give softer
+    /// light and smoother edges.
+    void addSample(const RenderView& view, int index);
+    /// Draws the mean of the accumulated samples.
+    void drawMean(const RenderView& view, std::uint32_t framebuffer);
 
     const RenderCounts& counts() const;
 
-    /// Whether the processor does the work of a graphics card.
+    /// Whether a software rasterizer is used.
     bool isSoftware() const;
 
-    /// The body at a pixel (from the top left corner), as an index in RenderScene::picks. Quick for more pixels of the
+    /// The body at a pixel (from the top left corner), an index in RenderScene::picks. Fast for nearby pixels of the
     /// same view and scene.
-    std::optional<std::uint32_t> bodyAt(const PictureView& view, int x, int y);
+    std::optional<std::uint32_t> bodyAt(const RenderView& view, int x, int y);
 
 private:
     struct State;

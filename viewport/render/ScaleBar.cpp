@@ -11,9 +11,9 @@ namespace {
 constexpr double kLongest = 150.0, kMargin = 22.0, kTick = 4.0, kLetter = 4.6, kAdvance = 9.0, kOverBar = 11.0;
 constexpr double kPen = 0.75, kHalo = 2.0;
 
-/// A sign as a chain of places on a grid of 3 x 5, row by row from below, each a letter: "a" is the lower left place, "c" the
-/// lower right, "o" the upper right. A blank lifts the pen.
-std::string_view chainOf(char letter) {
+/// A glyph as a polyline on a grid of 3 x 5 points, which are lettered row by row from below: "a" is the lower left
+/// point, "c" the lower right, "o" the upper right. A blank lifts the pen.
+std::string_view glyphOf(char letter) {
     switch (letter) {
         case '0': return "acoma";
         case '1': return "jnb";
@@ -25,43 +25,43 @@ std::string_view chainOf(char letter) {
         default: return "";
     }
 }
-Vec2 placeOf(char place) { return Vec2((place - 'a') % 3 - 1, 0.5 * ((place - 'a') / 3)); }
+Vec2 gridPoint(char point) { return Vec2((point - 'a') % 3 - 1, 0.5 * ((point - 'a') / 3)); }
 
 using Segment = std::array<Vec2, 2>;
 void addLetter(std::vector<Segment>& segments, char letter, Vec2 at) {
-    const std::string_view chain = chainOf(letter);
-    for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-        if (chain[k] == ' ' || chain[k + 1] == ' ') continue;
-        segments.push_back(
-            {at + kLetter * Vec2(0.6, 1.0) * placeOf(chain[k]), at + kLetter * Vec2(0.6, 1.0) * placeOf(chain[k + 1])});
+    const std::string_view glyph = glyphOf(letter);
+    for (std::size_t k = 0; k + 1 < glyph.size(); ++k) {
+        if (glyph[k] == ' ' || glyph[k + 1] == ' ') continue;
+        segments.push_back({at + kLetter * Vec2(0.6, 1.0) * gridPoint(glyph[k]),
+                            at + kLetter * Vec2(0.6, 1.0) * gridPoint(glyph[k + 1])});
     }
 }
 
 }  // namespace
 
-RoundLength roundLength(double most) {
-    double power = std::pow(10.0, std::floor(std::log10(most)));
+RoundLength roundLength(double max) {
+    double power = std::pow(10.0, std::floor(std::log10(max)));
     int digit = 1;
     for (const int larger : {2, 5}) {
-        if (larger * power <= most * (1.0 + 1e-9)) digit = larger;
+        if (larger * power <= max * (1.0 + 1e-9)) digit = larger;
     }
     RoundLength length{digit * power, {}};
-    const auto written = [&](double unit, const char* name) {
+    const auto setText = [&](double unit, const char* name) {
         length.text = std::to_string(std::llround(length.metres / unit)) + " " + name;
     };
     if (length.metres >= 999.0) {
-        written(1000.0, "km");
+        setText(1000.0, "km");
     } else if (length.metres >= 0.99) {
-        written(1.0, "m");
+        setText(1.0, "m");
     } else if (length.metres >= 0.0099) {
-        written(0.01, "cm");
+        setText(0.01, "cm");
     } else {
-        written(0.001, "mm");
+        setText(0.001, "mm");
     }
     return length;
 }
 
-std::vector<Stroke> scaleBar(const Camera& camera, PictureSize size, double scale, glm::vec3 colour, glm::vec3 halo) {
+std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo) {
     const double metresPerPoint = metresPerPixel(camera, size) * scale;
     const RoundLength length = roundLength(kLongest * metresPerPoint);
     const double wide = length.metres / metresPerPoint, end = size.width / scale - kMargin, begin = end - wide;
@@ -72,14 +72,14 @@ std::vector<Stroke> scaleBar(const Camera& camera, PictureSize size, double scal
         addLetter(segments, letter, {x, kMargin + kOverBar - kTick});
         x += kAdvance;
     }
-    std::vector<Stroke> strokes;
+    std::vector<ScreenLine> lines;
     const auto add = [&](const Segment& segment, glm::vec4 paint, double radius) {
-        strokes.push_back(
+        lines.push_back(
             {glm::vec4(glm::dvec4(scale * segment[0], scale * segment[1])), paint, static_cast<float>(scale * radius)});
     };
     for (const Segment& segment : segments) add(segment, glm::vec4(halo, 0.55f), kHalo);
     for (const Segment& segment : segments) add(segment, glm::vec4(colour, 1.0f), kPen);
-    return strokes;
+    return lines;
 }
 
 }  // namespace rubble

@@ -1,20 +1,19 @@
 #pragma once
 
-#include "viewport/render/AxesCross.h"
+#include "viewport/render/AxesIndicator.h"
 
 #include <string>
 
 namespace rubble {
 
-/// A length that is easy to read, and how it is written: 1, 2 or 5 times a power of ten, the largest up to `most` m.
+/// The largest length up to `max` m that is 1, 2 or 5 times a power of ten, with its text.
 struct RoundLength {
     double metres = 1.0;
     std::string text;  // "50 cm"
 };
-RoundLength roundLength(double most);
+RoundLength roundLength(double max);
 
-/// A bar in the lower right corner that is as long as a round length where the camera's target is, with that length written
-/// over it. `scale`: pixels a point.
-std::vector<Stroke> scaleBar(const Camera& camera, PictureSize size, double scale, glm::vec3 colour, glm::vec3 halo);
+/// A scale bar in the lower right corner: a round length at the camera's target, labelled. `scale`: pixels per point.
+std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo);
 
 }  // namespace rubble

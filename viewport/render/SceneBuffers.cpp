@@ -10,12 +10,12 @@
 namespace rubble {
 namespace {
 
-static_assert(sizeof(DrawnPose) == 32 && sizeof(BodyLook) == 16 && sizeof(SurfaceHeat) == 80,
+static_assert(sizeof(RenderPose) == 32 && sizeof(BodyAppearance) == 16 && sizeof(SurfaceHeat) == 80,
               "texels of buffer textures");
 
 template <class T>
 GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
-    GlBuffer buffer = GlBuffer::made();
+    GlBuffer buffer = GlBuffer::create();
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
     return buffer;
@@ -42,17 +42,17 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
 }  // namespace
 
 SceneBuffers::SceneBuffers()
-    : m_motions(TextureUnit::Motions, GL_RGBA32F),
-      m_earlier(TextureUnit::Earlier, GL_RGBA32F),
-      m_apart(TextureUnit::Apart, GL_RGBA32F),
-      m_looks(TextureUnit::Looks, GL_RGBA32UI),
+    : m_poses(TextureUnit::Poses, GL_RGBA32F),
+      m_previousPoses(TextureUnit::PreviousPoses, GL_RGBA32F),
+      m_explodeOffsets(TextureUnit::ExplodeOffsets, GL_RGBA32F),
+      m_appearances(TextureUnit::Appearances, GL_RGBA32UI),
       m_heats(TextureUnit::Heats, GL_RGBA32F) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
     const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
     if (known != m_geometries.end()) return *known;
     m_counts.geometryBytes += std::span(source->vertices).size_bytes() + std::span(source->indices).size_bytes();
-    // The index buffer is made as an array buffer: an element buffer would become part of the bound vertex array.
+    // The index buffer is created as an array buffer: an element buffer would become part of the bound vertex array.
     m_geometries.push_back(
         {source, bufferOf(GL_ARRAY_BUFFER, source->vertices), bufferOf(GL_ARRAY_BUFFER, source->indices)});
     return m_geometries.back();
@@ -60,13 +60,13 @@ const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const
 
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
-    Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::made(), {}};
+    Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::create(), {}};
     const Geometry& geometry = uploaded(batch.geometry);
     glBindVertexArray(made.bodies.id());
     describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
     if (batch.hulls) {
         const Geometry& hulls = uploaded(batch.hulls);
-        made.hulls = GlVertexArray::made();
+        made.hulls = GlVertexArray::create();
         glBindVertexArray(made.hulls.id());
         describeVertices(hulls.vertices, hulls.indices, made.firstBodies);
     }
@@ -94,15 +94,16 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
         texels.write(std::as_bytes(std::span(values)));
         m_counts.bodyBytes += std::span(values).size_bytes();
     };
-    write(m_motions, m_scene->motions);
-    write(m_earlier, m_scene->earlier);
-    write(m_apart, m_scene->apart);
-    write(m_looks, m_scene->looks);
+    write(m_poses, m_scene->poses);
+    write(m_previousPoses, m_scene->previousPoses);
+    write(m_explodeOffsets, m_scene->explodeOffsets);
+    write(m_appearances, m_scene->appearances);
     write(m_heats, m_scene->heats);
 }
 
 void SceneBuffers::draw(Part part) const {
-    for (const TexelBuffer* texels : {&m_motions, &m_earlier, &m_apart, &m_looks, &m_heats}) texels->bind();
+    for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances, &m_heats})
+        texels->bind();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];
         const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();

@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-/// A scene in the card's memory. Geometry stays there as long as scenes share it; what is a few numbers a body is written
-/// anew where it changed.
+/// A scene in GPU memory. Geometry stays there as long as successive scenes share it; per-body data is rewritten when
+/// it changes.
 class SceneBuffers {
 public:
     SceneBuffers();
@@ -19,7 +19,7 @@ public:
     const std::shared_ptr<const RenderScene>& scene() const { return m_scene; }
 
     enum class Part { Bodies, Hulls };
-    /// Draws all triangles by the program in use: one call a batch.
+    /// Draws all triangles with the current program: one call per batch.
     void draw(Part part) const;
     const RenderCounts& counts() const { return m_counts; }
 
@@ -41,7 +41,7 @@ private:
     std::shared_ptr<const RenderScene> m_scene;
     std::vector<Geometry> m_geometries;
     std::vector<Batch> m_batches;
-    TexelBuffer m_motions, m_earlier, m_apart, m_looks, m_heats;
+    TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances, m_heats;
     mutable RenderCounts m_counts;
 };
 

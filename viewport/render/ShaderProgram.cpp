@@ -13,12 +13,17 @@ struct Sampler {
     const char* name;
     TextureUnit unit;
 };
-constexpr Sampler kSamplers[] = {
-    {"motions", TextureUnit::Motions}, {"earlier", TextureUnit::Earlier},     {"apart", TextureUnit::Apart},
-    {"looks", TextureUnit::Looks},     {"keyShadow", TextureUnit::KeyShadow}, {"skyShadow", TextureUnit::SkyShadow},
-    {"source", TextureUnit::Source},   {"depths", TextureUnit::Depths},       {"heats", TextureUnit::Heats}};
+constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
+                                 {"previousPoses", TextureUnit::PreviousPoses},
+                                 {"explodeOffsets", TextureUnit::ExplodeOffsets},
+                                 {"appearances", TextureUnit::Appearances},
+                                 {"keyShadow", TextureUnit::KeyShadow},
+                                 {"skyShadow", TextureUnit::SkyShadow},
+                                 {"source", TextureUnit::Source},
+                                 {"depths", TextureUnit::Depths},
+                                 {"heats", TextureUnit::Heats}};
 
-/// A driver's words as one line.
+/// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {
     for (char& letter : text) {
         if (letter == '\n' || letter == '\0') letter = ' ';
@@ -47,19 +52,19 @@ Result<GlShader> compiled(std::uint32_t stage, std::initializer_list<std::string
     std::string log(4096, '\0');
     glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
     return Error{ErrorCode::Unsupported,
-                 "The graphics driver does not take " + std::string(last) + ": " + oneLine(std::move(log))};
+                 "The graphics driver cannot compile " + std::string(last) + ": " + oneLine(std::move(log))};
 }
 
 }  // namespace
 
-Result<ShaderProgram> ShaderProgram::made(std::initializer_list<std::string_view> vertexFiles,
-                                          std::initializer_list<std::string_view> fragmentFiles,
-                                          std::string_view defined) {
+Result<ShaderProgram> ShaderProgram::create(std::initializer_list<std::string_view> vertexFiles,
+                                            std::initializer_list<std::string_view> fragmentFiles,
+                                            std::string_view defined) {
     const Result<GlShader> vertex = compiled(GL_VERTEX_SHADER, vertexFiles, defined);
     if (!vertex) return vertex.error();
     const Result<GlShader> fragment = compiled(GL_FRAGMENT_SHADER, fragmentFiles, defined);
     if (!fragment) return fragment.error();
-    GlProgram program = GlProgram::made();
+    GlProgram program = GlProgram::create();
     glAttachShader(program.id(), vertex->id());
     glAttachShader(program.id(), fragment->id());
     glLinkProgram(program.id());
@@ -68,12 +73,13 @@ Result<ShaderProgram> ShaderProgram::made(std::initializer_list<std::string_view
     if (isLinked != GL_TRUE) {
         std::string log(4096, '\0');
         glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
-        return Error{ErrorCode::Unsupported, "The graphics driver does not link a program: " + oneLine(std::move(log))};
+        return Error{ErrorCode::Unsupported,
+                     "The graphics driver cannot link a shader program: " + oneLine(std::move(log))};
     }
     ShaderProgram result(std::move(program));
     result.use();
     for (const Sampler& sampler : kSamplers) {
-        glUniform1i(result.place(sampler.name), static_cast<GLint>(sampler.unit));
+        glUniform1i(result.location(sampler.name), static_cast<GLint>(sampler.unit));
     }
     const GLuint block = glGetUniformBlockIndex(result.m_program.id(), "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(result.m_program.id(), block, 0);
@@ -81,13 +87,13 @@ Result<ShaderProgram> ShaderProgram::made(std::initializer_list<std::string_view
 }
 
 void ShaderProgram::use() const { glUseProgram(m_program.id()); }
-int ShaderProgram::place(const char* name) const { return glGetUniformLocation(m_program.id(), name); }
-void ShaderProgram::set(const char* name, float value) const { glUniform1f(place(name), value); }
-void ShaderProgram::set(const char* name, std::uint32_t value) const { glUniform1ui(place(name), value); }
-void ShaderProgram::set(const char* name, const glm::vec3& value) const { glUniform3fv(place(name), 1, &value[0]); }
-void ShaderProgram::set(const char* name, const glm::vec4& value) const { glUniform4fv(place(name), 1, &value[0]); }
+int ShaderProgram::location(const char* name) const { return glGetUniformLocation(m_program.id(), name); }
+void ShaderProgram::set(const char* name, float value) const { glUniform1f(location(name), value); }
+void ShaderProgram::set(const char* name, std::uint32_t value) const { glUniform1ui(location(name), value); }
+void ShaderProgram::set(const char* name, const glm::vec3& value) const { glUniform3fv(location(name), 1, &value[0]); }
+void ShaderProgram::set(const char* name, const glm::vec4& value) const { glUniform4fv(location(name), 1, &value[0]); }
 void ShaderProgram::set(const char* name, const glm::mat4& value) const {
-    glUniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
 }
 
 }  // namespace rubble

@@ -12,21 +12,21 @@
 
 namespace rubble {
 
-/// A program of resources/shaders. All share the block Frame; samplers have fixed units (see kSamplers in the .cpp).
+/// A shader program of resources/shaders. All share the uniform block Frame; samplers have fixed texture units.
 class ShaderProgram {
 public:
     ShaderProgram() = default;  // none
 
-    /// Made of files, each stage's put together in this order behind frame.glsl, with a name defined for #ifdef where one
-    /// is given.
+    /// Compiles and links a program. Each stage is frame.glsl followed by the given files in order; `defined`, if not
+    /// empty, is a #define for both.
     ///
-    /// Errors: Unsupported with what the driver says, where it does not take a file.
-    static Result<ShaderProgram> made(std::initializer_list<std::string_view> vertexFiles,
-                                      std::initializer_list<std::string_view> fragmentFiles,
-                                      std::string_view defined = {});
+    /// Errors: Unsupported, with the driver's message, if it rejects a file.
+    static Result<ShaderProgram> create(std::initializer_list<std::string_view> vertexFiles,
+                                        std::initializer_list<std::string_view> fragmentFiles,
+                                        std::string_view defined = {});
 
     void use() const;
-    /// Set a uniform of the program, which is in use.
+    /// Sets a uniform; the program must be in use.
     void set(const char* name, float value) const;
     void set(const char* name, std::uint32_t value) const;
     void set(const char* name, const glm::vec3& value) const;
@@ -35,12 +35,22 @@ public:
 
 private:
     explicit ShaderProgram(GlProgram program) : m_program(std::move(program)) {}
-    int place(const char* name) const;
+    int location(const char* name) const;
 
     GlProgram m_program;
 };
 
-/// The texture units that samplers read.
-enum class TextureUnit : std::uint32_t { Motions, Earlier, Apart, Looks, KeyShadow, SkyShadow, Source, Depths, Heats };
+/// Texture units of the samplers.
+enum class TextureUnit : std::uint32_t {
+    Poses,
+    PreviousPoses,
+    ExplodeOffsets,
+    Appearances,
+    KeyShadow,
+    SkyShadow,
+    Source,
+    Depths,
+    Heats
+};
 
 }  // namespace rubble

@@ -8,18 +8,19 @@
 namespace rubble {
 namespace {
 
-/// A light's clip space from the scene: a cube around the sphere around a box.
+/// The light's view projection: an orthographic cube around the bounding sphere of a box.
 glm::dmat4 clipFromScene(Vec3 direction, const Box3& bounds, Vec3 origin) {
     const double radius = 0.5 * bounds.diagonal() * 1.01 + 1e-6;
-    const Vec3 middle = bounds.centre() - origin;
+    const Vec3 centre = bounds.centre() - origin;
     const Vec3 up = std::abs(direction.y) > 0.9 ? Vec3(0.0, 0.0, -1.0) : Vec3(0.0, 1.0, 0.0);
     return glm::ortho(-radius, radius, -radius, radius, 0.0, 2.0 * radius) *
-           glm::lookAt(middle + radius * direction, middle, up);
+           glm::lookAt(centre + radius * direction, centre, up);
 }
 
 }  // namespace
 
-ShadowMap::ShadowMap(int width) : m_width(width), m_depths(GlTexture::made()), m_framebuffer(GlFramebuffer::made()) {
+ShadowMap::ShadowMap(int width)
+    : m_width(width), m_depths(GlTexture::create()), m_framebuffer(GlFramebuffer::create()) {
     glBindTexture(GL_TEXTURE_2D, m_depths.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, width, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -36,8 +37,8 @@ ShadowMap::ShadowMap(int width) : m_width(width), m_depths(GlTexture::made()), m
 
 void ShadowMap::draw(const SceneBuffers& scene, const ShaderProgram& depthProgram, Vec3 direction, const Box3& bounds) {
     const glm::dmat4 clip = clipFromScene(direction, bounds, scene.scene()->origin);
-    const glm::dmat4 place = glm::scale(glm::translate(glm::dmat4(1.0), Vec3(0.5)), Vec3(0.5));
-    m_placeFromScene = glm::mat4(place * clip);
+    const glm::dmat4 texture = glm::scale(glm::translate(glm::dmat4(1.0), Vec3(0.5)), Vec3(0.5));
+    m_textureFromScene = glm::mat4(texture * clip);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     glViewport(0, 0, m_width, m_width);
     glEnable(GL_DEPTH_TEST);
@@ -46,7 +47,7 @@ void ShadowMap::draw(const SceneBuffers& scene, const ShaderProgram& depthProgra
     glClear(GL_DEPTH_BUFFER_BIT);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2.5f,
-                    4.0f);  // more than the slope within the texels that are compared, so that nothing shades itself
+                    4.0f);  // more than the depth slope within the filter's texels, against shadow acne
     depthProgram.use();
     depthProgram.set("clipFromSceneOfLight", glm::mat4(clip));
     scene.draw(SceneBuffers::Part::Bodies);

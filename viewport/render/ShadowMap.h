@@ -6,23 +6,24 @@
 
 namespace rubble {
 
-/// How far light from one direction reaches.
+/// The shadow map of a directional light.
 class ShadowMap {
 public:
-    explicit ShadowMap(int width);  // texels, along both sides
+    /// `width`: texels of each side.
+    explicit ShadowMap(int width);
 
-    /// Draws a scene as seen from far away along `direction` (towards the light), around a box in the world.
+    /// Renders the depths of a scene, seen from `direction` (towards the light), around a box in the world.
     void draw(const SceneBuffers& scene, const ShaderProgram& depthProgram, Vec3 direction, const Box3& bounds);
     void bind(TextureUnit unit) const;
 
-    /// From the scene to the map: texture coordinates and depth in [0, 1].
-    const glm::mat4& placeFromScene() const { return m_placeFromScene; }
+    /// Transforms scene positions to texture coordinates and depth in [0, 1].
+    const glm::mat4& textureFromScene() const { return m_textureFromScene; }
 
 private:
     int m_width;
     GlTexture m_depths;
     GlFramebuffer m_framebuffer;
-    glm::mat4 m_placeFromScene{1.0f};
+    glm::mat4 m_textureFromScene{1.0f};
 };
 
 }  // namespace rubble

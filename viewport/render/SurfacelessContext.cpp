@@ -19,17 +19,17 @@ struct SurfacelessContext::State {
 namespace {
 
 Error noContext(const std::string& reason) {
-    return {ErrorCode::Unsupported, "There is no OpenGL 3.3 on this machine to draw pictures with: " + reason + "."};
+    return {ErrorCode::Unsupported, "This machine has no OpenGL 3.3 to render images with: " + reason + "."};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::made() {
-    // Asked first: epoxy ends the program where the library or a call is missing.
+Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::create() {
+    // Check first: epoxy aborts the program if the library or a function is missing.
     if (dlopen("libEGL.so.1", RTLD_LAZY) == nullptr) return noContext("libEGL.so.1 is not installed");
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
-        return noContext("EGL offers no drawing without a display");
+        return noContext("EGL does not support rendering without a display");
     }
     auto state = std::make_unique<State>();
     state->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -42,9 +42,9 @@ Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::made() {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     state->context = eglCreateContext(state->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (state->context == EGL_NO_CONTEXT) return noContext("the graphics driver is older");
+    if (state->context == EGL_NO_CONTEXT) return noContext("the graphics driver is too old");
     if (eglMakeCurrent(state->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context) == EGL_FALSE) {
-        return noContext("EGL offers no drawing without a display");
+        return noContext("EGL does not support rendering without a display");
     }
     return std::unique_ptr<SurfacelessContext>(new SurfacelessContext(std::move(state)));
 }

@@ -6,12 +6,12 @@
 
 namespace rubble {
 
-/// An OpenGL context that needs no display: pictures are drawn to framebuffers of one's own. Current, in the thread that
-/// made it, as long as it lives.
+/// An OpenGL context without a display, for rendering to own framebuffers. It is current in the thread that created it
+/// for its whole lifetime.
 class SurfacelessContext {
 public:
-    /// Errors: Unsupported, with the reason, where there is no OpenGL 3.3 to be had by EGL.
-    static Result<std::unique_ptr<SurfacelessContext>> made();
+    /// Errors: Unsupported, with the reason, if EGL offers no OpenGL 3.3.
+    static Result<std::unique_ptr<SurfacelessContext>> create();
     ~SurfacelessContext();
 
 private:

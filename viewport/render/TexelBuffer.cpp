@@ -9,8 +9,8 @@ void TexelBuffer::write(std::span<const std::byte> bytes) {
     Slot& slot = m_slots[m_last];
     const auto size = static_cast<GLsizeiptr>(bytes.size());
     if (slot.buffer.id() == 0) {
-        slot.buffer = GlBuffer::made();
-        slot.texels = GlTexture::made();
+        slot.buffer = GlBuffer::create();
+        slot.texels = GlTexture::create();
     }
     glBindBuffer(GL_TEXTURE_BUFFER, slot.buffer.id());
     if (slot.size == bytes.size()) {

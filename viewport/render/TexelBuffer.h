@@ -9,15 +9,15 @@
 
 namespace rubble {
 
-/// Numbers that shaders look up by index and that are often written anew: in turns to one of a few buffers, so that no
-/// writing waits for a drawing, and no memory is asked for while the amount stays the same.
+/// A buffer texture that is rewritten often. Rotates through a few buffers, so that writing never waits for a draw call
+/// and memory is reallocated only if the size changes.
 class TexelBuffer {
 public:
-    /// `format`: of a texel, as glTexBuffer() takes it.
+    /// `format`: of a texel, for glTexBuffer().
     TexelBuffer(TextureUnit unit, std::uint32_t format) : m_unit(unit), m_format(format) {}
 
     void write(std::span<const std::byte> bytes);
-    /// Makes what was written last readable.
+    /// Binds the buffer written last.
     void bind() const;
 
 private:

@@ -1,50 +1,52 @@
 #include "viewport/scene/AssetModel.h"
 
-#include "core/asset/PieceColours.h"
-#include "core/asset/RoughCuts.h"
-#include "core/geometry/Aspect.h"
+#include "core/asset/mesh/FragmentMesh.h"
+#include "core/asset/mesh/RoughCuts.h"
+#include "core/asset/project/FragmentColours.h"
+#include "core/geometry/hull/AspectRatio.h"
 
 namespace rubble {
 namespace {
 
-/// Whether a fragment is drawn, and not its parent or its children in its place.
+/// Whether a fragment itself is drawn at a level, rather than its parent or its children.
 bool isShown(const BakedFragment& fragment, std::uint32_t level) {
     return fragment.level == level || (fragment.level < level && fragment.childCount == 0);
 }
 
-/// A model while it is made.
+/// An AssetModel under construction.
 class ModelBuilder {
 public:
     ModelBuilder(AssetModel model, bool hasHulls)
         : m_model(std::move(model)),
+          m_mesher(m_model.asset),
           m_geometry(std::make_shared<SceneGeometry>()),
           m_hulls(hasHulls ? std::make_shared<SceneGeometry>() : nullptr) {}
 
     void addFragment(std::uint32_t number, const BakedFragment& fragment, const RoughCuts& cuts) {
         const Fragment& solid = fragment.solid;
-        const Colour colour = pieceColour(m_model.bake->fragmentId(number));
+        const Colour colour = fragmentColour(m_model.bake->fragmentId(number));
         const double parent = fragment.parent == kNone ? m_model.bake->whole.volume
                                                        : m_model.bake->fragment(fragment.parent).solid.volume();
         m_model.pieces.push_back({.fragment = number,
                                   .offset = solid.offset(),
                                   .volume = solid.volume(),
-                                  .parentShare = parent / m_model.bake->whole.volume,
-                                  .aspect = aspectOf(solid.outline()),
+                                  .parentVolumeFraction = parent / m_model.bake->whole.volume,
+                                  .aspect = aspectRatio(solid.outline()),
                                   .level = fragment.level,
                                   .colour = colour});
-        addPiece(*m_geometry, fragmentMesh(fragment, m_model.asset, cuts.cornersOf(number)));
+        addPiece(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)));
         if (m_hulls) addPiece(*m_hulls, solid.hulls());
     }
 
-    /// `offset`: of the piece's frame in the prism's.
+    /// `offset`: origin of the piece's frame in the prism's frame.
     void addWhole(const Bake& bake, Vec3 offset) {
         const Vec3 centre = bake.whole.centre - offset;
-        Mesh mesh = wholeMesh(bake, m_model.asset);
+        Mesh mesh = m_mesher.wholeMesh(bake);
         for (Vec3& position : mesh.positions) position += centre;
-        const Colour colour = pieceColour(std::to_string(m_model.asset.id));
+        const Colour colour = fragmentColour(std::to_string(m_model.asset.id));
         m_model.pieces.push_back({.offset = offset,
                                   .volume = bake.whole.volume,
-                                  .aspect = aspectOf(m_model.asset.prism.outline),
+                                  .aspect = aspectRatio(m_model.asset.prism.outline),
                                   .colour = colour});
         addPiece(*m_geometry, mesh);
         if (!m_hulls) return;
@@ -61,11 +63,12 @@ public:
 
 private:
     AssetModel m_model;
+    FragmentMesher m_mesher;
     std::shared_ptr<SceneGeometry> m_geometry;
     std::shared_ptr<SceneGeometry> m_hulls;
 };
 
-/// Who touches whom among the pieces of a model.
+/// The bonds between the pieces of a model, each once.
 std::vector<ModelBond> bondsOf(const AssetModel& model) {
     std::vector<ModelBond> bonds;
     if (!model.bake) return bonds;
@@ -84,7 +87,7 @@ std::vector<ModelBond> bondsOf(const AssetModel& model) {
     return bonds;
 }
 
-/// The asset with nothing to break it.
+/// The asset without a pattern.
 Asset unbroken(Asset asset) {
     asset.pattern.layers.clear();
     asset.levels.clear();

@@ -1,27 +1,27 @@
 #include "viewport/scene/BodyColours.h"
 
-#include "core/asset/PieceColours.h"
-#include "core/asset/Threshold.h"
-#include "core/play/PlayAsset.h"
+#include "core/asset/project/FragmentColours.h"
+#include "core/asset/project/Threshold.h"
+#include "core/play/scene/PlayAsset.h"
 
 #include <algorithm>
 
 namespace rubble {
 namespace {
 
-/// A model may be older than its asset's choice of material.
+/// The material that the asset has in the project now: the model may be older.
 const Material* materialOf(const AssetModel& model, const Project& project) {
     const Asset* asset = findAsset(project, model.asset.id);
     return findMaterial(project, asset != nullptr ? asset->material : model.asset.material);
 }
 
-/// The one whose inside its cuts lay open; null where there is none of its own.
+/// The material of the cut faces; null if it is that of the asset.
 const Material* insideOf(const AssetModel& model, const Project& project) {
     const Asset* asset = findAsset(project, model.asset.id);
     return findMaterial(project, asset != nullptr ? asset->insideMaterial : model.asset.insideMaterial);
 }
 
-bool isFigure(SceneColouring colouring) {
+bool isQuantity(SceneColouring colouring) {
     return colouring != SceneColouring::Material && colouring != SceneColouring::Piece;
 }
 
@@ -33,10 +33,10 @@ double thresholdOf(const Project& project, const AssetModel& model, Id instance)
     return asset != nullptr ? rubble::thresholdOf(project, *asset) : model.asset.threshold;
 }
 
-/// Gives the figures of one instance's pieces.
-class PieceFigures {
+/// Evaluates the quantity that the pieces of one instance are coloured by.
+class PieceQuantity {
 public:
-    PieceFigures(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
+    PieceQuantity(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
         : m_colouring(colouring) {
         if (colouring == SceneColouring::Threshold) m_factor = thresholdOf(project, model, instance);
         if (colouring != SceneColouring::Mass) return;
@@ -50,7 +50,7 @@ public:
             case SceneColouring::Volume: return piece.volume;
             case SceneColouring::Mass: return piece.volume * m_factor;
             case SceneColouring::Aspect: return piece.aspect;
-            case SceneColouring::Threshold: return toughnessOf(piece.parentShare) * m_factor;
+            case SceneColouring::Threshold: return thresholdScaleOf(piece.parentVolumeFraction) * m_factor;
             case SceneColouring::Material:
             case SceneColouring::Piece: break;
         }
@@ -72,13 +72,13 @@ void forEachInstance(const RenderScene& scene, std::span<const AssetModel* const
     }
 }
 
-ValueRange figuresOf(const RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
-                     SceneColouring colouring) {
+ValueRange rangeOf(const RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
+                   SceneColouring colouring) {
     ValueRange range{1e308, 0.0};
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t) {
-        const PieceFigures figures(project, model, instance, colouring);
+        const PieceQuantity quantity(project, model, instance, colouring);
         for (const ModelPiece& piece : model.pieces) {
-            const double value = figures.of(piece);
+            const double value = quantity.of(piece);
             range = {std::min(range.least, value), std::max(range.most, value)};
         }
     });
@@ -87,27 +87,28 @@ ValueRange figuresOf(const RenderScene& scene, std::span<const AssetModel* const
 
 }  // namespace
 
-void paintBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
-                 SceneColouring colouring) {
+void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
+                  SceneColouring colouring) {
     scene.colourRange.reset();
-    const bool isOnScale = isFigure(colouring) && !scene.picks.empty();
-    if (isOnScale) scene.colourRange = figuresOf(scene, models, project, colouring);
-    const auto shareOf = [&](double value) {
+    const bool isOnRamp = isQuantity(colouring) && !scene.picks.empty();
+    if (isOnRamp) scene.colourRange = rangeOf(scene, models, project, colouring);
+    const auto fractionOf = [&](double value) {
         const double spread = scene.colourRange->most - scene.colourRange->least;
         return spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5;
     };
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t first) {
-        const PieceFigures figures(project, model, instance, colouring);
+        const PieceQuantity quantity(project, model, instance, colouring);
         const Material* material = colouring == SceneColouring::Material ? materialOf(model, project) : nullptr;
-        const Material* open = material != nullptr ? insideOf(model, project) : nullptr;
+        const Material* cutMaterial = material != nullptr ? insideOf(model, project) : nullptr;
         for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
             const ModelPiece& shown = model.pieces[piece];
-            const Colour outside = isOnScale             ? rampColour(shareOf(figures.of(shown)))
+            const Colour outside = isOnRamp              ? rampColour(fractionOf(quantity.of(shown)))
                                    : material != nullptr ? material->outside
                                                          : shown.colour;
-            scene.looks[first + piece].outside = packed(outside);
-            const Colour inside = material != nullptr ? (open != nullptr ? open : material)->inside : insideOf(outside);
-            scene.looks[first + piece].inside = packed(inside);
+            scene.appearances[first + piece].outside = packed(outside);
+            const Colour inside =
+                material != nullptr ? (cutMaterial != nullptr ? cutMaterial : material)->inside : insideOf(outside);
+            scene.appearances[first + piece].inside = packed(inside);
         }
     });
 }

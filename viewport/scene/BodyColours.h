@@ -6,9 +6,10 @@
 
 namespace rubble {
 
-/// Gives every body of a scene its colours: by the material that its asset has in the project, by its piece, or by a figure,
-/// from the least in the scene to the greatest. What is of no asset keeps its piece's. `models`: one a batch. Linear in bodies.
-void paintBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
-                 SceneColouring colouring);
+/// Colours every body of a scene by the material of its asset in the project, by piece, or by a quantity on a ramp from
+/// its least to its greatest value in the scene. Bodies without an asset are coloured by piece. `models`: one per
+/// batch. Linear in bodies.
+void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
+                  SceneColouring colouring);
 
 }  // namespace rubble

@@ -14,16 +14,16 @@ namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kNearest = 1e-4;    // m; nearer, single precision shows
+constexpr double kNearest = 1e-4;    // m; nearer, rounding to single precision becomes visible
 constexpr double kFarthest = 1e6;    // m
-constexpr double kMargin = 1.08;     // of free space around what is framed
-constexpr double kLeastNear = 2e-4;  // of the far plane: keeps the depth's steps small
+constexpr double kMargin = 1.08;     // the framed box takes 1 / kMargin of the image
+constexpr double kLeastNear = 2e-4;  // near plane ÷ far plane at least: limits the error of the depth buffer
 
 double halfTangent(const Camera& camera) { return sine(camera.fieldOfView / 2.0) / cosine(camera.fieldOfView / 2.0); }
 
 double wrapped(double angle) { return angle - kFullTurn * std::round(angle / kFullTurn); }
 
-/// The distances of a box's nearest and farthest corners along the way that the camera looks.
+/// The depths of a box's nearest and farthest corners along the view direction.
 std::array<double, 2> depthsOf(const Box3& box, const Camera& camera) {
     const Vec3 eye = eyeOf(camera), back = axesOf(camera).back;
     double nearest = 1e308, farthest = -1e308;
@@ -50,7 +50,7 @@ glm::dmat4 viewMatrix(const Camera& camera, Vec3 origin) {
 
 }  // namespace
 
-Camera turnedTo(Camera camera, StandardView view) {
+Camera alignedTo(Camera camera, StandardView view) {
     static constexpr std::array<std::array<double, 2>, 7> kAngles = {{{0.0, 0.0},
                                                                       {std::numbers::pi, 0.0},
                                                                       {kQuarterTurn, 0.0},
@@ -72,29 +72,29 @@ CameraAxes axesOf(const Camera& camera) {
 
 Vec3 eyeOf(const Camera& camera) { return camera.target + camera.distance * axesOf(camera).back; }
 
-Ray rayThrough(const Camera& camera, Vec2 pixel, PictureSize size) {
+Ray rayThrough(const Camera& camera, Vec2 pixel, ImageSize size) {
     const CameraAxes axes = axesOf(camera);
-    const Vec2 fromMiddle(pixel.x - 0.5 * size.width, 0.5 * size.height - pixel.y);
-    const Vec3 aside = metresPerPixel(camera, size) * (fromMiddle.x * axes.right + fromMiddle.y * axes.up);
+    const Vec2 fromCentre(pixel.x - 0.5 * size.width, 0.5 * size.height - pixel.y);
+    const Vec3 aside = metresPerPixel(camera, size) * (fromCentre.x * axes.right + fromCentre.y * axes.up);
     const Vec3 eye = eyeOf(camera);
     if (camera.projection == Projection::Orthographic) return {eye + aside, -axes.back};
     return {eye, glm::normalize(camera.target + aside - eye)};
 }
 
-std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, PictureSize size) {
+std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, ImageSize size) {
     const CameraAxes axes = axesOf(camera);
-    const Vec3 way = point - camera.target;
+    const Vec3 arm = point - camera.target;
     double scale = 1.0 / metresPerPixel(camera, size);
     if (camera.projection == Projection::Perspective) {
-        const double depth = camera.distance - glm::dot(way, axes.back);
+        const double depth = camera.distance - glm::dot(arm, axes.back);
         if (depth <= 0.0) return std::nullopt;
         scale *= camera.distance / depth;
     }
-    return Vec2(0.5 * size.width + scale * glm::dot(way, axes.right),
-                0.5 * size.height - scale * glm::dot(way, axes.up));
+    return Vec2(0.5 * size.width + scale * glm::dot(arm, axes.right),
+                0.5 * size.height - scale * glm::dot(arm, axes.up));
 }
 
-double metresPerPixel(const Camera& camera, PictureSize size) {
+double metresPerPixel(const Camera& camera, ImageSize size) {
     return 2.0 * camera.distance * halfTangent(camera) / static_cast<double>(size.height);
 }
 
@@ -104,22 +104,22 @@ Camera orbited(Camera camera, double azimuth, double elevation) {
     return camera;
 }
 
-Camera panned(Camera camera, Vec2 pixels, PictureSize size) {
+Camera panned(Camera camera, Vec2 pixels, ImageSize size) {
     const CameraAxes axes = axesOf(camera);
     camera.target += metresPerPixel(camera, size) * (pixels.y * axes.up - pixels.x * axes.right);
     return camera;
 }
 
-Camera dollied(Camera camera, double factor, Vec2 towards, PictureSize size) {
+Camera dollied(Camera camera, double factor, Vec2 anchor, ImageSize size) {
     const double distance = std::clamp(camera.distance * factor, kNearest, kFarthest);
-    const Vec2 fromMiddle = towards - 0.5 * Vec2(size.width, size.height);
+    const Vec2 fromCentre = anchor - 0.5 * Vec2(size.width, size.height);
     const double kept = 1.0 - distance / camera.distance;
-    camera = panned(camera, -kept * fromMiddle, size);
+    camera = panned(camera, -kept * fromCentre, size);
     camera.distance = distance;
     return camera;
 }
 
-Camera framing(Camera camera, const Box3& box, PictureSize size) {
+Camera framing(Camera camera, const Box3& box, ImageSize size) {
     if (box.isEmpty()) return camera;
     camera.target = box.centre();
     const CameraAxes axes = axesOf(camera);
@@ -136,17 +136,17 @@ Camera framing(Camera camera, const Box3& box, PictureSize size) {
     return camera;
 }
 
-Camera between(const Camera& from, const Camera& to, double share) {
+Camera interpolated(const Camera& from, const Camera& to, double fraction) {
     Camera camera = to;
-    camera.target = from.target + share * (to.target - from.target);
-    camera.azimuth = from.azimuth + share * wrapped(to.azimuth - from.azimuth);
-    camera.elevation = from.elevation + share * (to.elevation - from.elevation);
-    camera.distance = from.distance + share * (to.distance - from.distance);
-    camera.fieldOfView = from.fieldOfView + share * (to.fieldOfView - from.fieldOfView);
-    return share >= 1.0 ? to : camera;
+    camera.target = from.target + fraction * (to.target - from.target);
+    camera.azimuth = from.azimuth + fraction * wrapped(to.azimuth - from.azimuth);
+    camera.elevation = from.elevation + fraction * (to.elevation - from.elevation);
+    camera.distance = from.distance + fraction * (to.distance - from.distance);
+    camera.fieldOfView = from.fieldOfView + fraction * (to.fieldOfView - from.fieldOfView);
+    return fraction >= 1.0 ? to : camera;
 }
 
-CameraMatrices matricesOf(const Camera& camera, PictureSize size, Vec3 origin, const Box3& bounds) {
+CameraMatrices matricesOf(const Camera& camera, ImageSize size, Vec3 origin, const Box3& bounds) {
     const double halfHeight = camera.distance * halfTangent(camera);
     const auto [nearest, farthest] =
         bounds.isEmpty() ? std::array{camera.distance, camera.distance} : depthsOf(bounds, camera);

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/play/Session.h"
+#include "core/play/session/Session.h"
 #include "viewport/scene/RenderScene.h"
 
 namespace rubble {
 
-/// Adds the dust that the recent breaks of a session raised, to a scene that is drawn of it: puffs that begin where pieces
-/// came apart, drift away from where the whole was hit, grow and fade within about 0.8 s. The same for the same breaks;
-/// nothing touches it.
+/// Adds the dust of a session's recent breaks to its scene: puffs that start at the cuts between the pieces, drift away
+/// from the point of impact, grow, and fade within about 0.8 s. Deterministic; purely visual.
 void addDust(RenderScene& scene, const Session& session);
 
 }  // namespace rubble

@@ -33,8 +33,8 @@ void PieceBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
 void PieceBuilder::endFace() {
     const bool areAllEdges = std::ranges::find(m_isEdge, false) == m_isEdge.end();
     if (areAllEdges && m_corners.size() == 4) return addQuad();
-    if (!areAllEdges && m_corners.size() == 3) return addTriangleWithGaps();
-    areAllEdges ? addFan() : addFanWithGaps();
+    if (!areAllEdges && m_corners.size() == 3) return addTriangleWithHiddenEdges();
+    areAllEdges ? addFan() : addFanWithHiddenEdges();
 }
 
 std::uint32_t PieceBuilder::add(SceneVertex vertex, std::uint8_t s, std::uint8_t t) {
@@ -56,14 +56,14 @@ void PieceBuilder::addQuad() {
     addTriangle(first, first + 2, first + 3);
 }
 
-/// Of two edges at most: one for each direction of SceneVertex::across.
-void PieceBuilder::addTriangleWithGaps() {
-    const std::size_t gap = static_cast<std::size_t>(std::ranges::find(m_isEdge, false) - m_isEdge.begin());
-    const std::size_t start = (gap + 1) % 3, middle = (gap + 2) % 3;
+/// Has at most two visible edges: one per direction of SceneVertex::across.
+void PieceBuilder::addTriangleWithHiddenEdges() {
+    const std::size_t hidden = static_cast<std::size_t>(std::ranges::find(m_isEdge, false) - m_isEdge.begin());
+    const std::size_t start = (hidden + 1) % 3, middle = (hidden + 2) % 3;
     const std::uint8_t s = m_isEdge[start] ? kOnEdge : kAway, t = m_isEdge[middle] ? kOnEdge : kAway;
     const std::uint32_t first = add(m_corners[start], s, kAway);
     add(m_corners[middle], s, t);
-    add(m_corners[gap], kAway, t);
+    add(m_corners[hidden], kAway, t);
     addTriangle(first, first + 1, first + 2);
 }
 
@@ -79,7 +79,7 @@ SceneVertex PieceBuilder::centre() const {
     return centre;
 }
 
-/// Triangles around the centre: each has one of the face's edges.
+/// A fan around the centre: each triangle has one edge of the face.
 void PieceBuilder::addFan() {
     const auto count = static_cast<std::uint32_t>(m_corners.size());
     const std::uint32_t middle = add(centre(), kAway, kAway);
@@ -87,8 +87,8 @@ void PieceBuilder::addFan() {
     for (std::uint32_t k = 0; k < count; ++k) addTriangle(middle, middle + 1 + k, middle + 1 + (k + 1) % count);
 }
 
-/// The same where some edges must not show: no triangle shares corners with the next.
-void PieceBuilder::addFanWithGaps() {
+/// The same with hidden edges: the triangles share no corners.
+void PieceBuilder::addFanWithHiddenEdges() {
     const SceneVertex middle = centre();
     for (std::size_t k = 0; k < m_corners.size(); ++k) {
         const std::uint8_t s = m_isEdge[k] ? kOnEdge : kAway;

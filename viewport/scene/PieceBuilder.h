@@ -13,7 +13,7 @@ public:
 
     /// Begins a face; its corners follow.
     void beginFace(Vec3 normal, FaceSide side);
-    /// `isEdge` tells of the way to the next corner.
+    /// `isEdge`: the edge to the next corner is visible.
     void addCorner(Vec3 position, Vec2 uv, bool isEdge);
     void endFace();
 
@@ -21,14 +21,14 @@ private:
     std::uint32_t add(SceneVertex vertex, std::uint8_t s, std::uint8_t t);
     void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void addQuad();
-    void addTriangleWithGaps();
+    void addTriangleWithHiddenEdges();
     SceneVertex centre() const;
     void addFan();
-    void addFanWithGaps();
+    void addFanWithHiddenEdges();
 
     SceneGeometry& m_geometry;
     std::uint32_t m_piece;
-    SceneVertex m_like;  // what all corners of the face have
+    SceneVertex m_like;  // what all corners of the face have in common
     std::vector<SceneVertex> m_corners;
     std::vector<bool> m_isEdge;
 };

@@ -4,25 +4,25 @@
 
 namespace rubble {
 
-/// What a moment of play shows beside bodies.
+/// Debug overlays of a scene in play.
 struct PlayOverlays {
-    bool hasContacts = false;  // points where bodies touch, red where they overlap by more than kDeepOverlap
-    bool hasNormals = false;   // from the first body to the second
-    bool hasImpulses = false;  // the longer the stronger: see impulseLength()
-    bool hasBoxes = false;     // that the broad phase keeps
-    bool hasIslands = false;   // a colour for what hangs together by contacts
-    bool hasSleep = false;     // what sleeps is blue
-    bool hasHeat = false;      // how near each body is to breaking: see heatColour()
-    bool hasHulls = false;     // over the bodies
+    bool hasContacts = false;  // contact points, red where bodies overlap by more than kDeepOverlap
+    bool hasNormals = false;   // contact normals, from the first body to the second
+    bool hasImpulses = false;  // contact impulses: see impulseLength()
+    bool hasBoxes = false;     // boxes of the broad phase
+    bool hasIslands = false;   // colours bodies by island
+    bool hasSleep = false;     // colours sleeping bodies blue
+    bool hasHeat = false;      // colours bodies by impact ÷ threshold: see heatColour()
+    bool hasHulls = false;     // collision hulls
     bool operator==(const PlayOverlays&) const = default;
 };
 
-/// How near a body is to breaking: impact ÷ threshold, at 1 and above it breaks.
+/// Impact ÷ threshold of a body; it breaks at 1 and above.
 struct BodyHeat {
     std::uint32_t body = 0;  // its number
     double value = 0.0;
 };
 
-inline constexpr double kDeepOverlap = 0.005;  // m: what a resting contact does not reach
+inline constexpr double kDeepOverlap = 0.005;  // m: more than resting contacts reach
 
 }  // namespace rubble

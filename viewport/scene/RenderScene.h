@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/Project.h"
+#include "core/asset/project/Project.h"
 #include "viewport/scene/SceneGeometry.h"
 #include "viewport/scene/SurfaceHeat.h"
 
@@ -15,36 +15,35 @@
 
 namespace rubble {
 
-/// What a click hits: a fragment of an asset, where it stands. As a mark of what is hidden or selected it may also name
-/// many: an instance of 0 stands for all, a fragment of kNone for all fragments and the whole.
+/// The body under a pixel: one fragment of one instance. In SceneMarks it may match several bodies: instance 0 matches
+/// all instances, fragment kNone matches all fragments and the whole.
 struct PickId {
     Id asset = 0;
-    Id instance = 0;                 // 0: the asset by itself
+    Id instance = 0;                 // 0: the asset shown by itself
     std::uint32_t fragment = kNone;  // index in Bake::fragments; kNone: the whole
-    std::uint32_t origin = 0;        // in play: index in Session::origins(); as a mark it says nothing
+    std::uint32_t origin = 0;        // in play: index in Session::origins(); ignored in SceneMarks
     auto operator<=>(const PickId&) const = default;
 };
 
-/// Where a body stands.
-struct DrawnPose {
-    glm::vec4 position{
-        0.0f};  // m, relative to RenderScene::origin; w: how much it has shrunk, 0 as it is, 1 to a point
+/// The pose of a body as shaders take it.
+struct RenderPose {
+    glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: shrinkage, from 0 (full size) to 1 (a point)
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
-    bool operator==(const DrawnPose&) const = default;
+    bool operator==(const RenderPose&) const = default;
 };
 
-/// Where a pose is drawn in a scene with that origin.
-DrawnPose drawnPose(const Pose& pose, Vec3 origin);
+/// The pose relative to a scene's origin.
+RenderPose renderPose(const Pose& pose, Vec3 origin);
 
-/// Between two poses: `share` 0 gives `from`, 1 gives `to`. Turns the shorter way round, as shaders do.
-DrawnPose between(const DrawnPose& from, const DrawnPose& to, double share);
+/// Interpolates two poses: `fraction` 0 gives `from`, 1 gives `to`. Rotates the shorter way, as the shaders do.
+RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fraction);
 
-/// What a body looks like. Colours are sRGB, 0xRRGGBB.
-struct BodyLook {
+/// Colours and marks of a body. Colours are sRGB, 0xRRGGBB.
+struct BodyAppearance {
     std::uint32_t outside = 0xcccccc;
     std::uint32_t inside = 0x999999;
-    std::uint32_t marks = 0;  // of kHidden, kSelected, kHovered
-    std::uint32_t heat = 0;   // its row in RenderScene::heats, and one; 0: it has the same colour all over
+    std::uint32_t marks = 0;  // bits: kHidden, kSelected, kHovered
+    std::uint32_t heat = 0;   // its row in RenderScene::heats plus one; 0: one colour for the whole surface
 };
 inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
@@ -53,71 +52,72 @@ inline constexpr std::uint32_t kHovered = 4;
 /// All instances of one geometry.
 struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
-    std::shared_ptr<const SceneGeometry> hulls;  // the same pieces as convex hulls; null where they are not shown
-    std::vector<std::uint32_t> firstBodies;      // an instance each: the body of its piece 0, others follow
+    std::shared_ptr<const SceneGeometry> hulls;  // the same pieces as convex hulls; null if not shown
+    std::vector<std::uint32_t> firstBodies;      // per instance: the body of its piece 0; the other pieces follow
     bool operator==(const SceneBatch&) const = default;
 };
 
-/// A line in the scene, as wide in the picture wherever it is; seen faintly where something is before it.
-struct SceneStroke {
-    glm::vec4 from{0.0f};    // m, relative to RenderScene::origin; w: its radius, points
-    glm::vec4 to{0.0f};      // the same as `from` for a dot; w: of StrokeEnd
-    glm::vec4 colour{1.0f};  // sRGB and opacity
-    glm::vec4 back{0.0f};    // m: how far off it was a step before
+/// A line in the scene, of constant width on screen; where something occludes it, it is drawn faintly.
+struct SceneLine {
+    glm::vec4 from{0.0f};            // m, relative to RenderScene::origin; w: radius, points
+    glm::vec4 to{0.0f};              // equal to `from` for a dot; w: a LineEnd
+    glm::vec4 colour{1.0f};          // sRGB and opacity
+    glm::vec4 previousOffset{0.0f};  // m: its position one step earlier minus its position now
 };
-enum class StrokeEnd { Round, Arrow };
+enum class LineEnd { Round, Arrow };
 
-/// A cloud of dust that faces whoever looks at it.
+/// A dust billboard.
 struct DustPuff {
-    glm::vec4 place{0.0f};   // m, relative to RenderScene::origin; w: its radius, m
-    glm::vec4 back{0.0f};    // m: how far off it was a step before; w: opacity in its middle
-    glm::vec4 colour{1.0f};  // sRGB; w: what its shape is told apart by, in [0, 1)
+    glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: radius, m
+    glm::vec4 previousOffset{
+        0.0f};               // m: its position one step earlier minus its position now; w: opacity at its centre
+    glm::vec4 colour{1.0f};  // sRGB; w: seed of its noise, in [0, 1)
 };
 
-/// Numbers from the least to the greatest.
+/// A closed interval of numbers.
 struct ValueRange {
     double least = 0.0;
     double most = 0.0;
     bool operator==(const ValueRange&) const = default;
 };
 
-/// What is asked of a scene as a whole.
+/// Properties of a scene as a whole.
 struct SceneSummary {
-    Box3 bounds;  // as boundsOf() gives it
+    Box3 bounds;  // see boundsOf()
     bool hasSelected = false;
 };
 
-/// A whole picture as a value: everything that is drawn but not from where. Geometry is shared and large; the rest is
-/// small, a few numbers a body, so that moving, colouring, selecting and exploding cost little.
+/// Everything that is drawn, as a value, without the camera. Geometry is large and shared between scenes; the rest is a
+/// few numbers per body, so that moving, colouring, selecting and exploding bodies is cheap.
 struct RenderScene {
-    Vec3 origin{0.0, 0.0, 0.0};  // m, in the world: motions are relative to it, which keeps their digits
+    Vec3 origin{0.0, 0.0, 0.0};  // m, in the world: poses are relative to it, so that floats stay precise far from zero
     std::vector<SceneBatch> batches;
-    std::vector<DrawnPose> motions;  // this and the following: one a body
-    std::vector<BodyLook> looks;
+    std::vector<RenderPose> poses;  // this and the following three: one per body
+    std::vector<BodyAppearance> appearances;
     std::vector<PickId> picks;
-    std::vector<DrawnPose> earlier;  // motions a step before, of what was there then; empty where nothing moves
-    std::vector<glm::vec4> apart;    // m, where to at an exploded factor of 1; empty where nothing is exploded
-    double exploded = 0.0;           // factor of `apart`
-    bool isOutdoors = false;         // under a sky with a horizon and with a scale, as in play
+    std::vector<RenderPose> previousPoses;  // one step earlier; empty if nothing moves
+    std::vector<glm::vec4> explodeOffsets;  // m, one per body at an explode factor of 1; empty if nothing is exploded
+    double explodeFactor = 0.0;             // scales `explodeOffsets`
+    bool isOutdoors = false;                // draws a sky, a horizon and a scale bar, as in play
     bool hasGround = true;
     double groundHeight = 0.0;              // m
-    std::optional<ValueRange> colourRange;  // of what bodies are coloured by, where that is a figure
-    double largestBond = 0.0;               // m^2: what the widest line between pieces stands for; 0: there are none
-    std::vector<SceneStroke> strokes;
-    std::vector<SceneStroke> boxes;  // along the axes, from one corner to the opposite
+    std::optional<ValueRange> colourRange;  // of the quantity that bodies are coloured by, if any
+    double largestBondArea = 0.0;           // m^2, of the widest bond line; 0: there are no bond lines
+    std::vector<SceneLine> lines;
+    std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<DustPuff> puffs;
-    std::vector<SurfaceHeat> heats;  // of bodies that are coloured by heat, place by place
+    std::vector<SurfaceHeat> heats;  // of the bodies with a heat that varies over the surface
     HeatSource heatSource;
-    std::optional<SceneSummary> summary;  // of this scene, found where it was made; none: whoever asks finds it
+    std::optional<SceneSummary> summary;  // cached; see summaryOf()
 };
 
-/// Where a body is drawn at a moment in [0, 1] of the step that led to the scene (see PictureView).
-DrawnPose poseAt(const RenderScene& scene, std::uint32_t body, double moment);
+/// The pose of a body at a fraction in [0, 1] of the step that led to the scene: 0 before it, 1 after it.
+RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFraction);
 
-/// How far a body is moved in the exploded view, m.
-Vec3 movedApart(const RenderScene& scene, std::uint32_t body);
+/// The displacement of a body in the exploded view, m.
+Vec3 explodeOffset(const RenderScene& scene, std::uint32_t body);
 
-/// Marks bodies anew: a body is hidden, selected or hovered where one of the ids stands for it.
+/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it.
 struct SceneMarks {
     std::vector<PickId> hidden;
     std::vector<PickId> selected;
@@ -125,13 +125,13 @@ struct SceneMarks {
 };
 void setMarks(RenderScene& scene, const SceneMarks& marks);
 
-/// A box in the world around all bodies that are not hidden, as exploded as they are, where they are and where they were
-/// earlier; around those only that have one of `marks`, where it is given. Empty (min > max) where there are none.
+/// The bounding box, in the world, of all visible bodies as exploded, at their current and previous poses. `marks`: if
+/// not 0, only of bodies with one of these marks. Empty (min > max) if there are none.
 Box3 boundsOf(const RenderScene& scene, std::uint32_t marks = 0);
-/// The same with bodies at these poses, of all of them.
-Box3 boundsAt(const RenderScene& scene, std::span<const DrawnPose> poses, std::uint32_t marks = 0);
+/// The same, with the bodies at the given poses.
+Box3 boundsAt(const RenderScene& scene, std::span<const RenderPose> poses, std::uint32_t marks = 0);
 
-/// The scene's own, or found anew where it has none. Linear in bodies then.
+/// The cached summary; computed in time linear in bodies if there is none.
 SceneSummary summaryOf(const RenderScene& scene);
 
 }  // namespace rubble

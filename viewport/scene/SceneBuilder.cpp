@@ -1,7 +1,7 @@
 #include "viewport/scene/SceneBuilder.h"
 
 #include "viewport/scene/BodyColours.h"
-#include "viewport/scene/BondStrokes.h"
+#include "viewport/scene/BondLines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ bool isSameBake(const std::shared_ptr<const Bake>& a, const std::shared_ptr<cons
     return a == b || (a && b && a->asset == b->asset && a->input == b->input);
 }
 
-/// Whether the geometry of a model is that of an asset with a bake.
+/// Whether a model can be reused for an asset with a bake.
 bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t variant,
                const std::shared_ptr<const Bake>& bake, const SceneOptions& options) {
     return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
@@ -23,11 +23,11 @@ bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t varian
            (model.bonds || !options.hasBonds || !bake);
 }
 
-/// Puts a scene together, body by body.
+/// Assembles a scene from models.
 class SceneAssembly {
 public:
     SceneAssembly(const Project& project, const SceneOptions& options) : m_project(project), m_options(options) {
-        m_scene.exploded = options.exploded;
+        m_scene.explodeFactor = options.explodeFactor;
     }
 
     void add(const AssetModel& model) {
@@ -42,46 +42,46 @@ public:
     }
 
     RenderScene finished() {
-        paintBodies(m_scene, m_models, m_project, m_options.colouring);
+        colourBodies(m_scene, m_models, m_project, m_options.colouring);
         setMarks(m_scene, m_options.marks);
         explode();
-        if (m_options.hasBonds) addBonds(m_scene, m_models);
+        if (m_options.hasBonds) addBondLines(m_scene, m_models);
         return std::move(m_scene);
     }
 
 private:
     void addInstance(const AssetModel& model, Id instance, const Pose& pose) {
-        if (m_scene.motions.empty()) m_scene.origin = pose.position;
-        m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.motions.size()));
+        if (m_scene.poses.empty()) m_scene.origin = pose.position;
+        m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.poses.size()));
         for (const ModelPiece& piece : model.pieces) {
             const Vec3 position = pose.position + pose.orientation * piece.offset;
-            m_scene.motions.push_back(drawnPose({position, pose.orientation}, m_scene.origin));
-            m_scene.looks.emplace_back();
+            m_scene.poses.push_back(renderPose({position, pose.orientation}, m_scene.origin));
+            m_scene.appearances.emplace_back();
             m_scene.picks.push_back({model.asset.id, instance, piece.fragment});
         }
     }
 
-    /// Where each body goes when exploded: away from the middle, or from the middle of the ground.
+    /// Computes the explode offsets: away from the scene's centre, at ground height if there is a ground.
     void explode() {
-        m_scene.exploded = 0.0;
+        m_scene.explodeFactor = 0.0;
         const Box3 bounds = boundsOf(m_scene);
-        m_scene.exploded = m_options.exploded;
+        m_scene.explodeFactor = m_options.explodeFactor;
         if (bounds.isEmpty()) return;
         m_scene.hasGround = m_options.asset != 0 || m_project.ground.isOn;
         m_scene.groundHeight = m_options.asset != 0 ? bounds.min.y : m_project.ground.height;
-        Vec3 middle = bounds.centre();
-        if (m_scene.hasGround) middle.y = std::min(m_scene.groundHeight, bounds.min.y);
-        if (m_options.exploded == 0.0) return;
-        const glm::vec3 fromMiddle(middle - m_scene.origin);
-        for (const DrawnPose& motion : m_scene.motions) {
-            m_scene.apart.emplace_back(glm::vec3(motion.position) - fromMiddle, 0.0f);
+        Vec3 centre = bounds.centre();
+        if (m_scene.hasGround) centre.y = std::min(m_scene.groundHeight, bounds.min.y);
+        if (m_options.explodeFactor == 0.0) return;
+        const glm::vec3 relativeCentre(centre - m_scene.origin);
+        for (const RenderPose& pose : m_scene.poses) {
+            m_scene.explodeOffsets.emplace_back(glm::vec3(pose.position) - relativeCentre, 0.0f);
         }
     }
 
     const Project& m_project;
     const SceneOptions& m_options;
     RenderScene m_scene;
-    std::vector<const AssetModel*> m_models;  // one a batch
+    std::vector<const AssetModel*> m_models;  // one per batch
 };
 
 }  // namespace

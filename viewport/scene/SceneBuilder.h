@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/AssetBakes.h"
+#include "core/asset/bake/AssetBakes.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <cstdint>
@@ -9,38 +9,38 @@
 
 namespace rubble {
 
-/// What the colours of pieces say. Threshold: at which what a piece is a part of breaks, so that it comes loose.
+/// What pieces are coloured by. Threshold: of the parent, whose break releases the piece.
 enum class SceneColouring { Material, Piece, Level, Volume, Mass, Aspect, Threshold };
 
-/// What a scene shows and how.
+/// The content of a scene.
 struct SceneOptions {
-    Id asset = 0;  // only this one, in its prism's frame; 0: every instance where it stands
+    Id asset = 0;  // shows this asset alone, in its prism's frame; 0: all instances at their poses
     SceneColouring colouring = SceneColouring::Material;
-    std::uint32_t level = kNone;  // the deepest level that is shown; kNone: down to the smallest fragments
-    double exploded = 0.0;        // 0: together; at 1, twice as far from the middle as they are
+    std::uint32_t level = kNone;  // the deepest level shown; kNone: the leaf fragments
+    double explodeFactor = 0.0;   // 0: assembled; 1: twice as far from the centre
     bool hasHulls = false;
-    bool hasBonds = false;  // lines from middle to middle of pieces that touch, as wide as what they share
-    bool isWhole = false;   // bakes are left aside
+    bool hasBonds = false;  // lines between bonded pieces, their width by area
+    bool isWhole = false;   // ignores the bakes
     SceneMarks marks;
 };
 
-/// An asset as it is drawn; shared by all scenes until its bake or its prism changes.
 struct AssetModel;
 
-/// Makes scenes, keeping the geometry of the last one: what did not change is shared with it, by pointer, and need
-/// not be made or uploaded again.
+/// Builds scenes and keeps the geometry of the last one: unchanged geometry is shared with it, by pointer, and is
+/// neither built nor uploaded again.
 class SceneBuilder {
 public:
-    /// The project's instances, or one asset; an asset without a bake is shown whole. Instances of assets that are not there, and assets whose prism cannot be
-    /// fractured, are left out. An asset by itself stands on the ground. Bodies: instance by instance, in the project's
-    /// order within each asset; pieces in the bake's order. Linear in bodies, and in the corners of new bakes.
+    /// The project's instances, or one asset. An asset without a bake is shown whole; missing assets and prisms that
+    /// cannot be fractured are left out. An asset by itself stands on the ground. Bodies are ordered by asset, then by
+    /// instance in the project's order, then by piece in the bake's order. Linear in bodies, and in the vertices of new
+    /// bakes.
     RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options);
 
 private:
     std::vector<std::shared_ptr<const AssetModel>> m_models;
 };
 
-/// The same with nothing kept.
+/// The same without a cache.
 RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options = {});
 
 }  // namespace rubble

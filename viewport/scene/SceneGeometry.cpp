@@ -10,7 +10,7 @@ namespace {
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;  // from position to position
 
-/// The ways along all edges of faces [first, end), sorted.
+/// The directed edges of faces [first, end), sorted.
 std::vector<DirectedEdge> edgesOf(const Mesh& mesh, std::size_t first, std::size_t end) {
     std::vector<DirectedEdge> edges;
     for (std::size_t f = first; f < end; ++f) {
@@ -23,10 +23,10 @@ std::vector<DirectedEdge> edgesOf(const Mesh& mesh, std::size_t first, std::size
     return edges;
 }
 
-/// Adds faces [first, end), which lie in one plane.
+/// Adds the coplanar faces [first, end).
 void addFaces(const Mesh& mesh, std::size_t first, std::size_t end, PieceBuilder& builder) {
-    const bool isOne = end - first == 1;
-    const std::vector<DirectedEdge> edges = isOne ? std::vector<DirectedEdge>() : edgesOf(mesh, first, end);
+    const bool isSingle = end - first == 1;
+    const std::vector<DirectedEdge> edges = isSingle ? std::vector<DirectedEdge>() : edgesOf(mesh, first, end);
     for (std::size_t f = first; f < end; ++f) {
         const MeshFace& face = mesh.faces[f];
         builder.beginFace(mesh.normals[face.normal], face.side);
@@ -34,7 +34,7 @@ void addFaces(const Mesh& mesh, std::size_t first, std::size_t end, PieceBuilder
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const DirectedEdge back{corners[(k + 1) % corners.size()].position, corners[k].position};
             builder.addCorner(mesh.positions[corners[k].position], mesh.uvs[corners[k].uv],
-                              isOne || !std::ranges::binary_search(edges, back));
+                              isSingle || !std::ranges::binary_search(edges, back));
         }
         builder.endFace();
     }

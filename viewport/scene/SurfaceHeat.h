@@ -1,31 +1,32 @@
 #pragma once
 
-#include "core/geometry/Vec.h"
+#include "core/geometry/predicates/Vec.h"
 
 #include <glm/vec4.hpp>
 
 namespace rubble {
 
 struct BodyForecast;
-struct ForecastMissile;
+struct ForecastProjectile;
 
-/// From where the heat of surfaces comes: what is thrown, as shaders take it. The same for all bodies of a scene.
+/// The projectile of a break forecast as shaders take it; the same for all bodies of a scene.
 struct HeatSource {
     glm::vec4 from{0.0f};     // m, relative to RenderScene::origin; w: 1 / its mass
-    glm::vec4 gravity{0.0f};  // m/s^2; w: the square of its speed at the start
+    glm::vec4 gravity{0.0f};  // m/s^2; w: its initial speed squared
 };
 
-/// What the heat of a body's surface follows from at every point of it, in closed form: BodyForecast::at() as shaders take it.
-/// All vectors are of the scene's axes.
+/// The coefficients of a body's break forecast, from which the shader computes BodyForecast::at() for every pixel. All
+/// vectors are in scene axes.
 struct SurfaceHeat {
-    glm::vec4 centre{0.0f};    // m, relative to RenderScene::origin; w: 1 / its mass
-    glm::vec4 velocity{0.0f};  // m/s; w: 1 / its threshold
-    glm::vec4 spin{0.0f};      // rad/s; w: 1 + the restitution between it and what is thrown
-    glm::vec4 inertia{0.0f};   // of the inverse: xx, yy, zz; w: nothing
-    glm::vec4 products{0.0f};  // of the inverse: xy, xz, yz; w: by the momentum rule its own momentum, N s; else -1
+    glm::vec4 centre{0.0f};           // m, relative to RenderScene::origin; w: 1 / its mass
+    glm::vec4 velocity{0.0f};         // m/s; w: 1 / its threshold
+    glm::vec4 angularVelocity{0.0f};  // rad/s; w: 1 + the restitution of the pair
+    glm::vec4 inertia{0.0f};          // of the inverse inertia: xx, yy, zz; w: unused
+    glm::vec4 products{
+        0.0f};  // of the inverse inertia: xy, xz, yz; w: under the momentum rule its own momentum, N s; else -1
 };
 
-HeatSource heatSource(const ForecastMissile& missile, Vec3 origin);
+HeatSource heatSource(const ForecastProjectile& projectile, Vec3 origin);
 SurfaceHeat surfaceHeat(const BodyForecast& forecast, Vec3 origin);
 
 }  // namespace rubble

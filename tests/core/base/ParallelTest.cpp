@@ -1,4 +1,5 @@
 #include "core/base/Parallel.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -9,17 +10,17 @@ using namespace rubble;
 class ParallelTest : public QObject {
     Q_OBJECT
 private slots:
-    void everyIndexIsDoneOnceAtAnyNumberOfThreads() {
+    void everyIndexIsVisitedOnceForAnyThreadCount() {
         for (const int threads : {-1, 0, 1, 2, 7, 100}) {
             std::vector<int> calls(50, 0);
             forEachIndex(calls.size(), threads, [&](std::size_t index) { ++calls[index]; });
             QCOMPARE(calls, std::vector<int>(50, 1));
         }
     }
-    void nothingIsDoneForNoIndices() {
-        forEachIndex(0, 4, [](std::size_t) { QFAIL("there is no index to work on"); });
+    void zeroIndicesCallNothing() {
+        forEachIndex(0, 4, [](std::size_t) { QFAIL("called without an index"); });
     }
 };
 
-QTEST_APPLESS_MAIN(ParallelTest)
+RUBBLE_TEST(ParallelTest)
 #include "ParallelTest.moc"

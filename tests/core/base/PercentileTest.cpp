@@ -1,4 +1,5 @@
 #include "core/base/Percentile.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -7,7 +8,7 @@ using namespace rubble;
 class PercentileTest : public QObject {
     Q_OBJECT
 private slots:
-    void theSmallestValueThatTheShareDoesNotExceed() {
+    void nearestRankPercentiles() {
         const std::vector<double> values{5.0, 1.0, 4.0, 2.0, 3.0};
         QCOMPARE(percentile(values, 0.0), 1.0);
         QCOMPARE(percentile(values, 0.2), 1.0);
@@ -15,8 +16,8 @@ private slots:
         QCOMPARE(percentile(values, 0.99), 5.0);
         QCOMPARE(percentile(values, 1.0), 5.0);
     }
-    void oneValueIsEveryPercentile() { QCOMPARE(percentile({7.0}, 0.5), 7.0); }
+    void singleValueIsEveryPercentile() { QCOMPARE(percentile({7.0}, 0.5), 7.0); }
 };
 
-QTEST_APPLESS_MAIN(PercentileTest)
+RUBBLE_TEST(PercentileTest)
 #include "PercentileTest.moc"

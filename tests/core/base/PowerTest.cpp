@@ -1,5 +1,6 @@
 #include "core/base/Power.h"
 #include "core/base/Random.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@ using namespace rubble;
 class PowerTest : public QObject {
     Q_OBJECT
 private slots:
-    void wellKnownPowers() {
+    void knownPowers() {
         QCOMPARE(power(0.0, 0.0), 1.0);
         QCOMPARE(power(0.0, 1.5), 0.0);
         QCOMPARE(power(1.0, 123.0), 1.0);
@@ -19,12 +20,12 @@ private slots:
         QCOMPARE(power(2.0, 10.0), 1024.0);
         QCOMPARE(power(0.25, 0.5), 0.5);
     }
-    void theBitsAreFixedForEver() {
+    void bitsAreFixed() {
         QCOMPARE(std::bit_cast<std::uint64_t>(power(3.0, 1.5)), std::uint64_t{0x4014c8dc2e423980u});
         QCOMPARE(std::bit_cast<std::uint64_t>(power(0.1, 0.3)), std::uint64_t{0x3fe009b9cf334253u});
         QCOMPARE(std::bit_cast<std::uint64_t>(power(1e-300, 0.9)), std::uint64_t{0x07e0e7c9eebc43a1u});
     }
-    void randomPowersAreTheTrueOnes() {
+    void randomPowersMatchLongDouble() {
         const std::uint64_t seed = 17;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
@@ -38,5 +39,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PowerTest)
+RUBBLE_TEST(PowerTest)
 #include "PowerTest.moc"

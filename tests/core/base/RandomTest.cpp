@@ -1,4 +1,5 @@
 #include "core/base/Random.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -7,7 +8,7 @@ using namespace rubble;
 class RandomTest : public QObject {
     Q_OBJECT
 private slots:
-    void streamsAreFixedForEver() {
+    void streamsAreFixed() {
         Random random(1);
         const std::uint64_t first = random.next();
         Random again(1);
@@ -15,7 +16,7 @@ private slots:
         QVERIFY(Random(2).next() != first);
         QCOMPARE(first, std::uint64_t{12966619160104079557u});
     }
-    void unitStaysBelowOneAndFillsTheInterval() {
+    void unitIsUniformInHalfOpenInterval() {
         Random random(7);
         double sum = 0.0;
         for (int i = 0; i < 100000; ++i) {
@@ -31,8 +32,8 @@ private slots:
         for (int i = 0; i < 5000; ++i) ++hits[random.below(5)];
         for (const int hit : hits) QVERIFY(hit > 850 && hit < 1150);
     }
-    void betweenGivesLowForAnEmptyRange() { QCOMPARE(Random(1).between(2.0, 2.0), 2.0); }
+    void betweenReturnsLowForEmptyRange() { QCOMPARE(Random(1).between(2.0, 2.0), 2.0); }
 };
 
-QTEST_APPLESS_MAIN(RandomTest)
+RUBBLE_TEST(RandomTest)
 #include "RandomTest.moc"

@@ -1,4 +1,5 @@
 #include "core/base/Utf8.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -7,13 +8,13 @@ using namespace rubble;
 class Utf8Test : public QObject {
     Q_OBJECT
 private slots:
-    void wellFormedTextIsTaken() {
+    void wellFormedTextIsAccepted() {
         for (const char* text : {"", "wall", "\x7f", "M\xc3\xa4uerchen", "\xc2\x80\xdf\xbf", "\xe0\xa0\x80\xef\xbf\xbf",
                                  "\xed\x9f\xbf\xee\x80\x80", "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf"})
             QVERIFY2(isUtf8(text), text);
         QVERIFY(isUtf8(std::string_view("\0", 1)));
     }
-    void malformedTextIsRefused_data() {
+    void malformedTextIsRejected_data() {
         QTest::addColumn<QByteArray>("text");
         const auto row = [](const char* name, const char* text) { QTest::newRow(name) << QByteArray(text); };
         row("Latin-1", "M\xe4uer");
@@ -28,11 +29,11 @@ private slots:
         row("cut after two of three", "\xe2\x82");
         row("cut after three of four", "\xf0\x9f\x98");
     }
-    void malformedTextIsRefused() {
+    void malformedTextIsRejected() {
         QFETCH(QByteArray, text);
         QVERIFY(!isUtf8(text.toStdString()));
     }
 };
 
-QTEST_APPLESS_MAIN(Utf8Test)
+RUBBLE_TEST(Utf8Test)
 #include "Utf8Test.moc"

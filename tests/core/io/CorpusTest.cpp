@@ -1,5 +1,7 @@
-#include "core/io/AtomicFile.h"
+// Tests the readers of core/io with the corpora of tests/corpus.
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/FuzzedReaders.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -31,11 +33,11 @@ std::vector<fs::path> inputsOf(const char* target) {
 }  // namespace
 Q_DECLARE_METATYPE(Reader)
 
-/// Replays what fuzzing begins with and all that it ever found.
+/// Reads the seed corpus of the fuzz tests and everything they ever found.
 class CorpusTest : public QObject {
     Q_OBJECT
 private slots:
-    void everyInputIsReadOrRefused_data() {
+    void everyInputIsReadOrRejected_data() {
         QTest::addColumn<Reader>("reader");
         QTest::addColumn<QString>("path");
         for (const auto& [target, reader] : kReaders) {
@@ -45,7 +47,7 @@ private slots:
             }
         }
     }
-    void everyInputIsReadOrRefused() {
+    void everyInputIsReadOrRejected() {
         QFETCH(Reader, reader);
         QFETCH(QString, path);
         const Result<std::string> bytes = readFile(path.toStdString());
@@ -54,5 +56,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CorpusTest)
+RUBBLE_TEST(CorpusTest)
 #include "CorpusTest.moc"

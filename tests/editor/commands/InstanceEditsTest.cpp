@@ -1,7 +1,9 @@
-#include "core/io/ProjectFile.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/io/project/ProjectFile.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/Document.h"
 #include "tests/support/Projects.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -24,7 +26,7 @@ Project boxes(int count) {
     return project;
 }
 
-/// What an edit makes of a project. Undone, it gives the same bytes again.
+/// The project after an edit; verifies that undo restores the bytes.
 Project after(const Project& project, Edit edit) {
     Document document(project);
     document.push(std::move(edit));
@@ -44,17 +46,17 @@ constexpr Id kBoth[] = {10, 11};
 class InstanceEditsTest : public QObject {
     Q_OBJECT
 private slots:
-    void aGridHasACopyAtEveryPlaceButTheFirst() {
-        const Project changed = after(boxes(1), gridOf(boxes(1), kFirst, {{3, 2, 1}, {1.5, 1.0, 9.0}}));
+    void gridArrayAddsAllCopies() {
+        const Project changed = after(boxes(1), arrayInGrid(boxes(1), kFirst, {{3, 2, 1}, {1.5, 1.0, 9.0}}));
         QCOMPARE(changed.instances.size(), std::size_t{6});
         QCOMPARE(changed.instances[0].pose.position, Vec3(0.0));
         QCOMPARE(changed.instances[1].pose.position, Vec3(1.5, 0.0, 0.0));
         QCOMPARE(changed.instances[5].pose.position, Vec3(3.0, 1.0, 0.0));
         QCOMPARE(changed.instances[1].name, std::string("box 0 2"));
     }
-    void aRingTurnsItsCopiesWithIt() {
-        const RingArray ring{.count = 4, .middle = {-1.0, 0.0}, .turn = std::numbers::pi / 2.0};
-        const Project changed = after(boxes(1), ringOf(boxes(1), kFirst, ring));
+    void ringArrayRotatesItsCopies() {
+        const RingArray ring{.count = 4, .centre = {-1.0, 0.0}, .angle = std::numbers::pi / 2.0};
+        const Project changed = after(boxes(1), arrayInRing(boxes(1), kFirst, ring));
         QCOMPARE(changed.instances.size(), std::size_t{4});
         // A quarter turn about y takes x to -z.
         const Pose& quarter = changed.instances[1].pose;
@@ -62,25 +64,25 @@ private slots:
         QVERIFY(glm::distance(quarter.orientation * Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, -1.0)) < 1e-12);
         QVERIFY(glm::distance(changed.instances[2].pose.position, Vec3(-2.0, 0.0, 0.0)) < 1e-12);
     }
-    void theLowerOfTwoFallsFirst() {
+    void lowerInstanceIsDroppedFirst() {
         Project project = boxes(2);
         project.instances[0].pose.position = {0.0, 5.0, 0.0};
         project.instances[1].pose.position = {0.25, 3.0, 0.0};
-        const Project changed = after(project, dropInstances(project, kBoth));
+        const Project changed = after(project, dropToGround(project, kBoth));
         QCOMPARE(changed.instances[1].pose.position.y, 0.0);
         QCOMPARE(changed.instances[0].pose.position.y, 1.0);
-        QVERIFY(dropInstances(changed, kBoth).isEmpty());
+        QVERIFY(dropToGround(changed, kBoth).isEmpty());
     }
-    void variantsAreThoseThatNobodyElseHas() {
+    void variantsAreDistinct() {
         Project project = boxes(4);
         project.instances[3].variant = 1;
         const std::vector<Id> three{10, 11, 12};
-        const Project changed = after(project, spreadVariants(project, three));
+        const Project changed = after(project, assignDistinctVariants(project, three));
         std::vector<std::uint32_t> variants;
         for (const Instance& instance : changed.instances) variants.push_back(instance.variant);
         QCOMPARE(variants, (std::vector<std::uint32_t>{0, 2, 3, 1}));
     }
-    void hiddenAndLockedComeBack() {
+    void hideAndLockCanBeReversed() {
         const Project project = boxes(3);
         const Project hidden = after(project, hideInstances(project, kFirst));
         QVERIFY(hidden.instances[0].isHidden && !hidden.instances[1].isHidden);
@@ -91,19 +93,19 @@ private slots:
         QVERIFY(locked.instances[1].isLocked && !locked.instances[2].isLocked);
         QVERIFY(after(locked, unlockAllInstances(locked)) == project);
     }
-    void anAssetIsPlacedWhereItIsWanted() {
+    void placesAnInstanceAtAPose() {
         const Pose pose{.position = {1.0, 2.0, 3.0}};
         Addition added = placeInstance(boxes(1), 2, pose);
         const Project changed = after(boxes(1), std::move(added.edit));
         QVERIFY(findInstance(changed, added.id)->pose == pose);
         QVERIFY(findInstance(changed, 99) == nullptr);
     }
-    void aDragIsOneStepAndNoneWhereItComesBack() {
+    void dragIsOneUndoStep() {
         Document document(boxes(2));
-        const quint64 stroke = document.newStroke();
+        const quint64 mergeKey = document.newMergeKey();
         const auto moveTo = [&](double x) {
             const std::vector<Pose> poses{{.position = {x, 0.0, 0.0}}, {.position = {x + 2.0, 0.0, 0.0}}};
-            document.push(movedInstances("Move", document.project(), kBoth, poses, stroke));
+            document.push(moveInstances("Move", document.project(), kBoth, poses, mergeKey));
         };
         for (const double x : {0.25, 0.5, 0.75}) moveTo(x);
         QCOMPARE(document.undoStack().count(), 1);
@@ -114,5 +116,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(InstanceEditsTest)
+RUBBLE_TEST_WITH(InstanceEditsTest, QCoreApplication)
 #include "InstanceEditsTest.moc"

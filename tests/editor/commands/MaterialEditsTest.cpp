@@ -1,9 +1,11 @@
 #include "editor/commands/MaterialEdits.h"
 
-#include "core/asset/StarterProject.h"
-#include "core/asset/Threshold.h"
-#include "core/io/MaterialFile.h"
-#include "core/io/ProjectFile.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/asset/project/Threshold.h"
+#include "core/io/project/MaterialPresetFile.h"
+#include "core/io/project/ProjectFile.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
@@ -13,7 +15,7 @@ namespace {
 
 MaterialPreset preset(const char* name) { return findMaterial(materialLibrary(), name)->preset; }
 
-/// Carries an edit out; the project must be sound then, and undoing it must give the same bytes again.
+/// Applies an edit; verifies the project and that undo restores the bytes.
 Project after(Project project, Edit edit) {
     const std::string before = projectText(project);
     swapInto(project, edit);
@@ -29,7 +31,7 @@ Project after(Project project, Edit edit) {
 class MaterialEditsTest : public QObject {
     Q_OBJECT
 private slots:
-    void anAddedPresetIsACopyOnce() {
+    void presetIsAddedOnce() {
         Addition first = addMaterial(starterProject(), preset("glass"));
         const Project project = after(starterProject(), first.edit);
         QCOMPARE(project.materials.size(), std::size_t{2});
@@ -38,41 +40,42 @@ private slots:
         QVERIFY(again.edit.isEmpty());
         QCOMPARE(again.id, first.id);
     }
-    void aTakenNameIsNumbered() {
-        const Addition added = addMaterial(starterProject(), preset("plaster"));  // another plaster than the starter's
+    void takenNameGetsANumber() {
+        const Addition added =
+            addMaterial(starterProject(), preset("plaster"));  // differs from the starter project's plaster
         const Project project = after(starterProject(), added.edit);
         QCOMPARE(findMaterial(project, added.id)->name, std::string("plaster 2"));
     }
-    void anAssetIsMadeOfItWithPatternAndThreshold() {
+    void appliesPatternAndThreshold() {
         const Project before = starterProject();
         const Id wall = before.assets[0].id;
-        const Project project = after(before, makeOf(before, wall, preset("glass"), {true, true}));
+        const Project project = after(before, applyPreset(before, wall, preset("glass"), {true, true}));
         const Asset& asset = *findAsset(project, wall);
         QCOMPARE(findMaterial(project, asset.material)->name, std::string("glass"));
         QCOMPARE(asset.pattern.layers.size(), std::size_t{2});
         QVERIFY(std::holds_alternative<RadialPattern>(asset.pattern.layers[0].parameters));
-        QCOMPARE(asset.contactTime.value_or(0.0), kUsualContactTime);
+        QCOMPARE(asset.contactTime.value_or(0.0), kDefaultContactTime);
         QCOMPARE(thresholdOf(project, asset), 4.5e7 * 0.5 * 1e-3);
     }
-    void nothingElseIsTakenWhereItIsNotAskedFor() {
+    void appliesOnlyWhatTheOptionsSay() {
         const Project before = starterProject();
         const Id wall = before.assets[0].id;
-        const Project project = after(before, makeOf(before, wall, preset("ice"), {}));
+        const Project project = after(before, applyPreset(before, wall, preset("ice"), {}));
         QVERIFY(findAsset(project, wall)->pattern == before.assets[0].pattern);
         QVERIFY(!findAsset(project, wall)->contactTime);
     }
-    void whatWasSaidOfOldFragmentsGoesWithTheirPattern() {
+    void newPatternRemovesFragmentEdits() {
         Project before = starterProject();
         Asset& wall = before.assets[0];
         const std::string layer = std::to_string(wall.pattern.layers[0].id);
         wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
         wall.leaves = {{.fragment = layer + ".3", .level = {}}};
-        const Project project = after(before, makeOf(before, wall.id, preset("stone"), {.takesPattern = true}));
+        const Project project = after(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
         QVERIFY(project.assets[0].edits.empty() && project.assets[0].leaves.empty());
-        const Project kept = after(before, makeOf(before, wall.id, preset("stone"), {}));
+        const Project kept = after(before, applyPreset(before, wall.id, preset("stone"), {}));
         QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].leaves.empty());
     }
-    void aPresetIsMadeOfAMaterialAndItsAssetsPattern() {
+    void presetHasThePatternOfAnAsset() {
         const Project before = starterProject();
         const MaterialPreset made = presetFrom(before, before.materials[0].id, 0);
         QCOMPARE(made.name, std::string("plaster"));
@@ -84,5 +87,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MaterialEditsTest)
+RUBBLE_TEST_WITH(MaterialEditsTest, QCoreApplication)
 #include "MaterialEditsTest.moc"

@@ -1,14 +1,17 @@
-#include "core/asset/StarterProject.h"
-#include "core/io/ProjectFile.h"
+// Tests editor/commands and editor/document/Document.cpp with random edits.
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
 #include "editor/document/Document.h"
 #include "tests/support/Projects.h"
 #include "tests/support/RandomEdits.h"
+#include "tests/support/TestProgram.h"
 
 #include <QTest>
 
 using namespace rubble;
 
-/// Whatever is edited can be undone to the last byte, and redone.
+/// Random edits can be undone and redone exactly.
 class UndoTest : public QObject {
     Q_OBJECT
 private slots:
@@ -23,10 +26,10 @@ private slots:
             Document document(isFull ? fullProject() : starterProject());
             const std::string before = projectText(document.project());
             Random random(seed);
-            quint64 stroke = 0;
+            quint64 mergeKey = 0;
             for (int step = 0; step < 40; ++step) {
-                if (random.below(3) == 0) stroke = document.newStroke();
-                document.push(randomEdit(document.project(), random, stroke));
+                if (random.below(3) == 0) mergeKey = document.newMergeKey();
+                document.push(randomEdit(document.project(), random, mergeKey));
                 if (random.below(8) == 0) document.undoStack().undo();
                 const std::optional<std::string> fault = verifyProject(document.project());
                 QVERIFY2(!fault,
@@ -42,5 +45,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UndoTest)
+RUBBLE_TEST_WITH(UndoTest, QCoreApplication)
 #include "UndoTest.moc"

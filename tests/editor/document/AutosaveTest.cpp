@@ -1,6 +1,7 @@
-#include "core/asset/StarterProject.h"
-#include "core/io/ProjectFile.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
 #include "editor/document/Autosave.h"
+#include "tests/support/TestProgram.h"
 
 #include <QDir>
 #include <QProcess>
@@ -29,11 +30,11 @@ double heightIn(const QString& path) {
     return project ? project->ground.height : -1.0;
 }
 
-/// Edits until it is killed: a height one greater every 20 ms, each saved aside within a second.
+/// Edits until it is killed: raises the ground by 1 every 20 ms, with a backup every second.
 int editForever(const QString& folder) {
     Document document(starterProject());
     Autosave autosave(document, folder);
-    autosave.setProjectPath("/home/somebody/wall.rubble");
+    autosave.setProjectPath("/home/user/wall.rubble");
     autosave.setInterval(1s);
     QTimer timer;
     double height = 0.0;
@@ -50,25 +51,34 @@ int editForever(const QString& folder) {
 
 class AutosaveTest : public QObject {
     Q_OBJECT
+public:
+    /// As a child process, this program edits instead of testing.
+    static void initMain() {
+        if (!qEnvironmentVariableIsSet(kChildFolder)) return;
+        int argumentCount = 0;
+        const QCoreApplication program(argumentCount, nullptr);
+        std::exit(editForever(qEnvironmentVariable(kChildFolder)));
+    }
+
 private slots:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
-    void nothingChangedIsNothingWritten() {
+    void unchangedDocumentHasNoBackup() {
         const Document document(starterProject());
         Autosave autosave(document, m_folder->path());
         autosave.writeNow();
         QVERIFY(backups().isEmpty());
     }
-    void aChangeIsWrittenWithinTheInterval() {
+    void changeIsBackedUpWithinTheInterval() {
         Document document(starterProject());
         Autosave autosave(document, m_folder->path());
         autosave.setInterval(1s);
         setHeight(document, 3.0);
         QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
         QCOMPARE(heightIn(backups()[0]), 3.0);
-        QVERIFY(leftBackups(m_folder->path()).empty());  // this program lives
+        QVERIFY(orphanedBackups(m_folder->path()).empty());  // its program is running
     }
-    void savingAndClosingDropTheBackup() {
+    void savingAndClosingRemoveTheBackup() {
         Document document(starterProject());
         {
             Autosave autosave(document, m_folder->path());
@@ -83,7 +93,7 @@ private slots:
         }
         QVERIFY(backups().isEmpty());
     }
-    void aFolderThatCannotBeWrittenIsTold() {
+    void unwritableFolderIsReported() {
         Document document(starterProject());
         const QString file = m_folder->filePath("file");
         QVERIFY(QFile(file).open(QIODevice::WriteOnly));
@@ -94,26 +104,26 @@ private slots:
         autosave.writeNow();
         QVERIFY2(sentence.startsWith("The backup could not be written: "), qPrintable(sentence));
     }
-    void aKilledProgramLosesNothingOlderThanTheInterval() {
+    void killedProgramLeavesABackup() {
         QProcess child;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(kChildFolder, m_folder->path());
         child.setProcessEnvironment(environment);
-        child.start(QCoreApplication::applicationFilePath(), QStringList());
+        child.start(QCoreApplication::applicationFilePath(), {"AutosaveTest"});
         QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty(), 20000);
         child.readAllStandardOutput();
-        QTest::qWait(1500);  // at least one interval more
+        QTest::qWait(1500);  // more than one interval
         const double sureToBeSaved = child.readLine().trimmed().toDouble();
         ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
         QVERIFY(child.waitForFinished());
 
-        const std::vector<Backup> left = leftBackups(m_folder->path());
+        const std::vector<Backup> left = orphanedBackups(m_folder->path());
         QCOMPARE(left.size(), std::size_t{1});
-        QCOMPARE(left[0].projectPath, "/home/somebody/wall.rubble");
+        QCOMPARE(left[0].projectPath, "/home/user/wall.rubble");
         QVERIFY2(heightIn(left[0].path) >= sureToBeSaved,
                  qPrintable(QString("%1 < %2").arg(heightIn(left[0].path)).arg(sureToBeSaved)));
         removeBackup(left[0]);
-        QVERIFY(leftBackups(m_folder->path()).empty());
+        QVERIFY(orphanedBackups(m_folder->path()).empty());
     }
 
 private:
@@ -126,10 +136,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-int main(int argc, char** argv) {
-    QCoreApplication program(argc, argv);
-    if (qEnvironmentVariableIsSet(kChildFolder)) return editForever(qEnvironmentVariable(kChildFolder));
-    AutosaveTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+RUBBLE_TEST_WITH(AutosaveTest, QCoreApplication)
 #include "AutosaveTest.moc"

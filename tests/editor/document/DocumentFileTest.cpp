@@ -1,6 +1,7 @@
-#include "core/asset/StarterProject.h"
-#include "core/io/ProjectFile.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
 #include "editor/document/DocumentFile.h"
+#include "tests/support/TestProgram.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -38,7 +39,7 @@ private slots:
         setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())));
     }
 
-    void whatIsOpenedAndSavedIsTheSameBytes() {
+    void openAndSaveKeepsTheBytes() {
         Document document(emptyProject());
         DocumentFile file(document);
         const QByteArray before = bytesOf(m_path);
@@ -51,7 +52,7 @@ private slots:
         QVERIFY(file.save());
         QCOMPARE(bytesOf(m_path), before);
     }
-    void aFaultyFileLeavesTheDocument() {
+    void invalidFileLeavesTheDocument() {
         setBytes(m_path, "{");
         Document document(starterProject());
         DocumentFile file(document);
@@ -61,7 +62,7 @@ private slots:
         QVERIFY(!file.saveAs(m_folder->filePath("no/such/folder.rubble")));
         QVERIFY(file.path().isEmpty() && document.isModified());
     }
-    void anOpenFileIsLockedByName() {
+    void openFileIsLocked() {
         Document document(emptyProject()), other(emptyProject());
         DocumentFile second(other);
         {
@@ -71,13 +72,13 @@ private slots:
             const Status refused = second.open(m_path);
             QVERIFY(!refused);
             const QString sentence = QString::fromStdString(refused.error().message);
-            QVERIFY2(sentence.startsWith("\"wall.rubble\" is open already: in "), qPrintable(sentence));
-            QVERIFY(sentence.endsWith(QString("process %1.").arg(QCoreApplication::applicationPid())));
+            QVERIFY2(sentence.startsWith("\"wall.rubble\" is already open in "), qPrintable(sentence));
+            QVERIFY(sentence.contains(QString(", process %1.").arg(QCoreApplication::applicationPid())));
             QVERIFY(!second.saveAs(m_path));
         }
         QVERIFY(second.open(m_path));
     }
-    void savingElsewhereMovesTheLock() {
+    void saveAsMovesTheLock() {
         Document document(emptyProject());
         DocumentFile file(document);
         QVERIFY(file.open(m_path));
@@ -86,7 +87,7 @@ private slots:
         QCOMPARE(file.path(), other);
         QVERIFY(QFile::exists(lockPathOf(other)) && !QFile::exists(lockPathOf(m_path)));
     }
-    void aFileThatOthersWriteIsNoticed() {
+    void externalChangeIsDetected() {
         Document document(emptyProject());
         DocumentFile file(document);
         QVERIFY(file.open(m_path));
@@ -94,7 +95,7 @@ private slots:
         edit(document);
         QVERIFY(file.save());
         QTest::qWait(50);
-        QCOMPARE(spy.count(), 0);  // our own writing is no news
+        QCOMPARE(spy.count(), 0);  // our own writing is not reported
         setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())));
         QTRY_COMPARE(spy.count(), 1);
         QVERIFY(file.reload());
@@ -102,7 +103,7 @@ private slots:
         QVERIFY(QFile::remove(m_path));
         QTRY_COMPARE(spy.count(), 2);
     }
-    void aRestoredBackupIsUnsaved() {
+    void restoredBackupIsUnsaved() {
         const QString backup = m_folder->filePath("backup.rubble");
         setBytes(backup, QByteArray::fromStdString(projectText(emptyProject())));
         Document document(starterProject());
@@ -119,5 +120,5 @@ private:
     QString m_path;
 };
 
-QTEST_GUILESS_MAIN(DocumentFileTest)
+RUBBLE_TEST_WITH(DocumentFileTest, QCoreApplication)
 #include "DocumentFileTest.moc"

@@ -1,5 +1,6 @@
-#include "core/asset/StarterProject.h"
+#include "core/asset/project/StarterProject.h"
 #include "editor/document/Document.h"
+#include "tests/support/TestProgram.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -9,11 +10,11 @@ using namespace rubble;
 namespace {
 
 /// Gives the first asset another threshold.
-Edit thresholdEdit(const Document& document, double threshold, quint64 stroke = 0) {
+Edit thresholdEdit(const Document& document, double threshold, quint64 mergeKey = 0) {
     Asset asset = document.project().assets[0];
     asset.threshold = threshold;
     const Id id = asset.id;
-    return {.text = "Set threshold", .swaps = {Swap<Asset>{id, std::move(asset)}}, .stroke = stroke};
+    return {.text = "Set Threshold", .swaps = {Swap<Asset>{id, std::move(asset)}}, .mergeKey = mergeKey};
 }
 
 double threshold(const Document& document) { return document.project().assets[0].threshold; }
@@ -23,49 +24,49 @@ double threshold(const Document& document) { return document.project().assets[0]
 class DocumentTest : public QObject {
     Q_OBJECT
 private slots:
-    void anEditIsOneStepThatTellsWhatChanged() {
+    void editIsOneStepWithChanges() {
         Document document(starterProject());
         const Id asset = document.project().assets[0].id;
         QList<Changes> told;
         connect(&document, &Document::changed, this, [&](const Changes& changes) { told.append(changes); });
         document.push(thresholdEdit(document, 7.0));
         QCOMPARE(threshold(document), 7.0);
-        QCOMPARE(document.undoStack().undoText(), "Set threshold");
+        QCOMPARE(document.undoStack().undoText(), "Set Threshold");
         document.undoStack().undo();
         QCOMPARE(threshold(document), 100.0);
         document.undoStack().redo();
         QCOMPARE(threshold(document), 7.0);
         QCOMPARE(told.size(), 3);
         for (const Changes& changes : told) {
-            QVERIFY((changes.list == std::vector{Change{Part::Asset, asset, ChangeKind::Altered}}));
+            QVERIFY((changes.list == std::vector{Change{Part::Asset, asset, ChangeKind::Modified}}));
             QVERIFY(changes.touches(Part::Asset, asset) && !changes.touches(Part::Material));
         }
     }
-    void anEditThatChangesNothingIsNoStep() {
+    void editWithoutChangeAddsNoStep() {
         Document document(starterProject());
         document.push(thresholdEdit(document, 100.0));
         document.push({});
         QVERIFY(!document.undoStack().canUndo() && !document.isModified());
     }
-    void theEditsOfADragAreOneStep() {
+    void editsWithTheSameKeyMerge() {
         Document document(starterProject());
-        const quint64 stroke = document.newStroke();
-        for (const double value : {1.0, 2.0, 3.0}) document.push(thresholdEdit(document, value, stroke));
-        document.push(thresholdEdit(document, 4.0, document.newStroke()));
+        const quint64 mergeKey = document.newMergeKey();
+        for (const double value : {1.0, 2.0, 3.0}) document.push(thresholdEdit(document, value, mergeKey));
+        document.push(thresholdEdit(document, 4.0, document.newMergeKey()));
         QCOMPARE(document.undoStack().count(), 2);
         document.undoStack().undo();
         QCOMPARE(threshold(document), 3.0);
         document.undoStack().undo();
         QCOMPARE(threshold(document), 100.0);
     }
-    void aDragBackToWhereItBeganLeavesNoStep() {
+    void mergedEditsThatCancelLeaveNoStep() {
         Document document(starterProject());
-        const quint64 stroke = document.newStroke();
-        for (const double value : {1.0, 100.0}) document.push(thresholdEdit(document, value, stroke));
+        const quint64 mergeKey = document.newMergeKey();
+        for (const double value : {1.0, 100.0}) document.push(thresholdEdit(document, value, mergeKey));
         QCOMPARE(document.undoStack().count(), 0);
         QVERIFY(!document.isModified());
     }
-    void everySettingOfTheSceneIsSetAndUndone() {
+    void sceneSettingsAreSetAndUndone() {
         Document document(starterProject());
         const Project before = document.project();
         Project after = before;
@@ -78,7 +79,7 @@ private slots:
         document.undoStack().undo();
         QVERIFY(document.project() == before);
     }
-    void itIsModifiedUntilItIsSavedOrUndone() {
+    void isModifiedUntilSavedOrUndone() {
         Document document(starterProject());
         QSignalSpy spy(&document, &Document::modifiedChanged);
         document.push(thresholdEdit(document, 7.0));
@@ -92,17 +93,17 @@ private slots:
         QVERIFY(document.isModified());
         QCOMPARE(spy.count(), 5);
     }
-    void aDragIsNotJoinedAcrossASave() {
+    void editsDoNotMergeAcrossASave() {
         Document document(starterProject());
-        const quint64 stroke = document.newStroke();
-        document.push(thresholdEdit(document, 1.0, stroke));
+        const quint64 mergeKey = document.newMergeKey();
+        document.push(thresholdEdit(document, 1.0, mergeKey));
         document.setSaved();
-        document.push(thresholdEdit(document, 2.0, stroke));
+        document.push(thresholdEdit(document, 2.0, mergeKey));
         document.undoStack().undo();
         QCOMPARE(threshold(document), 1.0);
         QVERIFY(!document.isModified());
     }
-    void anotherProjectInItsPlaceCannotBeUndone() {
+    void replacingClearsTheUndoStack() {
         Document document(starterProject());
         document.push(thresholdEdit(document, 7.0));
         bool isEverything = false;
@@ -115,5 +116,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DocumentTest)
+RUBBLE_TEST_WITH(DocumentTest, QCoreApplication)
 #include "DocumentTest.moc"

@@ -1,5 +1,6 @@
 #include "editor/document/Messages.h"
 #include "tests/support/Projects.h"
+#include "tests/support/TestProgram.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -11,7 +12,7 @@ using namespace rubble;
 class MessagesTest : public QObject {
     Q_OBJECT
 private slots:
-    void aBakeTakesThePlaceOfTheOneBefore() {
+    void messagesOfABakeAreReplaced() {
         Messages messages;
         QSignalSpy spy(&messages, &Messages::changed);
         messages.add({.text = "imported"});
@@ -25,7 +26,7 @@ private slots:
         messages.setOfBake(5, {});
         QCOMPARE(spy.count(), 4);
     }
-    void aReportNamesItsSeed() {
+    void messageHasItsSeed() {
         Asset box = boxAsset(1, 2, PlacedSeeds{{{0, {0.2, 0.2}}, {3, {0.7, 0.7}}, {7, {0.2, 0.2}}}});
         box.pattern.layers.push_back({.id = 9, .parameters = UniformScatter{.count = 1}, .overrides = {{.index = 5}}});
         const Result<Bake> baked = bake(box);
@@ -39,5 +40,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MessagesTest)
+RUBBLE_TEST_WITH(MessagesTest, QCoreApplication)
 #include "MessagesTest.moc"

@@ -1,5 +1,6 @@
 #include "editor/document/Selection.h"
 #include "tests/support/Projects.h"
+#include "tests/support/TestProgram.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -9,7 +10,7 @@ using namespace rubble;
 class SelectionTest : public QObject {
     Q_OBJECT
 private slots:
-    void theSubjectIsWhatWasChosenLast() {
+    void subjectIsTheLastSelected() {
         const Project project = fullProject();
         Selection selection;
         QCOMPARE(selection.subject(), Part::Scene);
@@ -17,7 +18,7 @@ private slots:
         QCOMPARE(selection.subject(), Part::Asset);
         selection.setMaterial(2);
         QCOMPARE(selection.subject(), Part::Material);
-        selection.setAsset(3);  // at hand already
+        selection.setAsset(3);  // active already
         QCOMPARE(selection.subject(), Part::Asset);
         selection.setInstances(project, {20});
         QCOMPARE(selection.subject(), Part::Instance);
@@ -26,34 +27,34 @@ private slots:
         selection.setInstances(project, {20, 21});
         selection.setSubject(Part::Asset);
         selection.setInstances(project, {});
-        QCOMPARE(selection.subject(), Part::Asset);  // instances were another choice
+        QCOMPARE(selection.subject(), Part::Asset);  // instances were not selected
     }
-    void aSubjectIsToldOnce() {
+    void subjectChangeIsEmittedOnce() {
         Selection selection;
         selection.setAsset(3);
         QSignalSpy told(&selection, &Selection::subjectChanged);
-        selection.setInstances(fullProject(), {21});  // brings its asset to hand, too
+        selection.setInstances(fullProject(), {21});  // activates its asset, too
         QCOMPARE(told.count(), 1);
         QCOMPARE(selection.asset(), 9u);
     }
-    void seedsAreThoseOfThePatternThatOneIsInside() {
+    void seedsAreThoseOfTheEnteredFragment() {
         Selection selection;
         selection.setAsset(3);
         selection.setSeeds({{4, 0}});
-        selection.setInside("4.0");
+        selection.setEnteredFragment("4.0");
         QVERIFY(selection.seeds().empty());
         selection.setSeeds({{8, 1}});
         selection.toggleSeed({8, 2});
-        QVERIFY((selection.choice() == FragmentChoice{{{8, 1}, {8, 2}}, std::nullopt, "4.0"}));
+        QVERIFY((selection.fragments() == FragmentSelection{{{8, 1}, {8, 2}}, std::nullopt, "4.0"}));
         QSignalSpy told(&selection, &Selection::seedsChanged);
-        selection.setInside({});
+        selection.setEnteredFragment({});
         QCOMPARE(told.count(), 1);
         QVERIFY((selection.seeds() == Selection::Seeds{{4, 0}}));
-        selection.setInside("4.0");
+        selection.setEnteredFragment("4.0");
         selection.setAsset(9);
-        QVERIFY(selection.inside().empty());
+        QVERIFY(selection.enteredFragment().empty());
     }
-    void nothingChosenMakesTheSceneTheSubject() {
+    void emptySelectionMakesTheSceneTheSubject() {
         Selection selection;
         selection.setInstances(fullProject(), {20});
         selection.setInstances(fullProject(), {});
@@ -61,7 +62,7 @@ private slots:
         selection.setSubject(Part::Material);
         QCOMPARE(selection.subject(), Part::Scene);
     }
-    void whatIsGoneIsNotChosen() {
+    void pruneRemovesMissingElements() {
         Project project = fullProject();
         Selection selection;
         selection.setMaterial(2);
@@ -75,5 +76,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SelectionTest)
+RUBBLE_TEST_WITH(SelectionTest, QCoreApplication)
 #include "SelectionTest.moc"

@@ -1,27 +1,18 @@
-#include "core/io/ProjectFile.h"
-#include "editor/panels/Inspector.h"
-#include "editor/panels/ProjectTree.h"
+#include "core/io/project/ProjectFile.h"
+#include "editor/panels/docks/ProjectTree.h"
+#include "editor/panels/inspector/Inspector.h"
+#include "editor/widgets/Theme.h"
 
 #include <QApplication>
 #include <QDir>
-#include <QPalette>
-#include <QStyle>
 #include <QTreeView>
 
-// Shows each dock with a project and saves pictures, for a person to look at:
+// Saves pictures of the docks that show a project, for inspection by a person:
 //   panel_pictures <project> <folder> [light|dark]
 
 using namespace rubble;
 
 namespace {
-
-QPalette darkPalette() {
-    QPalette palette(QColor(0x35, 0x37, 0x3a), QColor(0x2b, 0x2d, 0x30));
-    palette.setColor(QPalette::Base, QColor(0x1e, 0x1f, 0x22));
-    palette.setColor(QPalette::Highlight, QColor(0x2f, 0x65, 0xca));
-    palette.setColor(QPalette::PlaceholderText, QColor(0x90, 0x90, 0x90));
-    return palette;
-}
 
 void save(QWidget& widget, QSize size, const QString& path) {
     widget.resize(size);
@@ -34,10 +25,9 @@ void save(QWidget& widget, QSize size, const QString& path) {
 
 int main(int argc, char* argv[]) {
     QApplication app(argc, argv);
-    QApplication::setStyle("Fusion");
     if (argc < 3) return 2;
     const QString theme = argc > 3 ? argv[3] : "light";
-    QApplication::setPalette(theme == "dark" ? darkPalette() : QApplication::style()->standardPalette());
+    applyTheme(theme == "dark" ? ColourScheme::Dark : ColourScheme::Light);
     Result<Project> project = loadProject(argv[1]);
     if (!project) return 1;
     Document document(std::move(*project));

@@ -3,6 +3,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/House.h"
 #include "tests/support/PlayStage.h"
+#include "tests/support/TestProgram.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -15,9 +16,9 @@ constexpr double kStep = test::Stage::kStep;
 
 const Ray kAtBlock{{0.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
 
-PlayTools heavyBox() {
-    PlayTools tools;
-    tools.thrown = {.size = Vec3(0.2), .mass = 3.0, .speed = 80.0};
+PlayToolSettings heavyBox() {
+    PlayToolSettings tools;
+    tools.projectile = {.size = Vec3(0.2), .mass = 3.0, .speed = 80.0};
     return tools;
 }
 
@@ -26,7 +27,7 @@ PlayTools heavyBox() {
 class PlayControllerTest : public QObject {
     Q_OBJECT
 private slots:
-    void playsAtThePaceOfTheClock() {
+    void stepsFollowTheClock() {
         test::Stage stage;
         QCOMPARE(stage.controller.state(), PlayState::Stopped);
         stage.start();
@@ -34,7 +35,7 @@ private slots:
         stage.advance(10);
         QCOMPARE(stage.step(), 10u);
         stage.controller.thread().advance(0.4 * kStep);
-        QVERIFY(std::abs(stage.controller.share() - 0.4) < 1e-6);
+        QVERIFY(std::abs(stage.controller.stepFraction() - 0.4) < 1e-6);
         stage.controller.setTimeScale(0.5);
         stage.advance(10);
         QCOMPARE(stage.step(), 15u);
@@ -42,16 +43,16 @@ private slots:
         stage.advance(10);
         QCOMPARE(stage.step(), 35u);
     }
-    void slowScenesDoNotJump() {
+    void slowStepsAreNotCaughtUp() {
         test::Stage stage;
         stage.start();
-        stage.controller.thread().advance(1.0);  // as if the last step had taken that long
-        stage.controller.takeNews();
-        QCOMPARE(stage.step(), 2u);  // the one that was due, and the next at once
+        stage.controller.thread().advance(1.0);  // as if the last step had been slow
+        stage.controller.applyUpdate();
+        QCOMPARE(stage.step(), 2u);  // the one that was due and one more
         stage.advance(1);
         QCOMPARE(stage.step(), 3u);
     }
-    void pausesStepsAndGoesOn() {
+    void pausesStepsAndResumes() {
         test::Stage stage;
         stage.start();
         stage.advance(3);
@@ -69,7 +70,7 @@ private slots:
         QVERIFY(!stage.controller.frame());
         QCOMPARE(stage.document.project(), test::floatingBlock());
     }
-    void aThrowIsSeenWithinTwoFrames() {
+    void throwIsVisibleWithinTwoFrames() {
         test::Stage stage;
         stage.start();
         stage.advance(5);
@@ -79,36 +80,36 @@ private slots:
         QCOMPARE(visibleBodies(stage), before + 1);
         QVERIFY(stage.controller.lastShot().has_value());
     }
-    void tellsWhatBroke() {
+    void reportsBreaks() {
         test::Stage stage;
-        stage.controller.setTools(heavyBox());
+        stage.controller.setToolSettings(heavyBox());
         stage.start();
         const QSignalSpy told(&stage.controller, &PlayController::breaksChanged);
         stage.controller.throwAlong(kAtBlock, 1.0);
         stage.advance(20);
         QVERIFY(!told.isEmpty());
         QCOMPARE(stage.controller.breaks().size(), 1u);
-        const ToldBreak& broken = stage.controller.breaks().front();
+        const BreakRecord& broken = stage.controller.breaks().front();
         QCOMPARE(broken.name, "block");
         QCOMPARE(broken.threshold, 100.0);
         QVERIFY(broken.ratio() > 1.0 && broken.pieces == 5);
         QCOMPARE(stage.controller.costs().size(), 20u);
     }
-    void withoutDestructionNothingBreaks() {
+    void nothingBreaksWithDestructionOff() {
         test::Stage stage;
-        stage.controller.setTools(heavyBox());
+        stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.controller.setDestruction(false);
         stage.controller.throwAlong(kAtBlock, 1.0);
         stage.advance(30);
         QCOMPARE(stage.controller.breaks().size(), 0u);
-        QVERIFY(stage.controller.frame()->figures.cost.step == 30);
+        QVERIFY(stage.controller.frame()->statistics.cost.step == 30);
     }
-    void whatIsThrownBeforeAllIsBakedIsThrownAsSoonAsItBegins() {
+    void throwsAreQueuedUntilAssetsAreBaked() {
         test::Stage stage;
         Asset asset = stage.document.project().assets[0];
         asset.prism.depth = 0.3;
-        stage.document.push(altered("Make it thinner", asset));
+        stage.document.push(modify("Make it thinner", asset));
         stage.controller.play();
         stage.controller.fire({.name = "kept", .action = test::throwAtBlock(3.0, 80.0)});
         stage.settle();
@@ -122,11 +123,11 @@ private slots:
         QCOMPARE(stage.controller.breaks().size(), 1u);
         QCOMPARE(stage.controller.script().inputs.front().step, 0u);
     }
-    void whatWasThrownBeforeAResetIsNot() {
+    void resetDiscardsQueuedThrows() {
         test::Stage stage;
         Asset asset = stage.document.project().assets[0];
         asset.prism.depth = 0.3;
-        stage.document.push(altered("Make it thinner", asset));
+        stage.document.push(modify("Make it thinner", asset));
         stage.controller.play();
         stage.controller.fire({.name = "given up", .action = test::throwAtBlock(3.0, 80.0)});
         stage.controller.reset();
@@ -135,7 +136,7 @@ private slots:
         stage.advance(2);
         QVERIFY(!stage.controller.lastShot());
     }
-    void theSwitchSaysWhetherThingsBreakAtTheMomentThatIsShown() {
+    void destructionSwitchFollowsTheDisplayedStep() {
         test::Stage stage;
         stage.start();
         stage.advance(5);
@@ -153,9 +154,9 @@ private slots:
         stage.settle();
         QVERIFY(!stage.controller.hasDestruction());
     }
-    void aReplayWithoutDestructionSetsTheSwitch() {
+    void replayWithoutDestructionSetsTheSwitch() {
         test::Stage stage;
-        const QSignalSpy told(&stage.controller, &PlayController::rulesChanged);
+        const QSignalSpy told(&stage.controller, &PlayController::settingsChanged);
         stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
         stage.settle();
         QVERIFY(!stage.controller.hasDestruction());
@@ -167,15 +168,15 @@ private slots:
         QCOMPARE(stage.controller.breaks().size(), 1u);
         stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
         stage.settle();
-        stage.controller.reset();  // as the switch says
+        stage.controller.reset();  // uses the switch
         stage.settle();
         stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
         stage.advance(20);
         QCOMPARE(stage.controller.breaks().size(), 0u);
     }
-    void goesBackAndPlaysAnotherWay() {
+    void inputAfterSeekingBackDiscardsTheFuture() {
         test::Stage stage;
-        stage.controller.setTools(heavyBox());
+        stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.controller.throwAlong(kAtBlock, 1.0);
         stage.advance(40);
@@ -184,14 +185,14 @@ private slots:
         stage.settle();
         QCOMPARE(stage.step(), 0u);
         QCOMPARE(stage.controller.frame()->length, 40u);
-        QCOMPARE(stage.controller.breaks().size(), 1u);  // still to come
+        QCOMPARE(stage.controller.breaks().size(), 1u);  // kept for seeking forward
         stage.controller.seek(40);
         stage.settle();
         QCOMPARE(stage.hash(), broken);
-        QCOMPARE(stage.controller.breaks().size(), 1u);  // told once
+        QCOMPARE(stage.controller.breaks().size(), 1u);  // recorded once
         stage.controller.seek(0);
         stage.settle();
-        stage.controller.strikeAlong({{0.0, 9.0, 0.0}, {1.0, 0.0, 0.0}});  // meets nothing
+        stage.controller.hammerAlong({{0.0, 9.0, 0.0}, {1.0, 0.0, 0.0}});  // misses
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 40u);
         stage.controller.throwAlong({kAtBlock.from, {0.0, 1.0, 0.0}}, 1.0);
@@ -199,31 +200,31 @@ private slots:
         QCOMPARE(stage.controller.frame()->length, 0u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
     }
-    void aSeekWhileThePlayIsPreparedLetsItBegin() {
+    void seekWhilePreparingIsIgnored() {
         test::Stage stage;
-        QSignalSpy said(&stage.controller, &PlayController::said);
+        QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
         stage.controller.play();
         stage.controller.seek(7);
-        stage.controller.thread().seek(7);  // as one that was under way does
+        stage.controller.thread().seek(7);  // as with a queued seek
         stage.settle();
-        QCOMPARE(said.size(), 0);
+        QCOMPARE(messages.size(), 0);
         QVERIFY(stage.controller.isPlaying());
         QCOMPARE(stage.step(), 0u);
     }
-    void withoutAPlayThereIsNoScript() {
+    void noScriptWithoutSession() {
         test::Stage stage;
         QVERIFY(stage.controller.script().inputs.empty());
-        stage.controller.play();  // the play is not there yet: nobody would answer
+        stage.controller.play();  // still preparing: there is no engine to answer
         QVERIFY(stage.controller.script().inputs.empty());
     }
-    void aThresholdIsFollowedAtOnceAndCanBeUndone() {
+    void thresholdEditsApplyLiveAndCanBeUndone() {
         test::Stage stage;
-        stage.controller.setTools(heavyBox());
+        stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.advance(5);
         Asset asset = stage.document.project().assets[0];
         asset.threshold = 1e6;
-        stage.document.push(altered("Change threshold", asset));
+        stage.document.push(modify("Change threshold", asset));
         stage.controller.throwAlong(kAtBlock, 1.0);
         stage.advance(20);
         QVERIFY(stage.step() >= 25u);
@@ -233,13 +234,13 @@ private slots:
         stage.advance(40);
         QVERIFY(!stage.controller.breaks().empty());
     }
-    void anotherPlaceBeginsAnewAsSoonAsItIsBaked() {
+    void geometryEditsRestartOnceBaked() {
         test::Stage stage;
         stage.start();
         stage.advance(5);
         Instance instance = stage.document.project().instances[0];
         instance.pose.position.x = 2.0;
-        stage.document.push(altered("Move", instance));
+        stage.document.push(modify("Move", instance));
         QCOMPARE(stage.controller.state(), PlayState::Preparing);
         stage.settle();
         QCOMPARE(stage.controller.state(), PlayState::Playing);
@@ -247,14 +248,14 @@ private slots:
         Asset asset = stage.document.project().assets[0];
         asset.prism.depth = 0.3;
         stage.controller.pause();
-        stage.document.push(altered("Make it thinner", asset));
+        stage.document.push(modify("Make it thinner", asset));
         stage.settle();
         QCOMPARE(stage.controller.state(), PlayState::Preparing);
         stage.bake();
         stage.settle();
         QCOMPARE(stage.controller.state(), PlayState::Paused);
     }
-    void theHouseBeginsAnewInAMoment() {
+    void houseRestartsQuickly() {
         test::Stage stage(test::house());
         stage.start();
         stage.advance(3);
@@ -262,27 +263,27 @@ private slots:
         timer.start();
         Instance instance = stage.document.project().instances[0];
         instance.pose.position.z += 3.0;
-        stage.document.push(altered("Move", instance));
+        stage.document.push(modify("Move", instance));
         stage.settle();
         QCOMPARE(stage.controller.state(), PlayState::Playing);
         qInfo("begun anew in %.2f ms", static_cast<double>(timer.nsecsElapsed()) / 1e6);
     }
-    void whatCannotBePlayedIsSaid() {
+    void reportsWhatCannotBePlayed() {
         Project project = test::floatingBlock();
         test::Stage stage(project);
         const Id asset = project.assets[0].id;
         stage.bakes.set(asset, std::make_shared<const BakedAsset>(
                                    BakedAsset{std::make_shared<const Asset>(project.assets[0]), nullptr,
                                               Error{ErrorCode::BadInput, "It cannot be cut."}}));
-        QSignalSpy said(&stage.controller, &PlayController::said);
+        QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
         stage.controller.play();
-        QTRY_COMPARE(said.size(), 1);
+        QTRY_COMPARE(messages.size(), 1);
         QCOMPARE(stage.controller.state(), PlayState::Stopped);
-        QVERIFY2(said[0][0].toString().contains("block"), qPrintable(said[0][0].toString()));
+        QVERIFY2(messages[0][0].toString().contains("block"), qPrintable(messages[0][0].toString()));
     }
-    void aRecordedScriptPlaysAgain() {
+    void replaysARecordedScript() {
         test::Stage stage;
-        stage.controller.setTools(heavyBox());
+        stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.advance(3);
         stage.controller.throwAlong(kAtBlock, 0.9);
@@ -298,7 +299,7 @@ private slots:
         QCOMPARE(stage.hash(), hash);
         QCOMPARE(stage.controller.breaks().size(), 1u);
     }
-    void whatIsGrabbedFollowsTheRay() {
+    void grabbedBodyFollowsTheRay() {
         test::Stage stage;
         stage.start();
         stage.controller.grabAlong(kAtBlock);
@@ -307,29 +308,29 @@ private slots:
         stage.controller.dragAlong({kAtBlock.from + Vec3(1.0, 0.0, 0.0), kAtBlock.direction});
         stage.advance(90);
         QVERIFY(heightlessPlace(stage).x > 0.8);
-        stage.controller.letGo();
+        stage.controller.release();
         stage.advance(1);
         QVERIFY(!stage.controller.frame()->isHolding);
     }
-    void aimingShowsTheFlight() {
+    void aimingShowsTheTrajectory() {
         test::Stage stage;
         stage.start();
         stage.controller.pause();
         stage.controller.aim(kAtBlock, 0.5);
         stage.settle();
-        const std::optional<Flight>& flight = stage.controller.frame()->flight;
+        const std::optional<Trajectory>& flight = stage.controller.frame()->trajectory;
         QVERIFY(flight && flight->hit);
         QVERIFY(std::abs(flight->hit->point.z - 0.25) < 1e-4);
         stage.controller.aim(std::nullopt);
         stage.settle();
-        QVERIFY(!stage.controller.frame()->flight);
+        QVERIFY(!stage.controller.frame()->trajectory);
     }
 
 private:
     static std::size_t visibleBodies(test::Stage& stage) {
         const RenderScene& scene = *stage.controller.frame()->scene;
-        return static_cast<std::size_t>(
-            std::ranges::count_if(scene.looks, [](const BodyLook& look) { return (look.marks & kHidden) == 0; }));
+        return static_cast<std::size_t>(std::ranges::count_if(
+            scene.appearances, [](const BodyAppearance& look) { return (look.marks & kHidden) == 0; }));
     }
     static Vec3 heightlessPlace(test::Stage& stage) {
         Vec3 place(0.0);
@@ -343,5 +344,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(PlayControllerTest)
+RUBBLE_TEST_WITH(PlayControllerTest, QCoreApplication)
 #include "PlayControllerTest.moc"

@@ -1,6 +1,8 @@
-#include "core/io/ProjectFile.h"
+// Tests editor/play/PlayController.cpp and editor/play/PlayThread.cpp over a long time.
+#include "core/io/project/ProjectFile.h"
 #include "tests/support/House.h"
 #include "tests/support/PlayStage.h"
+#include "tests/support/TestProgram.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +14,7 @@ using namespace rubble;
 
 namespace {
 
-/// Somebody who does anything at any time.
+/// Random user input.
 class Player {
 public:
     explicit Player(test::Stage& stage) : m_stage(stage) {}
@@ -23,7 +25,7 @@ public:
             case 0: play.isPlaying() ? play.pause() : play.play(); break;
             case 1: play.seek(m_random() % (play.frame()->length + 1)); break;
             case 2: play.setTimeScale(0.25 * static_cast<double>(1 + m_random() % 8)); break;
-            case 3: play.strikeAlong(ray()); break;
+            case 3: play.hammerAlong(ray()); break;
             case 4: play.stepOnce(); break;
             case 5: play.setDestruction(!play.hasDestruction()); break;
             case 6:
@@ -31,7 +33,7 @@ public:
                 m_stage.advance(5);
                 play.dragAlong(ray());
                 m_stage.advance(20);
-                play.letGo();
+                play.release();
                 break;
             default: play.throwAlong(ray(), 1.0); break;
         }
@@ -41,7 +43,7 @@ public:
     }
 
 private:
-    /// From around the house at some place of it.
+    /// A ray from around the house to a random point of it.
     Ray ray() {
         std::uniform_real_distribution<double> any(-1.0, 1.0);
         const Vec3 eye(15.0 * any(m_random), 4.0 + 2.0 * any(m_random), 14.0);
@@ -60,8 +62,8 @@ double megabytesInUse() { return static_cast<double>(mallinfo2().uordblks) / 1e6
 class PlayEnduranceTest : public QObject {
     Q_OBJECT
 private slots:
-    /// Each round begins anew; memory is read when it has. RUBBLE_LONG: 30 minutes of play, else one.
-    void randomPlayLeavesNothingBehind() {
+    /// Each round restarts the session and measures the memory then. RUBBLE_LONG: 30 minutes of play, else one.
+    void randomPlayLeaksNothing() {
         const bool isLong = std::getenv("RUBBLE_LONG") != nullptr;
         const int rounds = isLong ? 90 : 4;
         constexpr double kSecondsOfRound = 20.0;
@@ -74,7 +76,7 @@ private slots:
         for (int round = 0; round < rounds; ++round) {
             const double end = stage.controller.thread().now() + kSecondsOfRound;
             while (stage.controller.thread().now() < end) player.act();
-            QVERIFY(stage.controller.isOn());
+            QVERIFY(stage.controller.isInPlay());
             stage.controller.reset();
             stage.settle();
             QCOMPARE(stage.step(), 0u);
@@ -89,5 +91,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlayEnduranceTest)
+RUBBLE_TEST_WITH(PlayEnduranceTest, QCoreApplication)
 #include "PlayEnduranceTest.moc"

@@ -18,7 +18,7 @@ constexpr double kWallHeight = 6.0;     // m
 constexpr double kWallThickness = 1.0;  // m
 constexpr std::uint64_t kSeed = 20;
 
-/// A ring of corners on a circle, each up to three tenths of a step off its even place, so that no two come together.
+/// A ring of corners on a circle, each displaced by at most 0.3 steps from a regular polygon.
 Polytope fragmentForm(Random& random) {
     const auto corners = static_cast<int>(5 + random.below(4));
     std::vector<Vec2> ring;
@@ -51,7 +51,7 @@ BodyScene heapScene(std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const Vec3 cell(k % across, k / (across * across), k / across % across);
         const Vec3 corner(-0.5 * (across - 1), 0.5, -0.5 * (across - 1));
-        const Quat turn = anyTurn(random);  // a call's arguments would be drawn in the compiler's order
+        const Quat turn = randomRotation(random);  // a call's arguments would be drawn in the compiler's order
         const std::uint32_t form = forms[random.below(kForms)];
         addFreeBody(scene, "fragment " + std::to_string(k), form, {kSpacing * (cell + corner), turn});
     }

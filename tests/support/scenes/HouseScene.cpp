@@ -1,4 +1,4 @@
-#include "core/asset/Bake.h"
+#include "core/asset/bake/Bake.h"
 #include "core/base/Assert.h"
 #include "tests/support/House.h"
 #include "tests/support/scenes/SceneParts.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kPieces = 8;
 constexpr double kRoofFriction = 0.8;
 
-/// A piece of an asset: its shape in the scene, and where that stands in the asset's frame.
+/// A piece of an asset: its shape in the scene, and its position in the asset's frame.
 struct AssetPiece {
     std::uint32_t shape = 0;
     Vec3 offset{0.0, 0.0, 0.0};

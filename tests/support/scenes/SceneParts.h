@@ -2,7 +2,7 @@
 
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
-#include "core/physics/BodyScene.h"
+#include "core/physics/world/BodyScene.h"
 #include "tests/support/Hulls.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace rubble::test {
 
-/// Adds a shape and gives its index.
+/// Adds a shape. Returns its index.
 inline std::uint32_t addShape(BodyScene& scene, std::vector<Polytope> hulls) {
     scene.shapes.push_back(std::move(hulls));
     return static_cast<std::uint32_t>(scene.shapes.size() - 1);
@@ -30,19 +30,19 @@ inline void addGround(BodyScene& scene, double halfWidth) {
     addFixedBox(scene, "ground", {-halfWidth, -1.0, -halfWidth}, {halfWidth, 0.0, halfWidth});
 }
 
-/// Adds a body that falls.
+/// Adds a dynamic body.
 inline void addFreeBody(BodyScene& scene, const std::string& name, std::uint32_t shape, const Pose& pose) {
     scene.bodies.push_back({.name = name, .pose = pose, .shape = shape});
 }
 
-/// Uniform over all rotations.
+/// A uniformly distributed random rotation.
 /// Source: Shoemake 1992, "Uniform random rotations".
-inline Quat anyTurn(Random& random) {
-    const double share = random.unit();
+inline Quat randomRotation(Random& random) {
+    const double fraction = random.unit();
     const double first = 2.0 * std::numbers::pi * random.unit();
     const double second = 2.0 * std::numbers::pi * random.unit();
-    const double a = std::sqrt(1.0 - share);
-    const double b = std::sqrt(share);
+    const double a = std::sqrt(1.0 - fraction);
+    const double b = std::sqrt(fraction);
     return {b * cosine(second), a * sine(first), a * cosine(first), b * sine(second)};
 }
 

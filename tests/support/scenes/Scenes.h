@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/physics/BodyScene.h"
+#include "core/physics/world/BodyScene.h"
 
 #include <cstdint>
 #include <string>
@@ -8,30 +8,29 @@
 
 namespace rubble::test {
 
-// What tests, benchmarks and demos of the simulation move. All stand on the plane y = 0, on static bodies that come first;
-// density 1000 kg/m^3, friction 0.6, restitution 0. The same bits every time.
+// Scenes for tests, benchmarks and demos of the simulation. Bodies stand on the plane y = 0; static bodies come first;
+// density 1000 kg/m^3, friction 0.6, restitution 0. Deterministic.
 
 /// The house of 77 polytopes, its roof with friction 0.8.
 BodyScene houseScene();
 
-/// The house with every polytope cut in 8 where it stands: 616 bodies, which hold each other by friction alone.
+/// The house with every polytope cut into 8: 616 bodies, held together by friction only.
 BodyScene cutHouseScene();
 
-/// `count` fragments about to fall into a pen: prisms of 5 to 8 sides, 0.3 m across, 0.5 m deep, of 64 forms, turned at
-/// random on a lattice 0.6 m apart, 8 layers high; the pen is a square of walls 6 m high that the lattice fills.
+/// `count` fragments about to fall into a pen: prisms of 5 to 8 sides, 0.3 m wide, 0.5 m deep, of 64 shapes, with
+/// random rotations on a lattice of 0.6 m, 8 layers high, which fills a square pen with walls 6 m high.
 BodyScene heapScene(std::uint32_t count);
 
 /// Ten courses of ten bricks of 1 x 0.5 x 0.5 m in running bond, half a brick at both ends of every other: 105 bodies.
 BodyScene wallScene();
 
-/// Boxes of 1 m in rows of 20, 19, ... 1, each over the joint of two: 210 bodies.
+/// A pyramid of 1 m boxes in rows of 20, 19, ..., 1: 210 bodies.
 BodyScene pyramidScene();
 
-/// A scene by its name on the command line of benchmarks: "house", "cut-house", "wall", "pyramid", "heap-600", ...; empty for
-/// any other.
+/// The scene of a name: "house", "cut-house", "wall", "pyramid", "heap-600", ...; empty for any other.
 BodyScene sceneNamed(const std::string& name);
 
-/// How many of its bodies move.
+/// The number of its dynamic bodies.
 std::size_t freeBodies(const BodyScene& scene);
 
 }  // namespace rubble::test

@@ -1,6 +1,7 @@
+#include "tests/support/TestProgram.h"
 #include "viewport/film/Film.h"
 
-#include "core/io/FilmFile.h"
+#include "core/io/media/FilmFile.h"
 #include "tests/support/Ffmpeg.h"
 #include "tests/support/FileLimits.h"
 #include "tests/support/Pictures.h"
@@ -13,21 +14,21 @@ using namespace rubble;
 
 namespace {
 
-/// A box that flies across the picture, 1 m each ten steps.
-std::vector<Take> flights(int count = 1) {
+/// A box that flies across the image, 1 m in ten steps.
+std::vector<SessionPlayback> flights(int count = 1) {
     const auto scene = test::playSceneOf(test::floatingBlock());
-    std::vector<Take> takes;
+    std::vector<SessionPlayback> playbacks;
     for (int k = 0; k < count; ++k) {
         Throw thrown{.size = Vec3(0.5), .mass = 1.0, .from = {-3.0, 7.0, 0.0}, .to = {3.0, 7.0, 0.0}, .speed = 6.0};
-        takes.emplace_back(scene, Session::start(scene).value(),
-                           std::vector<TimedInput>{{0, ShotInput{"throw", thrown}}});
+        playbacks.emplace_back(scene, Session::start(scene).value(),
+                               std::vector<TimedInput>{{0, ShotInput{"throw", thrown}}});
     }
-    return takes;
+    return playbacks;
 }
 
 FilmPlan plan(int pictures, double first = 0.0, double every = 1.0) {
-    PictureView view{.camera = {.target = {0.0, 6.0, 0.0}, .distance = 14.0}, .size = {160, 90}};
-    return {.view = view, .samples = 0, .first = first, .every = every, .pictures = pictures, .rate = 30.0};
+    RenderView view{.camera = {.target = {0.0, 6.0, 0.0}, .distance = 14.0}, .size = {160, 90}};
+    return {.view = view, .samples = 0, .first = first, .stepsPerFrame = every, .frames = pictures, .frameRate = 30.0};
 }
 
 }  // namespace
@@ -35,89 +36,91 @@ FilmPlan plan(int pictures, double first = 0.0, double every = 1.0) {
 class FilmTest : public QObject {
     Q_OBJECT
 private slots:
-    void init() { m_place = std::make_unique<QTemporaryDir>(); }
+    void init() { m_directory = std::make_unique<QTemporaryDir>(); }
 
-    void picturesAreCounted() {
-        QCOMPARE(picturesBetween(0.0, 10.0, 1.0), 11);
-        QCOMPARE(picturesBetween(0.0, 10.0, 3.0), 4);
-        QCOMPARE(picturesBetween(5.0, 5.0, 2.0), 1);
-        QCOMPARE(picturesBetween(0.0, 3.0, 0.1), 31);
-        QVERIFY(picturesBetween(0.0, 1e9, 1e-9) > 0);
+    void countsFrames() {
+        QCOMPARE(frameCount(0.0, 10.0, 1.0), 11);
+        QCOMPARE(frameCount(0.0, 10.0, 3.0), 4);
+        QCOMPARE(frameCount(5.0, 5.0, 2.0), 1);
+        QCOMPARE(frameCount(0.0, 3.0, 0.1), 31);
+        QVERIFY(frameCount(0.0, 1e9, 1e-9) > 0);
     }
-    void momentsBecomePictures() {
+    void writesOneImagePerFrame() {
         QVERIFY(film(flights(), plan(3, 4.0, 8.0)));
         QCOMPARE(names(), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
         QVERIFY(boxAt(0) > 0 && boxAt(0) < boxAt(1) && boxAt(1) < boxAt(2));
     }
-    void betweenTwoStepsThingsAreOnTheirWay() {
+    void posesAreInterpolatedBetweenSteps() {
         QVERIFY(film(flights(), plan(5, 10.0, 0.25)));
         for (int k = 0; k < 4; ++k) QVERIFY(test::meanDifference(picture(k), picture(k + 1)) > 0.0);
         QVERIFY(boxAt(0) <= boxAt(2) && boxAt(2) <= boxAt(4) && boxAt(0) < boxAt(4));
     }
-    void takesAreSideBySide() {
+    void playbacksAreSideBySide() {
         QVERIFY(film(flights(2), plan(1, 20.0)));
         const QImage both = picture(0);
         QCOMPARE(both.size(), QSize(160 + 8 + 160, 90));
         QVERIFY(test::meanDifference(both.copy(0, 0, 160, 90), both.copy(168, 0, 160, 90)) == 0.0);
     }
-    void aCancelledFilmLeavesNothing() {
+    void cancelledFilmLeavesNoFiles() {
         QCOMPARE(cancelled(Unfinished::Removed).error().code, ErrorCode::Cancelled);
-        QVERIFY(QDir(m_place->path()).isEmpty());
+        QVERIFY(QDir(m_directory->path()).isEmpty());
         QCOMPARE(cancelled(Unfinished::Kept).error().code, ErrorCode::Cancelled);
         QCOMPARE(names(), (QStringList{"frame-0000.png", "frame-0001.png"}));
     }
-    void aFullDiskIsToldAndNothingIsLeft() {
+    void fullDiskIsReportedAndLeavesNoFiles() {
         const FileSizeLimit full(1000);
-        std::vector<Take> takes = flights();
-        const Status shot = filmPictures(takes, plan(3), folder(), Unfinished::Removed);
+        std::vector<SessionPlayback> playbacks = flights();
+        const Status shot = renderFrames(playbacks, plan(3), folder(), Unfinished::Removed);
         QCOMPARE(shot.error().code, ErrorCode::Io);
         QVERIFY2(shot.error().message.ends_with("File too large."), shot.error().message.c_str());
-        QVERIFY(QDir(m_place->path()).isEmpty());
+        QVERIFY(QDir(m_directory->path()).isEmpty());
     }
-    void ffmpegMakesAFilmOfThem() {
+    void encodesAFilmWithFfmpeg() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        std::vector<Take> takes = flights();
+        std::vector<SessionPlayback> playbacks = flights();
         double last = 0.0;
         TaskContext task;
         task.progress = [&](double fraction) { last = fraction; };
-        const Status shot = filmFile(takes, plan(2), m_place->filePath("a.mp4").toStdString(), task);
+        const Status shot = renderFilm(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString(), task);
         QVERIFY2(shot.hasValue(), shot ? "" : shot.error().message.c_str());
-        QVERIFY(last > 0.5 && last < 1.0);  // when the pictures are there
-        QCOMPARE(QDir(m_place->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+        QVERIFY(last > 0.5 && last < 1.0);  // after rendering the frames
+        QCOMPARE(QDir(m_directory->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"a.mp4"});
     }
-    void whereFfmpegFailsNothingIsLeft() {
+    void failedEncodingLeavesNoFiles() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kFails);
-        std::vector<Take> takes = flights();
-        QCOMPARE(filmFile(takes, plan(2), m_place->filePath("a.mp4").toStdString()).error().code, ErrorCode::Io);
-        QVERIFY(QDir(m_place->path()).isEmpty());
+        std::vector<SessionPlayback> playbacks = flights();
+        QCOMPARE(renderFilm(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString()).error().code,
+                 ErrorCode::Io);
+        QVERIFY(QDir(m_directory->path()).isEmpty());
     }
 
 private:
-    std::string folder() const { return m_place->filePath("film").toStdString(); }
-    QStringList names() const { return QDir(m_place->filePath("film")).entryList(QDir::Files, QDir::Name); }
-    bool film(std::vector<Take> takes, const FilmPlan& plan) {
-        const Status shot = filmPictures(takes, plan, folder(), Unfinished::Removed);
+    std::string folder() const { return m_directory->filePath("film").toStdString(); }
+    QStringList names() const { return QDir(m_directory->filePath("film")).entryList(QDir::Files, QDir::Name); }
+    bool film(std::vector<SessionPlayback> playbacks, const FilmPlan& plan) {
+        const Status shot = renderFrames(playbacks, plan, folder(), Unfinished::Removed);
         if (!shot) qWarning("%s", shot.error().message.c_str());
         return shot.hasValue();
     }
     Status cancelled(Unfinished unfinished) {
-        std::vector<Take> takes = flights();
+        std::vector<SessionPlayback> playbacks = flights();
         TaskContext task;
         task.progress = [&task](double fraction) {
             if (fraction >= 0.5) task.cancel.cancel();
         };
-        return filmPictures(takes, plan(4), folder(), unfinished, task);
+        return renderFrames(playbacks, plan(4), folder(), unfinished, task);
     }
     QImage picture(int k) const {
-        return QImage(m_place->filePath(QString("film/frame-000%1.png").arg(k))).convertToFormat(QImage::Format_RGB888);
+        return QImage(m_directory->filePath(QString("film/frame-000%1.png").arg(k)))
+            .convertToFormat(QImage::Format_RGB888);
     }
-    /// The column of the thrown box's middle, by where the picture is not as without it: 0 where it is not seen.
+    /// The column of the thrown box's centre, from the pixels that differ without it; 0 if it is not visible.
     int boxAt(int k) {
         if (m_empty.isNull()) {
-            std::vector<Take> takes = flights();
-            const auto empty = m_place->filePath("empty");
-            if (!filmPictures(takes, plan(1), empty.toStdString(), Unfinished::Removed)) qFatal("no picture");
+            std::vector<SessionPlayback> playbacks = flights();
+            const auto empty = m_directory->filePath("empty");
+            if (!renderFrames(playbacks, plan(1), empty.toStdString(), Unfinished::Removed)) qFatal("no picture");
             m_empty = QImage(empty + "/frame-0000.png").convertToFormat(QImage::Format_RGB888);
         }
         const QImage now = picture(k);
@@ -132,9 +135,9 @@ private:
         return count == 0 ? 0 : sum / count;
     }
 
-    std::unique_ptr<QTemporaryDir> m_place;
+    std::unique_ptr<QTemporaryDir> m_directory;
     QImage m_empty;
 };
 
-QTEST_GUILESS_MAIN(FilmTest)
+RUBBLE_TEST_WITH(FilmTest, QCoreApplication)
 #include "FilmTest.moc"

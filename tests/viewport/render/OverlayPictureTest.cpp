@@ -1,9 +1,11 @@
-#include "core/asset/PieceColours.h"
-#include "core/asset/StarterProject.h"
-#include "core/play/Forecast.h"
+// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, heat, scale bar.
+#include "core/asset/project/FragmentColours.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/play/analysis/Forecast.h"
 #include "tests/support/Pictures.h"
-#include "viewport/render/Picture.h"
-#include "viewport/scene/MomentColours.h"
+#include "tests/support/TestProgram.h"
+#include "viewport/render/OffscreenRenderer.h"
+#include "viewport/scene/OverlayColours.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
@@ -14,25 +16,25 @@ using namespace rubble;
 
 namespace {
 
-constexpr PictureSize kSize{200, 200};
+constexpr ImageSize kSize{200, 200};
 constexpr glm::vec4 kRed{1.0f, 0.0f, 0.0f, 1.0f};
 
 /// A wall of 1 x 1 x 0.5 m about its origin.
 RenderScene wallScene() {
     RenderScene scene = sceneOf(starterProject(), {});
     const Vec3 middle = boundsOf(scene).centre();
-    for (DrawnPose& motion : scene.motions) motion.position += glm::vec4(glm::vec3(scene.origin - middle), 0.0f);
+    for (RenderPose& motion : scene.poses) motion.position += glm::vec4(glm::vec3(scene.origin - middle), 0.0f);
     return scene;
 }
 
-/// From the front, without shadows. `scale`: pixels a point.
+/// From the front, without shadows. `scale`: pixels per point.
 QImage picture(const RenderScene& scene, double scale = 1.0) {
-    PictureView view{.size = kSize};
+    RenderView view{.size = kSize};
     view.camera = framing(view.camera, boundsOf(wallScene()), kSize);
     view.settings.hasShadows = view.settings.hasAxes = false;
     view.settings.msaa = 1;
     view.settings.scale = scale;
-    const Image image = pictureOf(std::make_shared<RenderScene>(scene), view, 0).value();
+    const Image image = renderImage(std::make_shared<RenderScene>(scene), view, 0).value();
     return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
 }
 
@@ -43,14 +45,13 @@ bool isRed(const QImage& image, int x, int y) {
 
 }  // namespace
 
-/// What is drawn over bodies, in the pixels.
 class OverlayPictureTest : public QObject {
     Q_OBJECT
 private slots:
-    void aStrokeIsSeenWhereItLiesAndAsWideAsItIsSaidToBe() {
+    void lineHasItsPositionAndWidth() {
         RenderScene scene = wallScene();
-        const float front = 0.6f;  // before the wall, m
-        scene.strokes = {{glm::vec4(-0.3f, 0.0f, front, 4.0f), glm::vec4(0.3f, 0.0f, front, 0.0f), kRed}};
+        const float front = 0.6f;  // in front of the wall, m
+        scene.lines = {{glm::vec4(-0.3f, 0.0f, front, 4.0f), glm::vec4(0.3f, 0.0f, front, 0.0f), kRed}};
         for (const int scale : {1, 2}) {
             const QImage seen = picture(scene, scale);
             QVERIFY(isRed(seen, 100, 100) && !isRed(seen, 20, 100));
@@ -59,24 +60,24 @@ private slots:
             QVERIFY2(std::abs(wide - 8 * scale) <= 1, qPrintable(QString::number(wide)));
         }
     }
-    void aStrokeBehindSomethingIsFaint() {
+    void occludedLineIsFaint() {
         RenderScene scene = wallScene();
         const QColor wall = picture(scene).pixelColor(100, 100);
-        scene.strokes = {{glm::vec4(-0.3f, 0.0f, -0.6f, 4.0f), glm::vec4(0.3f, 0.0f, -0.6f, 0.0f), kRed}};
+        scene.lines = {{glm::vec4(-0.3f, 0.0f, -0.6f, 4.0f), glm::vec4(0.3f, 0.0f, -0.6f, 0.0f), kRed}};
         const QImage seen = picture(scene);
         QVERIFY(!isRed(seen, 100, 100));
         QVERIFY(seen.pixelColor(100, 100).green() < wall.green() - 20);
     }
-    void aBoxIsSeenAsItsEdges() {
+    void boxIsDrawnAsItsEdges() {
         RenderScene scene = wallScene();
         scene.boxes = {{glm::vec4(-0.3f, -0.3f, 0.5f, 2.0f), glm::vec4(0.3f, 0.3f, 0.6f, 0.0f), kRed}};
         const QImage seen = picture(scene);
         QVERIFY(!isRed(seen, 100, 100));
         int edges = 0;
         for (int x = 1; x < 200; ++x) edges += isRed(seen, x, 100) && !isRed(seen, x - 1, 100) ? 1 : 0;
-        QVERIFY2(edges == 2 || edges == 4, qPrintable(QString::number(edges)));  // near and far ones may be apart
+        QVERIFY2(edges == 2 || edges == 4, qPrintable(QString::number(edges)));  // near and far edges may coincide
     }
-    void dustIsSeenBeforeAWallAndNotBehindIt() {
+    void dustIsOccludedByWalls() {
         RenderScene scene = wallScene();
         const QImage clear = picture(scene);
         const auto puffAt = [&](float z) {
@@ -86,25 +87,25 @@ private slots:
         };
         QVERIFY(puffAt(1.0f) > 8.0);
         QVERIFY(puffAt(-1.0f) < 0.01);
-        QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades where it meets the wall
+        QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades at the wall
     }
-    void heatIsSeenPlaceByPlace() {
+    void heatVariesOverTheSurface() {
         RenderScene scene = wallScene(), heated = scene;
         const Vec3 middle = boundsOf(scene).centre();
         BodyForecast forecast{.threshold = 120.0,
-                              .missile = {.mass = 10.0, .from = middle + Vec3(0.0, 0.0, 4.0), .speed = 8.0}};
+                              .projectile = {.mass = 10.0, .from = middle + Vec3(0.0, 0.0, 4.0), .speed = 8.0}};
         forecast.mass.inverseMass = 1.0 / 500.0;
         forecast.mass.inverseInertia = Mat3(6.0 / 500.0);
         forecast.mass.centre = middle;
-        heated.heatSource = heatSource(forecast.missile, heated.origin);
+        heated.heatSource = heatSource(forecast.projectile, heated.origin);
         heated.heats = {surfaceHeat(forecast, heated.origin)};
-        for (BodyLook& look : heated.looks) look.heat = 1;
+        for (BodyAppearance& look : heated.appearances) look.heat = 1;
         const QImage seen = picture(heated);
         const Camera camera = framing({}, boundsOf(scene), kSize);
         std::set<QRgb> colours;
         for (const Vec3& away : {Vec3(0.1, 0.15, 0.25), Vec3(0.4, -0.3, 0.25), Vec3(-0.44, 0.42, 0.25)}) {
             const std::uint32_t flat = packed(heatColour(forecast.at(middle + away, {0.0, 0.0, 1.0})));
-            for (BodyLook& look : scene.looks) look.outside = flat;
+            for (BodyAppearance& look : scene.appearances) look.outside = flat;
             const Vec2 pixel = pixelOf(camera, middle + away, kSize).value();
             const auto colourIn = [&](const QImage& image) {
                 return image.pixelColor(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
@@ -115,9 +116,9 @@ private slots:
                      qPrintable(expected.name() + ' ' + told.name()));
             colours.insert(told.rgb());
         }
-        QCOMPARE(colours.size(), std::size_t{3});  // the middle gives way least
+        QCOMPARE(colours.size(), std::size_t{3});  // the centre yields least, so the impact is largest
     }
-    void outdoorsThereIsAHorizonAndAScale() {
+    void outdoorSceneHasHorizonAndScaleBar() {
         RenderScene scene = wallScene();
         scene.isOutdoors = true;
         const QImage seen = picture(scene);
@@ -129,5 +130,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(OverlayPictureTest)
+RUBBLE_TEST_WITH(OverlayPictureTest, QCoreApplication)
 #include "OverlayPictureTest.moc"

@@ -1,15 +1,16 @@
-#include "core/asset/StarterProject.h"
+#include "core/asset/project/StarterProject.h"
 #include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/scene/SessionSceneBuilder.h"
 
 using namespace rubble;
 
 namespace {
 
-constexpr PictureSize kSize{200, 200};
+constexpr ImageSize kSize{200, 200};
 
 std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
     const Project project = starterProject();
@@ -19,8 +20,8 @@ std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
 }
 
 /// The wall from the front.
-PictureView frontView(const RenderScene& scene) {
-    PictureView view{.size = kSize};
+RenderView frontView(const RenderScene& scene) {
+    RenderView view{.size = kSize};
     view.camera = framing(view.camera, boundsOf(scene), kSize);
     return view;
 }
@@ -31,18 +32,18 @@ class RendererTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        m_context = SurfacelessContext::made().value();
-        m_renderer = Renderer::made().value();
+        m_context = SurfacelessContext::create().value();
+        m_renderer = Renderer::create().value();
     }
     void cleanupTestCase() { m_renderer.reset(); }
 
-    void aPixelNamesTheBodyThatIsSeenThere() {
+    void picksTheVisibleBody() {
         const auto scene = wallScene();
         m_renderer->setScene(scene);
-        const PictureView view = frontView(*scene);
+        const RenderView view = frontView(*scene);
         const double scale = 1.0 / metresPerPixel(view.camera, kSize);
-        for (std::uint32_t body = 0; body < scene->motions.size(); ++body) {
-            const Vec3 centre = scene->origin + Vec3(scene->motions[body].position) - view.camera.target;
+        for (std::uint32_t body = 0; body < scene->poses.size(); ++body) {
+            const Vec3 centre = scene->origin + Vec3(scene->poses[body].position) - view.camera.target;
             // The front face is nearer than the target, and so a little larger.
             const double nearer = view.camera.distance / (view.camera.distance - 0.25);
             const int x = static_cast<int>(100.0 + nearer * scale * centre.x);
@@ -52,64 +53,65 @@ private slots:
         QVERIFY(!m_renderer->bodyAt(view, 0, 0));
         QVERIFY(!m_renderer->bodyAt(view, -1, 500));
     }
-    void whatMovesIsPickedWhereItIsDrawn() {
+    void picksMovingBodiesAtInterpolatedPoses() {
         RenderScene moved = *wallScene();
         const std::uint32_t body = pickedAt(moved, 1.0).value();
-        moved.earlier = moved.motions;
-        moved.earlier[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of the picture
+        moved.previousPoses = moved.poses;
+        moved.previousPoses[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of view
         QCOMPARE(pickedAt(moved, 1.0), std::optional(body));
         QVERIFY(pickedAt(moved, 0.5) != body);
-        moved.earlier[body].position -= glm::vec4(8.0f, 0.0f, 0.0f, 0.0f);
-        for (DrawnPose& now : moved.motions) now.position.x += 4.0f;  // half-way they stand where they stood
-        for (std::uint32_t k = 0; k < moved.earlier.size(); ++k) {
-            if (k != body) moved.earlier[k].position.x -= 4.0f;
+        moved.previousPoses[body].position -= glm::vec4(8.0f, 0.0f, 0.0f, 0.0f);
+        for (RenderPose& now : moved.poses)
+            now.position.x += 4.0f;  // at half the step they are at their original poses
+        for (std::uint32_t k = 0; k < moved.previousPoses.size(); ++k) {
+            if (k != body) moved.previousPoses[k].position.x -= 4.0f;
         }
         QCOMPARE(pickedAt(moved, 0.5), std::optional(body));
         QVERIFY(pickedAt(moved, 1.0) != body);
     }
-    void aSwapUploadsNoGeometryAndTakesNoMoreDrawCalls() {
+    void breakUploadsNoGeometryAndAddsNoDrawCalls() {
         const auto play = test::playSceneOf(test::floatingBlock(40));
         Session session = Session::start(play, {}).value();
-        MomentBuilder builder(play);
-        drawn(builder.momentOf(session));
+        SessionSceneBuilder builder(play);
+        drawn(builder.sceneOf(session));
         session.step();
-        const RenderCounts whole = drawn(builder.momentOf(session));
-        test::give(session, BreakInput{1});
+        const RenderCounts whole = drawn(builder.sceneOf(session));
+        test::addInput(session, BreakInput{1});
         session.step();
         QCOMPARE(session.bodies().size(), std::size_t{41});
-        const RenderCounts swap = drawn(builder.momentOf(session));
+        const RenderCounts swap = drawn(builder.sceneOf(session));
         session.step();
-        const RenderCounts pieces = drawn(builder.momentOf(session));
+        const RenderCounts pieces = drawn(builder.sceneOf(session));
         QCOMPARE(whole.geometryBytes, std::uint64_t{0});
         QVERIFY(swap.geometryBytes == 0 && pieces.geometryBytes == 0);
         QVERIFY(whole.drawCalls == 2 && swap.drawCalls == 2 && pieces.drawCalls == 2);  // one for shadows
         QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && pieces.bodyBytes == whole.bodyBytes);
     }
-    void oneMoreFrameOfAStepUploadsNothing() {
+    void secondImageOfAStepUploadsNothing() {
         RenderScene moved = *wallScene();
-        moved.earlier = moved.motions;
+        moved.previousPoses = moved.poses;
         const auto scene = std::make_shared<RenderScene>(moved);
         QVERIFY(drawn(scene, 0.2).bodyBytes > 0);
         const RenderCounts again = drawn(scene, 0.6);
         QVERIFY(again.bodyBytes == 0 && again.geometryBytes == 0);
         QCOMPARE(again.drawCalls, std::uint64_t{2});
     }
-    void whatIsHiddenIsNotPicked() {
+    void hiddenBodiesAreNotPicked() {
         const auto all = wallScene();
         m_renderer->setScene(all);
-        const PictureView view = frontView(*all);
+        const RenderView view = frontView(*all);
         const std::uint32_t body = m_renderer->bodyAt(view, 100, 100).value();
         m_renderer->setScene(wallScene({.hidden = {all->picks[body]}}));
         QVERIFY(m_renderer->bodyAt(view, 100, 100) != body);
     }
 
 private:
-    /// What it takes to draw a scene after the last one.
+    /// The statistics of drawing a scene after the previous one.
     RenderCounts drawn(const std::shared_ptr<const RenderScene>& scene, double moment = 1.0) {
         const RenderCounts before = m_renderer->counts();
         m_renderer->setScene(scene);
-        PictureView view = frontView(*scene);
-        view.moment = moment;
+        RenderView view = frontView(*scene);
+        view.stepFraction = moment;
         const RenderTarget target(kSize, PixelFormat::Colour, 1);
         m_renderer->draw(view, target.framebuffer());
         const RenderCounts& now = m_renderer->counts();
@@ -117,10 +119,10 @@ private:
                 now.bodyBytes - before.bodyBytes};
     }
 
-    /// The body in the middle of the wall as it stands, at a moment of a scene's step.
+    /// The body at the centre of the original wall, at a step fraction.
     std::optional<std::uint32_t> pickedAt(const RenderScene& scene, double moment) {
-        PictureView view = frontView(*wallScene());
-        view.moment = moment;
+        RenderView view = frontView(*wallScene());
+        view.stepFraction = moment;
         m_renderer->setScene(std::make_shared<RenderScene>(scene));
         return m_renderer->bodyAt(view, 100, 100);
     }
@@ -129,5 +131,5 @@ private:
     std::unique_ptr<Renderer> m_renderer;
 };
 
-QTEST_GUILESS_MAIN(RendererTest)
+RUBBLE_TEST_WITH(RendererTest, QCoreApplication)
 #include "RendererTest.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/TestProgram.h"
 #include "viewport/scene/Camera.h"
 
 #include <QTest>
@@ -9,9 +10,9 @@ using namespace rubble;
 
 namespace {
 
-constexpr PictureSize kSize{400, 300};
+constexpr ImageSize kSize{400, 300};
 
-/// Where a point appears, in pixels from the top left corner.
+/// Projects a point, pixels from the top left corner.
 Vec2 pixelOf(Vec3 point, const Camera& camera, const Box3& bounds) {
     const CameraMatrices matrices = matricesOf(camera, kSize, {}, bounds);
     const glm::dvec4 clip = matrices.projection * matrices.view * glm::dvec4(point, 1.0);
@@ -39,22 +40,22 @@ class CameraTest : public QObject {
 private slots:
     void standardViewsLookAlongTheAxes() {
         const Camera camera{.distance = 2.0};
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Front)), {0, 0, 2}));
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Back)), {0, 0, -2}));
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Right)), {2, 0, 0}));
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Left)), {-2, 0, 0}));
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Top)), {0, 2, 0}));
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Bottom)), {0, -2, 0}));
-        QVERIFY(isNear(axesOf(turnedTo(camera, StandardView::Top)).up, {0, 0, -1}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Front)), {0, 0, 2}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Back)), {0, 0, -2}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Right)), {2, 0, 0}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Left)), {-2, 0, 0}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Top)), {0, 2, 0}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Bottom)), {0, -2, 0}));
+        QVERIFY(isNear(axesOf(alignedTo(camera, StandardView::Top)).up, {0, 0, -1}));
         const double third = 2.0 / std::sqrt(3.0);
-        QVERIFY(isNear(eyeOf(turnedTo(camera, StandardView::Isometric)), {third, third, third}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Isometric)), {third, third, third}));
     }
-    void orbitingStopsStraightAboveAndBelow() {
+    void elevationIsClamped() {
         const Camera camera = orbited({}, 0.0, 10.0);
         QCOMPARE(camera.elevation, std::numbers::pi / 2.0);
         QVERIFY(std::abs(orbited({}, 7.0, 0.0).azimuth - (7.0 - 2.0 * std::numbers::pi)) < 1e-15);
     }
-    void thePointAtTheTargetFollowsThePointer() {
+    void panFollowsThePointer() {
         std::mt19937 random(1);
         for (int round = 0; round < 100; ++round) {
             const Camera camera = randomCamera(random);
@@ -62,7 +63,7 @@ private slots:
             QVERIFY(isNear(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}));
         }
     }
-    void zoomingKeepsWhatIsUnderThePointer() {
+    void dollyKeepsThePointUnderThePointer() {
         std::mt19937 random(2);
         for (int round = 0; round < 100; ++round) {
             const Camera camera = randomCamera(random);
@@ -75,12 +76,12 @@ private slots:
             QVERIFY(isNear(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel));
         }
     }
-    void framingShowsAllOfABoxAndFillsThePicture() {
+    void framingFitsTheBox() {
         std::mt19937 random(3);
         for (int round = 0; round < 100; ++round) {
             const Box3 box = boxAround({5.0, -2.0, 3.0}, 0.1 * (round + 1));
             const Camera camera = framing(randomCamera(random), box, kSize);
-            double farthest = 0.0;  // from the middle, as a part of the way to the picture's edge
+            double farthest = 0.0;  // from the image centre ÷ half its size
             for (int corner = 0; corner < 8; ++corner) {
                 const Vec2 pixel = pixelOf(box.corner(corner), camera, box);
                 farthest = std::max({farthest, std::abs(pixel.x / 200.0 - 1.0), std::abs(pixel.y / 150.0 - 1.0)});
@@ -90,7 +91,7 @@ private slots:
         const Camera camera = randomCamera(random);
         QVERIFY(framing(camera, Box3{}, kSize) == camera);
     }
-    void theDepthRangeHoldsTheBounds() {
+    void depthRangeContainsTheBounds() {
         std::mt19937 random(4);
         for (int round = 0; round < 100; ++round) {
             const Box3 box = boxAround({0.5, 0.0, -0.5}, 1.0);
@@ -102,14 +103,14 @@ private slots:
             }
         }
     }
-    void aWayBetweenCamerasTurnsTheShorterWayRound() {
+    void interpolationRotatesTheShorterWay() {
         const Camera from{.azimuth = 3.0}, to{.azimuth = -3.0, .distance = 20.0};
-        QVERIFY(between(from, to, 0.0) == from);
-        QVERIFY(between(from, to, 1.0) == to);
-        QVERIFY(std::abs(between(from, to, 0.5).azimuth - std::numbers::pi) < 1e-15);
-        QCOMPARE(between(from, to, 0.5).distance, 15.0);
+        QVERIFY(interpolated(from, to, 0.0) == from);
+        QVERIFY(interpolated(from, to, 1.0) == to);
+        QVERIFY(std::abs(interpolated(from, to, 0.5).azimuth - std::numbers::pi) < 1e-15);
+        QCOMPARE(interpolated(from, to, 0.5).distance, 15.0);
     }
-    void raysGoWherePointsAreSeen() {
+    void rayThroughInvertsProjection() {
         std::mt19937 random(5);
         for (int round = 0; round < 100; ++round) {
             const Camera camera = randomCamera(random);
@@ -124,7 +125,7 @@ private slots:
             QVERIFY(std::abs(glm::length(ray.direction) - 1.0) < 1e-12);
         }
     }
-    void whatLiesBehindTheEyeIsNotSeen() {
+    void pointsBehindTheEyeDoNotProject() {
         const Camera seeing, parallel{.projection = Projection::Orthographic};
         const Vec3 behind = eyeOf(seeing) + axesOf(seeing).back;
         QVERIFY(!pixelOf(seeing, behind, kSize));
@@ -132,5 +133,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CameraTest)
+RUBBLE_TEST_WITH(CameraTest, QCoreApplication)
 #include "CameraTest.moc"

@@ -1,14 +1,15 @@
+#include "tests/support/TestProgram.h"
 #include "viewport/scene/Dust.h"
 
 #include "tests/support/Sessions.h"
 
 using namespace rubble;
+using test::addInput;
 using test::floatingBlock;
-using test::give;
 
 namespace {
 
-/// The puffs of a session's moment.
+/// The puffs of a session's scene.
 std::vector<DustPuff> puffsOf(const Session& session) {
     RenderScene scene;
     addDust(scene, session);
@@ -18,7 +19,7 @@ std::vector<DustPuff> puffsOf(const Session& session) {
 /// A block that broke one step ago.
 Session brokenBlock() {
     Session session = test::sessionOf(floatingBlock(5));
-    give(session, BreakInput{1});
+    addInput(session, BreakInput{1});
     session.step();
     return session;
 }
@@ -28,7 +29,7 @@ void step(Session& session, int steps) {
 }
 
 bool areSame(const DustPuff& a, const DustPuff& b) {
-    return a.place == b.place && a.back == b.back && a.colour == b.colour;
+    return a.position == b.position && a.previousOffset == b.previousOffset && a.colour == b.colour;
 }
 
 }  // namespace
@@ -36,19 +37,19 @@ bool areSame(const DustPuff& a, const DustPuff& b) {
 class DustTest : public QObject {
     Q_OBJECT
 private slots:
-    void whatBreaksRaisesDustWhereItParted() {
+    void breakEmitsDustAtItsCuts() {
         Session whole = test::sessionOf(floatingBlock(5));
         step(whole, 1);
         QVERIFY(puffsOf(whole).empty());
         const std::vector<DustPuff> puffs = puffsOf(brokenBlock());
         QVERIFY(puffs.size() >= 10);
         for (const DustPuff& puff : puffs) {
-            const glm::vec3 arm = glm::vec3(puff.place) - glm::vec3(0.0f, 5.0f, 0.0f);
+            const glm::vec3 arm = glm::vec3(puff.position) - glm::vec3(0.0f, 5.0f, 0.0f);
             QVERIFY(std::abs(arm.x) < 0.55f && std::abs(arm.y) < 0.55f && std::abs(arm.z) < 0.3f);
-            QVERIFY(puff.back.w > 0.05f && puff.place.w > 0.02f);
+            QVERIFY(puff.previousOffset.w > 0.05f && puff.position.w > 0.02f);
         }
     }
-    void itDriftsGrowsFadesAndIsGone() {
+    void dustDriftsGrowsAndFades() {
         Session session = brokenBlock();
         step(session, 5);
         const std::vector<DustPuff> early = puffsOf(session);
@@ -56,14 +57,14 @@ private slots:
         const std::vector<DustPuff> late = puffsOf(session);
         QVERIFY(late.size() == early.size());
         for (std::size_t k = 0; k < late.size(); ++k) {
-            QVERIFY(late[k].place.w > early[k].place.w && late[k].back.w < early[k].back.w);
-            QVERIFY(glm::distance(late[k].place, early[k].place) > 0.05f);
+            QVERIFY(late[k].position.w > early[k].position.w && late[k].previousOffset.w < early[k].previousOffset.w);
+            QVERIFY(glm::distance(late[k].position, early[k].position) > 0.05f);
         }
         step(session, 35);
         QVERIFY(puffsOf(session).empty());
         QVERIFY(session.recentBreaks().empty());
     }
-    void itIsTheSameInEverySessionAndAfterGoingBack() {
+    void dustIsDeterministicAfterSeeking() {
         Session session = brokenBlock(), other = brokenBlock();
         step(session, 10);
         const auto then = session.snapshot();
@@ -74,16 +75,17 @@ private slots:
         session.restore(*then);
         QVERIFY(std::ranges::equal(puffs, puffsOf(session), areSame));
     }
-    void whereItWasAStepBeforeIsWhereItWasDrawn() {
+    void previousOffsetMatchesThePreviousScene() {
         Session session = brokenBlock();
         const std::vector<DustPuff> before = puffsOf(session);
         step(session, 1);
         const std::vector<DustPuff> now = puffsOf(session);
         for (std::size_t k = 0; k < now.size(); ++k) {
-            QVERIFY(glm::distance(glm::vec3(now[k].place + now[k].back), glm::vec3(before[k].place)) < 1e-5f);
+            QVERIFY(glm::distance(glm::vec3(now[k].position + now[k].previousOffset), glm::vec3(before[k].position)) <
+                    1e-5f);
         }
     }
 };
 
-QTEST_GUILESS_MAIN(DustTest)
+RUBBLE_TEST_WITH(DustTest, QCoreApplication)
 #include "DustTest.moc"

@@ -1,5 +1,7 @@
+// Tests viewport/scene/ImportScene.cpp and viewport/scene/SurfaceGeometry.cpp.
+#include "tests/support/TestProgram.h"
 #include "viewport/scene/ImportScene.h"
-#include "viewport/scene/SurfacePiece.h"
+#include "viewport/scene/SurfaceGeometry.h"
 
 #include "tests/support/Outlines.h"
 #include "tests/support/Solids.h"
@@ -20,7 +22,7 @@ TriangleMesh wallMesh() { return prismSolid({rectangle({0, 0}, {2, 1}), {}}, 0.5
 
 bool isNear(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
 
-/// Corners that lie on an edge which shows.
+/// The number of vertices on visible edges.
 std::size_t edgeCorners(const SceneGeometry& geometry) {
     return static_cast<std::size_t>(std::ranges::count_if(
         geometry.vertices, [](const SceneVertex& vertex) { return vertex.across[0] == 0 || vertex.across[1] == 0; }));
@@ -31,20 +33,20 @@ std::size_t edgeCorners(const SceneGeometry& geometry) {
 class ImportSceneTest : public QObject {
     Q_OBJECT
 private slots:
-    void aMeshStandsInMetresAndYUp() {
+    void meshIsScaledToMetresAndYUp() {
         const SourceModel model = sourceModel(sceneOf(wallMesh()), 0.1, UpAxis::Z);
         const Box3 bounds = boundsOf(importScene(model, nullptr));
         QVERIFY(isNear(bounds.max - bounds.min, {0.2, 0.05, 0.1}));
         QVERIFY(isNear(bounds.min, {0.0, -0.025, -0.1}));
     }
-    void farFromZeroNothingIsRounded() {
+    void keepsPrecisionFarFromTheOrigin() {
         const SourceModel model = sourceModel(sceneOf(placed(wallMesh(), {{1e7, 0, 0}})), 1.0, UpAxis::Y);
         const Box3 bounds = boundsOf(importScene(model, nullptr));
         QVERIFY(isNear(bounds.max - bounds.min, {2.0, 1.0, 0.5}));
     }
-    void thePrismLiesOverItsMeshAndTheArrowAlongItsAxis() {
+    void prismOverlaysItsMeshAndArrowFollowsItsAxis() {
         const TriangleMesh mesh = placed(wallMesh(), {{3, 4, 5}, Quat(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0)});
-        const Result<FoundPrism> found = findPrism(mesh, AxisChoice::Thinnest, 1e-5);
+        const Result<PrismFit> found = fitPrism(mesh, PrismAxis::Thinnest, 1e-5);
         QVERIFY(found.hasValue());
         const RenderScene scene = importScene(sourceModel(sceneOf(mesh), 1.0, UpAxis::Y), &*found);
         QCOMPARE(scene.batches.size(), std::size_t{3});
@@ -52,19 +54,19 @@ private slots:
         QVERIFY(scene.batches[1].geometry->indices.empty());
         const Vec3 middle = boundsOf(mesh).centre();
         for (const std::size_t body : {1, 2}) {
-            QVERIFY(isNear(scene.origin + Vec3(glm::vec3(scene.motions[body].position)), middle));
+            QVERIFY(isNear(scene.origin + Vec3(glm::vec3(scene.poses[body].position)), middle));
         }
         const Box3 bounds = boundsOf(scene);
         QVERIFY(std::abs(bounds.max.x - bounds.min.x - 1.7) < 1e-6);  // 0.5, and 0.3 of 2 beyond each cap
         QCOMPARE(scene.groundHeight, boundsOf(mesh).min.y);
     }
-    void bothSidesAreDrawnAndFlatEdgesAreNot() {
+    void drawsBothSidesAndHidesFlatEdges() {
         SceneGeometry geometry;
         addSurface(geometry, wallMesh());
         QCOMPARE(geometry.indices.size(), 3 * 2 * wallMesh().triangles.size());
-        // Of the two triangles of each side, each has two edges that show: all its corners lie on one.
+        // Each side has two triangles, each with two visible edges: all its vertices lie on one.
         QCOMPARE(edgeCorners(geometry), geometry.vertices.size());
-        SceneGeometry apart;  // as STL has it: no point is shared
+        SceneGeometry apart;  // as in STL: triangles share no vertices
         TriangleMesh soup;
         for (const auto& triangle : wallMesh().triangles) {
             for (const std::uint32_t point : triangle) soup.points.push_back(wallMesh().points[point]);
@@ -73,9 +75,10 @@ private slots:
         }
         addSurface(apart, soup);
         QCOMPARE(apart.vertices.size(), geometry.vertices.size());
-        QCOMPARE(apart.vertices.size(), apart.indices.size());  // no fan around a centre: no triangle shows three edges
+        QCOMPARE(apart.vertices.size(),
+                 apart.indices.size());  // no fan around a centre: no triangle has three visible edges
     }
-    void theEdgeOfAnOpenMeshShows() {
+    void boundaryEdgesAreVisible() {
         TriangleMesh triangle;
         triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
         triangle.triangles = {{0, 1, 2}};
@@ -86,5 +89,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ImportSceneTest)
+RUBBLE_TEST_WITH(ImportSceneTest, QCoreApplication)
 #include "ImportSceneTest.moc"

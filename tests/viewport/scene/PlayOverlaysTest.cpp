@@ -1,16 +1,18 @@
+// Tests viewport/scene/ContactLines.cpp and viewport/scene/OverlayColours.cpp.
+#include "tests/support/TestProgram.h"
 #include "viewport/scene/PlayOverlays.h"
 
-#include "core/asset/PieceColours.h"
+#include "core/asset/project/FragmentColours.h"
 #include "tests/support/Sessions.h"
-#include "viewport/scene/ContactStrokes.h"
-#include "viewport/scene/MomentBuilder.h"
+#include "viewport/scene/ContactLines.h"
+#include "viewport/scene/SessionSceneBuilder.h"
 
 using namespace rubble;
-using test::give;
+using test::addInput;
 
 namespace {
 
-/// Two blocks of 1 m, one upon the other on the ground, and one apart from them.
+/// Two stacked blocks of 1 m on the ground, and a separate one.
 Project blocks() {
     Project project = test::floatingBlock(5);
     project.gravity = {0.0, -9.81, 0.0};
@@ -28,14 +30,14 @@ struct Shown {
     }
     void step(int steps) {
         for (int k = 0; k < steps; ++k) session.step();
-        moment = builder.momentOf(session);
+        moment = builder.sceneOf(session);
     }
-    /// By the number of a body that is whole: the ground is 0, scene bodies come in sixes.
-    const BodyLook& lookOf(std::uint32_t number) const { return moment->looks[6 * (number - 1)]; }
+    /// `number`: of a whole body; the ground is 0, and each block has six scene bodies.
+    const BodyAppearance& lookOf(std::uint32_t number) const { return moment->appearances[6 * (number - 1)]; }
 
     std::shared_ptr<const PlayScene> scene;
     Session session;
-    MomentBuilder builder;
+    SessionSceneBuilder builder;
     std::shared_ptr<const RenderScene> moment;
 };
 
@@ -46,60 +48,60 @@ Vec3 placeOf(const Shown& shown, const glm::vec4& place) { return shown.moment->
 class PlayOverlaysTest : public QObject {
     Q_OBJECT
 private slots:
-    void nothingIsShownThatIsNotAskedFor() {
+    void overlaysAreOffByDefault() {
         const Shown shown(blocks(), {});
-        QVERIFY(shown.moment->strokes.empty() && shown.moment->boxes.empty());
+        QVERIFY(shown.moment->lines.empty() && shown.moment->boxes.empty());
     }
-    void contactsAreDotsWhereBodiesTouch() {
+    void contactsAreDots() {
         const Shown shown(blocks(), {.hasContacts = true});
-        QCOMPARE(shown.moment->strokes.size(), std::size_t{12});  // four points each
-        for (const SceneStroke& dot : shown.moment->strokes) {
+        QCOMPARE(shown.moment->lines.size(), std::size_t{12});  // four points each
+        for (const SceneLine& dot : shown.moment->lines) {
             const Vec3 place = placeOf(shown, dot.from);
             QVERIFY(glm::vec3(dot.from) == glm::vec3(dot.to));
             QVERIFY(std::abs(place.y) < 0.02 || std::abs(place.y - 1.0) < 0.02);
             QVERIFY(std::abs(std::abs(place.z) - 0.25) < 0.02);
         }
     }
-    void contactsOfBodiesAsleepAreShownToo() {
+    void sleepingBodiesHaveContacts() {
         const Shown shown(blocks(), {.hasContacts = true}, 200);
         QVERIFY(shown.session.world().state(shown.session.bodies()[1].body).asleep);
-        QCOMPARE(shown.moment->strokes.size(), std::size_t{12});
+        QCOMPARE(shown.moment->lines.size(), std::size_t{12});
     }
-    void normalsAndImpulsesGoFromTheFirstBodyToTheSecond() {
+    void arrowsPointFromFirstToSecondBody() {
         const Shown shown(blocks(), {.hasNormals = true, .hasImpulses = true});
-        QCOMPARE(shown.moment->strokes.size(), std::size_t{24});
-        for (const SceneStroke& arrow : shown.moment->strokes) {
+        QCOMPARE(shown.moment->lines.size(), std::size_t{24});
+        for (const SceneLine& arrow : shown.moment->lines) {
             const glm::vec3 way(arrow.to - arrow.from);
-            QVERIFY(arrow.to.w == 1.0f && way.y > 0.99f * glm::length(way));  // upwards: lower bodies came first
+            QVERIFY(arrow.to.w == 1.0f && way.y > 0.99f * glm::length(way));  // upwards: lower bodies come first
         }
     }
-    void aStrongerImpulseHasALongerArrowWithinBounds() {
+    void arrowLengthGrowsWithImpulseWithinBounds() {
         QCOMPARE(impulseLength(100.0, 2.0), 2.0);
         QCOMPARE(impulseLength(400.0, 2.0), 4.0);
         QCOMPARE(impulseLength(1e9, 2.0), 8.0);
         QCOMPARE(impulseLength(0.0, 2.0), 0.2);
     }
-    void boxesAreAroundBodiesAndGoWithThem() {
+    void boxesEncloseAndFollowBodies() {
         Project project = blocks();
         project.instances[2].pose.position.y = 8.0;  // it falls
         Shown shown(project, {.hasBoxes = true}, 30);
         shown.step(1);
         QCOMPARE(shown.moment->boxes.size(), std::size_t{3});
-        const SceneStroke& box = shown.moment->boxes[2];
+        const SceneLine& box = shown.moment->boxes[2];
         const Vec3 position = shown.session.world().state(shown.session.bodies()[3].body).pose.position;
         const Vec3 low = placeOf(shown, box.from), high = placeOf(shown, box.to);
         QVERIFY(low.x < position.x - 0.49 && high.y > position.y + 0.49 && high.y < position.y + 1.5);
-        QVERIFY(box.back.y > 0.05f && box.back.y < 0.11f);  // 5 m/s for 1/60 s
+        QVERIFY(box.previousOffset.y > 0.05f && box.previousOffset.y < 0.11f);  // 5 m/s for 1/60 s
     }
-    void whatHangsTogetherHasOneColour() {
+    void islandsShareOneColour() {
         const Shown shown(blocks(), {.hasIslands = true});
         QCOMPARE(shown.lookOf(1).outside, shown.lookOf(2).outside);
         QVERIFY(shown.lookOf(1).outside != shown.lookOf(3).outside);
         const Shown asleep(blocks(), {.hasIslands = true}, 200);
-        QCOMPARE(asleep.lookOf(1).outside, shown.lookOf(1).outside);  // it stays
+        QCOMPARE(asleep.lookOf(1).outside, shown.lookOf(1).outside);  // stable
         QCOMPARE(asleep.lookOf(3).outside, shown.lookOf(3).outside);
     }
-    void whatSleepsIsBlue() {
+    void sleepingBodiesAreBlue() {
         Shown shown(blocks(), {.hasSleep = true});
         const std::uint32_t awake = shown.lookOf(1).outside;
         QCOMPARE(awake, Shown(blocks(), {}).lookOf(1).outside);
@@ -110,11 +112,11 @@ private slots:
         shown.step(0);
         QCOMPARE(shown.lookOf(1).outside, awake);
     }
-    void heatIsThatOfAForecastOrOfImpactsThatCoolDown() {
+    void heatShowsForecastOrCoolingImpacts() {
         Project project = test::floatingBlock(5);
         Shown shown(project, {.hasHeat = true});
         QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
-        give(shown.session, ShotInput{"box", test::throwAtBlock(2.0, 8.0)});
+        addInput(shown.session, ShotInput{"box", test::throwAtBlock(2.0, 8.0)});
         double hottest = 0.0;
         for (int k = 0; k < 12; ++k) {
             shown.step(1);
@@ -133,7 +135,7 @@ private slots:
         shown.step(1);
         QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
     }
-    void heatGetsLighterAndEndsInASignal() {
+    void heatRampGetsLighterAndEndsInRed() {
         const auto lightness = [](double value) {
             const Colour colour = heatColour(value);
             return 0.3 * colour.red + 0.59 * colour.green + 0.11 * colour.blue;
@@ -142,7 +144,7 @@ private slots:
         QVERIFY(heatColour(0.999).green > 0.8 && heatColour(1.0).green < 0.2);
         QVERIFY(heatColour(1e9) == heatColour(1.0));
     }
-    void hullsComeAndGo() {
+    void hullsCanBeToggled() {
         Shown shown(blocks(), {});
         QVERIFY(shown.moment->batches[0].hulls == nullptr);
         shown.builder.setOverlays({.hasHulls = true});
@@ -154,5 +156,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlayOverlaysTest)
+RUBBLE_TEST_WITH(PlayOverlaysTest, QCoreApplication)
 #include "PlayOverlaysTest.moc"

@@ -1,6 +1,7 @@
-#include "core/asset/PieceColours.h"
-#include "core/asset/StarterProject.h"
-#include "core/geometry/Aspect.h"
+#include "core/asset/project/FragmentColours.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/geometry/hull/AspectRatio.h"
+#include "tests/support/TestProgram.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
@@ -14,7 +15,7 @@ namespace {
 
 AssetBakes allBakes(const Project& project) { return bakesOf(project).value(); }
 
-/// The starter's wall twice: as it stands, and two metres to the right, turned about y by a quarter.
+/// The starter project's wall twice: as it is, and two metres to the right, rotated by 90° about y.
 Project twoWalls() {
     Project project = starterProject();
     Instance second = project.instances[0];
@@ -28,7 +29,7 @@ Project twoWalls() {
 
 bool isNear(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
 
-/// The most that red, green or blue of two packed colours differ by.
+/// The largest difference of a channel of two packed colours.
 int colourDistance(std::uint32_t a, std::uint32_t b) {
     int most = 0;
     for (const int shift : {0, 8, 16}) {
@@ -42,64 +43,64 @@ int colourDistance(std::uint32_t a, std::uint32_t b) {
 class SceneBuilderTest : public QObject {
     Q_OBJECT
 private slots:
-    void everyInstanceSharesOneGeometry() {
+    void instancesShareGeometry() {
         const Project project = twoWalls();
         const RenderScene scene = sceneOf(project, allBakes(project));
         QCOMPARE(scene.batches.size(), std::size_t{1});
         QCOMPARE(scene.batches[0].firstBodies, (std::vector<std::uint32_t>{0, 20}));
         QCOMPARE(scene.batches[0].geometry->pieceCount(), 20u);
-        QCOMPARE(scene.motions.size(), std::size_t{40});
+        QCOMPARE(scene.poses.size(), std::size_t{40});
         QVERIFY((scene.picks[25] == PickId{project.assets[0].id, project.instances[1].id, 5}));
     }
-    void instancesStandByTheirPoses() {
+    void instancesHaveTheirPoses() {
         const Project project = twoWalls();
         const Box3 bounds = boundsOf(sceneOf(project, allBakes(project)));
         const Vec3 first = project.instances[0].pose.position;
         QVERIFY(isNear(bounds.min, first - Vec3(0.5, 0.5, 0.5)));
         QVERIFY(isNear(bounds.max, first + Vec3(2.25, 0.5, 0.5)));
     }
-    void farFromZeroNothingIsRounded() {
+    void keepsPrecisionFarFromTheOrigin() {
         Project project = starterProject();
         project.instances[0].pose.position = {1e7, 2e7, -1e7};
         const RenderScene scene = sceneOf(project, allBakes(project));
         QVERIFY(isNear(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}));
     }
-    void withoutABakeAnAssetIsWhole() {
+    void assetWithoutBakeIsWhole() {
         const Project project = starterProject();
         const RenderScene scene = sceneOf(project, {});
-        QCOMPARE(scene.motions.size(), std::size_t{1});
+        QCOMPARE(scene.poses.size(), std::size_t{1});
         QCOMPARE(scene.picks[0].fragment, kNone);
         QVERIFY(isNear(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}));
     }
-    void aPrismThatCannotBeFracturedIsLeftOut() {
+    void invalidPrismIsLeftOut() {
         Project project = starterProject();
         std::swap(project.assets[0].prism.outline.outer[0], project.assets[0].prism.outline.outer[1]);
         QVERIFY(sceneOf(project, {}).batches.empty());
         QVERIFY(boundsOf(sceneOf(project, {})).isEmpty());
     }
-    void explodedTwicePiecesStandTwiceAsFarFromTheMiddle() {
+    void explodeFactorScalesDistances() {
         const Project project = starterProject();
         const RenderScene together = sceneOf(project, allBakes(project));
-        const RenderScene apart = sceneOf(project, allBakes(project), {.exploded = 1.0});
+        const RenderScene apart = sceneOf(project, allBakes(project), {.explodeFactor = 1.0});
         QVERIFY(together.batches[0].firstBodies == apart.batches[0].firstBodies);
         const Vec3 foot = boundsOf(together).centre() - Vec3(0.0, 0.5, 0.0);
-        for (std::size_t k = 0; k < apart.motions.size(); ++k) {
-            const Vec3 arm = together.origin + Vec3(together.motions[k].position) - foot;
-            QVERIFY(isNear(Vec3(apart.apart[k]), arm));
+        for (std::size_t k = 0; k < apart.poses.size(); ++k) {
+            const Vec3 arm = together.origin + Vec3(together.poses[k].position) - foot;
+            QVERIFY(isNear(Vec3(apart.explodeOffsets[k]), arm));
         }
         QVERIFY(boundsOf(apart).min.y > boundsOf(together).min.y - 1e-6);  // nothing goes below the ground
     }
-    void colouringByVolumeRunsFromTheSmallestToTheLargest() {
+    void volumeColouringSpansTheRange() {
         const Project project = starterProject();
         const AssetBakes bakes = allBakes(project);
         std::vector<double> volumes;
         for (std::uint32_t k = 0; k < 20; ++k) volumes.push_back(bakes.begin()->second->fragment(k).solid.volume());
         const auto [least, most] = std::ranges::minmax_element(volumes);
         const RenderScene scene = sceneOf(project, bakes, {.colouring = SceneColouring::Volume});
-        QCOMPARE(scene.looks[static_cast<std::size_t>(least - volumes.begin())].outside, packed(rampColour(0.0)));
-        QCOMPARE(scene.looks[static_cast<std::size_t>(most - volumes.begin())].outside, packed(rampColour(1.0)));
+        QCOMPARE(scene.appearances[static_cast<std::size_t>(least - volumes.begin())].outside, packed(rampColour(0.0)));
+        QCOMPARE(scene.appearances[static_cast<std::size_t>(most - volumes.begin())].outside, packed(rampColour(1.0)));
     }
-    void everyFigureRunsFromTheLeastToTheGreatest() {
+    void everyQuantityHasItsRange() {
         Project project = starterProject();
         project.assets[0].levels = {
             {.pattern = {{{.id = 70, .parameters = UniformScatter{.count = 3}}}}, .minimumVolume = 0.02}};
@@ -111,7 +112,7 @@ private slots:
             switch (colouring) {
                 case SceneColouring::Level: return static_cast<double>(fragment.level);
                 case SceneColouring::Mass: return fragment.solid.volume() * project.materials[0].density;
-                case SceneColouring::Aspect: return aspectOf(fragment.solid.outline());
+                case SceneColouring::Aspect: return aspectRatio(fragment.solid.outline());
                 case SceneColouring::Threshold: {
                     const double parent =
                         fragment.parent == kNone ? bake.whole.volume : bake.fragment(fragment.parent).solid.volume();
@@ -134,12 +135,12 @@ private slots:
             for (std::size_t body = 0; body < scene.picks.size(); ++body) {
                 const double share =
                     (figureOf(colouring, scene.picks[body].fragment) - range.least) / (range.most - range.least);
-                QVERIFY(colourDistance(scene.looks[body].outside, packed(rampColour(share))) <= 1);  // rounding
+                QVERIFY(colourDistance(scene.appearances[body].outside, packed(rampColour(share))) <= 1);  // rounding
             }
         }
         QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Piece}).colourRange);
     }
-    void bondsJoinTheMiddlesOfPiecesThatTouch() {
+    void bondLinesJoinCentres() {
         const Project project = starterProject();
         const AssetBakes bakes = allBakes(project);
         const Bake& bake = *bakes.begin()->second;
@@ -151,15 +152,15 @@ private slots:
                 largest = std::max(largest, bond.area);
             }
         }
-        RenderScene scene = sceneOf(project, bakes, {.exploded = 0.5, .hasBonds = true});
-        QCOMPARE(scene.strokes.size(), bonds / 2);
-        QCOMPARE(scene.largestBond, largest);
+        RenderScene scene = sceneOf(project, bakes, {.explodeFactor = 0.5, .hasBonds = true});
+        QCOMPARE(scene.lines.size(), bonds / 2);
+        QCOMPARE(scene.largestBondArea, largest);
         float widest = 0.0f;
-        for (const SceneStroke& stroke : scene.strokes) {
+        for (const SceneLine& stroke : scene.lines) {
             widest = std::max(widest, stroke.from.w);
             const auto isMiddle = [&](const glm::vec4& end) {
-                for (std::uint32_t body = 0; body < scene.motions.size(); ++body) {
-                    const Vec3 middle = Vec3(scene.motions[body].position) + movedApart(scene, body);
+                for (std::uint32_t body = 0; body < scene.poses.size(); ++body) {
+                    const Vec3 middle = Vec3(scene.poses[body].position) + explodeOffset(scene, body);
                     if (glm::distance(middle, Vec3(end)) < 1e-5) return true;
                 }
                 return false;
@@ -170,58 +171,58 @@ private slots:
         const std::uint32_t touching = static_cast<std::uint32_t>(bake.fragment(0).solid.bonds().size());
         const RenderScene fewer =
             sceneOf(project, bakes, {.hasBonds = true, .marks = {.hidden = {{project.assets[0].id, 0, 0}}}});
-        QCOMPARE(fewer.strokes.size(), bonds / 2 - touching);
-        QVERIFY(sceneOf(project, bakes, {}).strokes.empty());
+        QCOMPARE(fewer.lines.size(), bonds / 2 - touching);
+        QVERIFY(sceneOf(project, bakes, {}).lines.empty());
     }
-    void aColourOfAPieceStaysWhenOthersCome() {
+    void fragmentColoursAreStable() {
         Project project = starterProject();
         const RenderScene few = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
         std::get<UniformScatter>(project.assets[0].pattern.layers[0].parameters).count = 30;
         const RenderScene more = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
-        QCOMPARE(few.looks[7].outside, more.looks[7].outside);
-        QVERIFY(few.looks[7].outside != few.looks[8].outside);
-        QVERIFY(few.looks[7].outside != few.looks[7].inside);
+        QCOMPARE(few.appearances[7].outside, more.appearances[7].outside);
+        QVERIFY(few.appearances[7].outside != few.appearances[8].outside);
+        QVERIFY(few.appearances[7].outside != few.appearances[7].inside);
     }
-    void marksStandForOneOrForMany() {
+    void marksMatchOneOrManyBodies() {
         const Project project = twoWalls();
         RenderScene scene = sceneOf(project, allBakes(project));
         const Id asset = project.assets[0].id, second = project.instances[1].id;
         setMarks(scene,
                  {.hidden = {{asset, 0, 3}}, .selected = {{asset, second, kNone}}, .hovered = {{asset, second, 4}}});
-        QCOMPARE(scene.looks[3].marks, kHidden);
-        QCOMPARE(scene.looks[23].marks, kHidden | kSelected);
-        QCOMPARE(scene.looks[24].marks, kSelected | kHovered);
-        QCOMPARE(scene.looks[4].marks, 0u);
+        QCOMPARE(scene.appearances[3].marks, kHidden);
+        QCOMPARE(scene.appearances[23].marks, kHidden | kSelected);
+        QCOMPARE(scene.appearances[24].marks, kSelected | kHovered);
+        QCOMPARE(scene.appearances[4].marks, 0u);
         QVERIFY(isNear(boundsOf(scene, kSelected).min, project.instances[1].pose.position - Vec3(0.25, 0.5, 0.5)));
         setMarks(scene, {});
-        QCOMPARE(scene.looks[23].marks, 0u);
+        QCOMPARE(scene.appearances[23].marks, 0u);
     }
-    void whatDidNotChangeIsShared() {
+    void unchangedGeometryIsShared() {
         const Project project = starterProject();
         AssetBakes bakes = allBakes(project);
         SceneBuilder builder;
         const RenderScene first = builder.sceneOf(project, bakes, {});
-        const RenderScene apart = builder.sceneOf(project, bakes, {.exploded = 1.0});
+        const RenderScene apart = builder.sceneOf(project, bakes, {.explodeFactor = 1.0});
         QVERIFY(first.batches[0].geometry == apart.batches[0].geometry);
         Project other = project;
         other.assets[0].pattern.layers[0].randomSeed += 1;
         const RenderScene changed = builder.sceneOf(other, allBakes(other), {});
         QVERIFY(changed.batches[0].geometry != first.batches[0].geometry);
     }
-    void levelsAreShownDownToTheOneAskedFor() {
+    void levelLimitsTheFragments() {
         Project project = starterProject();
         project.assets[0].levels = {
             {.pattern = {{{.id = project.nextId++, .parameters = UniformScatter{.count = 3}}}}}};
         const AssetBakes bakes = allBakes(project);
-        QCOMPARE(sceneOf(project, bakes, {.level = 0}).motions.size(), std::size_t{20});
+        QCOMPARE(sceneOf(project, bakes, {.level = 0}).poses.size(), std::size_t{20});
         std::size_t leaves = 0;
         for (std::uint32_t k = 0; k < bakes.begin()->second->fragmentCount(); ++k) {
             if (bakes.begin()->second->fragment(k).childCount == 0) ++leaves;
         }
         QVERIFY(leaves > 20);
-        QCOMPARE(sceneOf(project, bakes).motions.size(), leaves);
+        QCOMPARE(sceneOf(project, bakes).poses.size(), leaves);
     }
-    void hullsComeWithTheSamePieces() {
+    void hullsHaveTheSamePieces() {
         const Project project = starterProject();
         const RenderScene scene = sceneOf(project, allBakes(project), {.hasHulls = true});
         QCOMPARE(scene.batches[0].hulls->pieceCount(), scene.batches[0].geometry->pieceCount());
@@ -229,5 +230,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SceneBuilderTest)
+RUBBLE_TEST_WITH(SceneBuilderTest, QCoreApplication)
 #include "SceneBuilderTest.moc"

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/TaskContext.h"
+
+#include <filesystem>
+#include <iosfwd>
+
+namespace rubble {
+
+/// The exit statuses of rubble-cli.
+enum ExitCode : int {
+    kExitSuccess = 0,
+    kExitBadInput = 1,    // an error, printed to standard error
+    kExitUsage = 2,       // arguments that no verb accepts
+    kExitCancelled = 130  // stopped by Ctrl+C, as shells number it
+};
+
+/// The streams and the surroundings of a run of rubble-cli; a test passes its own.
+struct CliContext {
+    std::istream& in;
+    std::ostream& out;  // results
+    std::ostream& err;  // errors, warnings and progress
+    bool errIsTerminal = false;
+    std::filesystem::path programFolder;  // of rubble-cli; rubble-importer is looked for from there
+    CancelToken cancel;
+};
+
+}  // namespace rubble

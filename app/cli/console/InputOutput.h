@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/cli/console/CliContext.h"
+#include "core/base/Result.h"
+
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+/// Returns the contents of a file, or of `context.in` where `path` is "-".
+///
+/// Errors: those of readFile(); Io if the input cannot be read.
+Result<std::string> readInput(const std::string& path, const CliContext& context);
+
+/// Writes text to a file atomically, or to `context.out` where `path` is "-".
+///
+/// Errors: those of writeFileAtomically(); Io if the output cannot be written.
+Status writeOutput(const std::string& path, std::string_view text, const CliContext& context);
+
+}  // namespace rubble

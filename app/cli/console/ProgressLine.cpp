@@ -1,0 +1,23 @@
+#include "app/cli/console/ProgressLine.h"
+
+#include <ostream>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kEmptyLine = "\r\x1b[K";  // to the start of the line, then erase to its end
+
+}  // namespace
+
+void ProgressLine::show(double fraction) {
+    const int percent = static_cast<int>(100.0 * fraction);
+    if (!m_context.errIsTerminal || percent == m_percent) return;
+    m_percent = percent;
+    m_context.err << kEmptyLine << m_task << ' ' << percent << " %" << std::flush;
+}
+
+void ProgressLine::clear() {
+    if (m_percent >= 0) m_context.err << kEmptyLine << std::flush;
+}
+
+}  // namespace rubble

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/cli/console/CliContext.h"
+#include "viewport/render/Renderer.h"
+#include "viewport/scene/SessionSceneBuilder.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace rubble {
+
+/// The options of 3D pictures on the command line.
+struct PictureOptions {
+    std::string size = "1280x720";
+    std::string view = "iso";
+    std::string colour = "material";
+    std::string theme = "light";
+    bool isWireframe = false;
+    bool hasHulls = false;
+    bool hasBonds = false;
+    std::vector<std::string> overlays;  // of a simulation
+    int samples = 32;
+};
+
+/// Adds --size and --view.
+void addViewOptions(CLI::App& command, PictureOptions& options);
+/// Adds --colour, --theme, --wireframe, --hulls and --bonds.
+void addStyleOptions(CLI::App& command, PictureOptions& options);
+/// Adds --overlay, for data of a simulation.
+void addOverlayOption(CLI::App& command, PictureOptions& options);
+/// Adds --samples; the default is that of `options`.
+void addSamplesOption(CLI::App& command, PictureOptions& options);
+
+/// Returns the options for the contents of a scene: colouring, hulls and bonds.
+SceneOptions sceneOptions(const PictureOptions& options);
+
+PlayOverlays playOverlays(const PictureOptions& options);
+
+/// Returns a box enlarged by the space that falling fragments need.
+Box3 withSpaceForDebris(Box3 box);
+
+/// Returns a view that frames a box.
+RenderView pictureView(const PictureOptions& options, const Box3& framed);
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#include "app/cli/options/PlayOptions.h"
+
+#include "app/cli/options/CommonOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+
+namespace rubble {
+
+void addPlayOptions(CLI::App& command, PlayOptions& options) {
+    command.add_option("--dt", options.stepLength, "The time step in seconds (default: 1/60)")
+        ->check(numberBetween(kShortestStep, kLongestStep))
+        ->option_text("S");
+    addShotOptions(command, options.shots);
+    command.add_flag("--no-destruction", options.isUnbreakable, "Disable destruction");
+}
+
+Result<PreparedProject> prepareProject(const Project& project, const PlayOptions& options, const CliContext& context,
+                                       const TaskContext& task) {
+    Result<std::vector<Shot>> shots = selectedShots(project, options.shots, context);
+    if (!shots) return shots.error();
+    Result<std::shared_ptr<const PlayScene>> scene = playScene(project, task);
+    if (!scene) return scene.error();
+    for (const std::string& notice : (*scene)->notices) context.err << notice << '\n';
+    return PreparedProject{std::move(*scene), std::move(*shots)};
+}
+
+Result<Session> createSession(const PreparedProject& play, const PlayOptions& options, int threads) {
+    Result<Session> session = Session::start(play.scene, {.dt = options.stepLength,
+                                                          .sleeping = !options.isSleepless,
+                                                          .hasDestruction = !options.isUnbreakable,
+                                                          .threads = threads});
+    if (!session) return session.error();
+    for (const Shot& shot : play.shots) {
+        if (const Status added = session->add(shot); !added) return added.error();
+    }
+    return session;
+}
+
+void printWarnings(SessionPlayback& playback, const CliContext& context) {
+    for (const std::string& notice : playback.takeNotices()) context.err << notice << '\n';
+}
+
+Status simulateTo(Session& session, std::uint64_t step, const CliContext& context, const TaskContext& task) {
+    const std::uint64_t first = session.stepsDone();
+    while (session.stepsDone() < step) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        session.step();
+        for (const std::string& notice : session.events().notices) context.err << notice << '\n';
+        task.report(static_cast<double>(session.stepsDone() - first) / static_cast<double>(step - first));
+    }
+    return success();
+}
+
+}  // namespace rubble

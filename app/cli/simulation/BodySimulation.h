@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/cli/simulation/StepRecord.h"
+#include "core/base/TaskContext.h"
+#include "core/physics/world/BodyScene.h"
+
+namespace rubble {
+
+/// Simulates a scene of bodies.
+///
+/// Errors: those of makeWorld(); Cancelled.
+Result<SimulationRun> runBodies(const BodyScene& scene, const SimulationPlan& plan, const TaskContext& task);
+
+}  // namespace rubble

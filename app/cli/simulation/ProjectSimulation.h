@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/cli/options/PlayOptions.h"
+#include "app/cli/simulation/StepRecord.h"
+
+namespace rubble {
+
+/// The options of a project's simulation.
+struct PlayPlan {
+    SimulationPlan simulation;  // of `world` only the threads are used; `play` has the rest
+    PlayOptions play;
+    bool isRecorded = false;  // as a replay
+};
+
+/// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,
+/// without the ground. Warnings are appended to `warnings`.
+///
+/// Errors: those of createSession(); Cancelled.
+Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
+                                 std::vector<std::string>& warnings);
+
+}  // namespace rubble

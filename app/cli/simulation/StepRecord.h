@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/io/play/SimulationJson.h"
+#include "core/physics/world/World.h"
+#include "core/play/session/Replay.h"
+
+#include <string>
+
+namespace rubble {
+
+/// The options of a simulation.
+struct SimulationPlan {
+    int steps = 1;
+    double stepLength = 1.0 / 60.0;  // s
+    WorldSettings world;
+    bool isTraced = false;  // a row of the trace is recorded for each step
+    bool isTimed = false;   // durations of steps are recorded
+};
+
+/// The result of a simulation.
+struct SimulationRun {
+    SimulationOutcome outcome;
+    std::string trace;  // CSV with a header
+    std::optional<Replay> replay;
+};
+
+/// Records counts, durations and the trace of a simulation.
+class StepRecord {
+public:
+    explicit StepRecord(const SimulationPlan& plan);
+
+    /// Records a step, counted from 1.
+    void add(int step, const World& world, double milliseconds);
+
+    /// The mean counts of the last 120 steps.
+    SimulatedCounts means() const;
+    /// The durations of steps, if they are recorded.
+    std::optional<StepMilliseconds> milliseconds() const;
+    /// The trace as CSV with a header; empty if it is not recorded.
+    std::string trace() && { return std::move(m_trace); }
+
+private:
+    void addRow(int step, const World& world);
+
+    const SimulationPlan& m_plan;
+    SimulatedCounts m_sums;
+    std::vector<double> m_milliseconds;
+    std::string m_trace;
+};
+
+}  // namespace rubble

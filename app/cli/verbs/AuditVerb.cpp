@@ -1,0 +1,130 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/bake/AssetBakes.h"
+#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
+#include "core/io/play/SwapAuditJson.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Measures whether replacing an asset by its fragments changes anything by itself. Each asset is broken three
+times without any force: floating at rest without gravity, level by level; lying flat on the ground; and flying
+while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
+steps of 1/60 s, and the changes of mass, momentum, angular momentum and energy. An asset is clean if no
+fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or gained in flight.
+Otherwise the program says what to change and exits with 1.
+
+Examples:
+  rubble-cli audit house.rubble
+  rubble-cli audit house.rubble --asset roof --json)";
+
+struct AuditOptions {
+    std::string file;
+    std::vector<std::string> assets;
+    bool isJson = false;
+    int threads = 1;
+};
+
+Result<NamedAudit> auditOf(const Project& project, const Asset& asset, std::shared_ptr<const Bake> bake,
+                           const TaskContext& task) {
+    const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, std::move(bake), task);
+    if (!ready) return ready.error();
+    NamedAudit named{.name = asset.name};
+    if ((*ready)->fractureOf(kNone) == nullptr) return named;
+    Result<SwapAudit> audit = swapAudit(project, *ready);
+    if (!audit) return audit.error();
+    named.audit = std::move(*audit);
+    return named;
+}
+
+Result<std::vector<NamedAudit>> auditsOf(const Project& project, std::span<const Id> assets,
+                                         const AuditOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    const Result<AssetBakes> bakes = bakesOf(project, assets, task);
+    if (!bakes) return bakes.error();
+    ProgressLine line(context, "Auditing");
+    std::vector<NamedAudit> audits;
+    for (const Id id : assets) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        line.show(static_cast<double>(audits.size()) / static_cast<double>(assets.size()));
+        Result<NamedAudit> audit = auditOf(project, *findAsset(project, id), bakes->at({id}), task);
+        if (!audit) return audit.error();
+        audits.push_back(std::move(*audit));
+    }
+    line.clear();
+    return audits;
+}
+
+std::string speedText(const PieceSpeed& fastest) {
+    return quantityText(QuantityKind::Speed, fastest.speed) + " (" + fastest.piece + ")";
+}
+
+std::string textOf(const NamedAudit& named) {
+    if (!named.audit) return named.name + ": does not break\n";
+    const SwapAudit& audit = *named.audit;
+    std::string text = named.name + ": " + countText(audit.pieces, "fragment", "fragments") + ", " +
+                       (audit.isClean() ? "clean" : "not clean") + "\n";
+    text += "  contacts after the swap: " + std::to_string(audit.contacts) + " with " +
+            countText(audit.contactPoints, "point", "points") + "; deepest overlap " +
+            quantityText(QuantityKind::Length, audit.deepestOverlap) + "\n";
+    text += "  fastest after 30 steps: " + speedText(audit.resting) + " at rest, " + speedText(audit.lying) +
+            " lying flat\n";
+    text += "  relative change in flight: mass " + roundedText(audit.massDrift, 2) + ", momentum " +
+            roundedText(audit.momentumDrift, 2) + ", angular momentum " + roundedText(audit.angularDrift, 2) +
+            ", energy " + roundedText(audit.energyGain, 2) + "\n";
+    for (const std::string& notice : audit.notices) text += "  " + notice + "\n";
+    return text;
+}
+
+/// Returns an error with a line for each failed measurement.
+Status statusOf(std::span<const NamedAudit> audits) {
+    std::string message;
+    for (const NamedAudit& named : audits) {
+        if (!named.audit) continue;
+        for (const std::string& fault : named.audit->faults) {
+            message += (message.empty() ? "" : "\n") + named.name + ": " + fault;
+        }
+    }
+    if (!message.empty()) return Error{ErrorCode::BadInput, message};
+    return success();
+}
+
+Status audit(const AuditOptions& options, const CliContext& context) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
+    if (!assets) return assets.error();
+    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
+    const Result<std::vector<NamedAudit>> audits = auditsOf(*project, *assets, options, context);
+    if (!audits) return audits.error();
+    std::string text;
+    for (const NamedAudit& named : *audits) text += textOf(named);
+    const Status written = writeOutput("-", options.isJson ? swapAuditJson(*audits) : text, context);
+    return written ? statusOf(*audits) : written;
+}
+
+}  // namespace
+
+Verb addAudit(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("audit", "Measure whether assets change when they are replaced by their fragments");
+    const auto options = std::make_shared<AuditOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    addAssetOption(*command, options->assets);
+    command->add_flag("--json", options->isJson, "Print JSON instead of text");
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return audit(*options, context); }};
+}
+
+}  // namespace rubble

@@ -1,0 +1,184 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/FragmentsText.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/bake/Bake.h"
+#include "core/asset/checks/Problems.h"
+#include "core/asset/checks/VerifyBake.h"
+#include "core/asset/checks/VerifyMeshes.h"
+#include "core/asset/project/Variants.h"
+#include "core/base/Parallel.h"
+#include "core/io/pack/ExportFolder.h"
+#include "core/io/pack/PackFile.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
+#include "core/play/scene/InstanceOverlaps.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <mutex>
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
+verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
+Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are no
+errors. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
+packs in a folder.
+
+Examples:
+  rubble-cli check house.rubble
+  rubble-cli check packs
+  rubble-cli check packs/wall packs/roof)";
+
+struct CheckArguments {
+    std::vector<std::string> paths;
+    int threads = 1;
+};
+
+/// The result of checking an asset or a pack.
+struct CheckResult {
+    Status status = success();
+    std::string summary;
+    std::string warnings;  // a line each
+};
+
+std::string okText(const std::string& name, std::size_t fragments, double volume) {
+    return name + ": " + fragmentsText(fragments, volume) + ", ok\n";
+}
+
+CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
+    const Result<Bake> baked = bake(asset, task);
+    if (!baked) return {.status = baked.error()};
+    for (const auto verify : {verifyBake, verifyMeshes}) {
+        if (task.isCancelled()) return {.status = TaskContext::cancelled()};
+        if (const auto found = verify(*baked, asset)) return {.status = Error{ErrorCode::BadInput, *found}};
+    }
+    std::string warnings;
+    for (const Diagnostic& problem : problemsOf(asset, *baked)) warnings += asset.name + ": " + problem.message + '\n';
+    return {success(), okText(asset.name, baked->fragmentCount(), baked->whole.volume), std::move(warnings)};
+}
+
+/// Prints the results without errors; returns an error with a line for each of the others.
+Status printResults(const std::vector<CheckResult>& results, const CliContext& context) {
+    std::string summary;
+    std::string errors;
+    for (const CheckResult& result : results) {
+        if (!result.status && result.status.error().code == ErrorCode::Cancelled) return result.status;
+        summary += result.summary;
+        if (!result.status) errors += (errors.empty() ? "" : "\n") + result.status.error().message;
+    }
+    if (const Status written = writeOutput("-", summary, context); !written) return written;
+    if (!errors.empty()) return Error{ErrorCode::BadInput, errors};
+    return success();
+}
+
+void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<CheckResult>& all) {
+    const Result<Project> project = loadProject(path);
+    if (!project) return all.push_back({.status = project.error()});
+    ProgressLine line(context, "Checking");
+    std::mutex guard;  // guards line and done
+    std::size_t done = 0;
+    const std::vector<AssetVariant> variants = usedVariants(*project);
+    std::vector<CheckResult> results(variants.size());
+    forEachIndex(variants.size(), threads, [&](std::size_t index) {
+        const auto [asset, variant] = variants[index];
+        results[index] = checkAsset(variantOf(*findAsset(*project, asset), variant), {.cancel = context.cancel});
+        const std::lock_guard lock(guard);
+        line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
+    });
+    line.clear();
+    for (const CheckResult& result : results) context.err << result.warnings;
+    std::ranges::move(results, std::back_inserter(all));
+    for (const Asset& asset : project->assets) {  // once for all variants
+        for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material))) {
+            context.err << asset.name << ": " << problem.message << '\n';
+        }
+    }
+    for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
+        context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
+    }
+}
+
+/// Verifies pack.json, and that no file was modified after the export.
+CheckResult checkPack(const fs::path& folder) {
+    const fs::path path = folder / kPackName;
+    const auto error = [&](ErrorCode code, const std::string& message) {
+        return CheckResult{.status = Error{code, path.string() + ": " + message}};
+    };
+    const Result<std::string> json = readFile(path);
+    if (!json) return {.status = json.error()};
+    const Result<Pack> pack = readPack(*json);
+    if (!pack) return error(pack.error().code, pack.error().message);
+    if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
+    if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
+    return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
+}
+
+/// Returns whether a folder is a pack, even if pack.json or the manifest is missing.
+bool isPack(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / kPackName, ignored) || fs::exists(folder / kManifestName, ignored);
+}
+
+/// Returns the folder if it is a pack, or the packs in it, sorted by name.
+Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
+    if (isPack(folder)) return std::vector{folder};
+    std::vector<fs::path> packs;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        if (isPack(entry.path())) packs.push_back(entry.path());
+    }
+    const std::string name = '"' + folder.string() + '"';
+    if (error) return Error{ErrorCode::Io, "Cannot read " + name + ": " + error.message() + "."};
+    if (packs.empty())
+        return Error{ErrorCode::NotFound, name + " is not a pack and holds none: it has no " + kPackName + "."};
+    std::ranges::sort(packs);
+    return packs;
+}
+
+void checkPath(const std::string& given, int threads, const CliContext& context, std::vector<CheckResult>& all) {
+    std::error_code ignored;  // reading the path will report the error
+    const fs::path path = given;
+    if (path.filename() == kPackName)
+        return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
+    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
+    const Result<std::vector<fs::path>> packs = packsOf(path);
+    if (!packs) return all.push_back({packs.error(), {}});
+    std::vector<CheckResult> results(packs->size());
+    forEachIndex(packs->size(), threads, [&](std::size_t index) {
+        const bool isCancelled = context.cancel.isCancelled();
+        results[index] = isCancelled ? CheckResult{.status = TaskContext::cancelled()} : checkPack((*packs)[index]);
+    });
+    std::ranges::move(results, std::back_inserter(all));
+}
+
+Status check(const CheckArguments& arguments, const CliContext& context) {
+    std::vector<CheckResult> results;
+    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, context, results);
+    return printResults(results, context);
+}
+
+}  // namespace
+
+Verb addCheck(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("check", "Verify projects and exported packs");
+    const auto arguments = std::make_shared<CheckArguments>();
+    command->footer(kFooter);
+    command->add_option("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
+        ->required()
+        ->type_name("");
+    addThreadsOption(*command, arguments->threads);
+    return {command, [arguments](const CliContext& context) { return check(*arguments, context); }};
+}
+
+}  // namespace rubble

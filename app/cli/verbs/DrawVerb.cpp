@@ -1,0 +1,96 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/Warnings.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/bake/FractureResult.h"
+#include "core/fracture/delaunay/Delaunay.h"
+#include "core/io/media/PatternSvg.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Draws the assets of a project, or those given by --asset, as one SVG picture: outline, seeds, their Delaunay
+triangulation and the Voronoi cells of the first level. Browsers, Inkscape and rsvg-convert open it.
+
+Examples:
+  rubble-cli draw house.rubble --out house.svg
+  rubble-cli draw house.rubble --asset roof --show cells > roof.svg)";
+
+struct DrawOptions {
+    std::string file;
+    std::vector<std::string> assets;
+    std::string out = "-";
+    std::vector<std::string> shown = {"cells", "triangles", "seeds"};
+};
+
+PatternSvgOptions svgOptions(const std::vector<std::string>& words) {
+    const auto has = [&](const char* word) { return std::ranges::find(words, word) != words.end(); };
+    return {.cells = has("cells"), .triangles = has("triangles"), .seeds = has("seeds")};
+}
+
+/// Fractures the asset in the plane and prints the warnings.
+Result<PatternPanel> panelOf(const Asset& asset, const std::string& project, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    Result<PlanarFracture> cut = planarFracture(recipeOf(asset), asset.prism, task);
+    if (!cut) return cut.error();
+    std::vector<Diagnostic> warnings = cut->seeds.diagnostics;
+    warnings.insert(warnings.end(), cut->partition.diagnostics.begin(), cut->partition.diagnostics.end());
+    printWarnings(context, asset.name, warnings, project);
+    return PatternPanel{.title = asset.name,
+                        .prism = std::move(cut->prism),
+                        .seeds = std::move(cut->seeds.positions),
+                        .triangles = triangleList(cut->delaunay),
+                        .partition = std::move(cut->partition)};
+}
+
+Result<std::vector<PatternPanel>> panelsOf(const Project& project, std::span<const Id> assets, const std::string& file,
+                                           const CliContext& context) {
+    std::vector<PatternPanel> panels;
+    for (const Id id : assets) {
+        const Asset& asset = *findAsset(project, id);
+        Result<PatternPanel> panel = panelOf(asset, file, context);
+        if (!panel) return ofAsset(asset, panel.error());
+        panels.push_back(std::move(*panel));
+    }
+    return panels;
+}
+
+Status draw(const DrawOptions& options, const CliContext& context) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
+    if (!assets) return assets.error();
+    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
+    const Result<std::vector<PatternPanel>> panels = panelsOf(*project, *assets, options.file, context);
+    if (!panels) return panels.error();
+    return writeOutput(options.out, patternSvg(*panels, svgOptions(options.shown)), context);
+}
+
+}  // namespace
+
+Verb addDraw(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("draw", "Draw seeds, Delaunay triangulation and cells as an SVG picture");
+    const auto options = std::make_shared<DrawOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    addAssetOption(*command, options->assets);
+    command->add_option("--out", options->out, "The picture to write (default: -, standard output)")
+        ->option_text("FILE");
+    command->add_option("--show", options->shown, "What to draw: cells, triangles, seeds (default: all)")
+        ->delimiter(',')
+        ->check(oneOf({"cells", "triangles", "seeds"}))
+        ->option_text("WHAT,...");
+    return {command, [options](const CliContext& context) { return draw(*options, context); }};
+}
+
+}  // namespace rubble

@@ -1,0 +1,128 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/Warnings.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/io/pack/PackExport.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Writes each asset into a folder of its name: pack.json, which describes the whole and its fragments; meshes; and
+manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole. Of
+many warnings about an asset only the first three are printed; rubble-cli check prints all.
+
+Examples:
+  rubble-cli export house.rubble --out packs
+  rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
+
+enum class Formats { Obj, Glb, Both, None };
+
+struct ExportArguments {
+    std::string project;
+    std::string out;
+    std::vector<std::string> assets;
+    Formats formats = Formats::Both;
+    MeshOptions meshes;
+    int threads = 1;
+};
+
+template <class Value>
+using Alternatives = std::vector<std::pair<std::string, Value>>;
+
+/// Adds an option whose value is one of a few words.
+template <class Value>
+void addEnumOption(CLI::App& command, const char* name, const char* help, const Alternatives<Value>& alternatives,
+                   Value& value) {
+    std::vector<std::string> words;
+    std::string label;
+    for (const auto& [word, meaning] : alternatives) {
+        words.push_back(word);
+        label += (label.empty() ? "" : "|") + word;
+    }
+    const auto select = [alternatives, &value](const std::string& given) {
+        for (const auto& [word, meaning] : alternatives) {
+            if (word == given) value = meaning;
+        }
+    };
+    command.add_option_function<std::string>(name, select, help)->check(oneOf(words))->option_text(label);
+}
+
+std::string summaryOf(const AssetExport& asset) {
+    if (asset.isUnchanged) return asset.name + ": unchanged in " + asset.folder.string() + '\n';
+    return asset.name + ": " + fragmentsText(asset.fragmentCount, asset.volume) + ", exported to " +
+           asset.folder.string() + '\n';
+}
+
+/// Prints the result of every asset; returns an error with a line for each that failed.
+Status printResults(const std::vector<AssetExport>& assets, const std::string& project, const CliContext& context) {
+    std::string summary;
+    std::optional<Error> error;
+    for (const AssetExport& asset : assets) {
+        printWarnings(context, asset.name, asset.diagnostics, project);
+        if (asset.status) {
+            summary += summaryOf(asset);
+        } else if (!error) {
+            error = asset.status.error();
+        } else if (!error->message.ends_with(asset.status.error().message)) {  // all fail alike if the folder does
+            error->message += '\n' + asset.status.error().message;
+        }
+    }
+    if (const Status written = writeOutput("-", summary, context); !written) return written;
+    if (error) return *error;
+    return success();
+}
+
+Status exportAssets(ExportArguments arguments, const CliContext& context) {
+    arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
+    arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    const Result<Project> project = loadProject(arguments.project);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
+    if (!selected) return selected.error();
+    ProgressLine line(context, "Exporting");
+    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
+    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, task);
+    line.clear();
+    return assets ? printResults(*assets, arguments.project, context) : assets.error();
+}
+
+}  // namespace
+
+Verb addExport(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("export", "Fracture assets and write their packs and meshes");
+    const auto arguments = std::make_shared<ExportArguments>();
+    MeshOptions& meshes = arguments->meshes;
+    command->footer(kFooter);
+    command->add_option("FILE", arguments->project, "The project")->required()->type_name("");
+    command->add_option("--out", arguments->out, "The folder for the folders of the assets")
+        ->required()
+        ->option_text("FOLDER");
+    addAssetOption(*command, arguments->assets);
+    addEnumOption<Formats>(
+        *command, "--format", "The mesh files to write (default: both)",
+        {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
+        arguments->formats);
+    addEnumOption<FileSplit>(*command, "--pieces", "All fragments in a single file (default) or a file each",
+                             {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
+    addEnumOption<PartPlacement>(
+        *command, "--place", "Fragments in place (default) or with their centres of mass at the origin",
+        {{"assembled", PartPlacement::Assembled}, {"centred", PartPlacement::Centred}}, meshes.place);
+    addEnumOption<FaceShape>(*command, "--faces", "The faces in OBJ files (default: polygons)",
+                             {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
+    addThreadsOption(*command, arguments->threads);
+    return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
+}
+
+}  // namespace rubble

@@ -1,0 +1,153 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/options/PictureOptions.h"
+#include "app/cli/options/PlayOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/base/QuantityText.h"
+#include "core/io/media/FilmFile.h"
+#include "core/io/media/PictureSequence.h"
+#include "core/io/project/ProjectFile.h"
+#include "viewport/film/Film.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Plays a project and draws it every few steps, from a fixed view. The pictures are FOLDER/frame-0000.png and so
+on; a sequence that is stopped keeps those that are complete. A folder that already holds such pictures is
+rejected. With ffmpeg installed, FILM.mp4 (or .mkv, .mov, .webm) encodes them as a film. With --compare each
+picture shows the same step twice, side by side, without destruction on the left and with it on the right, each
+of the given --size.
+
+Examples:
+  rubble-cli film house.rubble hit.mp4 --steps 300 --shot "block under the roof"
+  rubble-cli film house.rubble slow.mp4 --from 40 --steps 120 --rate 12 --shot "block under the roof"
+  rubble-cli film house.rubble both --steps 120 --every 2 --compare --size 640x480 --shot "box at the door")";
+
+constexpr double kMaxRate = 240.0;  // pictures per second; no screen shows more
+
+struct FilmOptions {
+    std::string file;
+    std::string output;
+    PictureOptions picture{.samples = 8};
+    PlayOptions play;
+    int first = 0;
+    int steps = 0;
+    int every = 1;
+    std::optional<double> rate;  // pictures per second; none: real time
+    bool isCompared = false;
+    int threads = 1;
+};
+
+/// Returns two playbacks, without and with destruction, if they are compared; else one.
+Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, const FilmOptions& options) {
+    std::vector<SessionPlayback> playbacks;
+    std::vector<PlayOptions> plays{options.play};
+    if (options.isCompared) {
+        plays.insert(plays.begin(), options.play);
+        plays.front().isUnbreakable = true;
+    }
+    for (const PlayOptions& one : plays) {
+        Result<Session> session = createSession(play, one, options.threads);
+        if (!session) return session.error();
+        playbacks.emplace_back(play.scene, std::move(*session), std::vector<TimedInput>(),
+                               sceneOptions(options.picture), playOverlays(options.picture));
+    }
+    return playbacks;
+}
+
+Result<FilmPlan> planOf(const FilmOptions& options) {
+    if (options.first > options.steps) {
+        return Error{ErrorCode::BadInput, "The film would start at step " + std::to_string(options.first) +
+                                              " and end at step " + std::to_string(options.steps) + "."};
+    }
+    const int pictures = frameCount(options.first, options.steps, options.every);
+    if (pictures > kMaxPictures) {
+        return Error{ErrorCode::BadInput, "The film would have " + std::to_string(pictures) +
+                                              " pictures; the maximum is " + std::to_string(kMaxPictures) +
+                                              ". Use --every to take fewer."};
+    }
+    const double asPlayed = 1.0 / (options.play.stepLength * options.every);
+    return FilmPlan{.samples = options.picture.samples,
+                    .first = static_cast<double>(options.first),
+                    .stepsPerFrame = static_cast<double>(options.every),
+                    .frames = pictures,
+                    .frameRate = options.rate.value_or(std::min(asPlayed, kMaxRate))};
+}
+
+Status film(const FilmOptions& options, const CliContext& context) {
+    Result<FilmPlan> plan = planOf(options);
+    if (!plan) return plan.error();
+    const bool isFilm = isFilmPath(options.output);
+    if (isFilm && !findFfmpeg()) {
+        return Error{ErrorCode::NotFound,
+                     "A film needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
+    }
+    TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
+    if (!play) return play.error();
+    if (play->scene->project.instances.empty()) {
+        return Error{ErrorCode::NotFound, "The project has no instances to film."};
+    }
+    Result<std::vector<SessionPlayback>> playbacks = playbacksOf(*play, options);
+    if (!playbacks) return playbacks.error();
+    plan->view = pictureView(options.picture, withSpaceForDebris(boundsOf(*playbacks->front().scene())));
+    ProgressLine line(context, "Filming");
+    task.progress = [&line](double fraction) { line.show(fraction); };
+    const Status shot = isFilm ? renderFilm(*playbacks, *plan, options.output, task)
+                               : renderFrames(*playbacks, *plan, options.output, Unfinished::Kept, task);
+    line.clear();
+    for (SessionPlayback& playback : *playbacks) printWarnings(playback, context);
+    if (!shot) return shot;
+    return writeOutput("-",
+                       countText(static_cast<std::size_t>(plan->frames), "picture", "pictures") + " written to " +
+                           options.output + "\n",
+                       context);
+}
+
+}  // namespace
+
+Verb addFilm(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("film", "Render a simulation as a sequence of PNG pictures or as a film");
+    const auto options = std::make_shared<FilmOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    command->add_option("FOLDER", options->output, "The folder for the pictures, or the film to write: FILM.mp4")
+        ->required()
+        ->type_name("");
+    command->add_option("--from", options->first, "The step of the first picture (default: 0)")
+        ->check(numberBetween(0, kMaxSteps))
+        ->option_text("STEP");
+    command->add_option("--steps", options->steps, "The number of steps to simulate")
+        ->required()
+        ->check(numberBetween(0, kMaxSteps))
+        ->option_text("N");
+    command->add_option("--every", options->every, "Steps between pictures (default: 1)")
+        ->check(numberBetween(1, kMaxSteps))
+        ->option_text("K");
+    command->add_option("--rate", options->rate, "Pictures per second of a film (default: real time)")
+        ->check(numberBetween(1.0, kMaxRate))
+        ->option_text("N");
+    addPlayOptions(*command, options->play);
+    command->add_flag("--compare", options->isCompared, "Show it without and with destruction, side by side")
+        ->option_text(" ");  // hides CLI11's note on --no-destruction
+    command->get_option("--compare")->excludes(command->get_option("--no-destruction")->option_text(" "));
+    addViewOptions(*command, options->picture);
+    addStyleOptions(*command, options->picture);
+    addOverlayOption(*command, options->picture);
+    addSamplesOption(*command, options->picture);
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return film(*options, context); }};
+}
+
+}  // namespace rubble

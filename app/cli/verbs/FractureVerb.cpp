@@ -1,0 +1,56 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/io/fracture/FractureJson.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Input, from FILE or standard input:
+  {"outline":[[x,y],...], "holes":[[[x,y],...],...], "depth":d, "seeds":[[x,y],...]}
+"holes" is optional; rings are not closed by a repeated point; lengths are in metres.
+
+Output, on one line:
+  {"cells":[{"seed":i,"area":a,"centroid":[x,y],"pieces":[{"outer":[...],"holes":[...]}],"neighbours":[...]},...],
+   "triangles":[[a,b,c],...], "report":[{"code":"DuplicateSeed","seed":j,"of":i,"message":"..."},...]}
+Cells are in seed order, without seeds that have none; indices are those of the input.
+
+Examples:
+  rubble-cli fracture pane.json > cells.json
+  echo '{"outline":[[0,0],[1,0],[1,1],[0,1]],"depth":1,"seeds":[[0.2,0.5],[0.7,0.5]]}' | rubble-cli fracture)";
+
+struct FractureOptions {
+    std::string input = "-";
+    std::string method = "exact";
+};
+
+Status fracture(const FractureOptions& options, const CliContext& context) {
+    const Result<std::string> text = readInput(options.input, context);
+    if (!text) return text.error();
+    const Result<FractureInput> input = readFractureInput(*text);
+    if (!input) return input.error();
+    const FractureMethod method = options.method == "thesis" ? FractureMethod::Thesis : FractureMethod::Exact;
+    const Result<std::string> json = fractureJson(*input, method, {.cancel = context.cancel});
+    if (!json) return json.error();
+    return writeOutput("-", *json, context);
+}
+
+}  // namespace
+
+Verb addFracture(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("fracture", "Cut an outline into Voronoi cells, from JSON to JSON");
+    const auto options = std::make_shared<FractureOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->input, "The input (default: -, standard input)")->type_name("");
+    command->add_option("--method", options->method, "exact (default), or thesis, the reference method with its errors")
+        ->check(oneOf({"exact", "thesis"}))
+        ->option_text("exact|thesis");
+    return {command, [options](const CliContext& context) { return fracture(*options, context); }};
+}
+
+}  // namespace rubble

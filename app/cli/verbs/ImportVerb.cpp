@@ -1,0 +1,143 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ImportSummary.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/import/AssetImport.h"
+#include "core/io/mesh/MeshImport.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+#include <ostream>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 1 GiB and 10 s. Each object that
+is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
+asset and an instance at the place of the mesh. Prints what was imported, merged and ignored. An object that is
+rejected does not keep others from being imported; the reason goes to standard error. If all are rejected,
+nothing is written.
+
+Without --into, a new project is written beside FILE (wall.rubble for wall.glb), unless it exists. glTF is in
+metres; FBX states its unit; OBJ, STL and PLY do not and are read in metres. An object that is a prism along
+several axes, such as a box, is extruded along the thinnest one. With --asset an existing asset gets the new
+outline, depth and appearance, and keeps its material, pattern, levels, threshold and instances.
+
+Examples:
+  rubble-cli import wall.glb
+  rubble-cli import parts.stl --into house.rubble --unit mm --up z
+  rubble-cli import wall2.glb --into house.rubble --asset Wall
+  rubble-cli import boulder.ply --fallback silhouette --axis y)";
+
+struct ImportVerbOptions {
+    std::filesystem::path mesh;
+    std::filesystem::path project;
+    std::optional<double> metresPerUnit;
+    std::string up = "y";
+    std::string axis;
+    std::string asset;
+    std::string fallback;
+};
+
+/// The project to import into, new if its file does not exist yet.
+struct Target {
+    std::filesystem::path path;
+    Project project;
+};
+
+Result<Target> targetOf(const ImportVerbOptions& options) {
+    const bool isNamed = !options.project.empty();
+    Target target{.path = isNamed ? options.project : std::filesystem::path(options.mesh).replace_extension(".rubble")};
+    std::error_code ignored;
+    if (!std::filesystem::exists(target.path, ignored)) return target;
+    if (!isNamed)
+        return Error{
+            ErrorCode::BadInput,
+            "\"" + target.path.string() + "\" already exists; use --into to import into it or into another project."};
+    Result<Project> project = loadProject(target.path);
+    if (!project) return project.error();
+    target.project = std::move(*project);
+    return target;
+}
+
+ImportOptions importOptions(const ImportVerbOptions& given) {
+    ImportOptions options{.metresPerUnit = given.metresPerUnit, .asset = given.asset};
+    if (given.up == "z") options.up = UpAxis::Z;
+    if (given.axis == "x") options.axis = PrismAxis::X;
+    if (given.axis == "y") options.axis = PrismAxis::Y;
+    if (given.axis == "z") options.axis = PrismAxis::Z;
+    if (given.fallback == "silhouette") options.fallback = PrismFallback::Silhouette;
+    if (given.fallback == "cap") options.fallback = PrismFallback::TopCap;
+    return options;
+}
+
+/// Returns a line for each rejected object, with advice if it is not a prism.
+std::string rejections(const ImportOutcome& outcome, const ImportVerbOptions& options) {
+    std::string text;
+    for (const Error& error : outcome.refused) {
+        std::string message = error.message;
+        if (error.code == ErrorCode::Degenerate && options.fallback.empty()) {
+            if (message.ends_with('.')) message.pop_back();
+            message += "; use --fallback silhouette or --fallback cap to import its outline.";
+        }
+        text += (text.empty() ? "" : "\n") + message;
+    }
+    return text;
+}
+
+/// Fails if a project is given instead of a mesh file.
+Status checkIsNoProject(const std::filesystem::path& mesh) {
+    if (mesh.extension() != ".rubble") return success();
+    const std::string name = mesh.string();
+    return Error{ErrorCode::BadInput, "\"" + name +
+                                          "\" is a project, not a mesh file. To import a mesh into it, use --into " +
+                                          name + "; to export its meshes, use rubble-cli export."};
+}
+
+Status import(const ImportVerbOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    if (const Status isMesh = checkIsNoProject(options.mesh); !isMesh) return isMesh;
+    Result<Target> target = targetOf(options);
+    if (!target) return target.error();
+    const Result<SourceScene> scene = importMesh(options.mesh, importerPath(context.programFolder), task);
+    if (!scene) return scene.error();
+    const Result<ImportOutcome> outcome =
+        importedInto(std::move(target->project), *scene, options.mesh.stem().string(), importOptions(options), task);
+    if (!outcome) return outcome.error();
+    const std::string rejected = rejections(*outcome, options);
+    if (outcome->assets.empty()) return Error{ErrorCode::BadInput, rejected};
+    if (!rejected.empty()) context.err << rejected << '\n';
+    if (const Status saved = saveProject(target->path, outcome->project); !saved) return saved.error();
+    return writeOutput("-", importSummary(*outcome, target->path.string()), context);
+}
+
+}  // namespace
+
+Verb addImport(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("import", "Import the objects of a mesh file as assets");
+    const auto options = std::make_shared<ImportVerbOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
+    command->add_option("--into", options->project, "The project to import into, created if missing")
+        ->option_text("PROJECT");
+    addUnitOption(*command, options->metresPerUnit);
+    command->add_option("--up", options->up, "The up axis of the file (default: y)")
+        ->check(oneOf({"y", "z"}))
+        ->option_text("y|z");
+    command->add_option("--axis", options->axis, "Extrude along the axis closest to this one (y is up)")
+        ->check(oneOf({"x", "y", "z"}))
+        ->option_text("x|y|z");
+    command->add_option("--asset", options->asset, "Update this asset, or create it")->option_text("NAME");
+    command
+        ->add_option("--fallback", options->fallback,
+                     "The outline to use for an object that is not a prism, along --axis")
+        ->check(oneOf({"silhouette", "cap"}))
+        ->option_text("silhouette|cap");
+    return {command, [options](const CliContext& context) { return import(*options, context); }};
+}
+
+}  // namespace rubble

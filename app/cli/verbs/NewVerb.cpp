@@ -1,0 +1,67 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/MaterialOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Creates a project with a material and a wall of 1 x 1 x 0.5 m with 20 seeds, ready to draw, export or edit; with
+--empty it has only the material. An existing file is not overwritten. With --material, the wall has that
+material, its typical pattern and a threshold derived from its strength; see rubble-cli materials.
+
+Examples:
+  rubble-cli new wall.rubble
+  rubble-cli new crates.rubble --empty
+  rubble-cli new pane.rubble --material glass)";
+
+struct NewOptions {
+    std::string file;
+    bool isEmpty = false;
+    std::string material;
+    std::string materials;
+};
+
+Result<Project> projectFor(const NewOptions& options) {
+    if (options.material.empty()) return options.isEmpty ? emptyProject() : starterProject();
+    const Result<MaterialLibrary> library = openMaterialLibrary(options.materials);
+    if (!library) return library.error();
+    const Result<LibraryMaterial> material = requireMaterial(*library, options.material);
+    if (!material) return material.error();
+    return options.isEmpty ? emptyProject(material->preset) : starterProject(material->preset);
+}
+
+Status createProject(const NewOptions& options, const CliContext& context) {
+    std::error_code ignored;  // saving will report the error
+    if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored))) {
+        return Error{ErrorCode::BadInput, "\"" + options.file + "\" already exists; choose another name or delete it."};
+    }
+    const Result<Project> project = projectFor(options);
+    if (!project) return project.error();
+    if (const Status saved = saveProject(options.file, *project); !saved) return saved;
+    return writeOutput("-", "Created " + options.file + ".\n", context);
+}
+
+}  // namespace
+
+Verb addNew(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("new", "Create a project with a wall to start from");
+    const auto options = std::make_shared<NewOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project to create: wall.rubble")->required()->type_name("");
+    command->add_flag("--empty", options->isEmpty, "Leave the wall out");
+    CLI::Option* material = command->add_option("--material", options->material, "The material of the wall");
+    material->type_name("NAME");
+    addMaterialsOption(*command, options->materials);
+    command->get_option("--materials")->needs(material);
+    return {command, [options](const CliContext& context) { return createProject(*options, context); }};
+}
+
+}  // namespace rubble

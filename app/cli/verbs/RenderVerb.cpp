@@ -1,0 +1,156 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/options/PictureOptions.h"
+#include "app/cli/options/PlayOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/io/project/ProjectFile.h"
+#include "viewport/render/OffscreenRenderer.h"
+#include "viewport/scene/SessionSceneBuilder.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Renders the fragments of a project's instances in 3D, with OpenGL but without a display; with --asset, a single
+asset. With --at, simulates the project to that step, with the given shots, and renders it then, framed as at
+the start. Each sample adds a direction of light; 0 renders what the editor shows while the view moves.
+
+Examples:
+  rubble-cli render house.rubble --out house.png
+  rubble-cli render house.rubble --out apart.png --explode 0.4 --colour piece --size 1920x1080
+  rubble-cli render house.rubble --out wall.png --asset wall --view 30,15 --hulls --theme dark
+  rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door")";
+
+struct RenderOptions {
+    std::string file;
+    std::string out;
+    std::vector<std::string> assets;
+    double explodeFactor = 0.0;
+    bool isWhole = false;
+    PictureOptions picture;
+    std::optional<int> step;  // of the simulation; none: before it
+    PlayOptions play;
+    int threads = 1;
+};
+
+Error nothingToRender() {
+    return {ErrorCode::NotFound, "The project has no instances to render; use --asset to render an asset."};
+}
+
+/// Returns the asset to render; 0 for the scene.
+///
+/// Errors: those of selectedAssets(); NotFound if the scene is empty.
+Result<Id> assetToRender(const Project& project, const RenderOptions& options) {
+    const Result<std::vector<Id>> selected = selectedAssets(project, options.assets);
+    if (!selected) return selected.error();
+    if (!options.assets.empty()) return selected->front();
+    if (project.instances.empty()) return nothingToRender();
+    return Id{0};
+}
+
+/// The scene to render, and the box that the camera frames.
+struct Subject {
+    std::shared_ptr<const RenderScene> scene;
+    Box3 framed;
+};
+
+/// Returns the fragments, exploded or not.
+Result<Subject> fragmentsOf(const RenderOptions& options, const TaskContext& task) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<Id> asset = assetToRender(*project, options);
+    if (!asset) return asset.error();
+    const std::vector<Id> only = *asset == 0 ? std::vector<Id>() : std::vector<Id>{*asset};
+    const Result<AssetBakes> bakes = options.isWhole ? AssetBakes() : bakesOf(*project, only, task);
+    if (!bakes) return bakes.error();
+    SceneOptions content = sceneOptions(options.picture);
+    content.asset = *asset;
+    content.explodeFactor = options.explodeFactor;
+    content.isWhole = options.isWhole;
+    const auto scene = std::make_shared<const RenderScene>(sceneOf(*project, *bakes, content));
+    return Subject{scene, boundsOf(*scene)};
+}
+
+/// Returns the scene at a step of the simulation, framed as at its start.
+Result<Subject> simulatedScene(const RenderOptions& options, const CliContext& context, TaskContext task) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
+    if (!play) return play.error();
+    if (play->scene->project.instances.empty()) return nothingToRender();
+    Result<Session> session = createSession(*play, options.play, options.threads);
+    if (!session) return session.error();
+    SessionPlayback playback(play->scene, std::move(*session), {}, sceneOptions(options.picture),
+                             playOverlays(options.picture));
+    const Box3 framed = withSpaceForDebris(boundsOf(*playback.scene()));
+    ProgressLine line(context, "Simulating");
+    task.progress = [&line](double fraction) { line.show(fraction); };
+    const auto scene = playback.sceneAtStep(static_cast<std::uint64_t>(*options.step), task);
+    line.clear();
+    printWarnings(playback, context);
+    if (!scene) return scene.error();
+    return Subject{*scene, framed};
+}
+
+Status render(const RenderOptions& options, const CliContext& context) {
+    TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    const Result<Subject> subject = options.step ? simulatedScene(options, context, task) : fragmentsOf(options, task);
+    if (!subject) return subject.error();
+    ProgressLine line(context, "Rendering");
+    task.progress = [&line](double fraction) { line.show(fraction); };
+    const RenderView view = pictureView(options.picture, subject->framed);
+    const Result<Image> image = renderImage(subject->scene, view, options.picture.samples, task);
+    line.clear();
+    if (!image) return image.error();
+    const Result<std::string> png = pngOf(*image);
+    if (!png) return png.error();
+    return writeOutput(options.out, *png, context);
+}
+
+/// Adds --at, the options that need it, and its conflicts with options for fragments at rest.
+void addSimulationOptions(CLI::App& command, RenderOptions& options) {
+    CLI::Option* at = command.add_option("--at", options.step, "Simulate so many steps first")
+                          ->check(numberBetween(0, kMaxSteps))
+                          ->option_text("STEP");
+    addPlayOptions(command, options.play);
+    addOverlayOption(command, options.picture);
+    for (const char* name : {"--dt", "--shot", "--shots", "--no-destruction", "--overlay"})
+        command.get_option(name)->needs(at);
+    command.get_option("--no-destruction")->option_text(" ");  // hides CLI11's note on --at
+    command.get_option("--whole")->option_text(" ");
+    for (const char* name : {"--asset", "--explode", "--whole"}) at->excludes(command.get_option(name));
+}
+
+}  // namespace
+
+Verb addRender(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("render", "Render fragments in 3D as a PNG picture");
+    const auto options = std::make_shared<RenderOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    command->add_option("--out", options->out, "The picture to write; - for standard output")
+        ->required()
+        ->option_text("FILE");
+    command->add_option("--asset", options->assets, "Render this asset instead of the scene")
+        ->expected(1)
+        ->option_text("NAME");
+    addViewOptions(*command, options->picture);
+    command->add_option("--explode", options->explodeFactor, "Explode the fragments: 1 doubles their distances")
+        ->check(numberBetween(0.0, 100.0))
+        ->option_text("F");
+    addStyleOptions(*command, options->picture);
+    command->add_flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
+    addSimulationOptions(*command, *options);
+    addSamplesOption(*command, options->picture);
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return render(*options, context); }};
+}
+
+}  // namespace rubble

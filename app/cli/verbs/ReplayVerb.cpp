@@ -1,0 +1,98 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/base/Version.h"
+#include "core/io/json/JsonWriter.h"
+#include "core/io/play/ReplayFile.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Replays the recording of "simulate --record" on its project and compares every step. Exits with 1 if the
+simulation diverges, with the first step and body that differ.
+
+Output:
+  {"steps":N,"matches":true,"hash":"..."}
+  {"steps":N,"matches":false,"step":k,"body":s,"hash":"..."}
+
+Example:
+  rubble-cli simulate house.rubble --steps 600 --shot "box at the door" --record door.replay > after.json
+  rubble-cli replay door.replay house.rubble)";
+
+struct ReplayOptions {
+    std::string file;
+    std::string project;
+    int threads = 1;
+};
+
+std::string outcomeJson(const ReplayPlayer& player) {
+    JsonWriter json;
+    json.openObject();
+    json.wholeNumber("steps", std::uint64_t{player.replay().steps.size()});
+    json.boolean("matches", !player.divergence());
+    if (player.divergence()) {
+        json.wholeNumber("step", player.divergence()->step);
+        json.text("body", player.divergence()->body);
+    }
+    json.text("hash", player.session().hash().hex());
+    json.close();
+    return std::move(json).finished();
+}
+
+/// Returns warnings about possible causes of a divergence.
+std::vector<std::string> warnings(const Replay& replay, const Project& project) {
+    std::vector<std::string> messages;
+    if (replay.project != projectHash(project)) messages.push_back("The project was changed after the recording.");
+    if (replay.program != programVersion()) {
+        messages.push_back("The recording was made by version " + replay.program + "; this is version " +
+                           programVersion() + ".");
+    }
+    return messages;
+}
+
+Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
+    Result<Replay> replay = loadReplay(options.file);
+    if (!replay) return replay.error();
+    const Result<Project> project = loadProject(options.project);
+    if (!project) return project.error();
+    for (const std::string& warning : warnings(*replay, *project)) context.err << warning << '\n';
+    ProgressLine line(context, "Replaying");
+    const TaskContext task{.cancel = context.cancel,
+                           .progress = [&](double fraction) { line.show(fraction); },
+                           .threads = options.threads};
+    Result<std::shared_ptr<const PlayScene>> scene =
+        playScene(*project, {.cancel = task.cancel, .threads = task.threads});
+    if (!scene) return scene.error();
+    Result<ReplayPlayer> player =
+        ReplayPlayer::start(std::move(*scene), std::move(*replay), {.threads = options.threads});
+    if (!player) return player.error();
+    const Status played = player->seek(player->replay().steps.size(), task);
+    line.clear();
+    if (!played) return played.error();
+    if (const Status written = writeOutput("-", outcomeJson(*player), context); !written) return written.error();
+    if (player->divergence()) return Error{ErrorCode::BadInput, player->divergence()->sentence()};
+    return success();
+}
+
+}  // namespace
+
+Verb addReplay(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("replay", "Replay a recorded simulation and compare every step");
+    const auto options = std::make_shared<ReplayOptions>();
+    command->footer(kFooter);
+    command->add_option("REPLAY", options->file, "The recording, written by simulate --record")
+        ->required()
+        ->type_name("");
+    command->add_option("PROJECT", options->project, "The project that was recorded")->required()->type_name("");
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return verifyReplay(*options, context); }};
+}
+
+}  // namespace rubble

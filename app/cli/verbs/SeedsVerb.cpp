@@ -1,0 +1,76 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/import/VertexSeeds.h"
+#include "core/base/QuantityText.h"
+#include "core/io/mesh/MeshImport.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Adds a layer of placed seeds to an asset, one at each vertex of the mesh. The mesh is read as by rubble-cli
+import and projected along one of its axes, with its origin at the prism's; --fit scales and moves it to fill
+the outline instead. Vertices outside the outline and duplicates are ignored, and their number is printed.
+
+Examples:
+  rubble-cli seeds cracks.obj --into house.rubble --asset Wall
+  rubble-cli seeds scan.ply --into house.rubble --asset Wall --along y --fit)";
+
+struct SeedsOptions {
+    std::filesystem::path mesh;
+    std::filesystem::path project;
+    std::string asset;
+    std::string along = "z";
+    VertexView view;
+};
+
+Status addSeeds(const SeedsOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    Result<Project> project = loadProject(options.project);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
+    if (!selected) return selected.error();
+    const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
+    if (!mesh) return mesh.error();
+    VertexView view = options.view;
+    if (options.along != "z") view.along = options.along == "x" ? FileAxis::X : FileAxis::Y;
+    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
+    Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
+    if (!found) return found.error();
+    const std::size_t count = found->seeds.seeds.size();
+    const std::string report = found->report();
+    const Id layer = project->nextId++;
+    asset.pattern.layers.push_back({.id = layer, .randomSeed = layer, .parameters = std::move(found->seeds)});
+    if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
+    return writeOutput("-",
+                       "\"" + asset.name + "\" has a new layer of " + countText(count, "seed", "seeds") + "." +
+                           (report.empty() ? "" : " " + report) + "\nSaved " + options.project.string() + "\n",
+                       context);
+}
+
+}  // namespace
+
+Verb addSeeds(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("seeds", "Place seeds at the vertices of a mesh");
+    const auto options = std::make_shared<SeedsOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
+    command->add_option("--into", options->project, "The project of the asset")->required()->option_text("PROJECT");
+    command->add_option("--asset", options->asset, "The asset")->required()->option_text("NAME");
+    addUnitOption(*command, options->view.metresPerUnit);
+    command->add_option("--along", options->along, "The axis of the file to project along (default: z)")
+        ->check(oneOf({"x", "y", "z"}))
+        ->option_text("x|y|z");
+    command->add_flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
+    return {command, [options](const CliContext& context) { return addSeeds(*options, context); }};
+}
+
+}  // namespace rubble

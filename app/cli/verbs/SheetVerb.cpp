@@ -1,0 +1,169 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/options/PlayOptions.h"
+#include "app/cli/options/ShotOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/base/QuantityText.h"
+#include "core/io/json/JsonWriter.h"
+#include "core/io/project/ProjectFile.h"
+#include "viewport/film/ContactSheetPage.h"
+#include "viewport/film/ContactSheetPainter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Draws variants of an asset, generated with other random seeds, side by side in one picture, and measures them; 0
+is the asset itself. With --shot and --at all are simulated to the same step first. The table has a row a
+variant, in the order of the picture.
+
+Examples:
+  rubble-cli sheet house.rubble --asset wall --variants 12 --out sheet.png --sort smallestPiece
+  rubble-cli sheet house.rubble --asset wall --shot "box at the door" --at 60 --out sheet.png --json)";
+
+struct SheetOptions {
+    std::string file;
+    std::string out;
+    std::string asset;
+    VariantRecipe recipe;
+    std::string shot;
+    std::uint64_t step = 60;
+    std::string sort = "number";
+    std::string theme = "light";
+    bool isJson = false;
+    int threads = 1;
+};
+
+std::vector<std::string> measureNames() {
+    std::vector<std::string> names;
+    for (int k = 0; k < kSheetMeasures; ++k) names.emplace_back(nameOf(static_cast<SheetMeasure>(k)));
+    return names;
+}
+
+/// Errors: NotFound if the project has no such asset or shot; those of generateVariants().
+Result<SheetRequest> requestFor(const Project& project, const SheetOptions& options, const CliContext& context) {
+    const Result<std::vector<Id>> selected = selectedAssets(project, {options.asset});
+    if (!selected) return selected.error();
+    SheetRequest request{.project = project, .bakes = {}, .asset = selected->front(), .variants = {}, .stage = {}};
+    Result<std::vector<Asset>> variants = generateVariants(*findAsset(project, request.asset), options.recipe);
+    if (!variants) return variants.error();
+    request.variants = std::move(*variants);
+    if (options.shot.empty()) return request;
+    const Result<std::vector<Shot>> shots = selectedShots(project, {.names = {options.shot}, .file = {}}, context);
+    if (!shots) return shots.error();
+    request.stage = SheetStage{.shots = {shots->front().id}, .step = options.step};
+    return request;
+}
+
+std::string valueText(const SheetEntry& entry, SheetMeasure measure) {
+    const std::optional<double> value = entry.figures.value(measure, entry.number);
+    return value ? roundedNumber(*value) : "-";
+}
+
+std::string tableOf(const std::vector<SheetEntry>& entries) {
+    std::string text;
+    for (const std::string& name : measureNames()) text += (text.empty() ? "" : "\t") + name;
+    text += '\n';
+    for (const SheetEntry& entry : entries) {
+        for (int k = 0; k < kSheetMeasures; ++k) {
+            text += (k == 0 ? "" : "\t") + valueText(entry, static_cast<SheetMeasure>(k));
+        }
+        text += (entry.fault ? "\t" + *entry.fault : "") + '\n';
+    }
+    return text;
+}
+
+std::string jsonOf(const std::vector<SheetEntry>& entries) {
+    JsonWriter json;
+    json.openObject();
+    json.openArray("variants");
+    for (const SheetEntry& entry : entries) {
+        json.openObject({}, JsonLayout::Inline);
+        json.wholeNumber("number", std::uint64_t{entry.number});
+        for (int k = 1; k < kSheetMeasures; ++k) {
+            const auto measure = static_cast<SheetMeasure>(k);
+            json.number(nameOf(measure), entry.figures.value(measure, entry.number));
+        }
+        if (entry.fault) json.text("fault", *entry.fault);
+        json.close();
+    }
+    json.close();
+    json.close();
+    return std::move(json).finished();
+}
+
+Status sheet(const SheetOptions& options, const CliContext& context) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<SheetRequest> request = requestFor(*project, options, context);
+    if (!request) return request.error();
+    ProgressLine line(context, "Drawing");
+    const TaskContext task{.cancel = context.cancel,
+                           .progress = [&line](double fraction) { line.show(fraction); },
+                           .threads = options.threads};
+    const Theme theme = options.theme == "dark" ? Theme::Dark : Theme::Light;
+    std::vector<SheetEntry> generated(request->variants.size());
+    std::vector<NumberedImage> pictures(generated.size());
+    const auto store = [&](SheetEntry entry, std::optional<Image> picture) {
+        pictures[entry.number] = {entry.number, std::move(picture)};
+        generated[entry.number] = std::move(entry);
+    };
+    const Status drawn = drawContactSheet(
+        *request, {.theme = theme, .view = request->stage ? StandardView::Isometric : StandardView::Front}, store,
+        task);
+    line.clear();
+    if (!drawn) return drawn;
+    const std::vector<std::string> names = measureNames();
+    const auto measure = std::ranges::find(names, options.sort) - names.begin();
+    std::vector<SheetEntry> entries;
+    std::vector<NumberedImage> page;
+    for (const std::uint32_t k : sortedBy(static_cast<SheetMeasure>(measure), generated)) {
+        entries.push_back(generated[k]);
+        page.push_back(std::move(pictures[k]));
+    }
+    const Result<std::string> png = pngOf(contactSheetPage(page, theme));
+    if (!png) return png.error();
+    if (const Status written = writeOutput(options.out, *png, context); !written) return written;
+    return writeOutput("-", options.isJson ? jsonOf(entries) : tableOf(entries), context);
+}
+
+}  // namespace
+
+Verb addSheet(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("sheet", "Draw and measure variants of an asset side by side");
+    const auto options = std::make_shared<SheetOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    command->add_option("--asset", options->asset, "The asset")->required()->option_text("NAME");
+    command->add_option("--out", options->out, "The picture to write")->required()->option_text("FILE");
+    command
+        ->add_option("--variants", options->recipe.count, "The number of variants, including the asset (default: 12)")
+        ->check(numberBetween(1, static_cast<int>(VariantRecipe::kMaxVariants)))
+        ->option_text("N");
+    command->add_option("--random-seed", options->recipe.randomSeed, "The random seed of the variants (default: 1)")
+        ->option_text("N");
+    CLI::Option* shot = command->add_option("--shot", options->shot, "Fire this shot of the project at each variant")
+                            ->option_text("NAME");
+    command->add_option("--at", options->step, "Draw them after this step (default: 60)")
+        ->check(numberBetween(0, kMaxSteps))
+        ->needs(shot)
+        ->option_text("STEP");
+    command->add_option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))
+        ->check(oneOf(measureNames()))
+        ->option_text("MEASURE");
+    command->add_option("--theme", options->theme, "light (default) or dark")
+        ->check(oneOf({"light", "dark"}))
+        ->option_text("T");
+    command->add_flag("--json", options->isJson, "Print JSON instead of a table");
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return sheet(*options, context); }};
+}
+
+}  // namespace rubble

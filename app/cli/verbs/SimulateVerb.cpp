@@ -1,0 +1,135 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/simulation/BodySimulation.h"
+#include "app/cli/simulation/ProjectSimulation.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/io/play/BodiesJson.h"
+#include "core/io/play/ReplayFile.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Input, from FILE or standard input: a project, or a scene of bodies:
+  {"gravity":[x,y,z],"bodies":[{"name":s,"kind":"dynamic","density":d,"friction":f,"restitution":r,
+   "position":[x,y,z],"orientation":[w,x,y,z],"velocity":[x,y,z],"angularVelocity":[x,y,z],
+   "hulls":[[[x,y,z],...],...]},...]}
+"kind" is dynamic, static or kinematic. Position and orientation place the frame of the hulls in the world;
+velocities are in world axes, the linear one at the centre of mass. Only "name" and "hulls" are required. Units
+are metres, kilograms, seconds and radians; y is up. The instances of a project stand on its ground; --shot and
+--shots fire shots at them.
+
+Output:
+  {"steps":N,"bodies":[{"name":s,"position":[x,y,z],"orientation":[w,x,y,z],"asleep":false},...],
+   "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,"breaks":[...],"largestPenetration":d,"hash":"..."}
+Counts are means over the last 120 steps; the penetration is exact, of the final poses. A break is
+  {"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n}, with --timings also "swapMilliseconds".
+The bodies of a project are its instances, then projectiles and fragments in order of creation. The result does
+not depend on the number of threads: equal inputs give equal hashes.
+
+Examples:
+  rubble-cli simulate house.json --steps 600 > after.json
+  rubble-cli simulate house.json --steps 600 --trace steps.csv --timings
+  rubble-cli simulate house.rubble --steps 600 --shot "box at the door")";
+
+struct SimulateOptions {
+    std::string input = "-";
+    std::string trace;
+    int steps = 0;
+    int threads = 1;
+    bool isTimed = false;
+    std::string record;
+    PlayOptions play;
+};
+
+SimulationPlan planOf(const SimulateOptions& options) {
+    return {.steps = options.steps,
+            .stepLength = options.play.stepLength,
+            .world = {.sleeping = !options.play.isSleepless, .threads = options.threads},
+            .isTraced = !options.trace.empty(),
+            .isTimed = options.isTimed};
+}
+
+/// Runs `work` and shows its progress on the terminal.
+template <class Work>
+Result<SimulationRun> withProgress(const SimulateOptions& options, const CliContext& context, const Work& work) {
+    ProgressLine line(context, "Simulating");
+    Result<SimulationRun> result = work(TaskContext{.cancel = context.cancel,
+                                                    .progress = [&](double fraction) { line.show(fraction); },
+                                                    .threads = options.threads});
+    line.clear();
+    return result;
+}
+
+Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptions& options,
+                                     const CliContext& context) {
+    const ShotOptions& shots = options.play.shots;
+    if (!shots.names.empty() || !shots.file.empty() || options.play.isUnbreakable || !options.record.empty()) {
+        return Error{ErrorCode::BadInput,
+                     "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
+    }
+    return withProgress(options, context,
+                        [&](const TaskContext& task) { return runBodies(scene, planOf(options), task); });
+}
+
+Result<SimulationRun> simulateProject(const std::string& text, const SimulateOptions& options,
+                                      const CliContext& context) {
+    const Result<Project> project = readProjectText(text);
+    if (!project) return project.error();
+    std::vector<std::string> notices;
+    Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) -> Result<SimulationRun> {
+        const Result<PreparedProject> play =
+            prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
+        if (!play) return play.error();
+        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, notices);
+    });
+    for (const std::string& notice : notices) context.err << notice << '\n';
+    return run;
+}
+
+Status simulate(const SimulateOptions& options, const CliContext& context) {
+    const Result<std::string> text = readInput(options.input, context);
+    if (!text) return text.error();
+    const Result<BodyScene> scene = readBodyScene(*text);
+    const bool isProject = !scene && scene.error().code == ErrorCode::Unsupported;
+    if (!scene && !isProject) return scene.error();
+    const Result<SimulationRun> run =
+        isProject ? simulateProject(*text, options, context) : simulateBodies(*scene, options, context);
+    if (!run) return run.error();
+    if (!options.trace.empty()) {
+        if (const Status written = writeOutput(options.trace, run->trace, context); !written) return written;
+    }
+    if (run->replay) {
+        if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
+    }
+    return writeOutput("-", simulationJson(run->outcome), context);
+}
+
+}  // namespace
+
+Verb addSimulate(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("simulate", "Simulate a project or a scene of bodies");
+    const auto options = std::make_shared<SimulateOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->input, "The project or scene (default: -, standard input)")->type_name("");
+    command->add_option("--steps", options->steps, "The number of steps to simulate")
+        ->required()
+        ->check(numberBetween(1, kMaxSteps))
+        ->option_text("N");
+    addPlayOptions(*command, options->play);
+    command->add_option("--record", options->record, "Write a recording for rubble-cli replay")->option_text("FILE");
+    addThreadsOption(*command, options->threads);
+    command->add_flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
+    command->add_option("--trace", options->trace, "Write counts and energies (J) of each step")
+        ->option_text("FILE.csv");
+    command->add_flag("--timings", options->isTimed, "Add the durations of steps, and of their stages to the trace");
+    return {command, [options](const CliContext& context) { return simulate(*options, context); }};
+}
+
+}  // namespace rubble

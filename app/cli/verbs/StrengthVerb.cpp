@@ -1,0 +1,113 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/options/AssetOptions.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/asset/bake/AssetBakes.h"
+#include "core/asset/project/Threshold.h"
+#include "core/io/play/StrengthReportJson.h"
+#include "core/io/project/ProjectFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(A strength requirement states that an asset survives or breaks when it falls from a height onto level ground as
+it stands, or when a body of a given mass and speed hits the middle of its front. Prints the impulse of each
+requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints
+both and the gap between them, and exits with 1.
+
+Examples:
+  rubble-cli strength house.rubble
+  rubble-cli strength house.rubble --asset wall --json)";
+
+struct StrengthOptions {
+    std::string file;
+    std::vector<std::string> assets;
+    bool isJson = false;
+    int threads = 1;
+};
+
+Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<const Id> assets,
+                                              const TaskContext& task) {
+    const Result<AssetBakes> bakes = bakesOf(project, assets, task);
+    if (!bakes) return bakes.error();
+    std::vector<StrengthReport> reports;
+    for (const Id id : assets) {
+        const Asset& asset = *findAsset(project, id);
+        const Result<PlayAsset> whole = wholePlayAsset(asset, bakes->at({id}));
+        if (!whole) return whole.error();
+        Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
+        if (!interval) return interval.error();
+        reports.push_back({asset, thresholdOf(project, asset), std::move(*interval)});
+    }
+    return reports;
+}
+
+/// Returns whether the threshold of an asset satisfies its requirements, and which would.
+std::string verdictOn(const StrengthReport& report) {
+    const ThresholdInterval& interval = report.interval;
+    const std::string threshold = "threshold " + impulseText(report.threshold);
+    if (report.asset.requirements.empty()) return threshold + ", no requirements\n";
+    if (interval.isEmpty()) return threshold + "; the requirements conflict\n";
+    if (interval.contains(report.threshold)) {
+        return threshold + ", satisfied: it must be " + intervalText(interval) + "\n";
+    }
+    return threshold + ", not satisfied: it must be " + intervalText(interval) + "; " +
+           impulseText(*interval.suggested()) + " would satisfy all\n";
+}
+
+std::string textOf(const StrengthReport& report) {
+    std::string text = report.asset.name + ": " + verdictOn(report);
+    for (std::size_t k = 0; k < report.asset.requirements.size(); ++k) {
+        text += "  " + requirementText(report.asset.requirements[k]) + ": " + impulseText(report.interval.impulses[k]) +
+                "\n";
+    }
+    return text;
+}
+
+/// Returns an error with a line for each asset whose requirements conflict.
+Status statusOf(std::span<const StrengthReport> reports) {
+    std::string conflicts;
+    for (const StrengthReport& report : reports) {
+        if (const std::optional<std::string> conflict = conflictText(report.asset, report.interval)) {
+            conflicts += (conflicts.empty() ? "" : "\n") + report.asset.name + ": " + *conflict;
+        }
+    }
+    if (!conflicts.empty()) return Error{ErrorCode::BadInput, conflicts};
+    return success();
+}
+
+Status strength(const StrengthOptions& options, const CliContext& context) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
+    if (!assets) return assets.error();
+    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
+    const TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    const Result<std::vector<StrengthReport>> reports = reportsOn(*project, *assets, task);
+    if (!reports) return reports.error();
+    std::string text;
+    for (const StrengthReport& report : *reports) text += textOf(report);
+    const Status written = writeOutput("-", options.isJson ? strengthReportJson(*reports) : text, context);
+    return written ? statusOf(*reports) : written;
+}
+
+}  // namespace
+
+Verb addStrength(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("strength", "Check the strength requirements of assets");
+    command->alias("intent");  // its old name
+    const auto options = std::make_shared<StrengthOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    addAssetOption(*command, options->assets);
+    command->add_flag("--json", options->isJson, "Print JSON instead of text");
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return strength(*options, context); }};
+}
+
+}  // namespace rubble

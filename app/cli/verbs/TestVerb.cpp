@@ -1,0 +1,152 @@
+#include "app/cli/console/InputOutput.h"
+#include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/CommonOptions.h"
+#include "app/cli/options/PictureOptions.h"
+#include "app/cli/options/PlayOptions.h"
+#include "app/cli/verbs/Verb.h"
+#include "core/io/play/JUnitXml.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
+#include "core/io/system/CreatedDirectories.h"
+#include "viewport/render/OffscreenRenderer.h"
+#include "viewport/scene/SessionSceneBuilder.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kFooter =
+    R"(Runs the play-tests that are saved in the project, with their shots, and prints the expectations that are not
+met. Exits with 1 if a test fails.
+
+Examples:
+  rubble-cli test house.rubble
+  rubble-cli test house.rubble --test "the house stands"
+  rubble-cli test house.rubble --junit report.xml --pictures failures)";
+
+constexpr int kSamples = 8;  // of a picture of a failure
+
+struct TestOptions {
+    std::string file;
+    std::vector<std::string> names;
+    std::string junit;
+    std::string pictures;  // the folder for pictures of failures; empty: none
+    int threads = 1;
+};
+
+/// Returns the tests with these names, in the project's order; all if `names` is empty.
+///
+/// Errors: NotFound if there is no test with a name, or no test at all.
+Result<std::vector<PlayTest>> selectedTests(const Project& project, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (std::ranges::find(project.playTests, name, &PlayTest::name) != project.playTests.end()) continue;
+        return Error{ErrorCode::NotFound,
+                     "The project has no play-test \"" + name + "\"; " + quotedNamesOf(project.playTests) + "."};
+    }
+    if (project.playTests.empty()) return Error{ErrorCode::NotFound, "The project has no play-tests."};
+    std::vector<PlayTest> selected;
+    for (const PlayTest& test : project.playTests) {
+        if (names.empty() || std::ranges::find(names, test.name) != names.end()) selected.push_back(test);
+    }
+    return selected;
+}
+
+std::string resultText(const PlayTestOutcome& outcome) {
+    std::string text = (outcome.isPassed() ? "ok      " : "FAILED  ") + outcome.name + '\n';
+    for (const ExpectationOutcome& expectation : outcome.expectations) {
+        if (!expectation.isMet) text += "        " + expectation.expected + ": " + expectation.seen + '\n';
+    }
+    return text;
+}
+
+/// Renders the moment at which a test failed and prints the picture's path.
+Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTest& test,
+                     const PlayTestOutcome& outcome, const TestOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    Result<Session> session = sessionOf(scene, test, {.threads = options.threads});
+    if (!session) return session.error();
+    SessionSceneBuilder builder(scene);
+    const Box3 framed = withSpaceForDebris(boundsOf(*builder.sceneOf(*session)));
+    if (const Status played = simulateTo(*session, outcome.failedAt(), context, task); !played) return played;
+    const PictureOptions picture{.samples = kSamples};
+    const Result<Image> image =
+        renderImage(builder.sceneOf(*session), pictureView(picture, framed), picture.samples, task);
+    if (!image) return image.error();
+    const Result<std::string> png = pngOf(*image);
+    if (!png) return png.error();
+    CreatedDirectories folders;
+    if (const Status created = folders.create(options.pictures); !created) return created;
+    const std::string file =
+        (std::filesystem::path(options.pictures) / ("play-test-" + std::to_string(test.id) + ".png")).string();
+    if (const Status written = writeFileAtomically(file, *png); !written) return written;
+    return writeOutput("-", "        after step " + std::to_string(outcome.failedAt()) + ": " + file + '\n', context);
+}
+
+Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::vector<PlayTest>& tests,
+                                            const TestOptions& options, const CliContext& context) {
+    const Result<std::shared_ptr<const PlayScene>> scene =
+        playScene(project, {.cancel = context.cancel, .threads = options.threads});
+    if (!scene) return scene.error();
+    std::vector<TimedPlayTest> done;
+    for (const PlayTest& test : tests) {
+        ProgressLine line(context, "Playing \"" + test.name + '"');
+        const auto start = std::chrono::steady_clock::now();
+        Result<PlayTestOutcome> outcome =
+            runPlayTest(*scene, test, {.threads = options.threads},
+                        {.cancel = context.cancel, .progress = [&](double fraction) { line.show(fraction); }});
+        line.clear();
+        if (!outcome) return outcome.error();
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+        if (const Status written = writeOutput("-", resultText(*outcome), context); !written) return written.error();
+        if (!outcome->isPassed() && !options.pictures.empty()) {
+            const Status rendered = renderFailure(*scene, test, *outcome, options, context);
+            if (!rendered) return rendered.error();
+        }
+        done.push_back({std::move(*outcome), passed.count()});
+    }
+    return done;
+}
+
+Status test(const TestOptions& options, const CliContext& context) {
+    const Result<Project> project = loadProject(options.file);
+    if (!project) return project.error();
+    const Result<std::vector<PlayTest>> tests = selectedTests(*project, options.names);
+    if (!tests) return tests.error();
+    const Result<std::vector<TimedPlayTest>> done = runTests(*project, *tests, options, context);
+    if (!done) return done.error();
+    if (!options.junit.empty()) {
+        const std::string suite = std::filesystem::path(options.file).stem().string();
+        if (const Status written = writeOutput(options.junit, junitXml(suite, *done), context); !written)
+            return written;
+    }
+    const auto failed = std::ranges::count_if(*done, [](const TimedPlayTest& one) { return !one.outcome.isPassed(); });
+    if (failed == 0) return success();
+    return Error{ErrorCode::BadInput,
+                 std::to_string(failed) + " of " + std::to_string(done->size()) + " play-tests failed."};
+}
+
+}  // namespace
+
+Verb addTest(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("test", "Run the play-tests of a project");
+    const auto options = std::make_shared<TestOptions>();
+    command->footer(kFooter);
+    command->add_option("FILE", options->file, "The project")->required()->type_name("");
+    command->add_option("--test", options->names, "Run only this play-test; repeatable")
+        ->expected(1)
+        ->take_all()
+        ->option_text("NAME");
+    command->add_option("--junit", options->junit, "Write a report as JUnit XML")->option_text("FILE.xml");
+    command->add_option("--pictures", options->pictures, "Render the moment of each failure into this folder")
+        ->option_text("FOLDER");
+    addThreadsOption(*command, options->threads);
+    return {command, [options](const CliContext& context) { return test(*options, context); }};
+}
+
+}  // namespace rubble

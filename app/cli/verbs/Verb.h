@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/cli/console/CliContext.h"
+#include "core/base/Result.h"
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace rubble {
+
+/// Runs a verb after its options are parsed. The caller prints its error.
+using VerbAction = std::function<Status(const CliContext& context)>;
+
+/// A verb of rubble-cli.
+struct Verb {
+    CLI::App* command = nullptr;  // owned by the program's CLI::App
+    VerbAction action;
+};
+
+/// Each function adds a verb with its options and help to the program.
+Verb addNew(CLI::App& program);
+Verb addImport(CLI::App& program);
+Verb addSeeds(CLI::App& program);
+Verb addFracture(CLI::App& program);
+Verb addExport(CLI::App& program);
+Verb addCheck(CLI::App& program);
+Verb addDraw(CLI::App& program);
+Verb addRender(CLI::App& program);
+Verb addFilm(CLI::App& program);
+Verb addSimulate(CLI::App& program);
+Verb addReplay(CLI::App& program);
+Verb addTest(CLI::App& program);
+Verb addStrength(CLI::App& program);
+Verb addAudit(CLI::App& program);
+Verb addMaterials(CLI::App& program);
+Verb addDiff(CLI::App& program);
+Verb addSheet(CLI::App& program);
+
+}  // namespace rubble

@@ -1,0 +1,198 @@
+#include "core/asset/bake/Bake.h"
+
+#include "core/asset/bake/BakeHash.h"
+#include "core/asset/bake/FractureResult.h"
+#include "core/asset/bake/PrismHulls.h"
+#include "core/base/Parallel.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rubble {
+namespace {
+
+/// A diagnostic of the fracture of a fragment (kNone: of the whole) with its place in the bake.
+Diagnostic located(Diagnostic one, const Seeds& seeds, std::uint32_t parent, const Bake& bake) {
+    DiagnosticPlace& place = one.place;
+    place.asset = bake.asset;
+    if (parent != kNone) {
+        const BakedFragment whole = bake.fragment(parent);
+        const Vec2 offset{whole.solid.offset()};
+        const std::string id = bake.fragmentId(parent);
+        place.level = whole.level + 1;
+        place.fragment = parent;
+        place.path = pathOfId(id);
+        place.point = {offset.x, offset.y};
+        one.message = "Fragment " + id + ": " + one.message;
+    } else if (place.index == kNone && place.seed < seeds.ids.size()) {
+        const Vec2 position = seeds.positions[place.seed];
+        place.layer = seeds.ids[place.seed].layer;
+        place.index = seeds.ids[place.seed].index;
+        place.point = {position.x, position.y};
+    }
+    return one;
+}
+
+/// Appends the fracture of a fragment (kNone: of the whole).
+void append(FractureResult&& fracture, std::uint32_t parent, Bake& bake) {
+    for (std::vector<Diagnostic>* list : {&fracture.seeds.diagnostics, &fracture.fragments.diagnostics}) {
+        for (Diagnostic& one : *list) bake.diagnostics.push_back(located(std::move(one), fracture.seeds, parent, bake));
+        list->clear();
+    }
+    BakedFracture baked{parent, 0, bake.fragmentCount(), std::move(fracture.seeds), std::move(fracture.fragments)};
+    if (parent != kNone) {
+        const BakedFragment whole = bake.fragment(parent);
+        baked.level = whole.level + 1;
+        baked.fragments.origin = whole.solid.offset();
+    }
+    bake.fractures.push_back(std::move(baked));
+}
+
+/// The fragments of one level that are fractured, their settings and their results.
+struct LevelWork {
+    std::vector<std::uint32_t> parents;
+    std::vector<const Level*> levels;  // this and the next: one per parent
+    std::vector<std::optional<Result<FractureResult>>> fractures;
+};
+
+LevelWork fracturedLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const Bake& bake,
+                         const TaskContext& task) {
+    LevelWork work;
+    for (std::uint32_t k = first; k < bake.fragmentCount(); ++k) {
+        const FragmentPath path = asset.leaves.empty() ? FragmentPath() : pathOfId(bake.fragmentId(k));
+        const Level* by = levelFor(asset, path, level);
+        if (!by || bake.fragment(k).solid.volume() < by->minimumVolume) continue;
+        work.parents.push_back(k);
+        work.levels.push_back(by);
+    }
+    work.fractures.resize(work.parents.size());
+    TaskContext quiet;  // the calling thread reports progress, level by level
+    quiet.cancel = task.cancel;
+    forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
+        const std::uint32_t parent = work.parents[k];
+        const Fragment solid = bake.fragment(parent).solid;
+        const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], Vec2{solid.offset()});
+        work.fractures[k] = fractureResult(recipe, {solid.outline(), solid.depth()}, quiet);
+    });
+    return work;
+}
+
+/// Fractures the fragments of a level, from `first` on. One that would give a single piece stays as it is.
+Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake) {
+    LevelWork work = fracturedLevel(asset, level, first, bake, task);
+    bake.fractures.reserve(bake.fractures.size() + work.parents.size());
+    for (std::size_t k = 0; k < work.parents.size(); ++k) {
+        Result<FractureResult>& fracture = *work.fractures[k];
+        const std::uint32_t parent = work.parents[k];
+        if (!fracture) {
+            if (fracture.error().code == ErrorCode::Cancelled) return fracture.error();
+            return Error{fracture.error().code,
+                         "Fragment " + bake.fragmentId(parent) + ": " + fracture.error().message};
+        }
+        if (fracture->fragments.count() > 1) append(std::move(*fracture), parent, bake);
+    }
+    return success();
+}
+
+/// The largest number of levels below the first that an asset can have.
+std::size_t maxLevels(const Asset& asset) {
+    std::size_t deepest = asset.levels.size();
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (leaf.level) deepest = std::max(deepest, std::size_t{levelOf(leaf.fragment)} + 1);
+    }
+    return deepest;
+}
+
+/// Reports settings and edits of fragments that do not exist.
+void reportLost(const Asset& asset, Bake& bake) {
+    if (asset.leaves.empty() && asset.edits.empty()) return;
+    std::set<FragmentPath> fragments, broken;
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) fragments.insert(pathOfId(bake.fragmentId(k)));
+    for (const BakedFracture& fracture : bake.fractures) {
+        broken.insert(fracture.parent == kNone ? FragmentPath() : pathOfId(bake.fragmentId(fracture.parent)));
+    }
+    const auto report = [&](const FragmentPath& path, const std::string& message) {
+        bake.diagnostics.push_back(diagnostic(DiagnosticCode::LostPiece, {.asset = bake.asset, .path = path}, message));
+    };
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (fragments.contains(leaf.fragment)) continue;
+        report(leaf.fragment, "The piece " + leaf.fragment + ", which is to be broken in its own way, is not there.");
+    }
+    for (const FragmentEdit& edit : asset.edits) {
+        const FragmentPath parent = parentOf(edit);
+        if (!broken.contains(parent))
+            report(parent, "The piece " + parent + " is not broken; none of its pieces is merged or split.");
+    }
+}
+
+}  // namespace
+
+const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level) {
+    const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
+    if (leaf != asset.leaves.end() && leaf->fragment == fragment) return leaf->level ? &*leaf->level : nullptr;
+    return level < asset.levels.size() ? &asset.levels[level] : nullptr;
+}
+
+std::uint32_t Bake::fragmentCount() const {
+    return fractures.empty() ? 0 : fractures.back().first + fractures.back().fragments.count();
+}
+
+BakedFragment Bake::fragment(std::uint32_t number) const {
+    const BakedFracture& fracture = fractures[fractureContaining(number)];
+    BakedFragment fragment{.parent = fracture.parent,
+                           .level = fracture.level,
+                           .firstSibling = fracture.first,
+                           .solid = fracture.fragments[number - fracture.first]};
+    if (const BakedFracture* pieces = fractureOf(number)) {
+        fragment.firstChild = pieces->first;
+        fragment.childCount = pieces->fragments.count();
+    }
+    return fragment;
+}
+
+std::string Bake::fragmentId(std::uint32_t number) const {
+    const BakedFracture& fracture = fractures[fractureContaining(number)];
+    const std::string parentId = fracture.parent == kNone ? std::to_string(asset) : fragmentId(fracture.parent);
+    return rubble::fragmentId(parentId, fracture.seeds, fracture.fragments[number - fracture.first]);
+}
+
+std::uint32_t Bake::fractureContaining(std::uint32_t number) const {
+    const auto next = std::ranges::upper_bound(fractures, number, {}, &BakedFracture::first);
+    return static_cast<std::uint32_t>(next - fractures.begin()) - 1;
+}
+
+const BakedFracture* Bake::fractureOf(std::uint32_t parent) const {
+    if (parent == kNone) return fractures.empty() ? nullptr : &fractures.front();
+    const auto below = std::span(fractures).subspan(1);
+    const auto found = std::ranges::lower_bound(below, parent, {}, &BakedFracture::parent);
+    return found != below.end() && found->parent == parent ? &*found : nullptr;
+}
+
+Result<Bake> bake(const Asset& asset, const TaskContext& task) {
+    const std::size_t levels = maxLevels(asset);
+    Result<FractureResult> first =
+        fractureResult(recipeOf(asset), asset.prism, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
+    if (!first) return ofAsset(asset, first.error());
+    Bake result;
+    result.asset = asset.id;
+    result.input = bakeInputHash(asset);
+    result.whole = massOfPrism(first->prism.outline, first->prism.depth);
+    Result<std::vector<Polytope>> hulls = prismHulls(first->prism, Vec2{result.whole.centre});
+    if (!hulls) return ofAsset(asset, hulls.error());
+    result.wholeHulls = std::move(*hulls);
+    append(std::move(*first), kNone, result);
+
+    std::uint32_t begin = 0;
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        task.report(static_cast<double>(level + 1) / static_cast<double>(levels + 1));
+        const std::uint32_t end = result.fragmentCount();
+        const Status appended = appendLevel(asset, level, begin, task, result);
+        if (!appended) return ofAsset(asset, appended.error());
+        begin = end;
+    }
+    reportLost(asset, result);
+    task.report(1.0);
+    return result;
+}
+
+}  // namespace rubble

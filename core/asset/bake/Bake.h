@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/base/Hash.h"
+#include "core/base/TaskContext.h"
+#include "core/fracture/pieces/Fragment.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// How a fragment of a level is fractured: by its own setting, or by that of its level. Null if it is not.
+const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level);
+
+/// The fragments of the whole, or the children of one fragment.
+struct BakedFracture {
+    std::uint32_t parent = kNone;  // number of the fractured fragment; kNone: the whole
+    std::uint32_t level = 0;       // of the fragments; 0: those of the whole
+    std::uint32_t first = 0;       // number of its first fragment in the bake
+    Seeds seeds;
+    Fragments fragments;  // offsets in the asset's frame
+};
+
+/// One fragment with its place in the tree of fragments. A view, as `solid` is.
+struct BakedFragment {
+    std::uint32_t parent = kNone;  // kNone: the whole
+    std::uint32_t level = 0;
+    std::uint32_t firstChild = 0;  // children are consecutive
+    std::uint32_t childCount = 0;
+    std::uint32_t firstSibling = 0;  // number of the fragment with index 0 in bonds and edgeNeighbours() of `solid`
+    Fragment solid;
+};
+
+/// Everything computed from an asset: never saved, shared as const. Fragments are numbered level by level, within a
+/// level by parent, then in seed order.
+struct Bake {
+    Id asset = 0;
+    ContentHash input;                     // bakeInputHash() of the asset
+    MassProperties whole;                  // of the prism, at density 1
+    std::vector<Polytope> wholeHulls;      // in the frame of the whole's centre of mass
+    std::vector<BakedFracture> fractures;  // of the whole, then ascending parent
+    std::vector<Diagnostic> diagnostics;   // level by level
+
+    std::uint32_t fragmentCount() const;
+    /// O(log fractures), as are the functions below.
+    BakedFragment fragment(std::uint32_t number) const;
+    /// "asset/seed", ".k" for a part of a cut-apart cell, one more "/…" per level: "3/5.17.1/9.2".
+    std::string fragmentId(std::uint32_t number) const;
+    /// The fracture of a fragment (kNone: of the whole); null if it is not fractured.
+    const BakedFracture* fractureOf(std::uint32_t parent) const;
+    /// The index of the fracture that a fragment comes from.
+    std::uint32_t fractureContaining(std::uint32_t number) const;
+};
+
+/// Carries out an asset's recipe: seeds, partition and fragments, level by level.
+///
+/// Errors: those of validated(Prism), seedsOf() and triangulate(), each with the asset's name; Cancelled.
+Result<Bake> bake(const Asset& asset, const TaskContext& task = {});
+
+}  // namespace rubble

@@ -1,0 +1,109 @@
+#include "core/asset/bake/EdgeHierarchy.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+/// The overlap of the segment from `a` to `b` with an edge that begins at (0, 0): where it is within `tolerance` of it.
+std::optional<EdgeOverlap> overlapOf(Vec2 a, Vec2 b, Vec2 edge, double tolerance) {
+    const double length = glm::length(edge);
+    if (!(length > 0.0)) return std::nullopt;
+    const Vec2 along = edge / length, left = perpendicular(along);
+    const double start = glm::dot(a, along), end = glm::dot(b, along);
+    const double from = std::max(start, 0.0), to = std::min(end, length);
+    if (!(to - from > tolerance)) return std::nullopt;
+    const double distance = glm::dot(a, left), slope = glm::dot(b - a, left) / (end - start);
+    const auto isOnEdge = [&](double at) { return std::abs(distance + (at - start) * slope) <= tolerance; };
+    if (!isOnEdge(from) || !isOnEdge(to)) return std::nullopt;
+    return EdgeOverlap{{}, start, from, to};
+}
+
+}  // namespace
+
+EdgeHierarchy::EdgeHierarchy(const Bake& bake, double tolerance)
+    : m_bake(bake), m_tolerance(tolerance), m_intervals(bake.fractures.size()) {
+    for (std::size_t k = bake.fractures.size(); k-- > 1;) addIntervals(static_cast<std::uint32_t>(k));
+}
+
+Vec2 EdgeHierarchy::originOf(std::uint32_t fracture) const {
+    return shapesOf(fracture).origin + Vec2{fragmentsOf(fracture).origin};
+}
+
+double EdgeHierarchy::lengthOf(const PieceEdge& edge) const {
+    const Partition& shapes = shapesOf(edge.fracture);
+    return glm::distance(shapes.points[edge.from], shapes.points[edge.to]);
+}
+
+std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fracture, std::uint32_t piece) const {
+    std::vector<PieceEdge> edges;
+    forEachEdge(shapesOf(fracture), piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+        edges.push_back({fracture, piece, static_cast<std::uint32_t>(edges.size()), from, to, neighbour});
+    });
+    return edges;
+}
+
+std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fragment) const {
+    const std::uint32_t fracture = m_bake.fractureContaining(fragment);
+    return edgesOf(fracture, fragmentsOf(fracture).pieceOfFragment[fragment - m_bake.fractures[fracture].first]);
+}
+
+std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge) const {
+    const std::uint32_t parent = m_bake.fractures[edge.fracture].parent;
+    return parent == kNone ? std::vector<EdgeOverlap>() : overlapsOf(edge, edgesOf(parent));
+}
+
+std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge, const std::vector<PieceEdge>& parents) const {
+    std::vector<EdgeOverlap> overlaps;
+    const std::uint32_t above = parents.front().fracture;
+    const UninitializedVector<Vec2>&points = shapesOf(edge.fracture).points, &pointsAbove = shapesOf(above).points;
+    const Vec2 shift = originOf(edge.fracture) - originOf(above);
+    for (const PieceEdge& parent : parents) {
+        const Vec2 begin = pointsAbove[parent.from];
+        const Vec2 from = points[edge.from] + shift - begin, to = points[edge.to] + shift - begin;
+        std::optional<EdgeOverlap> overlap = overlapOf(from, to, pointsAbove[parent.to] - begin, m_tolerance);
+        if (!overlap) continue;
+        overlap->parent = parent;
+        overlaps.push_back(*overlap);
+    }
+    const auto begin = [](const EdgeOverlap& overlap) { return overlap.from - overlap.start; };
+    std::ranges::sort(overlaps, {}, begin);
+    return overlaps;
+}
+
+std::vector<EdgeInterval> EdgeHierarchy::intervalsOf(const PieceEdge& edge) const {
+    const Fragments& fragments = fragmentsOf(edge.fracture);
+    const std::uint32_t fragment = fragments.fragmentOfPiece[edge.piece];
+    const bool isFragment = fragment != kNone && fragments.pieceOfFragment[fragment] == edge.piece;
+    const BakedFracture* pieces =
+        isFragment ? m_bake.fractureOf(m_bake.fractures[edge.fracture].first + fragment) : nullptr;
+    if (pieces) return m_intervals[static_cast<std::size_t>(pieces - m_bake.fractures.data())][edge.number];
+    return {{0.0, lengthOf(edge), edge.fracture, edge.piece, edge.number}};
+}
+
+/// Collects the intervals along the edges of a fracture's parent. Those of its pieces must be known.
+void EdgeHierarchy::addIntervals(std::uint32_t fracture) {
+    const std::vector<PieceEdge> parents = edgesOf(m_bake.fractures[fracture].parent);
+    std::vector<std::vector<EdgeInterval>>& lists = m_intervals[fracture];
+    lists.resize(parents.size());
+    for (std::uint32_t piece = 0; piece < shapesOf(fracture).pieceCount(); ++piece) {
+        for (const PieceEdge& edge : edgesOf(fracture, piece)) {
+            if (edge.neighbour != kNone) continue;
+            const std::vector<EdgeInterval> intervals = intervalsOf(edge);
+            for (const EdgeOverlap& overlap : overlapsOf(edge, parents)) {
+                for (EdgeInterval interval : intervals) {
+                    interval.from = std::max(interval.from + overlap.start, overlap.from);
+                    interval.to = std::min(interval.to + overlap.start, overlap.to);
+                    if (interval.to - interval.from > m_tolerance) lists[overlap.parent.number].push_back(interval);
+                }
+            }
+        }
+    }
+    for (std::vector<EdgeInterval>& list : lists) std::ranges::sort(list, {}, &EdgeInterval::from);
+}
+
+}  // namespace rubble

@@ -1,0 +1,103 @@
+#include "core/asset/bake/FractureResult.h"
+
+#include "core/asset/bake/FragmentEditing.h"
+#include "core/base/Hash.h"
+#include "core/base/Random.h"
+#include "core/fracture/pattern/PatternCuts.h"
+#include "core/fracture/pattern/PatternPartition.h"
+#include "core/fracture/pieces/Extrusion.h"
+
+namespace rubble {
+namespace {
+
+/// Triangulates the seeds and cuts the outline into pieces.
+Status computePartition(const Pattern& pattern, PlanarFracture& cut, const TaskContext& task) {
+    Result<TriangulatedPartition> made = partitionOf(pattern, cut.seeds.positions, cut.prism.outline, task);
+    if (!made) return made.error();
+    cut.delaunay = std::move(made->delaunay);
+    cut.partition = std::move(made->partition);
+    return success();
+}
+
+/// Removes and reports seeds.
+void dropSeeds(const std::vector<std::uint32_t>& dropped, Seeds& seeds) {
+    for (const std::uint32_t seed : dropped) {
+        const SeedId id = seeds.ids[seed];
+        seeds.diagnostics.push_back(diagnostic(DiagnosticCode::DroppedSeed, {.layer = id.layer, .index = id.index},
+                                               "Seed " + id.text() + " is dropped, since its cell is too small."));
+    }
+    std::size_t next = 0;
+    const auto isDropped = [&](std::size_t seed) {
+        if (next == dropped.size() || dropped[next] != seed) return false;
+        ++next;
+        return true;
+    };
+    std::size_t kept = 0;
+    for (std::size_t seed = 0; seed < seeds.ids.size(); ++seed) {
+        if (isDropped(seed)) continue;
+        seeds.positions[kept] = seeds.positions[seed];
+        seeds.ids[kept++] = seeds.ids[seed];
+    }
+    seeds.positions.resize(kept);
+    seeds.ids.resize(kept);
+}
+
+}  // namespace
+
+Error ofAsset(const Asset& asset, const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return error;
+    return {error.code, "Asset \"" + asset.name + "\": " + error.message};
+}
+
+Recipe recipeOf(const Asset& asset) { return {asset.pattern, asset.shaping, asset.edits, {}, {}}; }
+
+Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset) {
+    return {patternFor(fragmentId, level.pattern), asset.shaping, asset.edits, pathOfId(fragmentId), offset};
+}
+
+double gapOf(const Recipe& recipe) { return std::max(recipe.shaping.gap, jointWidthOf(recipe.pattern)); }
+
+Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task) {
+    Result<Prism> valid = validated(std::move(prism));
+    if (!valid) return valid.error();
+    Result<Seeds> seeds = seedsOf(recipe.pattern, valid->outline, task.stage(0.0, 0.25));
+    if (!seeds) return seeds.error();
+    PlanarFracture cut{.prism = std::move(*valid), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};
+    if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.25, 0.9)); !made) return made.error();
+    const SmallPieces& small = recipe.shaping.smallPieces;
+    while (small.rule == SmallPieceRule::DropSeeds) {
+        const std::vector<std::uint32_t> dropped = seedsToDrop(cut.partition, small, cut.prism.depth);
+        if (dropped.empty()) break;
+        dropSeeds(dropped, cut.seeds);
+        if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.9, 0.9)); !made) return made.error();
+    }
+    if (!recipe.edits.empty()) {
+        cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
+    }
+    if (small.rule != SmallPieceRule::Keep) {
+        cut.partition = withoutSmallPieces(std::move(cut.partition), small, cut.prism.depth);
+    }
+    return cut;
+}
+
+Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task) {
+    Result<PlanarFracture> cut = planarFracture(recipe, std::move(prism), task.stage(0.0, 0.8));
+    if (!cut) return cut.error();
+    Result<Fragments> fragments =
+        extrudedFragments(cut->prism, std::move(cut->partition), gapOf(recipe), task.stage(0.8, 1.0));
+    if (!fragments) return fragments.error();
+    return FractureResult{std::move(cut->prism), std::move(cut->seeds), std::move(cut->delaunay),
+                          std::move(*fragments)};
+}
+
+Pattern patternFor(const std::string& fragmentId, Pattern pattern) {
+    const std::uint64_t fragment = contentHash(fragmentId).low;
+    for (PatternLayer& layer : pattern.layers) layer.randomSeed = mixSeeds(layer.randomSeed, fragment);
+    return pattern;
+}
+
+std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment) {
+    return parentId + "/" + pieceName(fragment.all().partition, fragment.piece(), seeds.ids);
+}
+
+}  // namespace rubble

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/fracture/delaunay/Delaunay.h"
+#include "core/fracture/pieces/Fragment.h"
+
+#include <string>
+
+namespace rubble {
+
+/// Everything that determines how one solid, the whole or a fragment, is fractured.
+struct Recipe {
+    Pattern pattern;
+    Shaping shaping;
+    std::vector<FragmentEdit> edits;  // those with another parent are ignored
+    FragmentPath place;               // of the solid; empty: the whole
+    Vec2 offset{0.0, 0.0};            // m, of its frame in the prism's
+};
+/// The recipe of an asset's whole.
+Recipe recipeOf(const Asset& asset);
+/// The recipe of one of its fragments, which stands at `offset`, for a level.
+Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset);
+
+/// The width of the gaps between pieces, m: the larger of the asset's gap and the pattern's joints.
+double gapOf(const Recipe& recipe);
+
+/// The stages of fracturing a solid that lie in the plane.
+struct PlanarFracture {
+    Prism prism;  // validated
+    Seeds seeds;  // without those dropped because of their small cells
+    Delaunay delaunay;
+    Partition partition;  // with merged and split pieces
+};
+
+/// All stages of fracturing one solid.
+struct FractureResult {
+    Prism prism;  // validated
+    Seeds seeds;
+    Delaunay delaunay;
+    Fragments fragments;  // with the partition
+};
+
+/// Prefixes the message of an error with the asset's name, except for Cancelled.
+Error ofAsset(const Asset& asset, const Error& error);
+
+/// Prism, seeds, triangulation and partition: pieces are merged and split by hand, then small pieces are removed.
+///
+/// Errors: those of validated(Prism), seedsOf() and triangulate(); Cancelled.
+Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task);
+
+/// All stages, fragments included.
+///
+/// Errors: those of planarFracture().
+Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task);
+
+/// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments fracture alike.
+Pattern patternFor(const std::string& fragmentId, Pattern pattern);
+
+/// The id of a fragment, given that of its parent: "3/5.17", or "3/5.17.1" if the outline cuts the cell apart (see
+/// pieceName()); "3/0.0" without seeds.
+std::string fragmentId(const std::string& parentId, const Seeds& seeds, const Fragment& fragment);
+
+}  // namespace rubble

@@ -1,0 +1,135 @@
+#include "core/asset/bake/NeighboursAcrossParents.h"
+
+#include "core/geometry/predicates/SegmentDistance.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+/// A straight edge of a partition between two of its pieces.
+struct CutEdge {
+    std::size_t fracture = 0;  // its number in the bake
+    std::uint32_t from = 0;    // this and the next: points of its partition, ascending
+    std::uint32_t to = 0;
+    auto operator<=>(const CutEdge&) const = default;
+};
+
+/// The part of a cut edge along which a fragment lies.
+struct Interval {
+    std::uint32_t fragment = 0;
+    std::uint32_t side = 0;  // the one of the two pieces that it is or descends from
+    double begin = 0.0;      // m from the edge's first point
+    double end = 0.0;
+};
+
+struct Edge {
+    Vec2 from{0.0, 0.0};  // m, in the asset's frame
+    Vec2 to{0.0, 0.0};
+};
+
+double distanceTo(const Edge& edge, Vec2 point) { return distanceToSegment(point, edge.from, edge.to); }
+
+class CutIntervals {
+public:
+    explicit CutIntervals(const Bake& bake) : m_bake(bake) {}
+
+    /// Adds all edges of a fragment: each lies along a cut of its fracture or of one above, or on the outline.
+    void add(std::uint32_t fragment) {
+        forEachEdgeOf(fragment, [&](const CutEdge& cut, const Edge& edge, std::uint32_t neighbour) {
+            if (neighbour != kNone) return addInterval(fragment, fragment, cut, edge);
+            const std::uint32_t parent = m_bake.fractures[cut.fracture].parent;
+            if (parent != kNone) addAlongCutOf(parent, fragment, edge);
+        });
+    }
+
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours() const {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+        for (const auto& [cut, intervals] : m_intervals) {
+            const double least = m_bake.fractures[cut.fracture].fragments.minSharedEdge;
+            for (std::size_t k = 0; k < intervals.size(); ++k) {
+                for (std::size_t other = k + 1; other < intervals.size(); ++other) {
+                    const Interval &a = intervals[k], &b = intervals[other];
+                    if (a.side == b.side || std::min(a.end, b.end) - std::max(a.begin, b.begin) <= least) continue;
+                    if (m_bake.fractureContaining(a.fragment) == m_bake.fractureContaining(b.fragment)) continue;
+                    pairs.push_back(std::minmax(a.fragment, b.fragment));
+                }
+            }
+        }
+        std::ranges::sort(pairs);
+        pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+        return pairs;
+    }
+
+private:
+    Vec2 pointOf(std::size_t fracture, std::uint32_t point) const {
+        const Fragments& all = m_bake.fractures[fracture].fragments;
+        return all.partition.points[point] + all.partition.origin + Vec2{all.origin};
+    }
+
+    /// Calls visit(cut, edge, neighbour) for the edges of its piece and of thin pieces that went to it.
+    template <class Visit>
+    void forEachEdgeOf(std::uint32_t fragment, Visit visit) const {
+        const std::size_t fracture = m_bake.fractureContaining(fragment);
+        const Fragments& all = m_bake.fractures[fracture].fragments;
+        const std::uint32_t index = fragment - m_bake.fractures[fracture].first;
+        const auto visitPiece = [&](std::uint32_t piece) {
+            forEachEdge(all.partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+                visit(CutEdge{fracture, std::min(from, to), std::max(from, to)},
+                      Edge{pointOf(fracture, from), pointOf(fracture, to)}, neighbour);
+            });
+        };
+        visitPiece(all.pieceOfFragment[index]);
+        for (const MassTransfer& transfer : all.massTransfers) {
+            if (transfer.receiver != kNone && all.fragmentOfPiece[transfer.receiver] == index)
+                visitPiece(transfer.thin);
+        }
+    }
+
+    /// An edge on the outline of `ancestor` lies along the nearest edge of `ancestor`; if that is on the outline of its
+    /// parent, along an edge of the parent.
+    void addAlongCutOf(std::uint32_t ancestor, std::uint32_t fragment, const Edge& edge) {
+        const Vec2 middle = edge.from + 0.5 * (edge.to - edge.from);
+        double nearest = std::numeric_limits<double>::infinity();
+        CutEdge cut;
+        std::uint32_t behind = kNone;
+        forEachEdgeOf(ancestor, [&](const CutEdge& candidate, const Edge& along, std::uint32_t neighbour) {
+            const double distance = distanceTo(along, middle);
+            if (distance < nearest) std::tie(nearest, cut, behind) = std::tuple(distance, candidate, neighbour);
+        });
+        if (behind != kNone) return addInterval(fragment, ancestor, cut, edge);
+        const std::uint32_t parent = m_bake.fractures[cut.fracture].parent;
+        if (parent != kNone) addAlongCutOf(parent, fragment, edge);
+    }
+
+    void addInterval(std::uint32_t fragment, std::uint32_t side, const CutEdge& cut, const Edge& edge) {
+        const Vec2 start = pointOf(cut.fracture, cut.from), along = pointOf(cut.fracture, cut.to) - start;
+        const double length = glm::length(along);
+        if (!(length > 0.0)) return;
+        const double from = glm::dot(edge.from - start, along) / length, to = glm::dot(edge.to - start, along) / length;
+        m_intervals[cut].push_back({fragment, side, std::min(from, to), std::max(from, to)});
+    }
+
+    const Bake& m_bake;
+    std::map<CutEdge, std::vector<Interval>> m_intervals;
+};
+
+}  // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> neighboursAcrossParents(const Bake& bake, std::uint32_t level) {
+    CutIntervals intervals(bake);
+    for (const BakedFracture& fracture : bake.fractures) {
+        if (fracture.level > level) continue;
+        for (std::uint32_t k = fracture.first; k < fracture.first + fracture.fragments.count(); ++k) {
+            if (fracture.level == level || !bake.fractureOf(k)) intervals.add(k);
+        }
+    }
+    return intervals.neighbours();
+}
+
+}  // namespace rubble

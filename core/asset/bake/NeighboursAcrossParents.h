@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// The pairs of neighbours with different parents among the fragments of a level and the leaves above it: those that
+/// lie on both sides of one cut and overlap there by more than Fragments::leastEdge. The smaller number comes first,
+/// pairs ascend. Siblings are left out: their bonds are known.
+///
+/// Found by cuts instead of distances, so that gaps between pieces do not matter. O(edges · edges of the parent), and
+/// per cut edge the product of the numbers of fragments on its two sides.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> neighboursAcrossParents(const Bake& bake, std::uint32_t level);
+
+}  // namespace rubble

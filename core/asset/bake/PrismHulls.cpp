@@ -1,0 +1,31 @@
+#include "core/asset/bake/PrismHulls.h"
+
+#include "core/geometry/polygon/ConvexParts.h"
+
+namespace rubble {
+
+Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin) {
+    const Result<IndexLoops> parts = convexParts(prism.outline);
+    if (!parts) return parts.error();
+    Ring corners = prism.outline.outer;
+    for (const Ring& hole : prism.outline.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+    std::vector<Polytope> hulls;
+    for (const std::vector<std::uint32_t>& part : *parts) {
+        Ring ring;
+        for (const std::uint32_t corner : part) ring.push_back(corners[corner] - origin);
+        hulls.push_back(extruded(ring, -prism.depth / 2.0, prism.depth / 2.0));
+    }
+    return hulls;
+}
+
+AssetHulls assetHulls(const Project& project) {
+    AssetHulls all;
+    for (const Asset& asset : project.assets) {
+        const Result<Prism> prism = validated(asset.prism);
+        if (!prism) continue;
+        if (Result<std::vector<Polytope>> hulls = prismHulls(*prism)) all[asset.id] = std::move(*hulls);
+    }
+    return all;
+}
+
+}  // namespace rubble

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/base/Result.h"
+#include "core/geometry/hull/Polytope.h"
+
+#include <map>
+#include <vector>
+
+namespace rubble {
+
+/// A validated() prism as convex hulls, in its own frame translated so that `origin` becomes the origin.
+///
+/// Errors: those of convexParts().
+Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin = {0.0, 0.0});
+
+/// The hulls of every asset's whole, in its prism's frame.
+using AssetHulls = std::map<Id, std::vector<Polytope>>;
+
+/// Leaves out assets whose prism cannot be fractured.
+AssetHulls assetHulls(const Project& project);
+
+}  // namespace rubble

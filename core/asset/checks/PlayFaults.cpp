@@ -1,0 +1,87 @@
+#include "core/asset/checks/PlayFaults.h"
+
+#include "core/asset/project/Names.h"
+#include "core/asset/project/Ranges.h"
+
+namespace rubble {
+namespace {
+
+using Sentence = std::optional<std::string>;
+
+Sentence cutFault(const std::string& owner, const CutAtImpact& cut) {
+    if (!rangeOf(ProjectNumber::ImpactPieces).contains(cut.pieces)) {
+        return owner + ": the fracture at the impact has " + std::to_string(cut.pieces) +
+               " pieces, but there must be " + std::to_string(CutAtImpact::kMinPieces) + " to " +
+               std::to_string(CutAtImpact::kMaxPieces) + ".";
+    }
+    return rangeFault(owner, {{ProjectNumber::ImpactFalloffRadius, cut.falloffRadius}});
+}
+
+Sentence eventFault(const std::string& owner, const DropRequirement& drop) {
+    return rangeFault(owner, {{ProjectNumber::DropHeight, drop.height}});
+}
+
+Sentence eventFault(const std::string& owner, const HitRequirement& hit) {
+    return rangeFault(owner, {{ProjectNumber::Mass, hit.mass}, {ProjectNumber::HitSpeed, hit.speed}});
+}
+
+Sentence actionFault(const std::string& owner, const Throw& thrown) {
+    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.from, "start")) return fault;
+    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.to, "aim")) return fault;
+    if (thrown.from == thrown.to) return owner + ": it starts where it aims, so that it has no direction.";
+    return rangeFault(owner, {{ProjectNumber::ProjectileSize, thrown.size.x, "size in x"},
+                              {ProjectNumber::ProjectileSize, thrown.size.y, "size in y"},
+                              {ProjectNumber::ProjectileSize, thrown.size.z, "size in z"},
+                              {ProjectNumber::Mass, thrown.mass},
+                              {ProjectNumber::ProjectileSpeed, thrown.speed}});
+}
+
+Sentence actionFault(const std::string& owner, const Hammer& hammer) {
+    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, hammer.at)) return fault;
+    return rangeFault(owner, ProjectNumber::HammerImpulse, hammer.impulse);
+}
+
+Sentence actionFault(const std::string& owner, const Explosion& explosion) {
+    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, explosion.at)) return fault;
+    return rangeFault(owner, {{ProjectNumber::ExplosionImpulse, explosion.impulse},
+                              {ProjectNumber::ExplosionRadius, explosion.radius}});
+}
+
+}  // namespace
+
+std::optional<std::string> playFault(const Asset& asset) {
+    const std::string owner = ownerText("Asset", asset.id, asset.name);
+    if (asset.cutAtImpact) {
+        if (Sentence fault = cutFault(owner, *asset.cutAtImpact)) return fault;
+    }
+    for (std::size_t k = 0; k < asset.requirements.size(); ++k) {
+        const std::string requirement = owner + ": requirement " + std::to_string(k);
+        const auto fault = [&](const auto& event) { return eventFault(requirement, event); };
+        if (Sentence found = std::visit(fault, asset.requirements[k].event)) return found;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> faultOf(const Debris& debris) {
+    if (debris.maxPieces && !rangeOf(ProjectNumber::DebrisPieces).contains(*debris.maxPieces))
+        return "The debris: the maximum number of pieces is 0, but it must be at least 1.";
+    return rangeFault("The debris", {{ProjectNumber::DebrisLifetime, debris.lifetime.value_or(1.0)},
+                                     {ProjectNumber::DebrisFade, debris.fade}});
+}
+
+std::optional<std::string> faultOf(const Shot& shot) {
+    const std::string owner = ownerText("Shot", shot.id, shot.name);
+    if (Sentence fault = rangeFault(owner, {{ProjectNumber::ShotTime, shot.time}})) return fault;
+    return std::visit([&](const auto& action) { return actionFault(owner, action); }, shot.action);
+}
+
+std::optional<std::string> faultOf(const PlayTest& test) {
+    const std::string owner = ownerText("Play-test", test.id, test.name);
+    if (Sentence fault = rangeFault(owner, {{ProjectNumber::TestDuration, test.duration}})) return fault;
+    for (const Expectation& expectation : test.expectations) {
+        if (Sentence fault = rangeFault(owner, {{ProjectNumber::ExpectedValue, expectation.value}})) return fault;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+/// The parts of valueFault() for play: fracture at the impact, strength requirements, debris, shots and play-tests.
+std::optional<std::string> playFault(const Asset& asset);
+std::optional<std::string> faultOf(const Debris& debris);
+std::optional<std::string> faultOf(const Shot& shot);
+std::optional<std::string> faultOf(const PlayTest& test);
+
+}  // namespace rubble

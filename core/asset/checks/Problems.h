@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/asset/bake/AssetBakes.h"
+#include "core/base/TaskContext.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// The limits from which on something is a problem.
+struct ProblemLimits {
+    double aspect = 6.0;      // of slivers; scattered pieces seldom exceed it
+    double meanShare = 0.02;  // of tiny pieces: their volume relative to the mean of their siblings
+    std::uint32_t hulls = 8;  // per fragment; each costs a collision as much as another body
+    bool operator==(const ProblemLimits&) const = default;
+};
+
+/// How many times a value is beyond its limit, at least 1; infinite if the asset cannot be fractured.
+double badness(const Diagnostic& problem);
+
+/// Every fault that keeps an outline from being fractured.
+std::vector<Diagnostic> outlineProblems(const Asset& asset);
+
+/// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, and
+/// slivers, tiny pieces and many hulls. DiagnosticPlace::index is set for seeds of the asset's own pattern only: the
+/// seed concerned, or the one that a fragment of any level comes from. O(corners · log corners of a piece) on
+/// task.threads.
+std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
+                                   const TaskContext& task = {});
+
+/// The problems of an asset that do not depend on its fracture: a threshold that cannot be derived.
+std::vector<Diagnostic> strengthProblems(const Asset& asset, const Material& material);
+
+/// The problems of all assets, in the project's order: of their bakes, or of their outlines without one, and of their
+/// strength.
+std::vector<Diagnostic> problemsOf(const Project& project, const AssetBakes& bakes, const ProblemLimits& limits = {},
+                                   const TaskContext& task = {});
+
+/// One flag per fragment of a bake: true if a problem is about it.
+std::vector<bool> fragmentsWithProblems(const Bake& bake, std::span<const Diagnostic> problems);
+
+}  // namespace rubble

@@ -1,0 +1,122 @@
+#include "core/asset/compare/BakeDifference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rubble {
+namespace {
+
+/// The fragments of a bake by path.
+std::map<FragmentPath, std::uint32_t> numbersIn(const Bake& bake) {
+    std::map<FragmentPath, std::uint32_t> numbers;
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) numbers.emplace(pathOfId(bake.fragmentId(k)), k);
+    return numbers;
+}
+
+double diagonalOf(const Bake& bake) {
+    Box2 box;
+    for (const Polytope& hull : bake.wholeHulls) {
+        for (const Vec3& vertex : hull.vertices) box.include(Vec2{vertex});
+    }
+    return bake.wholeHulls.empty() ? 0.0 : box.diagonal();
+}
+
+double largestEntry(const Mat3& matrix) {
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(matrix[column][row]));
+    }
+    return largest;
+}
+
+/// True where volume or inertia differ by more than a relative limit.
+bool differ(const MassProperties& before, const MassProperties& after, double relative) {
+    if (std::abs(before.volume - after.volume) > relative * std::max(before.volume, after.volume)) return true;
+    const double largest = std::max(largestEntry(before.inertia), largestEntry(after.inertia));
+    return largestEntry(before.inertia - after.inertia) > relative * largest;
+}
+
+/// Compares two bakes fragment by fragment.
+class Comparison {
+public:
+    Comparison(const Bake& before, const Bake& after, const DifferenceLimits& limits)
+        : m_before(before),
+          m_after(after),
+          m_limits(limits),
+          m_minShift(limits.shift * std::max(diagonalOf(before), diagonalOf(after))) {}
+
+    BakeDifference result() {
+        const std::map<FragmentPath, std::uint32_t> later = numbersIn(m_after);
+        std::vector<bool> isMatched(m_after.fragmentCount());
+        for (std::uint32_t k = 0; k < m_before.fragmentCount(); ++k) {
+            FragmentPath path = pathOfId(m_before.fragmentId(k));
+            const auto found = later.find(path);
+            if (found != later.end()) isMatched[found->second] = true;
+            compare(std::move(path), k, found == later.end() ? kNone : found->second);
+        }
+        for (std::uint32_t k = 0; k < m_after.fragmentCount(); ++k) {
+            if (!isMatched[k]) compare(pathOfId(m_after.fragmentId(k)), kNone, k);
+        }
+        std::ranges::stable_sort(m_difference.pieces, {}, &PieceDifference::change);
+        return std::move(m_difference);
+    }
+
+private:
+    LevelDifference& at(std::uint32_t level) {
+        if (level >= m_difference.levels.size()) m_difference.levels.resize(level + 1);
+        return m_difference.levels[level];
+    }
+
+    void add(PieceChange change, PieceDifference piece) {
+        ++at(piece.level).changed[static_cast<int>(change)];
+        piece.change = change;
+        m_difference.pieces.push_back(std::move(piece));
+    }
+
+    /// Compares one fragment, given by its numbers in both bakes.
+    void compare(FragmentPath path, std::uint32_t before, std::uint32_t after) {
+        PieceDifference piece{.path = std::move(path), .before = before, .after = after};
+        piece.level = levelOf(piece.path);
+        LevelDifference& level = at(piece.level);
+        level.before += before != kNone;
+        level.after += after != kNone;
+        if (before != kNone) piece.volumeBefore = m_before.fragment(before).solid.volume();
+        if (after != kNone) piece.volumeAfter = m_after.fragment(after).solid.volume();
+        if (after == kNone) return add(PieceChange::Gone, std::move(piece));
+        if (before == kNone) return add(PieceChange::Added, std::move(piece));
+        const Fragment earlier = m_before.fragment(before).solid, later = m_after.fragment(after).solid;
+        piece.shift = glm::distance(earlier.offset(), later.offset());
+        if (piece.shift > m_minShift) return add(PieceChange::Moved, std::move(piece));
+        if (differ(earlier.mass(), later.mass(), m_limits.relative))
+            return add(PieceChange::Reshaped, std::move(piece));
+        ++level.unchanged;
+    }
+
+    const Bake& m_before;
+    const Bake& m_after;
+    const DifferenceLimits m_limits;
+    const double m_minShift;  // m
+    BakeDifference m_difference;
+};
+
+}  // namespace
+
+std::size_t BakeDifference::count(PieceChange change) const { return sum().changed[static_cast<int>(change)]; }
+
+LevelDifference BakeDifference::sum() const {
+    LevelDifference sum;
+    for (const LevelDifference& level : levels) {
+        sum.before += level.before;
+        sum.after += level.after;
+        sum.unchanged += level.unchanged;
+        for (int k = 0; k < kPieceChanges; ++k) sum.changed[k] += level.changed[k];
+    }
+    return sum;
+}
+
+BakeDifference differenceOf(const Bake& before, const Bake& after, const DifferenceLimits& limits) {
+    return Comparison(before, after, limits).result();
+}
+
+}  // namespace rubble

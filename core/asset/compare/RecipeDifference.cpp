@@ -1,0 +1,199 @@
+#include "core/asset/compare/RecipeDifference.h"
+
+#include "core/asset/project/Threshold.h"
+#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
+#include "core/fracture/pattern/ParameterText.h"
+#include "core/fracture/pattern/PatternKind.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kChanged = "changed";  // follows a text that does not show the difference
+
+std::string outlineText(const Polygon& outline) {
+    std::string text = countText(outline.outer.size(), "point", "points");
+    if (!outline.holes.empty()) text += ", " + countText(outline.holes.size(), "hole", "holes");
+    return text + ", " + roundedText(area(outline), 6) + " m²";
+}
+
+std::string onText(bool isOn) { return isOn ? "on" : "off"; }
+
+std::string kindName(const PatternLayer& layer) { return std::string(kindOf(layer.parameters).name); }
+
+std::string layerName(const PatternLayer& layer) {
+    return "layer " + std::to_string(layer.id) + " (" + kindName(layer) + ")";
+}
+
+/// The data of a layer besides its parameters, as text.
+std::string dataText(const LayerParameters& parameters) {
+    if (const auto* placed = std::get_if<PlacedSeeds>(&parameters)) {
+        return countText(placed->seeds.size(), "seed", "seeds");
+    }
+    if (const auto* drawn = std::get_if<CrackLines>(&parameters)) {
+        return countText(drawn->lines.size(), "crack line", "crack lines");
+    }
+    const auto* dense = std::get_if<DensityImage>(&parameters);
+    return dense && dense->image ? "a picture" : "nothing";
+}
+
+std::string parametersText(const PatternLayer& layer) {
+    std::string text;
+    for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+        text +=
+            (text.empty() ? "" : ", ") + std::string(parameter.name) + ' ' + parameterText(parameter, layer.parameters);
+    }
+    return text.empty() ? dataText(layer.parameters) : text;
+}
+
+std::string shapingText(const SmallPieces& small) {
+    if (small.rule == SmallPieceRule::Keep) return "kept";
+    const std::string rule = small.rule == SmallPieceRule::Merge ? "merged" : "without seeds";
+    const std::string limit = " below " + messageText(small.limit);
+    switch (small.measure) {
+        case PieceMeasure::Area: return rule + limit + " m²";
+        case PieceMeasure::Volume: return rule + limit + " m³";
+        case PieceMeasure::FractionOfMean: return rule + limit + " of the mean";
+        case PieceMeasure::FractionOfWhole: break;
+    }
+    return rule + limit + " of the whole";
+}
+
+std::string roughnessText(const Roughness& rough) {
+    return messageText(rough.amplitude) + " m, " + messageText(rough.frequency) + " bumps per metre, " +
+           countText(rough.octaves, "octave", "octaves") + ", random seed " + std::to_string(rough.randomSeed);
+}
+
+std::string thresholdText(const Project& project, const Asset& asset) {
+    const std::string typed = messageText(asset.threshold) + " N·s";
+    if (!asset.contactTime) return typed;
+    return messageText(thresholdOf(project, asset)) + " N·s from the strength with a contact time of " +
+           messageText(*asset.contactTime) + " s; typed " + typed;
+}
+
+std::string materialText(const Project& project, Id id) {
+    const Material* material = findMaterial(project, id);
+    return material ? material->name + " (" + messageText(material->density) + " kg/m³)" : "none";
+}
+
+std::string cutText(const std::optional<CutAtImpact>& cut) {
+    if (!cut) return "off";
+    return countText(cut->pieces, "piece", "pieces") + ", falloff radius " + messageText(cut->falloffRadius) + " m";
+}
+
+const PatternLayer* findLayer(const Pattern& pattern, std::uint32_t id) {
+    const auto found = std::ranges::find(pattern.layers, id, &PatternLayer::id);
+    return found != pattern.layers.end() ? &*found : nullptr;
+}
+
+/// Collects changes.
+class Changes {
+public:
+    void add(const std::string& what, const std::string& before, const std::string& after) {
+        if (before != after) m_list.push_back({what, before, after});
+    }
+    /// For values that can differ without a difference in their texts.
+    void add(bool isSame, const std::string& what, const std::string& before, const std::string& after) {
+        if (!isSame) m_list.push_back({what, before, after == before ? after + ", " + kChanged : after});
+    }
+
+    void compare(const PatternLayer& before, const PatternLayer& after) {
+        const std::string name = layerName(after);
+        add(name + ", on", onText(before.isOn), onText(after.isOn));
+        add(name + ", random seed", std::to_string(before.randomSeed), std::to_string(after.randomSeed));
+        add(before.overrides == after.overrides, name + ", seeds changed by hand",
+            std::to_string(before.overrides.size()), std::to_string(after.overrides.size()));
+        if (before.parameters.index() != after.parameters.index()) {
+            return add(name + ", kind", kindName(before), kindName(after));
+        }
+        const std::size_t countBefore = m_list.size();
+        for (const LayerParameter& parameter : kindOf(after.parameters).parameters) {
+            add(name + ", " + std::string(parameter.name), parameterText(parameter, before.parameters),
+                parameterText(parameter, after.parameters));
+        }
+        const bool isSame = before.parameters == after.parameters || m_list.size() > countBefore;
+        const std::string earlier = dataText(before.parameters), later = dataText(after.parameters);
+        add(isSame && earlier == later, name + ", data", earlier, later);
+    }
+
+    void compare(const Pattern& before, const Pattern& after, const std::string& where) {
+        for (const PatternLayer& layer : before.layers) {
+            const PatternLayer* same = findLayer(after, layer.id);
+            if (same) compare(layer, *same);
+            if (!same) m_list.push_back({layerName(layer) + where, parametersText(layer), {}});
+        }
+        for (const PatternLayer& layer : after.layers) {
+            if (!findLayer(before, layer.id)) m_list.push_back({layerName(layer) + where, {}, parametersText(layer)});
+        }
+        add("order of layers" + where, orderOf(before, after), orderOf(after, before));
+    }
+
+    void compare(const std::vector<Level>& before, const std::vector<Level>& after) {
+        add("levels", std::to_string(before.size()), std::to_string(after.size()));
+        for (std::size_t k = 0; k < std::max(before.size(), after.size()); ++k) {
+            const std::string where = ", of level " + std::to_string(k + 1);
+            const Level earlier = k < before.size() ? before[k] : Level(),
+                        later = k < after.size() ? after[k] : Level();
+            compare(earlier.pattern, later.pattern, where);
+            add("minimum volume of fractured fragments" + where, messageText(earlier.minimumVolume) + " m³",
+                messageText(later.minimumVolume) + " m³");
+        }
+    }
+
+    void compare(const Shaping& before, const Shaping& after) {
+        add("small pieces", shapingText(before.smallPieces), shapingText(after.smallPieces));
+        add("gap", messageText(before.gap) + " m", messageText(after.gap) + " m");
+        add("roughness", roughnessText(before.roughness), roughnessText(after.roughness));
+    }
+
+    std::vector<RecipeChange> list() && { return std::move(m_list); }
+
+private:
+    /// The layers of a pattern that another one also has, in order.
+    static std::string orderOf(const Pattern& pattern, const Pattern& other) {
+        std::string text;
+        for (const PatternLayer& layer : pattern.layers) {
+            if (findLayer(other, layer.id)) text += (text.empty() ? "" : ", ") + std::to_string(layer.id);
+        }
+        return text;
+    }
+
+    std::vector<RecipeChange> m_list;
+};
+
+}  // namespace
+
+std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earlier, const Project& after,
+                                        const Asset& later) {
+    Changes changes;
+    changes.add("name", earlier.name, later.name);
+    const Prism &from = earlier.prism, &to = later.prism;
+    changes.add(from.outline == to.outline, "outline", outlineText(from.outline), outlineText(to.outline));
+    changes.add("depth", messageText(from.depth) + " m", messageText(to.depth) + " m");
+    changes.add("material", materialText(before, earlier.material), materialText(after, later.material));
+    changes.add("inside material", materialText(before, earlier.insideMaterial),
+                materialText(after, later.insideMaterial));
+    changes.add("threshold", thresholdText(before, earlier), thresholdText(after, later));
+    changes.add("inside UV scale", messageText(earlier.insideUvScale), messageText(later.insideUvScale));
+    changes.add("cut at impact", cutText(earlier.cutAtImpact), cutText(later.cutAtImpact));
+    changes.compare(earlier.pattern, later.pattern, "");
+    changes.compare(earlier.levels, later.levels);
+    changes.compare(earlier.shaping, later.shaping);
+    changes.add(earlier.leaves == later.leaves, "fragments with their own pattern",
+                std::to_string(earlier.leaves.size()), std::to_string(later.leaves.size()));
+    changes.add(earlier.edits == later.edits, "fragments merged or split", std::to_string(earlier.edits.size()),
+                std::to_string(later.edits.size()));
+    changes.add(earlier.requirements == later.requirements, "strength requirements",
+                std::to_string(earlier.requirements.size()), std::to_string(later.requirements.size()));
+    return std::move(changes).list();
+}
+
+std::string sentenceOf(const RecipeChange& change) {
+    if (change.before.empty()) return change.what + " is new: " + change.after;
+    if (change.after.empty()) return change.what + " is gone: " + change.before;
+    return change.what + ": " + change.after + ", was " + change.before;
+}
+
+}  // namespace rubble

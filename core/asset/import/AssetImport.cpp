@@ -1,0 +1,133 @@
+#include "core/asset/import/AssetImport.h"
+
+#include "core/asset/import/ImportedSolid.h"
+#include "core/asset/project/Names.h"
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+/// An error with the object's name: `"Ball": The mesh ...`.
+Error namedError(const std::string& name, Error error) {
+    error.message = "\"" + name + "\": " + error.message;
+    return error;
+}
+
+/// A part to import with its asset's name, or the error of its object.
+using RequestedPart = Result<ImportPart>;
+
+Result<std::vector<RequestedPart>> requestedParts(const SourceScene& scene, const std::string& fileName,
+                                                  double metresPerUnit, const ImportOptions& options) {
+    std::vector<RequestedPart> all;
+    const bool hasSeveral = scene.objects.size() > 1;
+    const bool isNamed = std::ranges::find(scene.objects, options.asset, &SourceObject::name) != scene.objects.end();
+    if (!options.asset.empty() && hasSeveral && !isNamed) {
+        std::string names;
+        for (const SourceObject& object : scene.objects) names += (names.empty() ? "\"" : ", \"") + object.name + "\"";
+        return Error{ErrorCode::NotFound,
+                     "The file has several objects and none named \"" + options.asset + "\"; it has " + names + "."};
+    }
+    for (const SourceObject& object : scene.objects) {
+        if (!options.asset.empty() && hasSeveral && object.name != options.asset) continue;
+        const std::string name = object.name.empty() ? fileName : object.name;
+        Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up);
+        if (!parts) {
+            all.push_back(namedError(name, parts.error()));
+            continue;
+        }
+        for (ImportPart& part : *parts) {
+            part.name = options.asset.empty() ? name : options.asset;
+            all.push_back(std::move(part));
+        }
+    }
+    if (!options.asset.empty() && all.size() > 1)
+        return Error{ErrorCode::Degenerate, "\"" + options.asset + "\" would have " + std::to_string(all.size()) +
+                                                " unconnected parts; an asset has one."};
+    return all;
+}
+
+/// The project's material for one of the file's; added if it is missing.
+Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::string>& notes) {
+    if (source.name.empty() && !project.materials.empty()) return project.materials.front().id;
+    const auto same = std::ranges::find(project.materials, source.name, &Material::name);
+    if (same != project.materials.end()) return same->id;
+    const Colour colour{source.colour.x, source.colour.y, source.colour.z};
+    Material material{.id = project.nextId++, .name = source.name.empty() ? "default" : source.name};
+    material.outside = material.inside = colour;
+    notes.push_back("The material \"" + material.name + "\" was added, with a density of " +
+                    messageText(material.density) + " kg/m³.");
+    project.materials.push_back(material);
+    return material.id;
+}
+
+/// The pattern of a new asset.
+Pattern defaultPattern(Project& project) {
+    const Id id = project.nextId++;
+    return {{{.id = id, .randomSeed = id, .parameters = UniformScatter{}}}};
+}
+
+void placeInstance(Project& project, const Asset& asset, const Pose& pose) {
+    const std::string name = uniqueName(project.instances, asset.name);
+    project.instances.push_back({.id = project.nextId++, .name = name, .asset = asset.id, .pose = pose});
+}
+
+/// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
+ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
+                    const ImportOptions& options, Project& project) {
+    ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .tolerance = part.tolerance};
+    result.notes = solid.notes;
+    const Prism prism{solid.prism.outline, solid.prism.depth};
+    const auto old =
+        options.asset.empty() ? project.assets.end() : std::ranges::find(project.assets, options.asset, &Asset::name);
+    if (old != project.assets.end()) {
+        result.asset = old->id;
+        result.isReplaced = true;
+        old->prism = prism;
+        old->surface = solid.surface.surface;
+        return result;
+    }
+    Asset asset{.name = uniqueName(project.assets, part.name), .prism = prism, .surface = solid.surface.surface};
+    if (asset.name != part.name)
+        result.notes.push_back("The name \"" + part.name + "\" is taken; the asset is named \"" + asset.name + "\".");
+    asset.material = materialFor(scene.materials[solid.material], project, result.notes);
+    asset.id = result.asset = project.nextId++;
+    asset.pattern = defaultPattern(project);
+    placeInstance(project, asset, solid.prism.pose);
+    project.assets.push_back(std::move(asset));
+    return result;
+}
+
+void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options, ImportOutcome& outcome) {
+    if (!part) {
+        outcome.refused.push_back(part.error());
+    } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
+        outcome.refused.push_back(namedError(part->name, solid.error()));
+    } else {
+        outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
+    }
+}
+
+}  // namespace
+
+Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
+                                   const ImportOptions& options, const TaskContext& context) {
+    const double inFile = scene.metresPerUnit > 0.0 ? scene.metresPerUnit : 1.0;
+    const double metresPerUnit = options.metresPerUnit.value_or(inFile);
+    if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
+        return Error{ErrorCode::BadInput,
+                     "The unit is " + messageText(metresPerUnit) + " m; it must be finite and greater than zero."};
+    const Result<std::vector<RequestedPart>> requested = requestedParts(scene, fileName, metresPerUnit, options);
+    if (!requested) return requested.error();
+    ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
+    for (const RequestedPart& part : *requested) {
+        if (context.isCancelled()) return TaskContext::cancelled();
+        import(part, scene, options, outcome);
+        context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
+    }
+    return outcome;
+}
+
+}  // namespace rubble

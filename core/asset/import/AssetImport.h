@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/base/TaskContext.h"
+#include "core/geometry/mesh/SourceScene.h"
+#include "core/geometry/prism/PrismFit.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+enum class UpAxis { Y, Z };
+
+/// How a mesh file is imported.
+struct ImportOptions {
+    std::optional<double> metresPerUnit;    // overrides the unit of the file; without either: metres
+    UpAxis up = UpAxis::Y;                  // of the file; the world's is y
+    PrismAxis axis = PrismAxis::Thinnest;   // of the prism, in the world
+    std::optional<PrismFallback> fallback;  // for objects that are not prisms
+    std::string asset;                      // the asset to reimport or to create; empty: one per object
+};
+
+/// An asset created or replaced by an import.
+struct ImportedAsset {
+    Id asset = 0;
+    bool isReplaced = false;    // an existing asset got a new prism and surface and kept everything else
+    bool usesFallback = false;  // the object is not a prism
+    PrismFit prism;
+    double tolerance = 0.0;          // m
+    std::vector<std::string> notes;  // sentences: what was merged, flipped, omitted, renamed or replaced
+};
+
+struct ImportOutcome {
+    Project project;
+    double metresPerUnit = 1.0;
+    std::vector<ImportedAsset> assets;  // in the file's order
+    std::vector<Error> refused;         // each names its object; in the file's order
+};
+
+/// Adds the objects of a mesh file to a project as assets, with an instance of each at the mesh's position. Unconnected
+/// parts of an object become separate assets. Assets are named after their objects, or the file; taken names are
+/// numbered. Materials are found by name, or added with the file's name and colour. A reimported asset keeps its id,
+/// material, pattern, levels and threshold, and its instances keep their poses. A rejected object does not block the
+/// others.
+///
+/// Objects, or parts of them, are rejected with the errors of welded(), orientedSolid(), fitPrism() and
+/// fallbackPrism().
+/// Errors: NotFound if none of several objects is named like the requested asset; Degenerate if that object has several
+/// parts; BadInput if the unit is not greater than zero; Cancelled.
+Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
+                                   const ImportOptions& options, const TaskContext& context);
+
+}  // namespace rubble

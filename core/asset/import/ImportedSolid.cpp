@@ -1,0 +1,172 @@
+#include "core/asset/import/ImportedSolid.h"
+
+#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
+#include "core/geometry/mesh/MeshWelding.h"
+#include "core/geometry/mesh/SolidMesh.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace rubble {
+namespace {
+
+std::vector<std::string> weldingNotes(const WeldedMesh& welded) {
+    std::vector<std::string> notes;
+    if (welded.mergedPoints > 0)
+        notes.push_back(countText(welded.mergedPoints, "point was", "points were") + " merged with others up to " +
+                        lengthText(welded.maxMergeDistance) + " away.");
+    if (welded.droppedTriangles > 0)
+        notes.push_back(countText(welded.droppedTriangles, "triangle", "triangles") + " without area omitted.");
+    return notes;
+}
+
+/// The triangles of a mesh that belong to one part.
+ImportPart partOf(const ImportPart& whole, const std::vector<std::uint32_t>& parts, std::uint32_t number) {
+    ImportPart part{.name = whole.name, .hasUvs = whole.hasUvs, .tolerance = whole.tolerance, .notes = whole.notes};
+    std::vector<std::uint32_t> indices(whole.mesh.points.size(), kNone);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i] != number) continue;
+        part.triangles.push_back(whole.triangles[i]);
+        auto triangle = whole.mesh.triangles[i];
+        for (std::uint32_t& corner : triangle) {
+            std::uint32_t& index = indices[corner];
+            if (index == kNone) {
+                index = static_cast<std::uint32_t>(part.mesh.points.size());
+                part.mesh.points.push_back(whole.mesh.points[corner]);
+            }
+            corner = index;
+        }
+        part.mesh.triangles.push_back(triangle);
+    }
+    return part;
+}
+
+bool liesWithin(const Box3& inner, const Box3& outer) {
+    return glm::all(glm::greaterThanEqual(inner.min, outer.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
+}
+
+/// The mesh's triangles in the prism's frame.
+std::vector<SurfaceTriangle> surfaceTriangles(const ImportPart& part, const std::vector<std::uint32_t>& flipped,
+                                              const Pose& pose) {
+    const Quat localFromWorld = glm::conjugate(pose.orientation);
+    std::vector<SurfaceTriangle> triangles;
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+        SurfaceTriangle& triangle = triangles.emplace_back();
+        triangle.uvs = part.triangles[i].uvs;
+        triangle.material = part.triangles[i].material;
+        for (int k = 0; k < 3; ++k)
+            triangle.corners[k] = localFromWorld * (part.mesh.points[part.mesh.triangles[i][k]] - pose.position);
+        if (std::ranges::binary_search(flipped, static_cast<std::uint32_t>(i))) {
+            std::swap(triangle.corners[1], triangle.corners[2]);
+            std::swap(triangle.uvs[1], triangle.uvs[2]);
+        }
+    }
+    return triangles;
+}
+
+std::uint32_t largestMaterial(const ImportPart& part) {
+    std::map<std::uint32_t, double> areas;
+    for (std::size_t i = 0; i < part.triangles.size(); ++i)
+        areas[part.triangles[i].material] += glm::length(doubleArea(part.mesh, i));
+    return std::ranges::max_element(areas, {}, [](const auto& area) { return area.second; })->first;
+}
+
+void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<std::string>& notes) {
+    if (cap.isAffine) return;
+    std::string why = ": no face of the mesh lies on it.";
+    if (fit.materials > 1) {
+        why = ": it has " + std::to_string(fit.materials) + " materials; the one with the largest area is used.";
+    } else if (fit.deviation) {
+        why = ": no affine map fits them (the best deviates by " + roundedText(*fit.deviation, 2) + ").";
+    } else if (fit.triangles > 0) {
+        why = ": its faces have no area.";
+    }
+    notes.push_back(std::string("The ") + name + " cap takes its UVs from the nearest faces" + why);
+}
+
+/// The fitted prism, or its fallback.
+Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid, const ImportOptions& options,
+                         ImportedSolid& result) {
+    Result<PrismFit> found = solid ? fitPrism(solid->mesh, options.axis, part.tolerance) : solid.error();
+    if (found || !options.fallback) return found;
+    const std::string why = found.error().message;
+    found = fallbackPrism(part.mesh, options.axis, *options.fallback, part.tolerance);
+    if (!found) return found;
+    result.usesFallback = true;
+    const char* what = *options.fallback == PrismFallback::Silhouette ? "silhouette" : "top cap";
+    result.notes.push_back("Its " + std::string(what) + " along " + axisText(found->axis) + " replaces it: " + why);
+    return found;
+}
+
+}  // namespace
+
+TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
+    TriangleMesh mesh;
+    for (const Vec3 point : object.points) {
+        const Vec3 upright = up == UpAxis::Z ? Vec3(point.x, point.z, -point.y) : point;
+        mesh.points.push_back(metresPerUnit * upright);
+    }
+    for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
+    return mesh;
+}
+
+Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up) {
+    Result<WeldedMesh> one = welded(meshInWorld(object, metresPerUnit, up));
+    if (!one) return one.error();
+    ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
+    whole.notes = weldingNotes(*one);
+    whole.mesh = std::move(one->mesh);
+    for (const std::uint32_t source : one->sources) whole.triangles.push_back(object.triangles[source]);
+    const std::vector<std::uint32_t> numbers = connectedParts(whole.mesh);
+    const std::uint32_t count = 1 + *std::ranges::max_element(numbers);
+    std::vector<ImportPart> parts;
+    if (count == 1) {
+        parts.push_back(std::move(whole));
+        return parts;
+    }
+    constexpr std::uint32_t kMaxParts = 1000;
+    if (count > kMaxParts)
+        return Error{ErrorCode::Limit, "It has " + std::to_string(count) + " unconnected parts, but at most " +
+                                           std::to_string(kMaxParts) + " can be imported."};
+    whole.notes.push_back("The object has " + std::to_string(count) + " unconnected parts; each becomes an asset.");
+    for (std::uint32_t number = 0; number < count; ++number) parts.push_back(partOf(whole, numbers, number));
+    const auto isCavityIn = [](const ImportPart& inner, const ImportPart& outer) {
+        return liesWithin(boundsOf(inner.mesh), boundsOf(outer.mesh)) && signedVolume(inner.mesh) < 0.0 &&
+               signedVolume(outer.mesh) > 0.0;
+    };
+    for (const ImportPart& inner : parts) {
+        const auto isAround = [&](const ImportPart& outer) { return isCavityIn(inner, outer); };
+        if (std::ranges::any_of(parts, isAround))
+            return Error{ErrorCode::Degenerate, "The mesh has a cavity: one of its " + std::to_string(count) +
+                                                    " parts is inverted and lies within another."};
+    }
+    return parts;
+}
+
+Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options) {
+    ImportedSolid result{.notes = part.notes};
+    const Result<SolidMesh> solid = orientedSolid(part.mesh, part.tolerance);
+    Result<PrismFit> found = prismOf(part, solid, options, result);
+    if (!found) return found.error();
+    result.prism = std::move(*found);
+    const std::vector<std::uint32_t> flipped = solid ? solid->flipped : std::vector<std::uint32_t>{};
+    if (!flipped.empty())
+        result.notes.push_back("The orientation of " +
+                               countText(flipped.size(), "inverted triangle was", "inverted triangles were") +
+                               " corrected.");
+    std::vector<std::string> materials;
+    for (const SourceMaterial& material : scene.materials) materials.push_back(material.name);
+    result.surface = fittedSurface(surfaceTriangles(part, flipped, result.prism.pose), part.hasUvs, materials,
+                                   {result.prism.outline, result.prism.depth}, 4.0 * part.tolerance);
+    result.material = largestMaterial(part);
+    if (result.surface.surface && part.hasUvs) {
+        noteCap(result.surface.front, result.surface.surface->front, "front", result.notes);
+        noteCap(result.surface.back, result.surface.surface->back, "back", result.notes);
+    }
+    return result;
+}
+
+}  // namespace rubble

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/asset/import/AssetImport.h"
+#include "core/asset/import/SurfaceFit.h"
+
+namespace rubble {
+
+/// An object of a mesh file, or a part of one, in metres and y up.
+struct ImportPart {
+    std::string name;
+    bool hasUvs = false;
+    TriangleMesh mesh;                      // welded
+    std::vector<SourceTriangle> triangles;  // the triangles of the file, one per triangle of the mesh
+    double tolerance = 0.0;                 // m
+    std::vector<std::string> notes;
+};
+
+/// The triangles of an object in the world: in metres, y up.
+TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up);
+
+/// Welds an object and splits it into its connected parts.
+///
+/// Errors: those of welded(); Degenerate if a part is the wall of a cavity; Limit above 1000 parts.
+Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up);
+
+/// A prism with the surface of the mesh it was fitted to.
+struct ImportedSolid {
+    PrismFit prism;
+    bool usesFallback = false;
+    FittedSurface surface;
+    std::uint32_t material = 0;  // of the scene: the one with the largest area
+    std::vector<std::string> notes;
+};
+
+/// Errors: those of orientedSolid() and fitPrism(), or of fallbackPrism().
+Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options);
+
+}  // namespace rubble

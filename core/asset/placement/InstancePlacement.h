@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/asset/bake/PrismHulls.h"
+#include "core/geometry/hull/Ray.h"
+
+#include <optional>
+#include <span>
+
+namespace rubble {
+
+/// Overlaps of instances up to this depth count as touching, m: far above rounding, and invisible when play pushes them
+/// apart.
+inline constexpr double kTouchTolerance = 1e-4;
+
+/// What a ray hits in a scene.
+struct SceneHit {
+    Id instance = 0;  // 0: the ground
+    Vec3 point{0.0, 0.0, 0.0};
+    Vec3 normal{0.0, 1.0, 0.0};
+};
+
+/// The first visible instance that a ray hits, by its exact hulls, or the ground from above; nothing if it hits
+/// neither. Instances in `except` are ignored.
+std::optional<SceneHit> sceneHit(const Project& project, const AssetHulls& hulls, const Ray& ray,
+                                 std::span<const Id> except = {});
+
+/// The position of an instance resting on the hit face in the given orientation: its middle over the point, all of it
+/// on the outer side of the face.
+Vec3 restingPosition(const std::vector<Polytope>& hulls, const Quat& orientation, const SceneHit& hit);
+
+/// The distance that an instance drops until it rests on the ground or another instance, m. Negative if it must be
+/// lifted out of the ground, or out of an instance that it has sunk into by less than half of its height; 0 if nothing
+/// is below it.
+double dropDistance(const Instance& instance, std::span<const Instance> others, const Ground& ground,
+                    const AssetHulls& hulls);
+
+}  // namespace rubble

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace rubble {
+
+/// A colour as 0xRRGGBB.
+std::uint32_t packed(const Colour& colour);
+
+/// The colour of a fragment, by its id: the same wherever it is drawn, light enough for dark lines, and seldom close to
+/// its neighbours'.
+Colour fragmentColour(std::string_view fragmentId);
+
+/// A colour for a value in [0, 1], from dark blue over green to yellow, with uniformly increasing lightness; readable
+/// with red-green colour blindness.
+/// Source: six stops of "viridis", van der Walt and Smith 2015.
+Colour rampColour(double value);
+
+/// The default colour of inside faces for an outside colour: less saturated and darker.
+Colour insideOf(const Colour& outside);
+
+}  // namespace rubble

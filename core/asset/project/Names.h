@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// `Asset 3 "wall"`: an element as messages name it.
+std::string ownerText(const char* kind, std::uint32_t id, const std::string& name);
+
+/// The name with ASCII letters in lower case, since some file systems ignore case.
+std::string caseFolded(std::string name);
+
+/// True where an element has the name, ignoring case.
+template <class Element>
+bool isNameTaken(const std::vector<Element>& elements, const std::string& name) {
+    return std::ranges::any_of(
+        elements, [folded = caseFolded(name)](const Element& element) { return caseFolded(element.name) == folded; });
+}
+
+/// The name, or the first of "name 2", "name 3", ... that is not taken.
+template <class Element>
+std::string uniqueName(const std::vector<Element>& elements, const std::string& name) {
+    std::string result = name;
+    for (int number = 2; isNameTaken(elements, result); ++number) result = name + " " + std::to_string(number);
+    return result;
+}
+
+}  // namespace rubble

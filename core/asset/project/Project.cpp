@@ -1,0 +1,44 @@
+#include "core/asset/project/Project.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+template <class Element>
+const Element* findById(const std::vector<Element>& elements, Id id) {
+    const auto found = std::ranges::lower_bound(elements, id, {}, &Element::id);
+    return found != elements.end() && found->id == id ? &*found : nullptr;
+}
+
+bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::shared_ptr<const Surface>& second) {
+    if (first == second) return true;
+    return first && second && *first == *second;
+}
+
+}  // namespace
+
+bool Asset::operator==(const Asset& other) const {
+    return id == other.id && name == other.name && material == other.material && prism == other.prism &&
+           pattern == other.pattern && shaping == other.shaping && levels == other.levels && leaves == other.leaves &&
+           edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&
+           insideUvScale == other.insideUvScale && insideMaterial == other.insideMaterial &&
+           cutAtImpact == other.cutAtImpact && requirements == other.requirements &&
+           isSameSurface(surface, other.surface);
+}
+
+AssetMaterials materialsOf(const Project& project, const Asset& asset) {
+    const Id inside = asset.insideMaterial == 0 ? asset.material : asset.insideMaterial;
+    return {*findMaterial(project, asset.material), *findMaterial(project, inside)};
+}
+
+const Material* findMaterial(const Project& project, Id id) { return findById(project.materials, id); }
+
+const Asset* findAsset(const Project& project, Id id) { return findById(project.assets, id); }
+
+const Asset* findAsset(const Project& project, const std::string& name) {
+    const auto found = std::ranges::find(project.assets, name, &Asset::name);
+    return found != project.assets.end() ? &*found : nullptr;
+}
+
+}  // namespace rubble

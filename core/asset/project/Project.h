@@ -1,0 +1,242 @@
+#pragma once
+
+#include "core/asset/project/FragmentPath.h"
+#include "core/asset/project/Shaping.h"
+#include "core/asset/project/Surface.h"
+#include "core/fracture/pattern/Pattern.h"
+#include "core/fracture/pieces/Prism.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rubble {
+
+/// Project-wide id, allocated from Project::nextId; 0: none.
+using Id = std::uint32_t;
+
+/// sRGB, each in [0, 1].
+struct Colour {
+    double red = 0.8;
+    double green = 0.8;
+    double blue = 0.8;
+    bool operator==(const Colour&) const = default;
+};
+
+/// A physical material with its colours.
+struct Material {
+    Id id = 0;
+    std::string name;
+    double density = 1000.0;                  // kg/m³, > 0
+    double friction = 0.6;                    // Coulomb coefficient, >= 0
+    double restitution = 0.0;                 // in [0, 1]
+    std::optional<double> tensileStrength;    // Pa, > 0; none: unknown
+    std::optional<double> fractureToughness;  // Pa·√m, > 0; none: unknown
+    Colour outside;
+    Colour inside;
+    bool operator==(const Material&) const = default;
+};
+
+/// How the fragments of one level, or a single fragment, are fractured further.
+struct Level {
+    Pattern pattern;
+    double minimumVolume = 0.0;  // m³; smaller fragments are not fractured
+    bool operator==(const Level&) const = default;
+};
+
+/// How a single fragment is fractured, overriding its level.
+struct FragmentLevel {
+    FragmentPath fragment;
+    std::optional<Level> level;  // none: it is not fractured
+    bool operator==(const FragmentLevel&) const = default;
+};
+
+/// Fracture around the point of impact when the asset breaks, instead of into the pieces of its pattern.
+/// Source: "Creating Realistic Real-Time Destruction Using the Vienna Physics Engine" (bachelor thesis), 3.3.
+struct CutAtImpact {
+    static constexpr std::uint32_t kMinPieces = 2;
+    static constexpr std::uint32_t kMaxPieces = 1000;  // it is computed within one step
+    std::uint32_t pieces = 30;                         // from kMinPieces to kMaxPieces
+    double falloffRadius = 0.3;  // m, > 0: half of the seeds lie within it, denser towards the impact
+    bool operator==(const CutAtImpact&) const = default;
+};
+
+/// What must happen in the event of a strength requirement.
+enum class RequirementOutcome { Survives, Breaks };
+
+/// A fall from a height onto level ground, in the asset's own orientation.
+struct DropRequirement {
+    double height = 1.0;  // m, > 0
+    bool operator==(const DropRequirement&) const = default;
+};
+/// A head-on hit in the middle of its front by a body.
+struct HitRequirement {
+    double mass = 5.0;    // kg, > 0
+    double speed = 10.0;  // m/s, > 0
+    bool operator==(const HitRequirement&) const = default;
+};
+/// An event that an asset must survive, or must break in. Requirements bound its threshold.
+struct StrengthRequirement {
+    RequirementOutcome outcome = RequirementOutcome::Survives;
+    std::variant<DropRequirement, HitRequirement> event;
+    bool operator==(const StrengthRequirement&) const = default;
+};
+
+/// A solid with its recipe for fracture.
+struct Asset {
+    Id id = 0;
+    std::string name;
+    Id material = 0;
+    Prism prism;
+    Pattern pattern;
+    Shaping shaping;                                // of all levels
+    std::vector<Level> levels;                      // levels[0] fractures the pattern's fragments
+    std::vector<FragmentLevel> leaves;              // settings of single fragments; ascending path
+    std::vector<FragmentEdit> edits;                // merges and splits by hand, in the order of editing
+    double threshold = 100.0;                       // N·s, > 0, as typed; thresholdOf() gives the effective one
+    std::optional<double> contactTime;              // s, > 0: derive the threshold from the material's strength
+    double insideUvScale = 1.0;                     // UV units per metre on inside faces
+    Id insideMaterial = 0;                          // of inside faces; 0: the asset's own material
+    std::optional<CutAtImpact> cutAtImpact;         // none: it breaks into the pieces of its pattern
+    std::vector<StrengthRequirement> requirements;  // in the order of editing
+    std::shared_ptr<const Surface> surface;         // of the imported mesh; null if not imported
+    bool operator==(const Asset& other) const;
+};
+
+/// An asset placed in the scene.
+struct Instance {
+    Id id = 0;
+    std::string name;
+    Id asset = 0;
+    Pose pose;                        // world from the prism's frame
+    std::optional<double> threshold;  // N·s, overrides the asset's
+    bool isFixed = false;             // static, as the ground
+    std::uint32_t variant = 0;        // of the fracture: see variantOf()
+    bool isHidden = false;            // in the editor only; it takes part in play
+    bool isLocked = false;            // neither selected nor moved in the 3D view
+    bool operator==(const Instance&) const = default;
+};
+
+struct Ground {
+    bool isOn = true;
+    double height = 0.0;  // m
+    double friction = 0.6;
+    double restitution = 0.0;
+    bool operator==(const Ground&) const = default;
+};
+
+enum class DamageRule { Impact, Momentum };
+
+/// How damage to bodies is computed.
+struct Damage {
+    DamageRule rule = DamageRule::Impact;
+    bool isThesis = false;            // preset: one threshold, rule Momentum, 100 kg fragments, no break impulse
+    double thesisThreshold = 1000.0;  // N·s
+    bool operator==(const Damage&) const = default;
+};
+
+/// When debris is removed.
+struct Debris {
+    std::optional<double> lifetime;          // s, > 0: after which it has faded out; none: unlimited
+    double fade = 1.0;                       // s, >= 0: duration of fading out, at the end of its life
+    std::optional<std::uint32_t> maxPieces;  // >= 1; beyond it: sleeping first, then smallest, then oldest
+    bool operator==(const Debris&) const = default;
+};
+
+enum class ProjectileKind { Box, Ball, Plank, Asset };
+
+/// Throws a projectile.
+struct Throw {
+    ProjectileKind kind = ProjectileKind::Box;
+    Id asset = 0;               // for ProjectileKind::Asset
+    Vec3 size{0.5, 0.5, 0.5};   // m; x is the diameter of a ball
+    double mass = 10.0;         // kg
+    Vec3 from{0.0, 1.0, 10.0};  // m
+    Vec3 to{0.0, 1.0, 0.0};     // m; gives the initial direction
+    double speed = 10.0;        // m/s
+    bool operator==(const Throw&) const = default;
+};
+/// Applies an impulse at a point of a body's surface.
+struct Hammer {
+    Vec3 at{0.0, 0.0, 0.0};       // m
+    Vec3 impulse{0.0, 0.0, 0.0};  // N·s
+    bool operator==(const Hammer&) const = default;
+};
+/// Pushes bodies away from a point, falling off to zero at a radius.
+struct Explosion {
+    Vec3 at{0.0, 0.0, 0.0};   // m
+    double impulse = 1000.0;  // N·s per m² of area facing the centre, close to it
+    double radius = 2.0;      // m
+    bool operator==(const Explosion&) const = default;
+};
+using ShotAction = std::variant<Throw, Hammer, Explosion>;
+
+/// An action on the scene at a given time of a play-test.
+struct Shot {
+    Id id = 0;
+    std::string name;
+    double time = 0.0;  // s after the start
+    ShotAction action;
+    bool operator==(const Shot&) const = default;
+};
+
+enum class ExpectationKind {
+    StandsUntouched,    // nothing moves more than 1 cm within `value` seconds
+    Breaks,             // `instance` breaks
+    DoesNotBreak,       // `instance` does not break
+    BreaksIntoAtLeast,  // `instance` breaks into at least `value` pieces
+    NothingAbove,       // nothing above the height of `value` metres at the end
+    NothingFaster,      // nothing faster than `value` m/s at the end
+};
+struct Expectation {
+    ExpectationKind kind = ExpectationKind::Breaks;
+    Id instance = 0;  // 0: any
+    double value = 0.0;
+    bool operator==(const Expectation&) const = default;
+};
+/// Shots, and what is expected of the scene when they are played.
+struct PlayTest {
+    Id id = 0;
+    std::string name;
+    std::vector<Id> shots;
+    double duration = 5.0;  // s
+    std::vector<Expectation> expectations;
+    bool operator==(const PlayTest&) const = default;
+};
+
+/// Everything that is edited and saved.
+struct Project {
+    Id nextId = 1;
+    std::vector<Material> materials;  // this and the following: ascending id
+    std::vector<Asset> assets;
+    std::vector<Instance> instances;
+    Ground ground;
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Damage damage;
+    Debris debris;
+    std::vector<Shot> shots;
+    std::vector<PlayTest> playTests;
+    bool operator==(const Project&) const = default;
+};
+
+/// An asset's material, and the material of its inside faces. Borrowed for a call.
+struct AssetMaterials {
+    AssetMaterials(const Material& both) : own(both), inside(both) {}
+    AssetMaterials(const Material& outer, const Material& inner) : own(outer), inside(inner) {}
+    const Material& own;
+    const Material& inside;
+};
+/// Both must exist in the project.
+AssetMaterials materialsOf(const Project& project, const Asset& asset);
+
+/// The element with an id; null if there is none.
+const Material* findMaterial(const Project& project, Id id);
+const Asset* findAsset(const Project& project, Id id);
+/// The asset with a name; null if there is none.
+const Asset* findAsset(const Project& project, const std::string& name);
+
+}  // namespace rubble

@@ -1,0 +1,51 @@
+#include "core/asset/project/StarterProject.h"
+
+#include "core/asset/project/Threshold.h"
+
+namespace rubble {
+namespace {
+
+/// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
+Project withWall(Project project, Pattern pattern, std::optional<double> contactTime) {
+    Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
+    wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
+    wall.contactTime = contactTime;
+    wall.pattern = std::move(pattern);
+    if (wall.pattern.layers.empty()) {
+        wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
+    }
+    for (PatternLayer& layer : wall.pattern.layers) layer.id = project.nextId++;
+    const Id asset = wall.id;
+    project.assets = {std::move(wall)};
+    project.instances = {
+        {.id = project.nextId++, .name = "wall", .asset = asset, .pose = {.position = {0.0, 0.5, 0.0}}}};
+    return project;
+}
+
+}  // namespace
+
+Project emptyProject() {
+    Project project;
+    project.materials = {{.id = project.nextId++,
+                          .name = "plaster",
+                          .density = 1200.0,
+                          .outside = {0.87, 0.84, 0.78},
+                          .inside = {0.68, 0.62, 0.55}}};
+    return project;
+}
+
+Project emptyProject(const MaterialPreset& material) {
+    Project project;
+    project.materials = {materialOf(material, project.nextId++)};
+    return project;
+}
+
+Project starterProject() { return withWall(emptyProject(), {}, std::nullopt); }
+
+Project starterProject(const MaterialPreset& material) {
+    const std::optional<double> contactTime =
+        material.tensileStrength ? std::optional(kDefaultContactTime) : std::nullopt;
+    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}), contactTime);
+}
+
+}  // namespace rubble

@@ -1,0 +1,40 @@
+#include "core/asset/project/Variants.h"
+
+#include "core/base/Random.h"
+
+#include <set>
+
+namespace rubble {
+namespace {
+
+void mixIn(std::uint32_t variant, Pattern& pattern) {
+    for (PatternLayer& layer : pattern.layers) {
+        layer.randomSeed = mixSeeds(layer.randomSeed, variant);
+        layer.overrides.clear();
+    }
+}
+
+}  // namespace
+
+Asset variantOf(Asset asset, std::uint32_t variant) {
+    if (variant == 0) return asset;
+    mixIn(variant, asset.pattern);
+    for (Level& level : asset.levels) mixIn(variant, level.pattern);
+    asset.leaves.clear();  // this and the next: they refer to the old fragments
+    asset.edits.clear();
+    asset.name += "~" + std::to_string(variant);
+    return asset;
+}
+
+AssetVariant variantOf(const Instance& instance) { return {instance.asset, instance.variant}; }
+
+std::vector<AssetVariant> usedVariants(const Project& project) {
+    std::set<AssetVariant> used;
+    for (const Asset& asset : project.assets) used.insert({asset.id, 0});
+    for (const Instance& instance : project.instances) {
+        if (used.contains({instance.asset})) used.insert(variantOf(instance));
+    }
+    return {used.begin(), used.end()};
+}
+
+}  // namespace rubble

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/base/Index.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+enum class Severity { Note, Warning, Error };
+
+/// The subject of a diagnostic. Their order is that of lists.
+enum class DiagnosticCode {
+    FaultyOutline,    // the outline crosses or touches itself, or is too narrow to be fractured
+    DuplicateSeed,    // equal to an earlier seed, which is kept
+    SeedWithoutCell,  // its cell lies outside the outline or is thinner than rounding
+    LostOverride,     // a manual change to a seed that does not exist
+    LostPiece,        // a merge, split or setting of a piece that does not exist
+    LooseCut,         // a cut that ends within a piece or does not separate it
+    NoRoom,           // a scatter placed fewer seeds than requested
+    Gap,              // area that no piece covers
+    ThinPiece,        // too thin for a hull; its mass is transferred to a neighbour
+    VanishedPiece,    // narrower than the gap between pieces, in whole or in part
+    Sliver,           // an elongated fragment
+    TinyPiece,        // much smaller than its siblings
+    ManyHulls,        // concave, so that it needs many convex hulls for collision
+    UnknownStrength,  // a threshold cannot be derived from the material's strength
+    SplitCell,        // the outline cuts a cell into several pieces
+    MergedPiece,      // too small; merged into a neighbour
+    DroppedSeed,      // its cell was too small
+    SimplifiedShape,  // collides with a simpler shape than it has
+};
+inline constexpr int kDiagnosticCodes = 18;
+
+/// The code's name in JSON, messages and lists: "DuplicateSeed".
+const char* nameOf(DiagnosticCode code);
+/// FaultyOutline is an error; what an artist asked for, or should merely know, is a note; everything else is a warning.
+Severity defaultSeverity(DiagnosticCode code);
+
+/// What a diagnostic is about. Members that do not apply keep their defaults.
+struct DiagnosticPlace {
+    /// m, in the asset's plane.
+    struct Point {
+        double x = 0.0;
+        double y = 0.0;
+        bool operator==(const Point&) const = default;
+    };
+
+    std::uint32_t asset = 0;          // id
+    std::uint32_t level = 0;          // of the pattern; 0: the asset's own
+    std::uint32_t fragment = kNone;   // its number in the bake
+    std::string path;                 // of the fragment: unlike the number it outlasts the bake
+    std::uint32_t layer = 0;          // id
+    std::uint32_t index = kNone;      // of a seed or cut in that layer
+    std::uint32_t seed = kNone;       // index among the seeds of one fracture
+    std::uint32_t otherSeed = kNone;  // likewise: the seed that is kept, or whose piece receives another one
+    std::optional<Point> point;
+    bool operator==(const DiagnosticPlace&) const = default;
+};
+
+/// One finding about an asset, in any stage from its outline to its play.
+struct Diagnostic {
+    DiagnosticCode code = DiagnosticCode::FaultyOutline;
+    Severity severity = Severity::Warning;
+    DiagnosticPlace place;
+    std::string message;  // one sentence that names the place
+    /// m² of Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m of LooseCut; seeds of NoRoom; aspect
+    /// ratio of Sliver; m³ of TinyPiece; hulls of ManyHulls; N·s of UnknownStrength.
+    double value = 0.0;
+    double limit = 0.0;  // of the value; 0: none
+    bool operator==(const Diagnostic&) const = default;
+};
+
+/// A diagnostic of default severity.
+Diagnostic diagnostic(DiagnosticCode code, DiagnosticPlace place, std::string message, double value = 0.0,
+                      double limit = 0.0);
+
+}  // namespace rubble

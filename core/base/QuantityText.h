@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+/// What a number measures; each is stored in its SI unit.
+enum class QuantityKind { Length, Area, Volume, Mass, Density, Time, Speed, Impulse, Energy, Pressure };
+
+/// A value in the unit that suits its size.
+struct ScaledQuantity {
+    double value = 0.0;
+    std::string_view unit;  // "cm²", UTF-8
+};
+
+/// A quantity in SI units, scaled to the unit that people use for its size: 0.0191 m² becomes 191 cm².
+ScaledQuantity scaledQuantity(QuantityKind kind, double value);
+
+/// A number as people read it: at most 4 significant digits, whole from 1000 on, trailing zeros dropped, no exponent
+/// from 1e-6 to 1e15. The same in every locale. NaN and infinity are "nan" and "inf".
+std::string roundedNumber(double value);
+
+/// A quantity in SI units as people read it: "0.075 m³", "191 cm²", "26 N·s". Files and JSON have all digits instead.
+std::string quantityText(QuantityKind kind, double value);
+
+/// A count with its noun: "1 fragment", "8 fragments".
+std::string countText(std::size_t count, std::string_view singular, std::string_view plural);
+
+}  // namespace rubble

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/fracture/partition/Partition.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rubble {
+
+/// Finds the piece that has an edge, among the pieces of a group, in O(log edges). Call sort() after the last add().
+class EdgeIndex {
+public:
+    /// Groups of no more pieces are searched as fast by hasEdge().
+    static constexpr std::size_t kMaxLinear = 8;
+
+    void add(const Partition& partition, std::uint32_t group, std::uint32_t piece);
+    void sort();
+
+    /// The lowest piece of the group that has the edge from one point to another; kNone: none.
+    std::uint32_t find(std::uint32_t group, std::uint32_t from, std::uint32_t to) const;
+
+private:
+    struct Entry {
+        std::uint32_t group, from, to, piece;
+        auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> m_entries;
+};
+
+}  // namespace rubble

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/fracture/partition/Partition.h"
+
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+/// How pieces below a minimum size are handled.
+enum class SmallPieceRule {
+    Keep,
+    Merge,      // into the neighbour with the longest shared edge
+    DropSeeds,  // removes seeds with small cells, whose neighbours grow; small parts of other cells are merged
+};
+
+/// How the minimum size is given.
+enum class PieceMeasure {
+    Area,             // m^2
+    Volume,           // m^3
+    FractionOfMean,   // of the mean size of the remaining pieces
+    FractionOfWhole,  // of the whole
+};
+
+/// The minimum size of pieces, and the handling of smaller ones.
+struct SmallPieces {
+    SmallPieceRule rule = SmallPieceRule::Keep;
+    PieceMeasure measure = PieceMeasure::FractionOfMean;
+    double limit = 0.1;  // > 0; a fraction is at most 1
+    bool operator==(const SmallPieces&) const = default;
+};
+
+/// A sentence about an invalid limit; nothing if it is valid.
+std::optional<std::string> verifySmallPieces(const SmallPieces& small);
+
+/// The minimum area of pieces in m^2, for `count` pieces with a total of `area` m^2 and a depth of `depth` m.
+double minPieceArea(const SmallPieces& small, double area, std::uint32_t count, double depth);
+
+/// Merges pieces below the limit, the smallest first (the first of equals), into the neighbour with the longest shared
+/// edge, until none is too small or only one piece is left. The receiver keeps its name; each merged piece is reported
+/// (MergedPiece). Returns the partition unchanged if none is too small. O(corners + merged · log pieces), expected.
+Partition withoutSmallPieces(Partition partition, const SmallPieces& small, double depth);
+
+/// The seeds to be dropped next for SmallPieceRule::DropSeeds: those whose cells (all parts together) are below the
+/// limit and smaller than each such neighbour (or equal, with a lower index). Ascending. Dropping them repeatedly
+/// terminates.
+std::vector<std::uint32_t> seedsToDrop(const Partition& partition, const SmallPieces& small, double depth);
+
+}  // namespace rubble

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace rubble {
+
+/// The index of two numbers below this fits in 32 bits.
+inline constexpr std::uint32_t kMaxPairNumber = 10'000;
+
+/// Enumerates all pairs in growing squares, so that the cell of a column and a row keeps its index when columns or rows
+/// are added.
+/// Source: Rosenberg, Strong, "Addressing arrays by shells", 1972.
+inline std::uint32_t pairIndex(std::uint32_t first, std::uint32_t second) {
+    return first < second ? second * second + first : first * first + first + second;
+}
+
+struct IndexPair {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    std::uint32_t index() const { return pairIndex(first, second); }
+};
+
+/// All pairs below two limits, ascending by index.
+inline std::vector<IndexPair> pairsBelow(std::uint32_t firsts, std::uint32_t seconds) {
+    std::vector<IndexPair> pairs;
+    pairs.reserve(std::size_t{firsts} * seconds);
+    for (std::uint32_t side = 0; side < std::max(firsts, seconds); ++side) {
+        if (side < seconds) {
+            for (std::uint32_t first = 0; first < std::min(side, firsts); ++first) pairs.push_back({first, side});
+        }
+        if (side < firsts) {
+            for (std::uint32_t second = 0; second < std::min(side + 1, seconds); ++second) {
+                pairs.push_back({side, second});
+            }
+        }
+    }
+    return pairs;
+}
+
+}  // namespace rubble

@@ -1,0 +1,23 @@
+#include "core/fracture/sampling/PointNear.h"
+
+#include "core/base/Trigonometry.h"
+
+#include <numbers>
+
+namespace rubble {
+namespace {
+
+constexpr int kAttempts = 50;
+
+}  // namespace
+
+std::optional<Vec2> pointNear(const Polygon& outline, Vec2 centre, double radius, Random& random) {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const double distance = radius * random.unit(), angle = 2.0 * std::numbers::pi * random.unit();
+        const Vec2 position = centre + distance * Vec2(cosine(angle), sine(angle));
+        if (containment(outline, position) != Containment::Outside) return position;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

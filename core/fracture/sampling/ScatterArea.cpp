@@ -1,0 +1,57 @@
+#include "core/fracture/sampling/ScatterArea.h"
+
+#include "core/geometry/polygon/ConvexParts.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+std::vector<Vec2> cornersOf(const Polygon& polygon) {
+    std::vector<Vec2> corners = polygon.outer;
+    for (const Ring& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+    return corners;
+}
+
+}  // namespace
+
+Polygon ScatterArea::domain(const Polygon& outline, ScatterDomain domain) {
+    if (domain == ScatterDomain::Outline) return outline;
+    const Box2 box = boundsOf(outline.outer);
+    return {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}};
+}
+
+Result<ScatterArea> ScatterArea::of(const Polygon& polygon) {
+    const Result<IndexLoops> loops = triangles(polygon);
+    if (!loops) return loops.error();
+    const std::vector<Vec2> corners = cornersOf(polygon);
+    ScatterArea area;
+    area.m_triangles.reserve(loops->size());
+    area.m_areasUpTo.reserve(loops->size());
+    double sum = 0.0;
+    for (const std::vector<std::uint32_t>& loop : *loops) {
+        const Vec2 corner = corners[loop[0]];
+        const Triangle triangle{corner, corners[loop[1]] - corner, corners[loop[2]] - corner};
+        sum += std::max(0.0, cross(triangle.first, triangle.second) / 2.0);
+        area.m_triangles.push_back(triangle);
+        area.m_areasUpTo.push_back(sum);
+    }
+    RUBBLE_ASSERT(!area.m_triangles.empty());
+    return area;
+}
+
+Vec2 ScatterArea::point(Random& random) const {
+    const double drawn = random.unit() * area();
+    const auto found = std::ranges::upper_bound(m_areasUpTo, drawn);
+    const std::size_t last = m_triangles.size() - 1;
+    const Triangle& triangle = m_triangles[std::min(last, static_cast<std::size_t>(found - m_areasUpTo.begin()))];
+    double u = random.unit();
+    double v = random.unit();
+    if (u + v > 1.0) {  // the other half of the parallelogram, mirrored onto the triangle
+        u = 1.0 - u;
+        v = 1.0 - v;
+    }
+    return triangle.corner + u * triangle.first + v * triangle.second;
+}
+
+}  // namespace rubble

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace rubble {
+
+/// Where a layer scatters its seeds.
+enum class ScatterDomain {
+    Outline,      // inside the outline
+    BoundingBox,  // inside its bounding box; seeds outside the outline compete like any other
+};
+
+}  // namespace rubble

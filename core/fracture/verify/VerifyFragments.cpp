@@ -1,0 +1,179 @@
+#include "core/fracture/verify/VerifyFragments.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace rubble {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+constexpr double kRelative = 1e-9;  // of the prism's diameter, area or volume; of a mass's moment or inertia
+
+std::string text(std::uint64_t number) { return std::to_string(number); }
+
+bool isFinite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+
+/// Calls visit(from, to) for every edge, in the order of Fragment::edgeNeighbours().
+template <class Visit>
+void forEachEdge(const Polygon& outline, Visit visit) {
+    const auto visitRing = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    };
+    visitRing(outline.outer);
+    for (const Ring& hole : outline.holes) visitRing(hole);
+}
+
+/// Verifies common properties, and that fragments and pieces refer to each other.
+Fault tableFault(const Fragments& all, const Prism& prism) {
+    if (all.depth != prism.depth) return "The fragments have a different depth from the prism.";
+    if (all.fragmentOfPiece.size() != all.partition.pieceCount()) return "There are pieces without a fragment.";
+    for (const std::uint32_t fragment : all.fragmentOfPiece) {
+        if (fragment != kNone && fragment >= all.count()) return "A piece refers to a fragment that does not exist.";
+    }
+    for (std::uint32_t i = 0; i < all.count(); ++i) {
+        const std::uint32_t piece = all.pieceOfFragment[i];
+        if (piece >= all.partition.pieceCount() || all.fragmentOfPiece[piece] != i) {
+            return "Fragment " + text(i) + " does not have a piece of its own.";
+        }
+    }
+    return std::nullopt;
+}
+
+/// Verifies the volume, and the centre of mass as origin, unless mass was transferred to the fragment.
+Fault massFault(const Fragments& all, std::uint32_t index, double slack) {
+    const Fragment fragment = all[index];
+    if (!(fragment.volume() > 0.0) || !std::isfinite(fragment.volume())) return "has no volume.";
+    if (!isFinite(fragment.offset())) return "has an offset that is not finite.";
+    const Vec2 centre = centroid(fragment.outline());
+    if (!all.records[all.pieceOfFragment[index]].receivesMass && !(glm::length(centre) <= slack)) {
+        return "does not have its centre of mass as origin.";
+    }
+    return std::nullopt;
+}
+
+/// Hull vertices are corners of the outline on the front or the back; hulls fill the piece up to `slack` m^3.
+Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) {
+    std::vector<std::array<double, 2>> corners;
+    forEachEdge(outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });
+    std::sort(corners.begin(), corners.end());
+    double volume = 0.0;
+    const std::vector<Polytope> hulls = fragment.hulls();
+    for (std::size_t k = 0; k < hulls.size(); ++k) {
+        const std::string hull = "has a hull " + text(k);
+        if (const Fault fault = verifyPolytope(hulls[k])) return hull + " that is not a valid polytope: " + *fault;
+        for (const Vec3& vertex : hulls[k].vertices) {
+            if (std::abs(vertex.z) != fragment.depth() / 2.0 ||
+                !std::binary_search(corners.begin(), corners.end(), std::array{vertex.x, vertex.y})) {
+                return hull + " with a vertex that is not a corner of the piece.";
+            }
+        }
+        volume += massOf(hulls[k]).volume;
+    }
+    const double expected = area(outline) * fragment.depth();
+    if (!(std::abs(volume - expected) <= slack + kRelative * expected)) {
+        return "is filled by its hulls with " + std::to_string(volume) + " m³ instead of " + std::to_string(expected) +
+               " m³.";
+    }
+    return std::nullopt;
+}
+
+using BondLists = std::vector<std::vector<Bond>>;  // one per fragment
+
+const Bond* findBond(const std::vector<Bond>& bonds, std::uint32_t to) {
+    const auto found = std::ranges::lower_bound(bonds, to, {}, &Bond::fragment);
+    return found != bonds.end() && found->fragment == to ? &*found : nullptr;
+}
+
+/// Bonds are ascending and mutual, and match the edges that have a fragment behind them; with a gap edges are not
+/// compared.
+Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fragment, const Polygon& outline,
+                double slack, bool hasGap) {
+    const std::vector<Bond>& bonds = lists[index];
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        if (bonds[k].fragment >= lists.size() || bonds[k].fragment == index)
+            return "has a bond to a fragment that does not exist.";
+        if (k > 0 && bonds[k - 1].fragment >= bonds[k].fragment) return "has bonds out of order.";
+        const Bond* back = findBond(lists[bonds[k].fragment], index);
+        if (!(bonds[k].area > 0.0) || !back || back->area != bonds[k].area) {
+            return "has a bond to fragment " + text(bonds[k].fragment) + " that is not mutual.";
+        }
+    }
+    if (hasGap) return std::nullopt;
+    Fault fault;
+    const std::vector<std::uint32_t> neighbours = fragment.edgeNeighbours();
+    std::size_t edge = 0;
+    forEachEdge(outline, [&](Vec2 from, Vec2 to) {
+        const std::uint32_t behind = neighbours[edge++];
+        if (behind == kNone || behind == index || findBond(bonds, behind)) return;
+        if (!(fragment.depth() * glm::distance(from, to) <= slack)) {
+            fault = "has no bond to fragment " + text(behind) + ", which it touches.";
+        }
+    });
+    return fault;
+}
+
+Fault orderFault(const Fragments& fragments) {
+    const auto key = [&](std::uint32_t i) {
+        const std::span<const std::uint32_t> cells = fragments.partition.cutCellsOf(fragments[i].piece());
+        return std::tuple(fragments[i].seed(), std::vector(cells.begin(), cells.end()), fragments[i].partOfCell());
+    };
+    for (std::uint32_t i = 1; i < fragments.count(); ++i) {
+        if (!(key(i - 1) < key(i))) return "Fragment " + text(i) + " is out of order.";
+    }
+    return std::nullopt;
+}
+
+/// The fragments together have the mass of the prism minus the gap, and without a gap its centre and inertia.
+Fault sumFault(const Fragments& fragments, const Prism& prism, double gapVolume) {
+    const MassProperties whole = massOfPrism(prism.outline, prism.depth);
+    std::vector<MassProperties> parts;
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) {
+        parts.push_back(fragments[i].mass());
+        parts.back().centre = fragments[i].offset() - fragments.origin;
+    }
+    const MassProperties sum = combined(parts);
+    if (!(std::abs(sum.volume + gapVolume - whole.volume) <= kRelative * whole.volume)) {
+        return "The fragments' volumes sum to " + std::to_string(sum.volume) + " m³, with a gap of " +
+               std::to_string(gapVolume) + " m³ instead of " + std::to_string(whole.volume) + " m³.";
+    }
+    const double reach = glm::length(Vec3(boundsOf(prism.outline.outer).size(), prism.depth));
+    const double slack = kRelative + gapVolume / whole.volume;
+    if (!(glm::distance(sum.centre, whole.centre) <= slack * (reach + glm::length(whole.centre)))) {
+        return "The fragments' centre of mass is not the prism's.";
+    }
+    for (int column = 0; column < 3; ++column) {
+        if (!(glm::length(sum.inertia[column] - whole.inertia[column]) <= slack * whole.volume * reach * reach)) {
+            return "The fragments' inertia does not sum to the prism's.";
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism) {
+    if (Fault fault = tableFault(fragments, prism)) return fault;
+    const double diameter = boundsOf(prism.outline.outer).diagonal();
+    const bool hasGap = &fragments.shapes() != &fragments.partition;
+    BondLists bonds;
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) bonds.push_back(fragments[i].bonds());
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) {
+        const auto named = [&](const Fault& fault) { return "Fragment " + text(i) + " " + *fault; };
+        const Fragment fragment = fragments[i];
+        const Polygon outline = fragment.outline();
+        const double hullSlack = kRelative * diameter * perimeter(outline) * prism.depth;
+        const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
+        if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
+        if (const Fault fault = hullFault(fragment, outline, hullSlack)) return named(fault);
+        if (const Fault fault = bondFault(bonds, i, fragment, outline, bondSlack, hasGap)) return named(fault);
+    }
+    if (Fault fault = orderFault(fragments)) return fault;
+    return sumFault(fragments, prism, (fragments.partition.gap + fragments.gapArea) * prism.depth);
+}
+
+}  // namespace rubble

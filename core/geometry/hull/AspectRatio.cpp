@@ -1,0 +1,20 @@
+#include "core/geometry/hull/AspectRatio.h"
+
+#include "core/geometry/hull/MassProperties.h"
+
+#include <cmath>
+
+namespace rubble {
+
+double aspectRatio(const Polygon& polygon) {
+    const Mat3 inertia = massOfPrism(polygon, 1.0).inertia;
+    // The integrals of x^2, y^2 and x y over the area.
+    const double xx = (inertia[1][1] + inertia[2][2] - inertia[0][0]) / 2.0;
+    const double yy = (inertia[0][0] + inertia[2][2] - inertia[1][1]) / 2.0;
+    const double xy = -inertia[0][1];
+    const double mean = (xx + yy) / 2.0, spread = std::sqrt((xx - yy) * (xx - yy) / 4.0 + xy * xy);
+    if (!(mean > spread)) return 1.0;
+    return std::sqrt((mean + spread) / (mean - spread));
+}
+
+}  // namespace rubble

@@ -1,0 +1,92 @@
+#include "core/geometry/hull/MassProperties.h"
+
+#include <array>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+/// The inertia tensor, from the integrals of products of two coordinates.
+Mat3 inertiaFrom(double xx, double yy, double zz, double xy, double xz, double yz) {
+    return Mat3{{yy + zz, -xy, -xz}, {-xy, xx + zz, -yz}, {-xz, -yz, xx + yy}};
+}
+
+/// Calls visit(a, b, c) for the triangles of every face, relative to `origin`.
+template <class Visit>
+void forEachTriangle(const Polytope& polytope, Vec3 origin, Visit visit) {
+    for (const std::vector<std::uint32_t>& loop : polytope.faces) {
+        const Vec3 a = polytope.vertices[loop[0]] - origin;
+        for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+            visit(a, polytope.vertices[loop[k]] - origin, polytope.vertices[loop[k + 1]] - origin);
+        }
+    }
+}
+
+double sixVolumes(Vec3 a, Vec3 b, Vec3 c) { return glm::dot(a, glm::cross(b, c)); }
+
+}  // namespace
+
+MassProperties massOfPrism(const AreaMoments& moments, double depth) {
+    MassProperties mass;
+    mass.volume = moments.area * depth;
+    mass.centre = {moments.centre.x, moments.centre.y, 0.0};
+    const double zz = mass.volume * depth * depth / 12.0;
+    mass.inertia = inertiaFrom(moments.xx * depth, moments.yy * depth, zz, moments.xy * depth, 0.0, 0.0);
+    return mass;
+}
+
+MassProperties massOfPrism(const Polygon& outline, double depth) { return massOfPrism(momentsOf(outline), depth); }
+
+MassProperties massOf(const Polytope& polytope) {
+    MassProperties mass;
+    if (polytope.vertices.empty()) return mass;
+    const Vec3 origin = polytope.vertices[0];
+    double six = 0.0;
+    Vec3 first{0.0, 0.0, 0.0};
+    forEachTriangle(polytope, origin, [&](Vec3 a, Vec3 b, Vec3 c) {
+        const double part = sixVolumes(a, b, c);
+        six += part;
+        first += part * (a + b + c);
+    });
+    mass.volume = six / 6.0;
+    const bool isFlat = !(six > 0.0);
+    mass.centre = isFlat ? meanOf(std::span<const Vec3>(polytope.vertices)) : origin + first / (4.0 * six);
+    std::array<double, 6> products{};  // xx, yy, zz, xy, xz, yz
+    forEachTriangle(polytope, mass.centre, [&](Vec3 a, Vec3 b, Vec3 c) {
+        const double part = sixVolumes(a, b, c) / 120.0;
+        const Vec3 sum = a + b + c;
+        const auto add = [&](int i, int j) {
+            return part * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j]);
+        };
+        products[0] += add(0, 0);
+        products[1] += add(1, 1);
+        products[2] += add(2, 2);
+        products[3] += add(0, 1);
+        products[4] += add(0, 2);
+        products[5] += add(1, 2);
+    });
+    mass.inertia = inertiaFrom(products[0], products[1], products[2], products[3], products[4], products[5]);
+    return mass;
+}
+
+MassProperties combined(std::span<const MassProperties> parts) {
+    MassProperties whole;
+    if (parts.empty()) return whole;
+    const Vec3 origin = parts[0].centre;
+    Vec3 first{0.0, 0.0, 0.0};
+    for (const MassProperties& part : parts) {
+        whole.volume += part.volume;
+        first += part.volume * (part.centre - origin);
+    }
+    whole.centre = whole.volume > 0.0 ? origin + first / whole.volume : origin;
+    for (const MassProperties& part : parts) {
+        const Vec3 arm = part.centre - whole.centre;
+        const Vec3 square = arm * arm;
+        const Mat3 shift = inertiaFrom(square.x, square.y, square.z, arm.x * arm.y, arm.x * arm.z, arm.y * arm.z);
+        whole.inertia += part.inertia + part.volume * shift;
+    }
+    return whole;
+}
+
+}  // namespace rubble

@@ -1,0 +1,154 @@
+#include "core/geometry/mesh/SourceScene.h"
+
+#include "core/base/Utf8.h"
+
+#include <bit>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr std::string_view kMagic = "rubble mesh 1\n";
+
+class ByteWriter {
+public:
+    void add(std::uint64_t value, int size) {
+        for (int k = 0; k < size; ++k) m_bytes += static_cast<char>(value >> (8 * k) & 0xff);
+    }
+    void add(std::size_t count) { add(count, 4); }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value), 8); }
+    void add(std::string_view text) {
+        add(text.size());
+        m_bytes += text;
+    }
+    template <int size>
+    void add(const glm::vec<size, double>& vector) {
+        for (int k = 0; k < size; ++k) add(vector[k]);
+    }
+    std::string take() { return kMagic.data() + std::move(m_bytes); }
+
+private:
+    std::string m_bytes;
+};
+
+/// Reads values off bytes; once something was wrong, all that follows is zero.
+class ByteReader {
+public:
+    explicit ByteReader(std::string_view bytes) : m_rest(bytes) {}
+
+    std::uint64_t integer(int size) {
+        const std::string_view bytes = take(size);
+        std::uint64_t value = 0;
+        for (std::size_t k = 0; k < bytes.size(); ++k)
+            value |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << (8 * k);
+        return value;
+    }
+    /// A list's length, where so many elements of at least `elementSize` bytes can follow.
+    std::size_t count(std::size_t elementSize) {
+        const std::size_t count = integer(4);
+        check(count <= m_rest.size() / elementSize);
+        return isGood() ? count : 0;
+    }
+    std::uint32_t index(std::size_t count) {
+        const auto index = static_cast<std::uint32_t>(integer(4));
+        check(index < count);
+        return index;
+    }
+    double number() {
+        const double value = std::bit_cast<double>(integer(8));
+        check(std::isfinite(value));
+        return value;
+    }
+    template <int size>
+    void read(glm::vec<size, double>& vector) {
+        for (int k = 0; k < size; ++k) vector[k] = number();
+    }
+    std::string text() {
+        const std::string_view bytes = take(count(1));
+        check(isUtf8(bytes));
+        return std::string(bytes);
+    }
+
+    void check(bool isRight) { m_isGood = m_isGood && isRight; }
+    bool isGood() const { return m_isGood; }
+    bool isAtEnd() const { return m_rest.empty(); }
+
+private:
+    std::string_view take(std::size_t size) {
+        check(size <= m_rest.size());
+        if (!m_isGood) return {};
+        const std::string_view bytes = m_rest.substr(0, size);
+        m_rest.remove_prefix(size);
+        return bytes;
+    }
+
+    std::string_view m_rest;
+    bool m_isGood = true;
+};
+
+constexpr std::size_t kMaterialSize = 4 + 3 * 8, kPointSize = 3 * 8, kTriangleSize = 3 * (4 + 2 * 8) + 4;
+constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4;
+
+SourceObject readObject(ByteReader& reader, std::size_t materialCount) {
+    SourceObject object;
+    object.name = reader.text();
+    object.hasUvs = reader.integer(1) != 0;
+    object.points.resize(reader.count(kPointSize));
+    for (Vec3& point : object.points) reader.read(point);
+    object.triangles.resize(reader.count(kTriangleSize));
+    reader.check(!object.triangles.empty());
+    for (SourceTriangle& triangle : object.triangles) {
+        for (std::uint32_t& point : triangle.points) point = reader.index(object.points.size());
+        for (Vec2& uv : triangle.uvs) reader.read(uv);
+        triangle.material = reader.index(materialCount);
+    }
+    return object;
+}
+
+}  // namespace
+
+std::string sourceSceneBytes(const SourceScene& scene) {
+    ByteWriter writer;
+    writer.add(scene.metresPerUnit);
+    writer.add(scene.materials.size());
+    for (const SourceMaterial& material : scene.materials) {
+        writer.add(std::string_view(material.name));
+        writer.add(material.colour);
+    }
+    writer.add(scene.objects.size());
+    for (const SourceObject& object : scene.objects) {
+        writer.add(std::string_view(object.name));
+        writer.add(object.hasUvs, 1);
+        writer.add(object.points.size());
+        for (const Vec3 point : object.points) writer.add(point);
+        writer.add(object.triangles.size());
+        for (const SourceTriangle& triangle : object.triangles) {
+            for (const std::uint32_t point : triangle.points) writer.add(point, 4);
+            for (const Vec2 uv : triangle.uvs) writer.add(uv);
+            writer.add(triangle.material, 4);
+        }
+    }
+    return writer.take();
+}
+
+Result<SourceScene> readSourceScene(std::string_view bytes) {
+    const bool hasMagic = bytes.substr(0, kMagic.size()) == kMagic;
+    ByteReader reader(hasMagic ? bytes.substr(kMagic.size()) : bytes);
+    reader.check(hasMagic);
+    SourceScene scene;
+    scene.metresPerUnit = reader.number();
+    reader.check(scene.metresPerUnit >= 0.0);
+    scene.materials.resize(reader.count(kMaterialSize));
+    for (SourceMaterial& material : scene.materials) {
+        material.name = reader.text();
+        reader.read(material.colour);
+        for (int k = 0; k < 3; ++k) reader.check(material.colour[k] >= 0.0 && material.colour[k] <= 1.0);
+    }
+    const std::size_t objectCount = reader.count(kObjectSize);
+    for (std::size_t i = 0; i < objectCount && reader.isGood(); ++i)
+        scene.objects.push_back(readObject(reader, scene.materials.size()));
+    if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are no mesh."};
+    return scene;
+}
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/geometry/predicates/Vec.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubble {
+
+/// A material of a mesh file.
+struct SourceMaterial {
+    std::string name;            // empty if the file has none
+    Vec3 colour{0.8, 0.8, 0.8};  // sRGB, each in [0, 1]
+    bool operator==(const SourceMaterial&) const = default;
+};
+
+/// A triangle of a mesh file.
+struct SourceTriangle {
+    std::array<std::uint32_t, 3> points{};  // counter-clockwise from outside
+    std::array<Vec2, 3> uvs{};              // v up; zero if the object has none
+    std::uint32_t material = 0;
+    bool operator==(const SourceTriangle&) const = default;
+};
+
+/// An object of a mesh file, in the coordinates of the file's scene.
+struct SourceObject {
+    std::string name;  // empty if the file has none
+    bool hasUvs = false;
+    std::vector<Vec3> points;  // in the file's unit and axes; finite
+    std::vector<SourceTriangle> triangles;
+    bool operator==(const SourceObject&) const = default;
+};
+
+/// The imported contents of a mesh file.
+struct SourceScene {
+    double metresPerUnit = 0.0;  // 0 if the file does not say
+    std::vector<SourceMaterial> materials;
+    std::vector<SourceObject> objects;  // each with at least one triangle
+    bool operator==(const SourceScene&) const = default;
+};
+
+/// Serializes a scene, to pass it from the importer process to its parent: little-endian, with lengths before texts and
+/// lists. Both programs always have the same version.
+std::string sourceSceneBytes(const SourceScene& scene);
+
+/// Deserializes a scene from untrusted bytes.
+///
+/// Errors: BadInput for truncated or excess bytes, an index out of range, a number that is not finite or text that is
+/// not UTF-8.
+Result<SourceScene> readSourceScene(std::string_view bytes);
+
+}  // namespace rubble

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/geometry/predicates/Vec.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+/// The position of the point of a segment that is closest to `point`, as a fraction in [0, 1]; 0 for a segment of
+/// length zero. For Vec2 and Vec3.
+template <class Vector>
+double closestFraction(Vector point, Vector from, Vector to) {
+    const Vector along = to - from;
+    const double squared = glm::dot(along, along);
+    return squared > 0.0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
+}
+
+/// The distance of a point from a segment. The error is a few roundings of the longer of its offset and the segment.
+template <class Vector>
+double distanceToSegment(Vector point, Vector from, Vector to) {
+    return glm::distance(point - from, closestFraction(point, from, to) * (to - from));
+}
+
+}  // namespace rubble

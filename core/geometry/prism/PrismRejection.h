@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/geometry/prism/AxisView.h"
+
+#include <string>
+
+namespace rubble {
+
+/// Why a solid mesh is no prism along an axis: one sentence with the measured value.
+std::string prismRejection(const AxisView& view, const TriangleMesh& mesh, double tolerance);
+
+}  // namespace rubble

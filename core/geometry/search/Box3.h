@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/geometry/predicates/Vec.h"
+
+namespace rubble {
+
+/// An axis-aligned box; empty (min > max) until a point is included.
+struct Box3 {
+    Vec3 min{1e308, 1e308, 1e308};
+    Vec3 max{-1e308, -1e308, -1e308};
+    void include(Vec3 point);
+    void include(const Box3& box);
+    bool isEmpty() const { return min.x > max.x; }
+    Vec3 corner(int index) const;  // index in [0, 8)
+    double diagonal() const;
+    Vec3 centre() const { return min + (max - min) / 2.0; }
+};
+
+}  // namespace rubble

@@ -1,0 +1,84 @@
+#include "core/io/exchange/GlbBuffer.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace rubble {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF's numbers are little-endian");
+
+std::array<float, 3> toFloats(Vec3 value) {
+    // Adding zero turns -0 into 0.
+    return {static_cast<float>(value.x) + 0.0f, static_cast<float>(value.y) + 0.0f, static_cast<float>(value.z) + 0.0f};
+}
+
+template <class T>
+std::size_t sizeOf(const std::vector<T>& list) {
+    return list.size() * sizeof(T);
+}
+
+template <class T>
+void appendArray(std::string& bytes, const std::vector<T>& list) {
+    bytes.append(reinterpret_cast<const char*>(list.data()), sizeOf(list));
+}
+
+std::uint32_t materialOf(const MeshFace& face) {
+    return face.side == FaceSide::Inside ? GlbBuffer::kInside : face.material;
+}
+
+}  // namespace
+
+std::vector<GlbPrimitive> GlbBuffer::add(const Mesh& mesh) {
+    const Mesh triangles = triangulated(mesh);
+    m_last.assign(triangles.positions.size(), {});
+    std::vector<GlbPrimitive> primitives;
+    for (const MeshFace& face : triangles.faces) {
+        if (primitives.empty() || primitives.back().material != materialOf(face)) {
+            primitives.push_back({vertexCount(), 0, indexCount(), 0, materialOf(face), {}, {}});
+        }
+        GlbPrimitive& primitive = primitives.back();
+        for (const MeshCorner corner : triangles.cornersOf(face)) {
+            m_indices.push_back(vertexOf(triangles, corner, face.normal, primitive) - primitive.firstVertex);
+        }
+        primitive.vertexCount = vertexCount() - primitive.firstVertex;
+        primitive.indexCount = indexCount() - primitive.firstIndex;
+    }
+    for (GlbPrimitive& primitive : primitives) {
+        primitive.min = primitive.max = m_positions[primitive.firstVertex];
+        for (std::uint32_t i = 0; i < primitive.vertexCount; ++i) {
+            const std::array<float, 3>& position = m_positions[primitive.firstVertex + i];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                primitive.min[axis] = std::min(primitive.min[axis], position[axis]);
+                primitive.max[axis] = std::max(primitive.max[axis], position[axis]);
+            }
+        }
+    }
+    return primitives;
+}
+
+std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::uint32_t normal,
+                                  const GlbPrimitive& primitive) {
+    LastVertex& last = m_last[corner.position];
+    const bool exists = last.vertex && *last.vertex >= primitive.firstVertex;
+    if (exists && last.normal == normal && last.uv == corner.uv) return *last.vertex;
+    last = {vertexCount(), normal, corner.uv};
+    const Vec2 uv = mesh.uvs[corner.uv];
+    m_positions.push_back(toFloats(mesh.positions[corner.position]));
+    m_normals.push_back(toFloats(mesh.normals[normal]));
+    m_uvs.push_back({static_cast<float>(uv.x) + 0.0f, static_cast<float>(1.0 - uv.y) + 0.0f});
+    return *last.vertex;
+}
+
+std::size_t GlbBuffer::size() const {
+    return sizeOf(m_positions) + sizeOf(m_normals) + sizeOf(m_uvs) + sizeOf(m_indices);
+}
+
+void GlbBuffer::appendTo(std::string& bytes) const {
+    appendArray(bytes, m_positions);
+    appendArray(bytes, m_normals);
+    appendArray(bytes, m_uvs);
+    appendArray(bytes, m_indices);
+}
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/geometry/mesh/Mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// A primitive of a GLB mesh: ranges of the buffer's arrays with one material.
+struct GlbPrimitive {
+    std::uint32_t firstVertex = 0;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+    std::uint32_t material = 0;
+    std::array<float, 3> min{};  // of the positions
+    std::array<float, 3> max{};
+};
+
+/// The binary chunk of a GLB file: four arrays, one after the other.
+class GlbBuffer {
+public:
+    static constexpr std::uint32_t kInside = 0xffffffff;
+
+    /// Adds a mesh as triangles, a primitive for each run of faces with the same material. Inside faces have the
+    /// material kInside. Corners with equal position, normal and texture coordinates share a vertex.
+    std::vector<GlbPrimitive> add(const Mesh& mesh);
+
+    std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(m_positions.size()); }
+    std::uint32_t indexCount() const { return static_cast<std::uint32_t>(m_indices.size()); }
+    /// The size of all arrays in bytes.
+    std::size_t size() const;
+    /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), indices; little-endian.
+    void appendTo(std::string& bytes) const;
+
+private:
+    /// The last vertex created for a position.
+    struct LastVertex {
+        std::optional<std::uint32_t> vertex;
+        std::uint32_t normal = 0;
+        std::uint32_t uv = 0;
+    };
+    std::uint32_t vertexOf(const Mesh& mesh, MeshCorner corner, std::uint32_t normal, const GlbPrimitive& primitive);
+
+    std::vector<std::array<float, 3>> m_positions;
+    std::vector<std::array<float, 3>> m_normals;
+    std::vector<std::array<float, 2>> m_uvs;
+    std::vector<std::uint32_t> m_indices;  // relative to the primitive's first vertex
+    std::vector<LastVertex> m_last;        // by position of the mesh being added
+};
+
+}  // namespace rubble

@@ -1,0 +1,65 @@
+#include "core/io/exchange/GlbFile.h"
+
+#include "core/base/Assert.h"
+#include "core/io/exchange/GlbJson.h"
+
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
+constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN"
+constexpr std::size_t kVertexSize = 32;             // bytes: position, normal, texture coordinates
+constexpr std::size_t kIndexSize = 4;
+constexpr std::size_t kJsonSize = 1000;  // bytes: an upper bound for a node or the accessors of a primitive
+
+/// Returns an upper bound for the size of a file with these parts.
+std::size_t maxFileSize(std::span<const MeshPart> parts, const MeshMaterials& materials) {
+    std::size_t size = 0;
+    for (const MeshPart& part : parts) {
+        size += (materials.outside.size() + 2) * kJsonSize;
+        for (const MeshFace& face : part.mesh.faces) {
+            // Triangulated around a new vertex in the middle.
+            size += (face.cornerCount + 1) * kVertexSize + 3 * face.cornerCount * kIndexSize;
+        }
+    }
+    return size;
+}
+
+void appendNumber(std::string& bytes, std::size_t number) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 255);
+}
+
+}  // namespace
+
+Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place) {
+    RUBBLE_ASSERT(!parts.empty());
+    if (maxFileSize(parts, materials) > std::numeric_limits<std::uint32_t>::max()) {
+        return Error{ErrorCode::Limit,
+                     std::to_string(parts.size()) +
+                         " bodies exceed 4 GiB, the maximum of a GLB file; export one file per fragment."};
+    }
+    GlbBuffer buffer;
+    std::vector<std::vector<GlbPrimitive>> primitives;
+    for (const MeshPart& part : parts) primitives.push_back(buffer.add(part.mesh));
+    std::string json = glbJson(parts, primitives, buffer, materials, place);
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+
+    std::string bytes;
+    bytes.reserve(28 + json.size() + buffer.size());
+    appendNumber(bytes, kMagic);
+    appendNumber(bytes, kVersion);
+    appendNumber(bytes, 28 + json.size() + buffer.size());
+    appendNumber(bytes, json.size());
+    appendNumber(bytes, kJsonChunk);
+    bytes += json;
+    appendNumber(bytes, buffer.size());
+    appendNumber(bytes, kBinaryChunk);
+    buffer.appendTo(bytes);
+    return bytes;
+}
+
+}  // namespace rubble

@@ -1,0 +1,189 @@
+#include "core/io/exchange/GlbJson.h"
+
+#include "core/io/json/JsonWriter.h"
+
+namespace rubble {
+namespace {
+
+// Constants of the glTF 2.0 specification.
+constexpr std::uint64_t kFloat = 5126;
+constexpr std::uint64_t kUnsignedInt = 5125;
+constexpr std::uint64_t kArrayBuffer = 34962;
+constexpr std::uint64_t kElementArrayBuffer = 34963;
+
+/// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
+double fifthRoot(double value) {
+    double root = 1.0;
+    for (int iteration = 0; iteration < 40; ++iteration) {
+        const double fourth = root * root * root * root;
+        root -= (fourth * root - value) / (5.0 * fourth);
+    }
+    return root;
+}
+
+/// Converts a component of an sRGB colour to linear, as colours are in glTF.
+/// Source: IEC 61966-2-1.
+double linearFromSrgb(double component) {
+    if (component <= 0.04045) return component / 12.92;
+    const double square = (component + 0.055) * (component + 0.055) / (1.055 * 1.055);
+    return square * fifthRoot(square);  // to the power of 2.4; power() would change the last digit in exported files
+}
+
+void writeAsset(JsonWriter& json) {
+    json.openObject("asset");
+    json.text("version", "2.0");
+    json.text("generator", "Rubble");
+    json.close();
+}
+
+void writeNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place) {
+    json.wholeNumber("scene", std::uint64_t{0});
+    json.openArray("scenes");
+    json.openObject();
+    json.openArray("nodes");
+    for (std::size_t node = 0; node < parts.size(); ++node) json.wholeNumber({}, std::uint64_t{node});
+    json.close();
+    json.close();
+    json.close();
+    json.openArray("nodes");
+    std::uint64_t mesh = 0;
+    for (const MeshPart& part : parts) {
+        json.openObject();
+        json.text("name", part.name);
+        json.wholeNumber("mesh", mesh++);
+        if (place == PartPlacement::Assembled) {
+            json.numbers("translation", {part.offset.x, part.offset.y, part.offset.z});
+        }
+        json.close();
+    }
+    json.close();
+}
+
+/// Writes a primitive, whose four accessors start at `accessor`.
+void writePrimitive(JsonWriter& json, const GlbPrimitive& primitive, std::uint64_t accessor, std::size_t inside) {
+    json.openObject();
+    json.openObject("attributes");
+    json.wholeNumber("POSITION", accessor);
+    json.wholeNumber("NORMAL", accessor + 1);
+    json.wholeNumber("TEXCOORD_0", accessor + 2);
+    json.close();
+    json.wholeNumber("indices", accessor + 3);
+    const bool isInside = primitive.material == GlbBuffer::kInside;
+    json.wholeNumber("material", std::uint64_t{isInside ? inside : primitive.material});
+    json.close();
+}
+
+void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
+                 std::span<const std::vector<GlbPrimitive>> primitives, const MeshMaterials& materials) {
+    json.openArray("meshes");
+    std::uint64_t accessor = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        json.openObject();
+        json.text("name", parts[k].name);
+        json.openArray("primitives");
+        for (const GlbPrimitive& primitive : primitives[k]) {
+            writePrimitive(json, primitive, accessor, materials.outside.size());
+            accessor += 4;
+        }
+        json.close();
+        json.close();
+    }
+    json.close();
+}
+
+void writeMaterial(JsonWriter& json, const MeshMaterial& material) {
+    const Colour& colour = material.colour;
+    json.openObject();
+    json.text("name", material.name);
+    json.openObject("pbrMetallicRoughness");
+    json.numbers("baseColorFactor",
+                 {linearFromSrgb(colour.red), linearFromSrgb(colour.green), linearFromSrgb(colour.blue), 1.0});
+    json.wholeNumber("metallicFactor", std::uint64_t{0});
+    json.number("roughnessFactor", 0.9);
+    json.close();
+    json.close();
+}
+
+void openAccessor(JsonWriter& json, std::uint64_t view, std::uint64_t offset, std::uint64_t component,
+                  std::uint64_t count, const char* type) {
+    json.openObject();
+    json.wholeNumber("bufferView", view);
+    json.wholeNumber("byteOffset", offset);
+    json.wholeNumber("componentType", component);
+    json.wholeNumber("count", count);
+    json.text("type", type);
+}
+
+/// Writes the bounds of the positions as doubles: a reader that uses doubles would read a float's own shortest digits
+/// as another number.
+void writeBound(JsonWriter& json, std::string_view key, const std::array<float, 3>& bound) {
+    json.numbers(key, {double{bound[0]}, double{bound[1]}, double{bound[2]}});
+}
+
+/// Writes the four accessors of a primitive, in the order of the buffer's arrays.
+void writeAccessors(JsonWriter& json, const GlbPrimitive& primitive) {
+    const std::uint64_t vertex = primitive.firstVertex;
+    openAccessor(json, 0, 12 * vertex, kFloat, primitive.vertexCount, "VEC3");
+    writeBound(json, "min", primitive.min);
+    writeBound(json, "max", primitive.max);
+    json.close();
+    openAccessor(json, 1, 12 * vertex, kFloat, primitive.vertexCount, "VEC3");
+    json.close();
+    openAccessor(json, 2, 8 * vertex, kFloat, primitive.vertexCount, "VEC2");
+    json.close();
+    openAccessor(json, 3, 4 * std::uint64_t{primitive.firstIndex}, kUnsignedInt, primitive.indexCount, "SCALAR");
+    json.close();
+}
+
+/// Writes a view of `count` elements of `stride` bytes that starts at `offset`, and moves `offset` to its end.
+void writeView(JsonWriter& json, std::uint64_t& offset, std::uint64_t count, std::uint64_t stride,
+               std::uint64_t target) {
+    json.openObject();
+    json.wholeNumber("buffer", std::uint64_t{0});
+    json.wholeNumber("byteOffset", offset);
+    json.wholeNumber("byteLength", stride * count);
+    if (target == kArrayBuffer) json.wholeNumber("byteStride", stride);
+    json.wholeNumber("target", target);
+    json.close();
+    offset += stride * count;
+}
+
+void writeBuffer(JsonWriter& json, const GlbBuffer& buffer) {
+    json.openArray("bufferViews");
+    std::uint64_t offset = 0;
+    writeView(json, offset, buffer.vertexCount(), 12, kArrayBuffer);
+    writeView(json, offset, buffer.vertexCount(), 12, kArrayBuffer);
+    writeView(json, offset, buffer.vertexCount(), 8, kArrayBuffer);
+    writeView(json, offset, buffer.indexCount(), 4, kElementArrayBuffer);
+    json.close();
+    json.openArray("buffers");
+    json.openObject();
+    json.wholeNumber("byteLength", std::uint64_t{buffer.size()});
+    json.close();
+    json.close();
+}
+
+}  // namespace
+
+std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector<GlbPrimitive>> primitives,
+                    const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place) {
+    JsonWriter json(JsonLayout::Compact, 1024 + 1500 * parts.size());
+    json.openObject();
+    writeAsset(json);
+    writeNodes(json, parts, place);
+    writeMeshes(json, parts, primitives, materials);
+    json.openArray("materials");
+    for (const MeshMaterial& material : materials.outside) writeMaterial(json, material);
+    writeMaterial(json, materials.inside);
+    json.close();
+    json.openArray("accessors");
+    for (const std::vector<GlbPrimitive>& part : primitives) {
+        for (const GlbPrimitive& primitive : part) writeAccessors(json, primitive);
+    }
+    json.close();
+    writeBuffer(json, buffer);
+    json.close();
+    return std::move(json).contents();
+}
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/io/exchange/GlbBuffer.h"
+#include "core/io/exchange/MeshPart.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// Returns the JSON chunk of a GLB file whose parts are in `buffer`; `primitives` has a list for each part.
+std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector<GlbPrimitive>> primitives,
+                    const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place);
+
+}  // namespace rubble

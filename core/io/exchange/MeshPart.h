@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/geometry/mesh/Mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// A body of a mesh file: its surface in its own frame, and the offset of that frame in the asset's.
+struct MeshPart {
+    std::string name;  // without spaces, see meshName()
+    Mesh mesh;
+    Vec3 offset{0.0, 0.0, 0.0};  // m
+};
+
+/// The positions of the bodies in a mesh file.
+enum class PartPlacement {
+    Assembled,  // at their offsets: together they form the asset
+    Centred,    // each with its centre of mass at the origin
+};
+
+/// A material of a mesh file.
+struct MeshMaterial {
+    std::string name;  // without spaces
+    Colour colour;
+};
+
+/// The materials of an asset, with unique names.
+struct MeshMaterials {
+    std::vector<MeshMaterial> outside;  // by MeshFace::material; at least one
+    MeshMaterial inside;
+};
+
+/// Returns `name` as a valid name of files, objects and materials in every mesh format: spaces, control characters and
+/// characters with a special meaning become '_'. Never empty.
+std::string meshName(const std::string& name);
+
+/// Returns the materials of an asset: outside those of the mesh it was imported from, or else "<material>_outside";
+/// inside "<material>_inside". A number makes a name unique.
+MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material);
+
+}  // namespace rubble

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/fracture/partition/Partition.h"
+#include "core/fracture/thesis/ThesisMethod.h"
+#include "core/geometry/polygon/Polygon.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rubble {
+
+/// The cell of a seed, in the input's coordinates.
+struct Cell {
+    std::uint32_t seed = 0;
+    double area = 0.0;  // m^2
+    Vec2 centroid{0.0, 0.0};
+    std::vector<Polygon> pieces;
+    std::vector<std::uint32_t> neighbours;  // seeds, ascending
+};
+
+/// Returns the cells of a partition by seed; seeds without a cell are left out. Neighbours share edges longer than
+/// `minSharedEdge` (m).
+std::vector<Cell> cellList(const Partition& partition, double minSharedEdge);
+
+/// Returns the cells of the thesis's diagram, each of one piece; neighbours share a triangle. Cells with fewer than
+/// three corners or with a corner that is not finite are left out.
+std::vector<Cell> cellList(const ThesisDiagram& diagram);
+
+}  // namespace rubble

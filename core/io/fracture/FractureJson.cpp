@@ -1,0 +1,114 @@
+#include "core/io/fracture/FractureJson.h"
+
+#include "core/base/MessageText.h"
+#include "core/fracture/delaunay/Delaunay.h"
+#include "core/fracture/thesis/ThesisMethod.h"
+#include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/io/fracture/CellList.h"
+#include "core/io/json/JsonDocument.h"
+#include "core/io/json/JsonWriter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+void writeCell(JsonWriter& json, const Cell& cell) {
+    json.openObject();
+    json.wholeNumber("seed", std::uint64_t{cell.seed});
+    json.number("area", cell.area);
+    json.numbers("centroid", {cell.centroid.x, cell.centroid.y});
+    json.openArray("pieces");
+    for (const Polygon& piece : cell.pieces) {
+        json.openObject();
+        json.points("outer", piece.outer);
+        json.openArray("holes");
+        for (const Ring& hole : piece.holes) json.points({}, hole);
+        json.close();
+        json.close();
+    }
+    json.close();
+    json.wholeNumbers("neighbours", cell.neighbours);
+    json.close();
+}
+
+void writeReport(JsonWriter& json, const Diagnostic& report) {
+    json.openObject();
+    json.text("code", nameOf(report.code));
+    if (report.place.seed != kNone) json.wholeNumber("seed", std::uint64_t{report.place.seed});
+    if (report.place.otherSeed != kNone) json.wholeNumber("of", std::uint64_t{report.place.otherSeed});
+    if (report.value != 0.0) json.number("amount", report.value);
+    json.text("message", report.message);
+    json.close();
+}
+
+std::string outputJson(const std::vector<Cell>& cells, const Triangles& triangles,
+                       const std::vector<Diagnostic>& reports) {
+    JsonWriter json(JsonLayout::Compact);
+    json.openObject();
+    json.list("cells", cells, writeCell);
+    json.rows("triangles", triangles, [](const auto& corners) {
+        return std::array<std::int64_t, 3>{corners[0], corners[1], corners[2]};
+    });
+    json.list("report", reports, writeReport);
+    json.close();
+    return std::move(json).finished();
+}
+
+Result<std::string> exactJson(const FractureInput& input, const TaskContext& task) {
+    const Result<Delaunay> delaunay = triangulate(input.seeds, task);
+    if (!delaunay) return delaunay.error();
+    const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay, task);
+    if (!partition) return partition.error();
+    std::vector<Diagnostic> reports = partition->diagnostics;
+    if (input.seeds.empty()) {
+        const double whole = area(input.prism.outline);
+        reports.push_back(
+            diagnostic(DiagnosticCode::Gap, {},
+                       "There are no seeds, so no cell covers the outline of " + messageText(whole) + " m².", whole));
+    }
+    const double least = kMinSharedEdge * boundsOf(input.prism.outline.outer).diagonal();
+    return outputJson(cellList(*partition, least), triangleList(*delaunay), reports);
+}
+
+/// Triangles as triangleList() gives them.
+Triangles inOrder(Triangles triangles, std::span<const Vec2> seeds) {
+    for (auto& [a, b, c] : triangles) {
+        if (cross(seeds[b] - seeds[a], seeds[c] - seeds[a]) < 0.0) std::swap(b, c);
+    }
+    for (auto& triangle : triangles) {
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+}  // namespace
+
+Result<FractureInput> readFractureInput(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    const JsonValue root = document->root();
+    root.requireObject({"outline", "depth", "seeds"}, {"holes"});
+    FractureInput input;
+    input.prism.outline.outer = root["outline"].points();
+    if (root["holes"].isPresent()) input.prism.outline.holes = root["holes"].list(&JsonValue::points);
+    input.prism.depth = root["depth"].number();
+    input.seeds = root["seeds"].points();
+    if (document->firstError()) return *document->firstError();
+    Result<Prism> prism = validated(std::move(input.prism));
+    if (!prism) return prism.error();
+    input.prism = std::move(*prism);
+    return input;
+}
+
+Result<std::string> fractureJson(const FractureInput& input, FractureMethod method, const TaskContext& task) {
+    if (method == FractureMethod::Exact) return exactJson(input, task);
+    const ThesisDiagram diagram = thesisDiagram(input.prism.outline.outer, input.seeds);
+    return outputJson(cellList(diagram), inOrder(diagram.triangles, input.seeds), {});
+}
+
+}  // namespace rubble

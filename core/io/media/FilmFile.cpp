@@ -1,0 +1,86 @@
+#include "core/io/media/FilmFile.h"
+
+#include "core/io/media/PictureSequence.h"
+#include "core/io/system/ChildProcess.h"
+#include "core/io/text/NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <system_error>
+
+namespace rubble {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Practically unlimited: time and memory depend on film and codec, and the user can cancel.
+constexpr ChildLimits kFilmLimits{.memory = std::numeric_limits<std::size_t>::max(), .seconds = 24.0 * 3600.0};
+
+/// Returns the pattern of a folder's pictures for ffmpeg, in the syntax of printf.
+std::string pictureNames(const fs::path& folder) {
+    std::string names;
+    for (const char letter : (fs::absolute(folder) / "").string())
+        names += letter == '%' ? "%%" : std::string(1, letter);
+    return names + PictureSequence::kFileNameFormat;
+}
+
+std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const fs::path& film) {
+    std::string rateText;
+    appendNumber(rateText, rate);
+    return {"-nostdin",
+            "-v",
+            "error",
+            "-y",
+            "-framerate",
+            rateText,
+            "-start_number",
+            "0",
+            "-i",
+            pictureNames(pictures),
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+            "-pix_fmt",
+            "yuv420p",
+            fs::absolute(film).string()};
+}
+
+/// Returns the last line that is not empty: ffmpeg's final error.
+std::string lastLine(const std::string& text) {
+    const std::size_t end = text.find_last_not_of(" \r\n");
+    if (end == std::string::npos) return {};
+    const std::size_t begin = text.find_last_of('\n', end);
+    return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                       end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+Status toStatus(const ChildResult& result) {
+    if (result.exit == ChildExit::Exited && result.exitCode == 0) return success();
+    const std::string message = lastLine(result.error);
+    return Error{ErrorCode::Io, "ffmpeg could not encode the film" + (message.empty() ? "." : ": " + message)};
+}
+
+}  // namespace
+
+bool isFilmPath(const fs::path& path) {
+    constexpr std::array kSuffixes{".mp4", ".mkv", ".mov", ".webm"};
+    return std::ranges::find(kSuffixes, path.extension().string()) != kSuffixes.end();
+}
+
+std::optional<fs::path> findFfmpeg() { return findExecutable("ffmpeg"); }
+
+Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, const TaskContext& task) {
+    const std::optional<fs::path> ffmpeg = findFfmpeg();
+    if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a film needs ffmpeg, which is not installed."};
+    const fs::path part = film.parent_path() / ("." + film.stem().string() + ".part" + film.extension().string());
+    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(pictures, rate, part), kFilmLimits, task);
+    Status status = outcome ? toStatus(*outcome) : Status(outcome.error());
+    std::error_code error, ignored;
+    if (status) fs::rename(part, film, error);
+    if (error) status = Error{ErrorCode::Io, "Cannot write \"" + film.string() + "\": " + error.message() + "."};
+    if (!status) fs::remove(part, ignored);
+    return status;
+}
+
+}  // namespace rubble

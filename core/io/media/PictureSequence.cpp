@@ -1,0 +1,53 @@
+#include "core/io/media/PictureSequence.h"
+
+#include "core/io/system/AtomicFile.h"
+
+#include <cstdio>
+#include <system_error>
+
+namespace rubble {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path pictureFile(const fs::path& folder, int picture) {
+    char name[32];
+    std::snprintf(name, sizeof name, PictureSequence::kFileNameFormat, picture);
+    return folder / name;
+}
+
+/// Fails if a folder already holds the pictures of a film.
+Status checkHoldsNoFilm(const fs::path& folder) {
+    std::error_code ignored;  // a missing folder holds nothing
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
+        return Error{ErrorCode::BadInput, folder.string() + " already holds a film: " + name +
+                                              ". Choose another folder, or remove its pictures."};
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path& folder) {
+    if (const Status free = checkHoldsNoFilm(folder); !free) return free.error();
+    std::unique_ptr<PictureSequence> sequence(new PictureSequence(folder));
+    if (const Status created = sequence->m_created.create(folder); !created) return created.error();
+    return sequence;
+}
+
+PictureSequence::~PictureSequence() {
+    if (m_isKept) return;
+    std::error_code ignored;  // a destructor cannot report errors
+    for (int picture = 0; picture < m_count; ++picture) fs::remove(pictureFile(m_folder, picture), ignored);
+}
+
+Status PictureSequence::add(std::string_view png) {
+    if (const Status written = writeFileAtomically(pictureFile(m_folder, m_count), png); !written) return written;
+    ++m_count;
+    return success();
+}
+
+}  // namespace rubble

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/io/system/CreatedDirectories.h"
+
+#include <memory>
+#include <string_view>
+
+namespace rubble {
+
+inline constexpr int kMaxPictures = 10'000;  // of a film: names have four digits
+
+/// Writes the pictures of a film to FOLDER/frame-0000.png and so on, each atomically. The destructor removes them, and
+/// the folders created for them, unless keep() was called.
+class PictureSequence {
+public:
+    /// Creates the folder if it is missing.
+    ///
+    /// Errors: BadInput if it already holds such pictures; those of CreatedDirectories::create().
+    static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder);
+    ~PictureSequence();
+    PictureSequence(const PictureSequence&) = delete;
+    PictureSequence& operator=(const PictureSequence&) = delete;
+
+    /// Errors: those of writeFileAtomically().
+    Status add(std::string_view png);
+    int count() const { return m_count; }
+    /// Keeps the pictures and folders.
+    void keep() { m_isKept = true; }
+
+    /// The format of a picture's file name for printf.
+    static constexpr const char* kFileNameFormat = "frame-%04d.png";
+
+private:
+    explicit PictureSequence(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+    std::filesystem::path m_folder;
+    CreatedDirectories m_created;
+    int m_count = 0;
+    bool m_isKept = false;
+};
+
+}  // namespace rubble

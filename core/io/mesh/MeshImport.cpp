@@ -1,0 +1,83 @@
+#include "core/io/mesh/MeshImport.h"
+
+#include "core/io/system/ChildProcess.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+namespace rubble {
+namespace {
+
+// Exit statuses of rubble-importer; see app/importer/Main.cpp.
+constexpr int kRejected = 1;
+constexpr int kOutOfMemory = 3;
+
+std::string quotedName(const std::filesystem::path& file) { return "\"" + file.filename().string() + "\""; }
+
+/// Returns the first line of the child's standard error, shortened, without control characters.
+std::string firstLine(const std::string& text) {
+    constexpr std::size_t kMaxLength = 500;
+    std::string line = text.substr(0, std::min({text.find('\n'), text.size(), kMaxLength}));
+    std::ranges::replace_if(
+        line, [](char letter) { return static_cast<unsigned char>(letter) < 32; }, '?');
+    return line;
+}
+
+std::optional<Error> cannotOpen(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+    const auto error = [&](ErrorCode code, const char* reason) {
+        return Error{code, "Cannot read \"" + file.string() + "\": " + reason + "."};
+    };
+    if (!std::filesystem::exists(status)) return error(ErrorCode::NotFound, "No such file or directory");
+    if (std::filesystem::is_directory(status)) return error(ErrorCode::Io, "Is a directory");
+    if (!std::filesystem::is_regular_file(status)) return error(ErrorCode::Io, "Not a file");
+    if (!std::ifstream(file)) return error(ErrorCode::Io, "Permission denied");
+    return std::nullopt;
+}
+
+/// Returns the error if the importer failed.
+std::optional<Error> importerError(const ChildResult& outcome, const std::string& name) {
+    switch (outcome.exit) {
+        case ChildExit::Crashed:
+            return Error{ErrorCode::Unsupported, name + " crashed the mesh reader; the file is damaged."};
+        case ChildExit::TimedOut:
+            return Error{ErrorCode::Limit, name + " takes longer than 10 s to read; it is too large or damaged."};
+        case ChildExit::TooMuchOutput: return Error{ErrorCode::Limit, "The mesh in " + name + " is too large."};
+        case ChildExit::Exited: break;
+    }
+    if (outcome.exitCode == kOutOfMemory)
+        return Error{ErrorCode::Limit, name + " needs more than 1 GiB of memory; it is too large or damaged."};
+    const std::string message = firstLine(outcome.error);
+    if (outcome.exitCode == kRejected && !message.empty()) return Error{ErrorCode::Unsupported, message};
+    if (outcome.exitCode != 0)
+        return Error{ErrorCode::Unsupported, name + " cannot be read: the mesh reader failed with exit status " +
+                                                 std::to_string(outcome.exitCode) + "."};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::filesystem::path importerPath(const std::filesystem::path& programFolder) {
+    const std::filesystem::path beside = programFolder / "rubble-importer";
+    std::error_code ignored;
+    return std::filesystem::exists(beside, ignored) ? beside : programFolder / "../libexec/rubble/rubble-importer";
+}
+
+Result<SourceScene> importMesh(const std::filesystem::path& file, const std::filesystem::path& importer,
+                               const TaskContext& context) {
+    if (std::optional<Error> error = cannotOpen(file)) return *error;
+    std::error_code ignored;
+    const std::string path = std::filesystem::absolute(file, ignored).string();
+    const Result<ChildResult> outcome = runChild(importer, {path}, {}, context);
+    if (!outcome) return outcome.error();
+    const std::string name = quotedName(file);
+    if (std::optional<Error> error = importerError(*outcome, name)) return *error;
+    Result<SourceScene> scene = readSourceScene(outcome->output);
+    if (!scene) return Error{ErrorCode::Unsupported, name + " cannot be read: the mesh reader returned invalid data."};
+    return scene;
+}
+
+}  // namespace rubble

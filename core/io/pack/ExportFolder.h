@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/base/Hash.h"
+#include "core/base/Result.h"
+#include "core/base/TaskContext.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace rubble {
+
+/// A file of an export.
+struct ExportFile {
+    std::string name;  // without a path
+    std::string bytes;
+};
+
+/// The name of the manifest in every export folder: the hash of its source, and name, size and hash of each file.
+inline constexpr const char* kManifestName = "manifest.json";
+
+/// Returns whether the folder is a complete, unmodified export of `source` according to its manifest. Reads all files.
+bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
+
+/// Returns the first error in an export folder, if there is one: a missing or unreadable manifest, a missing or
+/// modified file, an unexpected file. Reads all files.
+std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
+
+/// Writes an export folder atomically: into a hidden folder beside `folder`, which is then renamed. An earlier export
+/// is replaced. On an error or a cancellation nothing changes. Creates missing parent folders.
+///
+/// Errors: Io, with the path and the system's reason; BadInput if the folder holds an unexpected file, with its name;
+/// Cancelled.
+Status writeExportFolder(const std::filesystem::path& folder, const ContentHash& source,
+                         std::span<const ExportFile> files, const TaskContext& task = {});
+
+}  // namespace rubble

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/fracture/pieces/Fragment.h"
+#include "core/io/json/JsonWriter.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// The data of a body for pack.json.
+struct PackBodySource {
+    std::string id;
+    std::string name;
+    std::uint32_t parent = kNone;
+    Vec3 offset{0.0, 0.0, 0.0};  // m
+    MassProperties mass;         // at density 1; the body's origin is its centre of mass
+    std::vector<Bond> bonds;
+    std::uint32_t firstSibling = 0;  // index of the fragment that is 0 in the bonds
+    std::vector<Polytope> hulls;
+};
+
+/// Writes a body as an object. `density` in kg/m^3.
+void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource& body, double density);
+
+/// The estimated size of a body's JSON in bytes.
+std::size_t packBodySize(const PackBodySource& body);
+
+}  // namespace rubble

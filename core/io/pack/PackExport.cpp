@@ -1,0 +1,170 @@
+#include "core/io/pack/PackExport.h"
+
+#include "core/asset/bake/BakeHash.h"
+#include "core/asset/project/Threshold.h"
+#include "core/asset/project/Variants.h"
+#include "core/base/Parallel.h"
+#include "core/io/pack/PackFile.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/CreatedDirectories.h"
+#include "core/io/system/FileName.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <mutex>
+
+namespace rubble {
+namespace {
+
+/// To be increased when the mesh files of an asset change, so that existing exports are rewritten.
+constexpr std::uint64_t kMeshVersion = 1;
+
+/// Returns the name of an asset's folder in lower case, to compare as case-insensitive file systems do.
+std::string foldedFolderName(const Asset& asset) {
+    std::string name = safeFileName(asset.name);
+    for (char& letter : name) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return name;
+}
+
+/// Returns the assets of the project in all variants that it uses; if `only` is not empty, only those assets.
+std::vector<Asset> assetsInVariants(const Project& project, std::span<const Id> only = {}) {
+    std::vector<Asset> assets;
+    for (const auto& [id, variant] : usedVariants(project)) {
+        if (!only.empty() && std::ranges::find(only, id) == only.end()) continue;
+        assets.push_back(variantOf(*findAsset(project, id), variant));
+    }
+    return assets;
+}
+
+/// Checks all assets of the project, not only the exported ones: they may be exported one by one.
+Status checkFolderNames(const Project& project) {
+    std::map<std::string, std::string> owners;
+    for (const Asset& asset : assetsInVariants(project)) {
+        const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), asset.name);
+        if (isFirst) continue;
+        return Error{ErrorCode::BadInput, "The assets \"" + owner->second + "\" and \"" + asset.name +
+                                              "\" would both be exported to the folder \"" + safeFileName(asset.name) +
+                                              "\"; rename one of them."};
+    }
+    return success();
+}
+
+/// Reports the progress of several parallel tasks as their mean.
+class SharedProgress {
+public:
+    SharedProgress(const TaskContext& task, std::size_t count) : m_task(task), m_fractions(count, 0.0) {}
+
+    /// Returns the context for a task, which reports its own progress from 0 to 1.
+    TaskContext contextOf(std::size_t index, int threads) {
+        TaskContext context;
+        context.cancel = m_task.cancel;
+        context.threads = threads;
+        context.progress = [this, index](double fraction) { report(index, fraction); };
+        return context;
+    }
+    void report(std::size_t index, double fraction) {
+        const std::lock_guard lock(m_mutex);
+        m_sum += fraction - m_fractions[index];
+        m_fractions[index] = fraction;
+        m_task.report(std::clamp(m_sum / static_cast<double>(m_fractions.size()), 0.0, 1.0));
+    }
+
+private:
+    const TaskContext& m_task;
+    std::mutex m_mutex;
+    std::vector<double> m_fractions;
+    double m_sum = 0.0;
+};
+
+Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
+                 const TaskContext& task, AssetExport& result) {
+    const AssetMaterials material = materialsOf(project, asset);
+    Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
+    if (!baked) return baked.error();
+    Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, task.stage(0.5, 0.8));
+    if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
+    if (!meshes) return Error{meshes.error().code, "Asset \"" + asset.name + "\": " + meshes.error().message};
+    std::vector<ExportFile> files = std::move(meshes->files);
+    files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, task.stage(0.8, 0.9))});
+    result.fragmentCount = baked->fragmentCount();
+    result.volume = baked->whole.volume;
+    result.diagnostics = std::move(baked->diagnostics);
+    task.report(0.9);
+    return writeExportFolder(result.folder, source, files, task);
+}
+
+AssetExport exportAsset(const Project& project, const Asset& asset, const std::filesystem::path& folder,
+                        const MeshOptions& options, const TaskContext& task) {
+    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / safeFileName(asset.name)};
+    if (task.isCancelled()) {
+        result.status = TaskContext::cancelled();
+        return result;
+    }
+    const ContentHash source = packSourceHash(project, asset, options);
+    result.isUnchanged = isExportOf(result.folder, source);
+    if (!result.isUnchanged) result.status = writePack(project, asset, options, source, task, result);
+    task.report(1.0);
+    return result;
+}
+
+}  // namespace
+
+ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options) {
+    // Hashes a project with this asset only, without what packs do not contain.
+    Project single;
+    single.nextId = std::numeric_limits<Id>::max();
+    const AssetMaterials material = materialsOf(project, asset);
+    single.materials = {material.own};
+    if (asset.insideMaterial != 0) single.materials.push_back(material.inside);
+    single.assets = {asset};
+    single.assets[0].cutAtImpact.reset();
+    single.assets[0].requirements.clear();
+    single.assets[0].threshold = thresholdOf(asset, material.own);
+    single.assets[0].contactTime.reset();
+    for (Material& each : single.materials) {
+        each.tensileStrength.reset();
+        each.fractureToughness.reset();
+    }
+    Hasher hasher;
+    hasher.add(kMeshVersion);
+    hasher.add(std::uint64_t{kPackVersion});
+    hasher.add(bakeInputHash(asset).high);  // for the version of bake()
+    hasher.add(bakeInputHash(asset).low);
+    hasher.add(std::uint64_t{options.obj});
+    hasher.add(std::uint64_t{options.glb});
+    for (const std::uint64_t option :
+         {static_cast<std::uint64_t>(options.split), static_cast<std::uint64_t>(options.place),
+          static_cast<std::uint64_t>(options.faces)}) {
+        hasher.add(option);
+    }
+    hasher.add(projectText(single));
+    return hasher.digest();
+}
+
+Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
+                                             const std::filesystem::path& folder, const MeshOptions& options,
+                                             const TaskContext& task) {
+    for (const Id id : assets) {
+        if (findAsset(project, id) != nullptr) continue;
+        return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
+    }
+    if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
+    CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
+    if (const Status status = created.create(folder); !status) return status.error();
+    std::vector<Asset> packed;
+    for (const Id id : assets) std::ranges::move(assetsInVariants(project, {&id, 1}), std::back_inserter(packed));
+    std::vector<AssetExport> results(packed.size());
+    SharedProgress progress(task, packed.size());
+    const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
+    forEachIndex(packed.size(), task.threads, [&](std::size_t index) {
+        results[index] = exportAsset(project, packed[index], folder, options, progress.contextOf(index, threadsEach));
+    });
+    if (task.isCancelled()) return TaskContext::cancelled();
+    return results;
+}
+
+}  // namespace rubble

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/base/Diagnostic.h"
+#include "core/base/Result.h"
+#include "core/base/TaskContext.h"
+#include "core/io/pack/PackMeshes.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// The result of exporting an asset or a variant of it.
+struct AssetExport {
+    Id asset = 0;
+    std::string name;  // "wall"; for a variant "wall~2"
+    std::filesystem::path folder;
+    Status status = success();
+    bool isUnchanged = false;             // the folder already was this export; the members below are not set
+    std::size_t fragmentCount = 0;        // of all levels
+    double volume = 0.0;                  // m^3, of the whole
+    std::vector<Diagnostic> diagnostics;  // of the bake
+};
+
+/// Returns a hash of all inputs of an asset's pack: the source in the manifest of its folder.
+ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options);
+
+/// Writes the packs of `assets`, pack.json and meshes, each into a folder of its name below `folder`. Each variant that
+/// instances use gets a pack of its own ("wall_2") after that of its asset. Folders that are complete, unmodified
+/// exports of the same source are not rewritten. An asset that fails is reported in its status; the others are written.
+/// Exports up to task.threads assets at once; the bytes do not depend on their number.
+///
+/// Errors: NotFound if there is no asset with an id; BadInput if two assets would share a folder, ignoring case, with
+/// both names; Io if `folder` cannot be created; Cancelled. On an error existing folders are unchanged and no empty one
+/// remains.
+Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
+                                             const std::filesystem::path& folder, const MeshOptions& options,
+                                             const TaskContext& task = {});
+
+}  // namespace rubble

@@ -1,0 +1,160 @@
+#include "core/io/pack/PackFile.h"
+
+#include "core/asset/bake/BakeHash.h"
+#include "core/asset/project/Threshold.h"
+#include "core/base/Parallel.h"
+#include "core/io/json/JsonWriter.h"
+#include "core/io/pack/PackBodyJson.h"
+#include "core/io/pack/PackFormat.h"
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kChunk = 64;  // bodies of a task
+
+void writeColour(JsonWriter& json, std::string_view key, const Colour& colour) {
+    json.numbers(key, {colour.red, colour.green, colour.blue});
+}
+
+void writeMaterial(JsonWriter& json, const AssetMaterials& material) {
+    json.openObject("material");
+    json.text("name", material.own.name);
+    json.number("density", material.own.density);
+    json.number("friction", material.own.friction);
+    json.number("restitution", material.own.restitution);
+    writeColour(json, "outside", material.own.outside);
+    writeColour(json, "inside", material.inside.inside);
+    json.close();
+}
+
+void writeMesh(JsonWriter& json, const PackMeshFile& mesh) {
+    json.openObject();
+    json.text("file", mesh.name);
+    json.text("bodies", kMeshBodies[static_cast<std::size_t>(mesh.bodies)]);
+    json.wholeNumber("fragment", mesh.fragment == kNone ? std::nullopt : std::optional{mesh.fragment});
+    json.text("place", kMeshPlaces[static_cast<std::size_t>(mesh.place)]);
+    json.close();
+}
+
+void writeUnits(JsonWriter& json) {
+    json.openObject("units");
+    json.text("length", "m");
+    json.text("mass", "kg");
+    json.text("time", "s");
+    json.close();
+    json.openObject("axes");
+    json.text("handedness", "right");
+    json.text("up", "y");
+    json.text("front", "counter-clockwise");
+    json.close();
+}
+
+void writeHeader(JsonWriter& json, const Asset& asset, const AssetMaterials& material,
+                 std::span<const PackMeshFile> meshes) {
+    json.text("format", kPackFormat.name);
+    json.wholeNumber("version", std::uint64_t{kPackVersion});
+    writeUnits(json);
+    json.openObject("asset");
+    json.wholeNumber("id", std::uint64_t{asset.id});
+    json.text("name", asset.name);
+    if (asset.shaping.gap > 0.0) json.number("gap", asset.shaping.gap);
+    json.close();
+    json.text("hash", packHash(asset, material, meshes).hex());
+    json.number("threshold", thresholdOf(asset, material.own));
+    writeMaterial(json, material);
+    json.openArray("meshes", JsonLayout::CompactLines);
+    for (const PackMeshFile& mesh : meshes) writeMesh(json, mesh);
+    json.close();
+}
+
+PackBodySource sourceOfWhole(const Bake& bake, const Asset& asset) {
+    return {.id = std::to_string(asset.id),
+            .name = bodyName(asset),
+            .offset = bake.whole.centre,
+            .mass = bake.whole,
+            .hulls = bake.wholeHulls};
+}
+
+/// Returns the fragments from `first` on, at most kChunk, as a JSON array.
+std::string chunkJson(const Bake& bake, const Asset& asset, double density, std::size_t first) {
+    std::vector<PackBodySource> bodies;
+    const std::size_t end = std::min(first + kChunk, std::size_t{bake.fragmentCount()});
+    bodies.reserve(end - first);
+    for (auto k = static_cast<std::uint32_t>(first); k < end; ++k) {
+        const BakedFragment fragment = bake.fragment(k);
+        const Fragment& solid = fragment.solid;
+        bodies.push_back({.id = bake.fragmentId(k),
+                          .name = bodyName(asset, k),
+                          .parent = fragment.parent,
+                          .offset = solid.offset(),
+                          .mass = solid.mass(),
+                          .bonds = solid.bonds(),
+                          .firstSibling = fragment.firstSibling,
+                          .hulls = solid.hulls()});
+    }
+    std::size_t size = 0;
+    for (const PackBodySource& body : bodies) size += packBodySize(body);
+    JsonWriter json(JsonLayout::CompactLines, size);
+    json.openArray();
+    for (const PackBodySource& body : bodies) writePackBody(json, {}, body, density);
+    json.close();
+    return std::move(json).contents();
+}
+
+void addText(Hasher& hasher, std::string_view text) {
+    hasher.add(std::uint64_t{text.size()});
+    hasher.add(text);
+}
+
+void addColour(Hasher& hasher, const Colour& colour) {
+    for (const double value : {colour.red, colour.green, colour.blue}) hasher.add(value);
+}
+
+}  // namespace
+
+std::string bodyName(const Asset& asset, std::uint32_t fragment) {
+    return meshName(asset.name) + (fragment == kNone ? "" : std::to_string(fragment));
+}
+
+ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes) {
+    Hasher hasher;
+    addText(hasher, kPackFormat.name);
+    hasher.add(std::uint64_t{kPackVersion});
+    addText(hasher, bakeInputHash(asset).hex());
+    addText(hasher, asset.name);
+    hasher.add(thresholdOf(asset, material.own));
+    addText(hasher, material.own.name);
+    for (const double value : {material.own.density, material.own.friction, material.own.restitution})
+        hasher.add(value);
+    addColour(hasher, material.own.outside);
+    addColour(hasher, material.inside.inside);
+    for (const PackMeshFile& mesh : meshes) {
+        addText(hasher, mesh.name);
+        hasher.add(static_cast<std::uint64_t>(mesh.bodies));
+        hasher.add(std::uint64_t{mesh.fragment});
+        hasher.add(static_cast<std::uint64_t>(mesh.place));
+    }
+    return hasher.digest();
+}
+
+std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials& material,
+                     std::span<const PackMeshFile> meshes, const TaskContext& task) {
+    const PackBodySource whole = sourceOfWhole(bake, asset);
+    std::vector<std::string> chunks((bake.fragmentCount() + kChunk - 1) / kChunk);
+    forEachIndex(chunks.size(), task.threads,
+                 [&](std::size_t k) { chunks[k] = chunkJson(bake, asset, material.own.density, kChunk * k); });
+
+    std::size_t size = 4096 + packBodySize(whole) + 256 * meshes.size();
+    for (const std::string& chunk : chunks) size += chunk.size();
+    JsonWriter json(JsonLayout::CompactLines, size);
+    json.openObject();
+    writeHeader(json, asset, material, meshes);
+    writePackBody(json, "whole", whole, material.own.density);
+    json.openArray("fragments", JsonLayout::CompactLines);
+    for (const std::string& chunk : chunks) json.elements(chunk);
+    json.close();
+    json.close();
+    return std::move(json).finished();
+}
+
+}  // namespace rubble

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+#include "core/base/Result.h"
+#include "core/base/TaskContext.h"
+#include "core/io/exchange/MeshPart.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubble {
+
+/// The version of packs that is written and read.
+inline constexpr std::uint32_t kPackVersion = 1;
+
+/// The file of a pack that describes its bodies and lists its meshes.
+inline constexpr const char* kPackName = "pack.json";
+
+/// The bodies in a mesh file of a pack.
+enum class PackMeshBodies {
+    Whole,      // the whole alone
+    Fragments,  // some or all fragments, none nested in another, each an object with its name
+    Fragment,   // one fragment
+};
+
+/// A mesh file of a pack.
+struct PackMeshFile {
+    std::string name;  // "wall.obj", a file beside pack.json
+    PackMeshBodies bodies = PackMeshBodies::Fragments;
+    std::uint32_t fragment = kNone;  // index of the one fragment
+    PartPlacement place = PartPlacement::Assembled;
+    bool operator==(const PackMeshFile&) const = default;
+};
+
+/// Returns the name of a body in packs and mesh files, without spaces: "wall" for the whole, "wall12" for fragment 12.
+std::string bodyName(const Asset& asset, std::uint32_t fragment = kNone);
+
+/// Returns a hash of all inputs of packJson(), without baking. Equal packs have equal hashes.
+ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes);
+
+/// Returns pack.json for a bake: a body a line, every number the shortest that reads back as the same double. The bytes
+/// do not depend on the number of threads. All fields are described in docs/formats/pack.md.
+std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials& material,
+                     std::span<const PackMeshFile> meshes, const TaskContext& task = {});
+
+/// A convex hull of a body. Edge k of a face's loop runs from the face's vertex k to the next.
+struct PackHull {
+    Polytope polytope;
+    std::vector<std::vector<SignedEdge>> signedEdges;  // one loop a face
+};
+
+/// The whole of an asset, or a fragment.
+struct PackBody {
+    std::string id;  // "3" for the whole of asset 3, "3/5.17.1" for a fragment
+    std::string name;
+    std::uint32_t parent = kNone;      // index of the parent fragment; kNone: the whole
+    Vec3 offset{0.0, 0.0, 0.0};        // of its frame's origin in the asset's frame, m
+    double volume = 0.0;               // m^3
+    double mass = 0.0;                 // kg
+    Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
+    Mat3 inertia{0.0};                 // kg m^2, about the centre of mass, in its own axes
+    std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
+    std::vector<PackHull> hulls;       // in its own frame
+};
+
+/// The contents of pack.json.
+struct Pack {
+    Id asset = 0;
+    std::string name;
+    double gap = 0.0;        // m between fragments
+    std::string hash;        // packHash() in hexadecimal
+    double threshold = 0.0;  // N s
+    Material material;       // its id is not in the file
+    std::vector<PackMeshFile> meshes;
+    PackBody whole;
+    std::vector<PackBody> fragments;
+};
+
+/// Reads what packJson() wrote, bit for bit.
+///
+/// Errors: BadInput if the text is no such JSON, with the path ("fragments[3].hulls[0].planes[2]: ..."); Unsupported if
+/// its version is newer; Limit if it is too large.
+Result<Pack> readPack(std::string_view json);
+
+/// Returns the first error in a pack, if there is one: repeated ids or names, missing parents and neighbours,
+/// neighbours that are not mutual, children whose volumes do not sum to their parent's, mass that is not density times
+/// volume, an impossible inertia, hulls that fail verifyPolytope() or do not fill their body, signed edges that do not
+/// follow their face or start with two collinear ones, meshes of missing fragments, a malformed hash.
+std::optional<std::string> verifyPack(const Pack& pack);
+
+}  // namespace rubble

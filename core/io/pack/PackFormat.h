@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/io/json/FormatVersion.h"
+#include "core/io/pack/PackFile.h"
+
+#include <array>
+#include <string_view>
+
+namespace rubble {
+
+/// The format and version in pack.json.
+inline constexpr FileFormat kPackFormat{.name = "rubble-pack", .noun = "pack", .version = kPackVersion};
+
+/// The names of enumerators in pack.json, in their order.
+inline constexpr std::array<std::string_view, 3> kMeshBodies{"whole", "fragments", "fragment"};
+inline constexpr std::array<std::string_view, 2> kMeshPlaces{"assembled", "centred"};
+
+}  // namespace rubble

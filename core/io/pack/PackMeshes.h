@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+#include "core/base/TaskContext.h"
+#include "core/io/pack/ExportFolder.h"
+#include "core/io/pack/PackFile.h"
+
+#include <vector>
+
+namespace rubble {
+
+/// How fragments are distributed over mesh files.
+enum class FileSplit {
+    Single,       // the leaf fragments in one file, the broken fragments of each level in another
+    PerFragment,  // one file a fragment
+};
+
+/// The faces of an OBJ file. GLB files always have triangles.
+enum class FaceShape { Polygons, Triangles };
+
+/// The mesh files that an export writes.
+struct MeshOptions {
+    bool obj = true;
+    bool glb = true;
+    FileSplit split = FileSplit::Single;
+    PartPlacement place = PartPlacement::Assembled;
+    FaceShape faces = FaceShape::Polygons;
+    bool operator==(const MeshOptions&) const = default;
+};
+
+/// The mesh files of a pack.
+struct PackMeshes {
+    std::vector<PackMeshFile> list;  // for pack.json
+    std::vector<ExportFile> files;   // the MTL file included
+};
+
+/// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md.
+///
+/// Errors: those of glbFile(); Cancelled.
+Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetMaterials& material,
+                              const MeshOptions& options, const TaskContext& task = {});
+
+}  // namespace rubble

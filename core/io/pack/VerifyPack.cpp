@@ -1,0 +1,128 @@
+#include "core/base/MessageText.h"
+#include "core/io/pack/VerifyPackBody.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace rubble {
+namespace {
+
+using ErrorText = std::optional<std::string>;
+
+/// The relative tolerance of volumes and areas: the gaps of a partition and rounding.
+constexpr double kTolerance = 1e-8;
+
+bool isNear(double value, double expected) { return std::abs(value - expected) <= kTolerance * std::abs(expected); }
+
+std::string ownerOf(const Pack& pack, const PackBody& body) {
+    if (&body == &pack.whole) return "The whole: ";
+    return "Fragment " + std::to_string(&body - pack.fragments.data()) + " \"" + body.id + "\": ";
+}
+
+ErrorText verifyHeader(const Pack& pack) {
+    const auto isDigit = [](char letter) {
+        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
+    };
+    if (pack.hash.size() != 32 || !std::ranges::all_of(pack.hash, isDigit))
+        return "The hash \"" + pack.hash + "\" is not 32 hexadecimal digits.";
+    if (pack.name.empty()) return "The asset has no name.";
+    for (const PackMeshFile& mesh : pack.meshes) {
+        const std::string owner = "The mesh \"" + mesh.name + "\" ";
+        if (mesh.name.empty() || mesh.name.find('/') != std::string::npos) return owner + "is not a file of the pack.";
+        const bool isOne = mesh.bodies == PackMeshBodies::Fragment;
+        if (isOne != (mesh.fragment != kNone))
+            return owner + "must name a fragment if it holds exactly one, and only then.";
+        if (isOne && mesh.fragment >= pack.fragments.size())
+            return owner + "refers to fragment " + std::to_string(mesh.fragment) + ", which does not exist.";
+    }
+    return std::nullopt;
+}
+
+ErrorText verifyNames(const Pack& pack) {
+    std::set<std::string_view> ids;
+    std::set<std::string_view> names;
+    const auto verifyBodyName = [&](const PackBody& body) -> ErrorText {
+        if (body.id.empty() || body.name.empty()) return ownerOf(pack, body) + "it has no id or no name.";
+        if (!ids.insert(body.id).second) return ownerOf(pack, body) + "the id \"" + body.id + "\" is used twice.";
+        if (!names.insert(body.name).second)
+            return ownerOf(pack, body) + "the name \"" + body.name + "\" is used twice.";
+        return std::nullopt;
+    };
+    if (ErrorText error = verifyBodyName(pack.whole)) return error;
+    for (const PackBody& body : pack.fragments) {
+        if (ErrorText error = verifyBodyName(body)) return error;
+    }
+    return std::nullopt;
+}
+
+/// Parents precede their children, whose ids start with the parent's.
+ErrorText verifyParents(const Pack& pack) {
+    if (pack.whole.id != std::to_string(pack.asset))
+        return "The id of the whole is \"" + pack.whole.id + "\" instead of the asset's.";
+    if (pack.whole.parent != kNone) return std::string("The whole has a parent.");
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
+        const PackBody& body = pack.fragments[k];
+        if (body.parent != kNone && body.parent >= k)
+            return ownerOf(pack, body) + "its parent " + std::to_string(body.parent) + " does not precede it.";
+        const PackBody& parent = body.parent == kNone ? pack.whole : pack.fragments[body.parent];
+        if (!body.id.starts_with(parent.id + "/"))
+            return ownerOf(pack, body) + "its id does not start with its parent's \"" + parent.id + "\".";
+    }
+    return std::nullopt;
+}
+
+ErrorText verifyNeighbours(const Pack& pack, std::uint32_t index) {
+    const PackBody& body = pack.fragments[index];
+    for (std::size_t k = 0; k < body.neighbours.size(); ++k) {
+        const std::uint32_t other = body.neighbours[k].fragment;
+        const std::string neighbour = ownerOf(pack, body) + "its neighbour " + std::to_string(other);
+        if (other >= pack.fragments.size()) return neighbour + " does not exist.";
+        if (k > 0 && other <= body.neighbours[k - 1].fragment)
+            return neighbour + " is out of order; neighbours must ascend.";
+        if (other == index) return neighbour + " is itself.";
+        if (pack.fragments[other].parent != body.parent) return neighbour + " has another parent.";
+        const std::vector<Bond>& theirs = pack.fragments[other].neighbours;
+        const auto back = std::ranges::find(theirs, index, &Bond::fragment);
+        if (back == theirs.end()) return neighbour + " does not list it as a neighbour.";
+        if (!isNear(back->area, body.neighbours[k].area)) return neighbour + " states a different shared area.";
+    }
+    return std::nullopt;
+}
+
+/// The volumes of children sum to their parent's, less the gap.
+ErrorText verifyVolumes(const Pack& pack) {
+    std::vector<double> sums(pack.fragments.size() + 1, 0.0);  // the whole's last
+    for (const PackBody& body : pack.fragments)
+        sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.volume;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const PackBody& body = k < pack.fragments.size() ? pack.fragments[k] : pack.whole;
+        const bool isWithinGap = pack.gap > 0.0 && sums[k] < body.volume;
+        if (sums[k] != 0.0 && !isWithinGap && !isNear(sums[k], body.volume)) {
+            return ownerOf(pack, body) + "its children have a volume of " + messageText(sums[k]) + " m³ instead of " +
+                   messageText(body.volume) + " m³.";
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> verifyPack(const Pack& pack) {
+    if (ErrorText error = verifyHeader(pack)) return error;
+    if (ErrorText error = verifyNames(pack)) return error;
+    if (ErrorText error = verifyParents(pack)) return error;
+    if (!pack.whole.neighbours.empty()) return std::string("The whole has neighbours.");
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
+        if (ErrorText error = verifyNeighbours(pack, k)) return error;
+    }
+    const PackScale scale = scaleOf(pack);
+    if (ErrorText error = verifyPackBody(pack.whole, scale)) return ownerOf(pack, pack.whole) + *error;
+    for (const PackBody& body : pack.fragments) {
+        if (ErrorText error = verifyPackBody(body, scale)) return ownerOf(pack, body) + *error;
+    }
+    return verifyVolumes(pack);
+}
+
+}  // namespace rubble

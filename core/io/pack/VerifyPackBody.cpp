@@ -1,0 +1,127 @@
+#include "core/io/pack/VerifyPackBody.h"
+
+#include "core/base/MessageText.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+using ErrorText = std::optional<std::string>;
+
+constexpr double kProductTolerance = 1e-9;  // relative: of a product of numbers in the file
+constexpr double kHullTolerance = 1e-6;     // relative: of values recomputed from the hulls
+constexpr double kMinThickness = 1e-9;      // of the outline's diameter: thinner pieces have no hull
+constexpr double kMinSine = 1e-12;          // of the angle between the first two edges of a loop
+
+bool isFinite(Vec3 vector) { return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z); }
+
+double trace(const Mat3& matrix) { return matrix[0][0] + matrix[1][1] + matrix[2][2]; }
+
+double maxElement(const Mat3& matrix) {
+    double max = 0.0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) max = std::max(max, std::abs(matrix[column][row]));
+    return max;
+}
+
+ErrorText verifyEdgeLoop(const Polytope& hull, const std::vector<std::uint32_t>& face,
+                         const std::vector<SignedEdge>& loop) {
+    if (loop.size() != face.size())
+        return std::to_string(loop.size()) + " signed edges for " + std::to_string(face.size()) + " vertices.";
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const std::string edge = "signed edge " + std::to_string(k);
+        if (loop[k].edge >= hull.edges.size())
+            return edge + " refers to edge " + std::to_string(loop[k].edge) + ", which does not exist.";
+        const auto [first, second] = hull.edges[loop[k].edge];
+        const std::array<std::uint32_t, 2> run{face[k], face[(k + 1) % face.size()]};
+        if (run != (loop[k].sign > 0 ? std::array{first, second} : std::array{second, first}))
+            return edge + " does not run from vertex " + std::to_string(run[0]) + " to vertex " +
+                   std::to_string(run[1]) + ".";
+    }
+    const Vec3 first = hull.vertices[face[1]] - hull.vertices[face[0]];
+    const Vec3 second = hull.vertices[face[2]] - hull.vertices[face[1]];
+    if (glm::length(glm::cross(first, second)) > kMinSine * glm::length(first) * glm::length(second))
+        return std::nullopt;
+    return std::string("the loop starts with two collinear edges.");
+}
+
+ErrorText verifyHull(const PackHull& hull) {
+    if (ErrorText error = verifyPolytope(hull.polytope)) return error;
+    const std::size_t faces = hull.polytope.faces.size();
+    if (hull.signedEdges.size() != faces)
+        return std::to_string(faces) + " faces have " + std::to_string(hull.signedEdges.size()) +
+               " loops of signed edges.";
+    for (std::size_t face = 0; face < faces; ++face) {
+        const ErrorText error = verifyEdgeLoop(hull.polytope, hull.polytope.faces[face], hull.signedEdges[face]);
+        if (error) return "face " + std::to_string(face) + ": " + *error;
+    }
+    return std::nullopt;
+}
+
+/// No principal moment of a solid exceeds the sum of the two others.
+ErrorText verifyInertia(const Mat3& inertia) {
+    if (inertia != glm::transpose(inertia)) return std::string("its inertia is not symmetric.");
+    // The second moments of a solid are positive definite; the tolerance allows for flat solids.
+    const Mat3 second = Mat3((0.5 + kProductTolerance) * trace(inertia)) - inertia;
+    const double plane = second[0][0] * second[1][1] - second[0][1] * second[0][1];
+    if (second[0][0] > 0.0 && plane > 0.0 && glm::determinant(second) > 0.0) return std::nullopt;
+    return std::string("its inertia is impossible for a solid.");
+}
+
+ErrorText verifyMass(const PackBody& body, const PackScale& scale) {
+    std::vector<MassProperties> parts;
+    for (const PackHull& hull : body.hulls) parts.push_back(massOf(hull.polytope));
+    const MassProperties hulls = combined(parts);
+    const double slack = scale.slackVolume + kHullTolerance * body.volume;
+    if (!(std::abs(hulls.volume - body.volume) <= slack)) {
+        return "its hulls have a volume of " + messageText(hulls.volume) + " m³ instead of " +
+               messageText(body.volume) + " m³.";
+    }
+    const double fraction = slack / body.volume;
+    if (!(glm::length(hulls.centre - body.centreOfMass) <= fraction * scale.size)) {
+        return std::string("its hulls have a different centre of mass.");
+    }
+    const double maxDifference = kHullTolerance * trace(body.inertia) + scale.density * slack * scale.size * scale.size;
+    if (!(maxElement(scale.density * hulls.inertia - body.inertia) <= maxDifference)) {
+        return std::string("its hulls have a different inertia.");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+PackScale scaleOf(const Pack& pack) {
+    Vec3 low{0.0, 0.0, 0.0};  // the origin is the centre of mass, which lies within the hulls' bounds
+    Vec3 high = low;
+    for (const PackHull& hull : pack.whole.hulls) {
+        for (const Vec3& vertex : hull.polytope.vertices) {
+            low = glm::min(low, vertex);
+            high = glm::max(high, vertex);
+        }
+    }
+    const Vec3 size = high - low;
+    return {.density = pack.material.density,
+            .size = glm::length(size),
+            .slackVolume = kMinThickness * (size.x * size.x + size.y * size.y) * size.z};
+}
+
+std::optional<std::string> verifyPackBody(const PackBody& body, const PackScale& scale) {
+    if (!isFinite(body.offset) || !isFinite(body.centreOfMass))
+        return std::string("its offset or centre of mass is not finite.");
+    if (!(body.volume > 0.0 && std::abs(body.mass - scale.density * body.volume) <= kProductTolerance * body.mass)) {
+        return "its mass is " + messageText(body.mass) + " kg instead of " + messageText(scale.density * body.volume) +
+               " kg.";
+    }
+    if (ErrorText error = verifyInertia(body.inertia)) return error;
+    if (body.hulls.empty()) return std::string("it has no hull.");
+    for (std::size_t k = 0; k < body.hulls.size(); ++k) {
+        if (ErrorText error = verifyHull(body.hulls[k])) return "hull " + std::to_string(k) + ": " + *error;
+    }
+    return verifyMass(body, scale);
+}
+
+}  // namespace rubble

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/io/pack/PackFile.h"
+
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+/// The size of a pack's whole, which the tolerances of its bodies are relative to.
+struct PackScale {
+    double density = 0.0;      // kg/m^3
+    double size = 0.0;         // m, the diagonal of the whole
+    double slackVolume = 0.0;  // m^3 that a body may have received from pieces too thin for a hull
+};
+PackScale scaleOf(const Pack& pack);
+
+/// Returns the first error in a body's mass, inertia and hulls, if there is one, to follow the body's name: "hull 0:
+/// Face 2 is not planar ...".
+std::optional<std::string> verifyPackBody(const PackBody& body, const PackScale& scale);
+
+}  // namespace rubble

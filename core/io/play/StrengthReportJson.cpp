@@ -1,0 +1,57 @@
+#include "core/io/play/StrengthReportJson.h"
+
+#include "core/io/json/JsonWriter.h"
+#include "core/io/project/StrengthRequirementJson.h"
+
+namespace rubble {
+namespace {
+
+void writeBound(JsonWriter& json, std::string_view key, double impulse, std::uint32_t requirement) {
+    json.number(key, requirement != kNone ? std::optional<double>(impulse) : std::nullopt);
+}
+
+void writeRequirements(JsonWriter& json, const StrengthReport& report) {
+    json.openArray("intents");
+    for (std::size_t k = 0; k < report.asset.requirements.size(); ++k) {
+        const StrengthRequirement& requirement = report.asset.requirements[k];
+        json.openObject({}, JsonLayout::Inline);
+        writeRequirementMembers(json, requirement);
+        json.text("sentence", requirementText(requirement));
+        json.number("impulse", report.interval.impulses[k]);
+        json.close();
+    }
+    json.close();
+}
+
+void writeReport(JsonWriter& json, const StrengthReport& report) {
+    const ThresholdInterval& interval = report.interval;
+    json.openObject();
+    json.text("name", report.asset.name);
+    json.number("threshold", report.threshold);
+    writeRequirements(json, report);
+    writeBound(json, "above", interval.low, interval.lowRequirement);
+    writeBound(json, "atMost", interval.high, interval.highRequirement);
+    json.number("suggested", interval.suggested());
+    json.boolean("isSatisfied", interval.contains(report.threshold));
+    const std::optional<std::string> conflict = conflictText(report.asset, interval);
+    if (conflict) {
+        json.text("conflict", *conflict);
+    } else {
+        json.null("conflict");
+    }
+    json.close();
+}
+
+}  // namespace
+
+std::string strengthReportJson(std::span<const StrengthReport> reports) {
+    JsonWriter json;
+    json.openObject();
+    json.openArray("assets");
+    for (const StrengthReport& report : reports) writeReport(json, report);
+    json.close();
+    json.close();
+    return std::move(json).finished();
+}
+
+}  // namespace rubble

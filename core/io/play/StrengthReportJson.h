@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/play/analysis/StrengthRequirement.h"
+
+#include <span>
+#include <string>
+
+namespace rubble {
+
+/// The strength requirements of an asset and the thresholds that satisfy them.
+struct StrengthReport {
+    Asset asset;
+    double threshold = 0.0;  // N·s, of the asset
+    ThresholdInterval interval;
+};
+
+/// Returns reports as JSON, a requirement a line:
+///
+///     {"assets":[{"name":s,"threshold":J,
+///       "intents":[{"outcome":s,"kind":s,...,"sentence":s,"impulse":J},...],
+///       "above":J,"atMost":J,"suggested":J,"isSatisfied":true,"conflict":s},...]}
+///
+/// Bounds, suggestion and conflict are null if there is none.
+std::string strengthReportJson(std::span<const StrengthReport> reports);
+
+}  // namespace rubble

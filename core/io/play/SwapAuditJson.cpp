@@ -1,0 +1,51 @@
+#include "core/io/play/SwapAuditJson.h"
+
+#include "core/io/json/JsonWriter.h"
+
+namespace rubble {
+namespace {
+
+void writeSpeed(JsonWriter& json, std::string_view key, const PieceSpeed& fastest) {
+    json.openObject(key, JsonLayout::Inline);
+    json.text("piece", fastest.piece);
+    json.number("speed", fastest.speed);
+    json.close();
+}
+
+void writeSentence(JsonWriter& json, const std::string& sentence) { json.text({}, sentence); }
+
+void writeMeasurements(JsonWriter& json, const SwapAudit& audit) {
+    json.wholeNumber("contacts", static_cast<std::uint64_t>(audit.contacts));
+    json.wholeNumber("contactPoints", static_cast<std::uint64_t>(audit.contactPoints));
+    json.number("deepestOverlap", audit.deepestOverlap);
+    writeSpeed(json, "resting", audit.resting);
+    json.number("restingEnergy", audit.restingEnergy);
+    writeSpeed(json, "lying", audit.lying);
+    json.number("massDrift", audit.massDrift);
+    json.number("momentumDrift", audit.momentumDrift);
+    json.number("angularDrift", audit.angularDrift);
+    json.number("energyGain", audit.energyGain);
+    json.list("notices", audit.notices, writeSentence);
+    json.list("faults", audit.faults, writeSentence);
+    json.boolean("isClean", audit.isClean());
+}
+
+}  // namespace
+
+std::string swapAuditJson(std::span<const NamedAudit> audits) {
+    JsonWriter json;
+    json.openObject();
+    json.openArray("assets");
+    for (const NamedAudit& named : audits) {
+        json.openObject();
+        json.text("name", named.name);
+        json.wholeNumber("pieces", std::uint64_t{named.audit ? named.audit->pieces : 0});
+        if (named.audit) writeMeasurements(json, *named.audit);
+        json.close();
+    }
+    json.close();
+    json.close();
+    return std::move(json).finished();
+}
+
+}  // namespace rubble

@@ -1,0 +1,75 @@
+#include "core/io/project/AssetDifferenceJson.h"
+
+#include "core/io/json/JsonWriter.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+namespace {
+
+constexpr std::array<const char*, kPieceChanges> kChanges{"gone", "added", "moved", "reshaped"};
+
+const char* stateOf(const AssetDifference& difference) {
+    if (!difference.pair.before) return "added";
+    if (!difference.pair.after) return "gone";
+    return difference.isEmpty() ? "same" : "changed";
+}
+
+void writeState(JsonWriter& json, std::string_view key, const std::string& text) {
+    if (text.empty()) return json.null(key);
+    json.text(key, text);
+}
+
+void writeChange(JsonWriter& json, const RecipeChange& change) {
+    json.openObject({}, JsonLayout::Inline);
+    json.text("what", change.what);
+    writeState(json, "before", change.before);
+    writeState(json, "after", change.after);
+    json.close();
+}
+
+void writeLevel(JsonWriter& json, std::size_t number, const LevelDifference& level) {
+    json.openObject({}, JsonLayout::Inline);
+    json.wholeNumber("level", std::uint64_t{number});
+    json.wholeNumber("before", std::uint64_t{level.before});
+    json.wholeNumber("after", std::uint64_t{level.after});
+    for (std::size_t k = 0; k < kChanges.size(); ++k) json.wholeNumber(kChanges[k], std::uint64_t{level.changed[k]});
+    json.close();
+}
+
+void writePiece(JsonWriter& json, const PieceDifference& piece) {
+    json.openObject({}, JsonLayout::Inline);
+    json.text("path", piece.path);
+    json.text("change", kChanges[static_cast<std::size_t>(piece.change)]);
+    if (piece.change == PieceChange::Moved) json.number("shift", piece.shift);
+    if (piece.before != kNone) json.number("volumeBefore", piece.volumeBefore);
+    if (piece.after != kNone) json.number("volumeAfter", piece.volumeAfter);
+    json.close();
+}
+
+}  // namespace
+
+std::string assetDifferenceJson(std::span<const AssetDifference> differences) {
+    JsonWriter json;
+    json.openObject();
+    json.boolean("isSame", std::ranges::all_of(differences, &AssetDifference::isEmpty));
+    json.openArray("assets");
+    for (const AssetDifference& difference : differences) {
+        json.openObject();
+        json.text("name", difference.pair.name());
+        json.text("state", stateOf(difference));
+        json.list("recipe", difference.recipe, writeChange);
+        json.openArray("levels");
+        const std::vector<LevelDifference>& levels = difference.pieces.levels;
+        for (std::size_t k = 0; k < levels.size(); ++k) writeLevel(json, k, levels[k]);
+        json.close();
+        json.list("pieces", difference.pieces.pieces, writePiece);
+        json.close();
+    }
+    json.close();
+    json.close();
+    return std::move(json).finished();
+}
+
+}  // namespace rubble

@@ -1,0 +1,272 @@
+#include "core/io/project/AssetJson.h"
+
+#include "core/io/project/PatternJson.h"
+#include "core/io/project/ShapingJson.h"
+#include "core/io/project/StrengthRequirementJson.h"
+
+namespace rubble {
+namespace {
+
+void writePrism(JsonWriter& json, const Prism& prism) {
+    json.openObject("prism");
+    json.number("depth", prism.depth);
+    json.points("outline", prism.outline.outer);
+    json.openArray("holes");
+    for (const Ring& hole : prism.outline.holes) json.points({}, hole);
+    json.close();
+    json.close();
+}
+
+Prism readPrism(const JsonValue& value) {
+    value.requireObject({"depth", "outline", "holes"});
+    return {.outline = {value["outline"].points(), value["holes"].list(&JsonValue::points)},
+            .depth = value["depth"].number()};
+}
+
+void writeMembers(JsonWriter& json, const Level& level) {
+    json.number("minimumVolume", level.minimumVolume);
+    writePattern(json, level.pattern);
+}
+
+void writeLevel(JsonWriter& json, const Level& level) {
+    json.openObject();
+    writeMembers(json, level);
+    json.close();
+}
+
+Level readLevel(const JsonValue& value) {
+    value.requireObject({"minimumVolume", "pattern"});
+    return {.pattern = readPattern(value["pattern"]), .minimumVolume = value["minimumVolume"].number()};
+}
+
+void writeLeaf(JsonWriter& json, const FragmentLevel& leaf) {
+    json.openObject();
+    json.text("fragment", leaf.fragment);
+    if (leaf.level) {
+        json.openObject("level");
+        writeMembers(json, *leaf.level);
+        json.close();
+    } else {
+        json.null("level");
+    }
+    json.close();
+}
+
+FragmentLevel readLeaf(const JsonValue& value) {
+    value.requireObject({"fragment", "level"});
+    return {.fragment = value["fragment"].text(), .level = value["level"].optional(readLevel)};
+}
+
+void writeCap(JsonWriter& json, std::string_view key, const CapUv& cap) {
+    json.openObject(key, JsonLayout::Inline);
+    json.wholeNumber("material", cap.material);
+    json.boolean("affine", cap.isAffine);
+    json.numbers("map", cap.map.coefficients);
+    json.close();
+}
+
+CapUv readCap(const JsonValue& value) {
+    value.requireObject({"material", "affine", "map"});
+    return {.isAffine = value["affine"].boolean(),
+            .map = {value["map"].numbers<6>()},
+            .material = value["material"].index()};
+}
+
+void writeTriangle(JsonWriter& json, const SurfaceTriangle& triangle) {
+    json.openObject({}, JsonLayout::Inline);
+    json.wholeNumber("material", triangle.material);
+    json.openArray("corners", JsonLayout::Inline);
+    for (const Vec3& corner : triangle.corners) json.numbers({}, {corner.x, corner.y, corner.z});
+    json.close();
+    json.openArray("uvs", JsonLayout::Inline);
+    for (const Vec2& uv : triangle.uvs) json.numbers({}, {uv.x, uv.y});
+    json.close();
+    json.close();
+}
+
+/// Reads an array of three arrays of numbers.
+template <std::size_t Count, class Vector>
+void readThree(const JsonValue& value, std::array<Vector, 3>& vectors) {
+    if (value.elements().size() != 3) return value.fail("expected an array of 3 points");
+    std::size_t k = 0;
+    for (const JsonValue element : value.elements()) {
+        const std::array<double, Count> numbers = element.numbers<Count>();
+        for (std::size_t i = 0; i < Count; ++i) vectors[k][static_cast<int>(i)] = numbers[i];
+        ++k;
+    }
+}
+
+SurfaceTriangle readTriangle(const JsonValue& value) {
+    value.requireObject({"material", "corners", "uvs"});
+    SurfaceTriangle triangle{.corners = {}, .uvs = {}, .material = value["material"].index()};
+    readThree<3>(value["corners"], triangle.corners);
+    readThree<2>(value["uvs"], triangle.uvs);
+    return triangle;
+}
+
+void writeSurface(JsonWriter& json, const Surface& surface) {
+    json.openObject("surface");
+    json.openArray("materials");
+    for (const std::string& material : surface.materials) json.text({}, material);
+    json.close();
+    writeCap(json, "front", surface.front);
+    writeCap(json, "back", surface.back);
+    json.list("triangles", surface.triangles, writeTriangle);
+    json.close();
+}
+
+std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
+    if (value.isNull()) return nullptr;
+    value.requireObject({"materials", "front", "back", "triangles"});
+    return std::make_shared<Surface>(Surface{.materials = value["materials"].list(&JsonValue::text),
+                                             .front = readCap(value["front"]),
+                                             .back = readCap(value["back"]),
+                                             .triangles = value["triangles"].list(readTriangle)});
+}
+
+void writeProperties(JsonWriter& json, const Material& material) {
+    json.wholeNumber("id", material.id);
+    json.text("name", material.name);
+    json.number("density", material.density);
+    json.number("friction", material.friction);
+    json.number("restitution", material.restitution);
+}
+
+void writeColours(JsonWriter& json, const Material& material) {
+    writeColour(json, "outside", material.outside);
+    writeColour(json, "inside", material.inside);
+}
+
+Material readMaterialMembers1(const JsonValue& value) {
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .density = value["density"].number(),
+            .friction = value["friction"].number(),
+            .restitution = value["restitution"].number(),
+            .outside = readColour(value["outside"]),
+            .inside = readColour(value["inside"])};
+}
+
+Asset readMembers1(const JsonValue& value) {
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .material = value["material"].index(),
+            .prism = readPrism(value["prism"]),
+            .pattern = readPattern(value["pattern"]),
+            .levels = value["levels"].list(readLevel),
+            .threshold = value["threshold"].number(),
+            .insideUvScale = value["insideUvScale"].number(),
+            .surface = readSurface(value["surface"])};
+}
+
+Asset readMembers2(const JsonValue& value) {
+    Asset asset = readMembers1(value);
+    asset.cutAtImpact = value["cutAtImpact"].optional(readCutAtImpact);
+    asset.requirements = value["intents"].list(readRequirement);
+    return asset;
+}
+
+Asset readMembers4(const JsonValue& value) {
+    Asset asset = readMembers2(value);
+    const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
+    asset.insideMaterial = value["insideMaterial"].optional(readId).value_or(0);
+    asset.shaping = readShaping(value["shaping"]);
+    asset.leaves = value["leaves"].list(readLeaf);
+    asset.edits = value["edits"].list(readEdit);
+    return asset;
+}
+
+}  // namespace
+
+void writeColour(JsonWriter& json, std::string_view key, const Colour& colour) {
+    json.numbers(key, {colour.red, colour.green, colour.blue});
+}
+
+Colour readColour(const JsonValue& value) {
+    const auto [red, green, blue] = value.numbers<3>();
+    return {red, green, blue};
+}
+
+void writeMaterial(JsonWriter& json, const Material& material) {
+    json.openObject();
+    writeProperties(json, material);
+    json.number("tensileStrength", material.tensileStrength);
+    json.number("fractureToughness", material.fractureToughness);
+    writeColours(json, material);
+    json.close();
+}
+
+void writeMaterialVersion1(JsonWriter& json, const Material& material) {
+    json.openObject();
+    writeProperties(json, material);
+    writeColours(json, material);
+    json.close();
+}
+
+Material readMaterialVersion1(const JsonValue& value) {
+    value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"});
+    return readMaterialMembers1(value);
+}
+
+Material readMaterial(const JsonValue& value) {
+    value.requireObject({"id", "name", "density", "friction", "restitution", "tensileStrength", "fractureToughness",
+                         "outside", "inside"});
+    Material material = readMaterialMembers1(value);
+    material.tensileStrength = value["tensileStrength"].optionalNumber();
+    material.fractureToughness = value["fractureToughness"].optionalNumber();
+    return material;
+}
+
+void writeAsset(JsonWriter& json, const Asset& asset) {
+    json.openObject();
+    json.wholeNumber("id", asset.id);
+    json.text("name", asset.name);
+    json.wholeNumber("material", asset.material);
+    json.number("threshold", asset.threshold);
+    json.number("contactTime", asset.contactTime);
+    json.number("insideUvScale", asset.insideUvScale);
+    json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
+    writePrism(json, asset.prism);
+    writePattern(json, asset.pattern);
+    writeShaping(json, asset.shaping);
+    json.list("levels", asset.levels, writeLevel);
+    json.list("leaves", asset.leaves, writeLeaf);
+    json.list("edits", asset.edits, writeEdit);
+    writeCutAtImpact(json, asset.cutAtImpact);
+    json.list("intents", asset.requirements, writeRequirement);
+    if (asset.surface) {
+        writeSurface(json, *asset.surface);
+    } else {
+        json.null("surface");
+    }
+    json.close();
+}
+
+Asset readAssetVersion1(const JsonValue& value) {
+    value.requireObject(
+        {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
+    return readMembers1(value);
+}
+
+Asset readAssetVersion2(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels",
+                         "cutAtImpact", "intents", "surface"});
+    return readMembers2(value);
+}
+
+Asset readAssetVersion4(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "insideMaterial", "prism", "pattern",
+                         "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"});
+    return readMembers4(value);
+}
+
+Asset readAsset(const JsonValue& value) {
+    value.requireObject({"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial",
+                         "prism", "pattern", "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents",
+                         "surface"});
+    Asset asset = readMembers4(value);
+    asset.contactTime = value["contactTime"].optionalNumber();
+    return asset;
+}
+
+}  // namespace rubble

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/io/json/JsonDocument.h"
+#include "core/io/json/JsonWriter.h"
+
+namespace rubble {
+
+/// Write and read a colour as an array of red, green and blue.
+void writeColour(JsonWriter& json, std::string_view key, const Colour& colour);
+Colour readColour(const JsonValue& value);
+
+/// Write a material and an asset as elements of an array.
+void writeMaterial(JsonWriter& json, const Material& material);
+void writeAsset(JsonWriter& json, const Asset& asset);
+
+/// Writes a material in version 1, which replay files use.
+void writeMaterialVersion1(JsonWriter& json, const Material& material);
+
+/// Read what the functions above wrote. They check types only; verifyProject() checks the values.
+Material readMaterial(const JsonValue& value);
+Asset readAsset(const JsonValue& value);
+/// Read materials of the versions 1 to 4, and assets of version 1 (no cuts at impact, no strength requirements),
+/// versions 2 and 3 (no shaping of fragments) and version 4 (no material strength).
+Material readMaterialVersion1(const JsonValue& value);
+Asset readAssetVersion1(const JsonValue& value);
+Asset readAssetVersion2(const JsonValue& value);
+Asset readAssetVersion4(const JsonValue& value);
+
+}  // namespace rubble

@@ -1,0 +1,135 @@
+#include "core/io/project/ProjectFile.h"
+
+#include "core/asset/checks/VerifyProject.h"
+#include "core/io/json/FormatVersion.h"
+#include "core/io/project/AssetJson.h"
+#include "core/io/project/SceneJson.h"
+#include "core/io/project/ShotJson.h"
+#include "core/io/system/AtomicFile.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
+
+/// The readers of the elements whose format differs between versions.
+struct ElementReaders {
+    Material (*material)(const JsonValue&);
+    Asset (*asset)(const JsonValue&);
+    Instance (*instance)(const JsonValue&);
+};
+
+/// Reads the members that all versions have.
+Project readCommon(const JsonValue& root, const ElementReaders& read) {
+    return {.nextId = root["nextId"].index(),
+            .materials = root["materials"].list(read.material),
+            .assets = root["assets"].list(read.asset),
+            .instances = root["instances"].list(read.instance),
+            .ground = readGround(root["ground"]),
+            .gravity = readVector(root["gravity"]),
+            .damage = readDamage(root["damage"]),
+            .shots = root["shots"].list(readShot),
+            .playTests = root["playTests"].list(readPlayTest)};
+}
+
+Project readVersion1(const JsonValue& root) {
+    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
+                        "damage", "shots", "playTests"});
+    return readCommon(root, {readMaterialVersion1, readAssetVersion1, readInstanceVersion2});
+}
+
+/// Reads all members since version 2.
+Project readSinceVersion2(const JsonValue& root, const ElementReaders& read) {
+    root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
+                        "damage", "debris", "shots", "playTests"});
+    Project project = readCommon(root, read);
+    project.debris = readDebris(root["debris"]);
+    return project;
+}
+
+/// Version 2 added debris, cuts at impact and strength requirements.
+Project readVersion2(const JsonValue& root) {
+    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstanceVersion2});
+}
+
+/// Version 3 added variants, hidden and locked instances.
+Project readVersion3(const JsonValue& root) {
+    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstance});
+}
+
+/// Version 4 added the shaping of fragments: small pieces, gaps, roughness, merges and splits, levels of single
+/// fragments.
+Project readVersion4(const JsonValue& root) {
+    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion4, readInstance});
+}
+
+/// Version 5 added strength and toughness of materials, and thresholds derived from them.
+Project readVersion5(const JsonValue& root) { return readSinceVersion2(root, {readMaterial, readAsset, readInstance}); }
+
+/// The reader of each version, version 1 at index 0. A new version adds a reader; older ones stay and set defaults.
+constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{
+    &readVersion1, &readVersion2, &readVersion3, &readVersion4, &readVersion5};
+
+Result<Project> readAnyVersion(JsonDocument& document) {
+    const Result<std::uint32_t> version = versionOf(document, kFormat);
+    if (!version) return version.error();
+    Project project = kReaders[*version - 1](document.root());
+    if (document.firstError()) return *document.firstError();
+    return project;
+}
+
+Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
+    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
+}
+
+}  // namespace
+
+std::string projectText(const Project& project) {
+    JsonWriter json;
+    json.openObject();
+    json.text("format", kFormat.name);
+    json.wholeNumber("version", kProjectVersion);
+    json.wholeNumber("nextId", project.nextId);
+    json.list("materials", project.materials, writeMaterial);
+    json.list("assets", project.assets, writeAsset);
+    json.list("instances", project.instances, writeInstance);
+    writeGround(json, project.ground);
+    writeVector(json, "gravity", project.gravity);
+    writeDamage(json, project.damage);
+    writeDebris(json, project.debris);
+    json.list("shots", project.shots, writeShot);
+    json.list("playTests", project.playTests, writePlayTest);
+    json.close();
+    return std::move(json).finished();
+}
+
+Result<Project> readProjectText(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    Result<Project> project = readAnyVersion(*document);
+    if (!project) return project;
+    if (const std::optional<std::string> fault = verifyProject(*project)) return Error{ErrorCode::BadInput, *fault};
+    return project;
+}
+
+Result<Project> loadProject(const std::filesystem::path& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    Result<Project> project = readProjectText(*text);
+    if (!project) return withPath("Cannot read", path, project.error());
+    return project;
+}
+
+Status saveProject(const std::filesystem::path& path, const Project& project) {
+    if (const std::optional<std::string> fault = verifyProject(project))
+        return withPath("Cannot write", path, {ErrorCode::BadInput, *fault});
+    const std::string text = projectText(project);
+    if (text.size() > kMaxJsonSize) {
+        return withPath("Cannot write", path, {ErrorCode::Limit, "The project is larger than 256 MiB."});
+    }
+    return writeFileAtomically(path, text);
+}
+
+}  // namespace rubble

@@ -1,0 +1,113 @@
+#include "core/io/project/SceneJson.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+// In the order of their enumerators.
+constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
+
+std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
+
+/// Reads the members of an instance that all versions have.
+Instance readMembers1(const JsonValue& value) {
+    const auto [w, x, y, z] = value["orientation"].numbers<4>();
+    return {.id = value["id"].index(),
+            .name = value["name"].text(),
+            .asset = value["asset"].index(),
+            .pose = {readVector(value["position"]), Quat{w, x, y, z}},
+            .threshold = value["threshold"].optionalNumber(),
+            .isFixed = value["fixed"].boolean()};
+}
+
+}  // namespace
+
+void writeVector(JsonWriter& json, std::string_view key, Vec3 vector) {
+    json.numbers(key, {vector.x, vector.y, vector.z});
+}
+
+Vec3 readVector(const JsonValue& value) {
+    const auto [x, y, z] = value.numbers<3>();
+    return {x, y, z};
+}
+
+void writeInstance(JsonWriter& json, const Instance& instance) {
+    const Quat& orientation = instance.pose.orientation;
+    json.openObject();
+    json.wholeNumber("id", instance.id);
+    json.text("name", instance.name);
+    json.wholeNumber("asset", instance.asset);
+    writeVector(json, "position", instance.pose.position);
+    json.numbers("orientation", {orientation.w, orientation.x, orientation.y, orientation.z});
+    json.number("threshold", instance.threshold);
+    json.boolean("fixed", instance.isFixed);
+    json.wholeNumber("variant", instance.variant);
+    json.boolean("hidden", instance.isHidden);
+    json.boolean("locked", instance.isLocked);
+    json.close();
+}
+
+Instance readInstanceVersion2(const JsonValue& value) {
+    value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
+    return readMembers1(value);
+}
+
+Instance readInstance(const JsonValue& value) {
+    value.requireObject(
+        {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"});
+    Instance instance = readMembers1(value);
+    instance.variant = value["variant"].index();
+    instance.isHidden = value["hidden"].boolean();
+    instance.isLocked = value["locked"].boolean();
+    return instance;
+}
+
+void writeGround(JsonWriter& json, const Ground& ground) {
+    json.openObject("ground");
+    json.boolean("on", ground.isOn);
+    json.number("height", ground.height);
+    json.number("friction", ground.friction);
+    json.number("restitution", ground.restitution);
+    json.close();
+}
+
+Ground readGround(const JsonValue& value) {
+    value.requireObject({"on", "height", "friction", "restitution"});
+    return {.isOn = value["on"].boolean(),
+            .height = value["height"].number(),
+            .friction = value["friction"].number(),
+            .restitution = value["restitution"].number()};
+}
+
+void writeDamage(JsonWriter& json, const Damage& damage) {
+    json.openObject("damage");
+    json.text("rule", kRules[static_cast<std::size_t>(damage.rule)]);
+    json.boolean("thesis", damage.isThesis);
+    json.number("thesisThreshold", damage.thesisThreshold);
+    json.close();
+}
+
+Damage readDamage(const JsonValue& value) {
+    value.requireObject({"rule", "thesis", "thesisThreshold"});
+    return {.rule = static_cast<DamageRule>(value["rule"].oneOf(kRules)),
+            .isThesis = value["thesis"].boolean(),
+            .thesisThreshold = value["thesisThreshold"].number()};
+}
+
+void writeDebris(JsonWriter& json, const Debris& debris) {
+    json.openObject("debris");
+    json.number("lifetime", debris.lifetime);
+    json.number("fade", debris.fade);
+    json.wholeNumber("mostPieces", debris.maxPieces);
+    json.close();
+}
+
+Debris readDebris(const JsonValue& value) {
+    value.requireObject({"lifetime", "fade", "mostPieces"});
+    return {.lifetime = value["lifetime"].optionalNumber(),
+            .fade = value["fade"].number(),
+            .maxPieces = value["mostPieces"].optional(readIndex)};
+}
+
+}  // namespace rubble

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/io/json/JsonDocument.h"
+#include "core/io/json/JsonWriter.h"
+
+namespace rubble {
+
+/// Write an instance as an element of an array; ground, damage and debris as members of an object.
+void writeInstance(JsonWriter& json, const Instance& instance);
+void writeGround(JsonWriter& json, const Ground& ground);
+void writeDamage(JsonWriter& json, const Damage& damage);
+void writeDebris(JsonWriter& json, const Debris& debris);
+
+/// Read what the functions above wrote. They check types only; verifyProject() checks the values.
+Instance readInstance(const JsonValue& value);
+/// Reads an instance of versions 1 and 2, which has no variant and is neither hidden nor locked.
+Instance readInstanceVersion2(const JsonValue& value);
+Ground readGround(const JsonValue& value);
+Damage readDamage(const JsonValue& value);
+Debris readDebris(const JsonValue& value);
+
+/// Write and read a vector as an array of three numbers.
+void writeVector(JsonWriter& json, std::string_view key, Vec3 vector);
+Vec3 readVector(const JsonValue& value);
+
+}  // namespace rubble

@@ -1,0 +1,70 @@
+#include "core/io/project/StrengthRequirementJson.h"
+
+#include <array>
+
+namespace rubble {
+namespace {
+
+using RequirementEvent = decltype(StrengthRequirement::event);
+
+// In the order of their enumerators and of the alternatives of RequirementEvent.
+constexpr std::array<std::string_view, 2> kOutcomes{"survives", "breaks"};
+constexpr std::array<std::string_view, 2> kEvents{"drop", "hit"};
+static_assert(kEvents.size() == std::variant_size_v<RequirementEvent>);
+
+void writeEvent(JsonWriter& json, const DropRequirement& drop) { json.number("height", drop.height); }
+
+DropRequirement readDrop(const JsonValue& requirement) {
+    requirement.requireObject({"outcome", "kind", "height"});
+    return {.height = requirement["height"].number()};
+}
+
+void writeEvent(JsonWriter& json, const HitRequirement& hit) {
+    json.number("mass", hit.mass);
+    json.number("speed", hit.speed);
+}
+
+HitRequirement readHit(const JsonValue& requirement) {
+    requirement.requireObject({"outcome", "kind", "mass", "speed"});
+    return {.mass = requirement["mass"].number(), .speed = requirement["speed"].number()};
+}
+
+RequirementEvent readEvent(std::size_t kind, const JsonValue& requirement) {
+    if (kind == 0) return readDrop(requirement);
+    return readHit(requirement);
+}
+
+}  // namespace
+
+void writeCutAtImpact(JsonWriter& json, const std::optional<CutAtImpact>& cut) {
+    if (!cut) return json.null("cutAtImpact");
+    json.openObject("cutAtImpact", JsonLayout::Inline);
+    json.wholeNumber("pieces", cut->pieces);
+    json.number("reach", cut->falloffRadius);
+    json.close();
+}
+
+CutAtImpact readCutAtImpact(const JsonValue& value) {
+    value.requireObject({"pieces", "reach"});
+    return {.pieces = value["pieces"].index(), .falloffRadius = value["reach"].number()};
+}
+
+void writeRequirementMembers(JsonWriter& json, const StrengthRequirement& requirement) {
+    json.text("outcome", kOutcomes[static_cast<std::size_t>(requirement.outcome)]);
+    json.text("kind", kEvents[requirement.event.index()]);
+    std::visit([&](const auto& event) { writeEvent(json, event); }, requirement.event);
+}
+
+void writeRequirement(JsonWriter& json, const StrengthRequirement& requirement) {
+    json.openObject({}, JsonLayout::Inline);
+    writeRequirementMembers(json, requirement);
+    json.close();
+}
+
+StrengthRequirement readRequirement(const JsonValue& value) {
+    value.requireObject({"outcome", "kind"}, {"height", "mass", "speed"});
+    return {.outcome = static_cast<RequirementOutcome>(value["outcome"].oneOf(kOutcomes)),
+            .event = readEvent(value["kind"].oneOf(kEvents), value)};
+}
+
+}  // namespace rubble

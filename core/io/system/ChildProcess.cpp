@@ -1,0 +1,183 @@
+#include "core/io/system/ChildProcess.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+namespace rubble {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMaxError = 4096;  // bytes of standard error that are kept
+constexpr int kPollMilliseconds = 50;    // latency of a cancellation
+
+/// Owns one end of a pipe.
+class PipeEnd {
+public:
+    PipeEnd() = default;
+    ~PipeEnd() { close(); }
+    PipeEnd(const PipeEnd&) = delete;
+    PipeEnd& operator=(const PipeEnd&) = delete;
+
+    void open(int descriptor) { m_descriptor = descriptor; }
+    void close() {
+        if (m_descriptor >= 0) ::close(m_descriptor);
+        m_descriptor = -1;
+    }
+    int descriptor() const { return m_descriptor; }
+    bool isOpen() const { return m_descriptor >= 0; }
+
+private:
+    int m_descriptor = -1;
+};
+
+struct Pipe {
+    PipeEnd read;
+    PipeEnd write;
+    /// Returns false if the system has no file descriptors left.
+    bool open() {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+        read.open(ends[0]);
+        write.open(ends[1]);
+        return true;
+    }
+};
+
+void setLimit(decltype(RLIMIT_AS) resource, std::size_t max) {
+    const rlimit value{max, max};
+    ::setrlimit(resource, &value);
+}
+
+/// Runs in the child: redirects its streams, sets its limits and executes the program. Makes only calls that are safe
+/// between fork and exec. If exec fails, writes errno to `failure`.
+[[noreturn]] void executeProgram(const char* program, char* const* arguments, const ChildLimits& limits, int output,
+                                 int error, int failure) {
+    const int null = ::open("/dev/null", O_RDONLY);
+    ::dup2(null, STDIN_FILENO);
+    ::dup2(output, STDOUT_FILENO);
+    ::dup2(error, STDERR_FILENO);
+    setLimit(RLIMIT_AS, limits.memory);
+    setLimit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)));
+    setLimit(RLIMIT_CORE, 0);
+    ::signal(SIGPIPE, SIG_DFL);
+    ::execv(program, arguments);
+    const int code = errno;
+    static_cast<void>(!::write(failure, &code, sizeof code));
+    ::_exit(127);
+}
+
+/// Appends the bytes available in a pipe to `to`, up to `max` in total; closes the pipe at its end.
+void readAvailable(PipeEnd& from, std::string& to, std::size_t max) {
+    std::array<char, 65536> buffer;
+    const ssize_t count = ::read(from.descriptor(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) return;
+    if (count <= 0) return from.close();
+    to.append(buffer.data(), std::min(static_cast<std::size_t>(count), max - std::min(max, to.size())));
+}
+
+enum class ReadEnd { Closed, TimedOut, TooMuchOutput, Cancelled };
+
+/// Reads both pipes until they are closed or the child has to be killed.
+ReadEnd readPipes(PipeEnd& output, PipeEnd& error, ChildResult& result, const ChildLimits& limits,
+                  const TaskContext& context) {
+    const auto end = Clock::now() + std::chrono::duration<double>(limits.seconds);
+    while (output.isOpen() || error.isOpen()) {
+        if (context.isCancelled()) return ReadEnd::Cancelled;
+        if (Clock::now() >= end) return ReadEnd::TimedOut;
+        std::array<pollfd, 2> polled{pollfd{output.descriptor(), POLLIN, 0}, pollfd{error.descriptor(), POLLIN, 0}};
+        if (::poll(polled.data(), polled.size(), kPollMilliseconds) <= 0) continue;
+        if (polled[0].revents != 0) readAvailable(output, result.output, limits.output + 1);
+        if (polled[1].revents != 0) readAvailable(error, result.error, kMaxError);
+        if (result.output.size() > limits.output) return ReadEnd::TooMuchOutput;
+    }
+    return ReadEnd::Closed;
+}
+
+/// Waits for the child to end and returns its wait status. A child that closed its pipes and runs on is killed at its
+/// time limit.
+int waitFor(pid_t child, const ChildLimits& limits) {
+    const auto end = Clock::now() + std::chrono::duration<double>(limits.seconds);
+    int status = 0;
+    for (;;) {
+        const pid_t ended = ::waitpid(child, &status, WNOHANG);
+        if (ended == child || (ended < 0 && errno != EINTR)) return status;
+        if (Clock::now() >= end) ::kill(child, SIGKILL);
+        ::poll(nullptr, 0, 1);
+    }
+}
+
+void setExit(ChildResult& result, ReadEnd readEnd, int status) {
+    if (readEnd == ReadEnd::TimedOut || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) {
+        result.exit = ChildExit::TimedOut;
+    } else if (readEnd == ReadEnd::TooMuchOutput) {
+        result.exit = ChildExit::TooMuchOutput;
+    } else if (WIFEXITED(status)) {
+        result.exitCode = WEXITSTATUS(status);
+    } else {
+        result.exit = ChildExit::Crashed;
+    }
+}
+
+Error cannotStart(const std::filesystem::path& program, int code) {
+    return {ErrorCode::Io, "Cannot start \"" + program.string() + "\": " + std::generic_category().message(code) + "."};
+}
+
+}  // namespace
+
+Result<ChildResult> runChild(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                             const ChildLimits& limits, const TaskContext& context) {
+    Pipe output, error, failure;
+    if (!output.open() || !error.open() || !failure.open()) return cannotStart(program, errno);
+    std::vector<std::string> words{program.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child < 0) return cannotStart(program, errno);
+    if (child == 0)
+        executeProgram(words[0].c_str(), pointers.data(), limits, output.write.descriptor(), error.write.descriptor(),
+                       failure.write.descriptor());
+    output.write.close();
+    error.write.close();
+    failure.write.close();
+
+    int code = 0;  // errno of a failed exec; a successful one closes the pipe
+    const bool hasFailed = ::read(failure.read.descriptor(), &code, sizeof code) == sizeof code;
+    ChildResult result;
+    const ReadEnd readEnd = readPipes(output.read, error.read, result, limits, context);
+    if (readEnd != ReadEnd::Closed) ::kill(child, SIGKILL);
+    const int status = waitFor(child, limits);
+    if (hasFailed) return cannotStart(program, code);
+    if (readEnd == ReadEnd::Cancelled) return TaskContext::cancelled();
+    setExit(result, readEnd, status);
+    return result;
+}
+
+std::optional<std::filesystem::path> findExecutable(const std::string& name) {
+    const char* folders = std::getenv("PATH");
+    std::istringstream list(folders != nullptr ? folders : "");
+    for (std::string folder; std::getline(list, folder, ':');) {
+        std::error_code ignored;
+        const std::filesystem::path path = std::filesystem::path(folder) / name;
+        if (std::filesystem::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0) return path;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

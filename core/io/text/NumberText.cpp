@@ -1,0 +1,27 @@
+#include "core/io/text/NumberText.h"
+
+#include "core/base/Assert.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace rubble {
+
+char* writeNumber(char* at, double value) {
+    RUBBLE_ASSERT(std::isfinite(value));
+    return std::to_chars(at, at + kMaxNumberLength, value + 0.0).ptr;  // -0 + 0 is 0
+}
+
+char* writeLargeInteger(char* at, std::uint64_t value) { return std::to_chars(at, at + kMaxNumberLength, value).ptr; }
+
+void appendNumber(std::string& text, double value) {
+    char number[kMaxNumberLength];
+    text.append(number, writeNumber(number, value));
+}
+
+void appendNumber(std::string& text, std::uint32_t value) {
+    char number[kMaxNumberLength];
+    text.append(number, writeInteger(number, value));
+}
+
+}  // namespace rubble

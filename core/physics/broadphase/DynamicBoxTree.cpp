@@ -1,0 +1,206 @@
+#include "core/physics/broadphase/DynamicBoxTree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+namespace {
+
+int longestSide(const Box& box) {
+    const Vec3f side = box.high - box.low;
+    if (side.x >= side.y && side.x >= side.z) return 0;
+    return side.y >= side.z ? 1 : 2;
+}
+
+}  // namespace
+
+std::uint32_t DynamicBoxTree::newNode() {
+    if (m_free.empty()) {
+        m_nodes.emplace_back();
+        return static_cast<std::uint32_t>(m_nodes.size() - 1);
+    }
+    const std::uint32_t node = m_free.back();
+    m_free.pop_back();
+    m_nodes[node] = Node{};
+    return node;
+}
+
+/// Descends to the child whose surface area grows least, and stops where a new parent node grows less.
+std::uint32_t DynamicBoxTree::bestSibling(const Box& box) const {
+    std::uint32_t node = m_root;
+    while (!m_nodes[node].isLeaf()) {
+        const float area = m_nodes[node].box.area();
+        const float whole = joined(m_nodes[node].box, box).area();
+        std::array<float, 2> cost{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Node& child = m_nodes[m_nodes[node].children[side]];
+            const float grown = joined(child.box, box).area();
+            cost[side] = (child.isLeaf() ? grown : grown - child.box.area()) + (whole - area);
+        }
+        if (whole < cost[0] && whole < cost[1]) break;
+        node = m_nodes[node].children[cost[1] < cost[0] ? 1 : 0];
+    }
+    return node;
+}
+
+std::uint32_t DynamicBoxTree::insert(const Box& box, std::uint32_t number) {
+    const std::uint32_t leaf = newNode();
+    m_nodes[leaf].box = box;
+    m_nodes[leaf].number = number;
+    m_nodes[leaf].parent = kPending;
+    m_pending.push_back(leaf);
+    ++m_leafCount;
+    ++m_changes;
+    return leaf;
+}
+
+/// Inserts a pending leaf next to the best sibling.
+void DynamicBoxTree::attach(std::uint32_t leaf) {
+    if (m_root == kNone) {
+        m_root = leaf;
+        m_nodes[leaf].parent = kNone;
+        return;
+    }
+    const std::uint32_t sibling = bestSibling(m_nodes[leaf].box);
+    const std::uint32_t parent = newNode(), above = m_nodes[sibling].parent;
+    m_nodes[parent].parent = above;
+    m_nodes[parent].children = {sibling, leaf};
+    m_nodes[sibling].parent = m_nodes[leaf].parent = parent;
+    if (above == kNone) {
+        m_root = parent;
+    } else {
+        m_nodes[above].children[m_nodes[above].children[1] == sibling ? 1 : 0] = parent;
+    }
+    refitAncestors(leaf);
+}
+
+void DynamicBoxTree::refitAncestors(std::uint32_t node) {
+    for (std::uint32_t above = m_nodes[node].parent; above < kPending; above = m_nodes[above].parent) {
+        Node& parent = m_nodes[above];
+        parent.box = joined(m_nodes[parent.children[0]].box, m_nodes[parent.children[1]].box);
+    }
+}
+
+void DynamicBoxTree::remove(std::uint32_t leaf) {
+    const std::uint32_t parent = m_nodes[leaf].parent;
+    --m_leafCount;
+    m_free.push_back(leaf);
+    if (parent == kPending) {
+        std::erase(m_pending, leaf);
+        return;
+    }
+    if (parent == kNone) {
+        m_root = kNone;
+        return;
+    }
+    const Node& gone = m_nodes[parent];
+    const std::uint32_t sibling = gone.children[gone.children[0] == leaf ? 1 : 0], above = gone.parent;
+    m_nodes[sibling].parent = above;
+    m_free.push_back(parent);
+    if (above == kNone) {
+        m_root = sibling;
+        return;
+    }
+    m_nodes[above].children[m_nodes[above].children[1] == parent ? 1 : 0] = sibling;
+    refitAncestors(sibling);
+}
+
+void DynamicBoxTree::enlarge(std::uint32_t leaf, const Box& box) {
+    ++m_changes;
+    m_nodes[leaf].box = joined(m_nodes[leaf].box, box);
+    for (std::uint32_t above = m_nodes[leaf].parent; above < kPending; above = m_nodes[above].parent) {
+        if (m_nodes[above].box.contains(box)) return;
+        m_nodes[above].box = joined(m_nodes[above].box, box);
+    }
+}
+
+void DynamicBoxTree::move(std::uint32_t leaf, const Box& box) {
+    ++m_changes;
+    m_nodes[leaf].box = box;
+    refitAncestors(leaf);
+}
+
+/// Sorts few leaves by their centres along a side: each counts those before it, without branches.
+void DynamicBoxTree::countingSort(std::span<LeafCentre> leaves, int side) const {
+    const std::size_t count = leaves.size();
+    std::array<LeafCentre, kCountingSortMax> unsorted;
+    std::array<float, kCountingSortMax> coordinates;
+    std::array<std::uint32_t, kCountingSortMax> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        unsorted[i] = leaves[i];
+        coordinates[i] = leaves[i].centre[side];
+        numbers[i] = m_nodes[leaves[i].leaf].number;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const float coordinate = coordinates[i];
+        const std::uint32_t number = numbers[i];
+        std::uint32_t before = 0;
+        for (std::size_t j = 0; j < count; ++j) {
+            const int isBefore =
+                (coordinates[j] < coordinate) | ((coordinates[j] == coordinate) & (numbers[j] < number));
+            before += static_cast<std::uint32_t>(isBefore);
+        }
+        leaves[before] = unsorted[i];
+    }
+}
+
+std::uint32_t DynamicBoxTree::build(std::span<LeafCentre> leaves) {
+    if (leaves.size() == 1) return leaves.front().leaf;
+    Box centres{leaves.front().centre, leaves.front().centre};
+    for (const LeafCentre& leaf : leaves) centres = joined(centres, {leaf.centre, leaf.centre});
+    const int side = longestSide(centres);
+    const auto half = static_cast<std::ptrdiff_t>(leaves.size() / 2);
+    if (leaves.size() <= kCountingSortMax) {
+        countingSort(leaves, side);
+    } else {
+        std::nth_element(leaves.begin(), leaves.begin() + half, leaves.end(),
+                         [&](const LeafCentre& a, const LeafCentre& b) {
+                             const float coordinateA = a.centre[side], coordinateB = b.centre[side];
+                             return coordinateA != coordinateB ? coordinateA < coordinateB
+                                                               : m_nodes[a.leaf].number < m_nodes[b.leaf].number;
+                         });
+    }
+    const std::uint32_t node = newNode();
+    const std::uint32_t left = build(leaves.first(leaves.size() / 2)), right = build(leaves.subspan(leaves.size() / 2));
+    m_nodes[node].children = {left, right};
+    m_nodes[node].box = joined(m_nodes[left].box, m_nodes[right].box);
+    m_nodes[left].parent = m_nodes[right].parent = node;
+    return node;
+}
+
+void DynamicBoxTree::rebuild() {
+    m_leaves.clear();
+    const auto addLeaf = [&](std::uint32_t leaf) {
+        m_leaves.push_back({m_nodes[leaf].box.low + m_nodes[leaf].box.high, leaf});
+    };
+    for (const std::uint32_t leaf : m_pending) addLeaf(leaf);
+    std::vector<std::uint32_t>& inner = m_free;  // every inner node becomes free
+    inner.reserve(m_nodes.size());
+    std::vector<std::uint32_t> open;
+    if (m_root != kNone) open.push_back(m_root);
+    while (!open.empty()) {
+        const std::uint32_t node = open.back();
+        open.pop_back();
+        if (m_nodes[node].isLeaf()) {
+            addLeaf(node);
+            continue;
+        }
+        open.push_back(m_nodes[node].children[1]);
+        open.push_back(m_nodes[node].children[0]);
+        inner.push_back(node);
+    }
+    m_root = m_leaves.empty() ? kNone : build(m_leaves);
+    if (m_root != kNone) m_nodes[m_root].parent = kNone;
+    m_changes = 0;
+}
+
+void DynamicBoxTree::update() {
+    if (2 * m_changes > m_leafCount) {
+        rebuild();
+    } else {
+        for (const std::uint32_t leaf : m_pending) attach(leaf);
+    }
+    m_pending.clear();
+}
+
+}  // namespace rubble

@@ -1,0 +1,86 @@
+#include "core/physics/broadphase/SortAndSweep.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kBatch = 8;
+
+/// An integer with the order of floats other than NaN.
+std::uint32_t orderedBits(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f);  // makes -0 positive
+    return (bits >> 31) != 0 ? ~bits : bits | 1u << 31;
+}
+
+}  // namespace
+
+int SortAndSweep::axisOfGreatestVariance() const {
+    Vec3f mean(0.0f), squares(0.0f);
+    const float weight = 1.0f / static_cast<float>(m_boxes.size());
+    for (const NumberedBox& one : m_boxes) mean = mean + one.box.middle() * weight;
+    for (const NumberedBox& one : m_boxes) {
+        const Vec3f offset = one.box.middle() - mean;
+        squares = squares + Vec3f(offset.x * offset.x, offset.y * offset.y, offset.z * offset.z) * weight;
+    }
+    if (squares.x >= squares.y && squares.x >= squares.z) return 0;
+    return squares.y >= squares.z ? 1 : 2;
+}
+
+void SortAndSweep::sort() {
+    const std::size_t count = m_boxes.size();
+    const int along = count == 0 ? 0 : axisOfGreatestVariance(), across = (along + 1) % 3, upwards = (along + 2) % 3;
+    m_order.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        m_order.push_back(keyedIndex(orderedBits(m_boxes[i].box.low[along]), static_cast<std::uint32_t>(i)));
+    }
+    m_scratch.resize(count);
+    const std::span<const KeyedIndex> order = radixSortByKey(m_order, m_scratch, 32);
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    m_numbers.resize(count);
+    for (Extents* extents : {&m_along, &m_across, &m_upwards}) {
+        extents->low.assign(count + kBatch, kInfinity);
+        extents->high.assign(count + kBatch, -kInfinity);
+    }
+    for (std::size_t rank = 0; rank < count; ++rank) {
+        const auto& [box, number] = m_boxes[indexOf(order[rank])];
+        m_numbers[rank] = number;
+        m_along.low[rank] = box.low[along];
+        m_along.high[rank] = box.high[along];
+        m_across.low[rank] = box.low[across];
+        m_across.high[rank] = box.high[across];
+        m_upwards.low[rank] = box.low[upwards];
+        m_upwards.high[rank] = box.high[upwards];
+    }
+}
+
+std::span<const std::uint32_t> SortAndSweep::overlappingLater(std::size_t rank, Scratch& scratch) const {
+    const float end = m_along.high[rank];
+    const float left = m_across.low[rank], right = m_across.high[rank];
+    const float bottom = m_upwards.low[rank], top = m_upwards.high[rank];
+    const std::size_t size = m_boxes.size();
+    if (scratch.overlapping.size() < size + kBatch) scratch.overlapping.resize(size + kBatch);
+    std::uint32_t* const overlapping = scratch.overlapping.data();
+    std::size_t found = 0;
+    for (std::size_t begin = rank + 1; begin < size && m_along.low[begin] <= end; begin += kBatch) {
+        const float *along = &m_along.low[begin], *lefts = &m_across.low[begin], *rights = &m_across.high[begin];
+        const float *bottoms = &m_upwards.low[begin], *tops = &m_upwards.high[begin];
+        std::array<std::uint32_t, kBatch> overlaps;
+        for (std::size_t i = 0; i < kBatch; ++i) {
+            const int isBeside = (along[i] <= end) & (lefts[i] <= right) & (left <= rights[i]);
+            overlaps[i] = static_cast<std::uint32_t>(isBeside & (bottoms[i] <= top) & (bottom <= tops[i]));
+        }
+        for (std::size_t i = 0; i < kBatch; ++i) {
+            // Branchless: written unconditionally, kept by counting, since overlap is unpredictable.
+            overlapping[found] = static_cast<std::uint32_t>(begin + i);
+            found += overlaps[i];
+        }
+    }
+    for (std::size_t i = 0; i < found; ++i) overlapping[i] = m_numbers[overlapping[i]];
+    return {overlapping, found};
+}
+
+}  // namespace rubble

@@ -1,0 +1,198 @@
+#include "core/physics/islands/Sleeping.h"
+
+#include "core/physics/state/Contacts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+constexpr float kRestSpeed = 0.05f;  // m/s, of any point of the body
+constexpr float kRestTime = 0.5f;    // s
+
+bool hasManifold(const Contact& contact) { return contact.slot.isSet() || contact.stored != kNone; }
+
+void setAwake(WorldState& state, std::uint32_t body) {
+    state.bodies[body].isAwake = true;
+    state.bodies[body].restTime = 0.0f;
+    state.woken.push_back(body);
+}
+
+void wakeIsland(WorldState& state, std::uint32_t island) {
+    const SleepingIsland woken = std::exchange(state.sleepingIslands[island], {});
+    state.freeSleepingIslands.push_back(island);
+    for (std::uint32_t body : woken.bodies) {
+        state.bodies[body].sleepingIsland = kNone;
+        setAwake(state, body);
+    }
+    for (std::uint32_t contact : woken.contacts) restoreContact(state, contact);
+    for (std::uint32_t body : woken.bodies) {
+        visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t) {
+            if (!hasManifold(state.contacts[contact])) addSeparated(state, contact);
+        });
+    }
+}
+
+/// A disjoint-set forest over the bodies.
+class UnionFind {
+public:
+    explicit UnionFind(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
+    std::uint32_t root(std::uint32_t item) {
+        while (m_parent[item] != item) item = m_parent[item] = m_parent[m_parent[item]];
+        return item;
+    }
+    /// The smaller index becomes the root, so that roots do not depend on the order of joins.
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a != b) m_parent[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::uint32_t> m_parent;
+};
+
+template <class Visit>
+void visitLanes(const ContactColours& colours, const Visit& visit) {
+    for (const ContactColours::List& list : colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
+            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                if (block.first[lane] != 0) visit(block, lane);
+            }
+        }
+    }
+}
+
+UnionFind findIslands(const WorldState& state) {
+    UnionFind unions(state.bodies.size());
+    visitLanes(state.colours, [&](const ContactBlock& block, std::size_t lane) {
+        if (block.againstFixed[lane] == 0.0f) unions.join(block.first[lane], block.second[lane]);
+    });
+    return unions;
+}
+
+bool isAtRest(const Body& body) { return body.restTime >= kRestTime; }
+
+std::uint32_t newSleepingIsland(WorldState& state) {
+    if (state.freeSleepingIslands.empty()) {
+        state.sleepingIslands.emplace_back();
+        return static_cast<std::uint32_t>(state.sleepingIslands.size() - 1);
+    }
+    const std::uint32_t island = state.freeSleepingIslands.back();
+    state.freeSleepingIslands.pop_back();
+    return island;
+}
+
+void putToSleep(WorldState& state, std::uint32_t number, std::uint32_t island) {
+    Body& body = state.bodies[number];
+    body.isAwake = false;
+    body.sleepingIsland = island;
+    state.motions[number].velocity = state.motions[number].angularVelocity = Vec3f(0.0f);
+    body.angularMomentum = body.referenceAngularVelocity = Vec3f(0.0f);
+    state.sleepingIslands[island].bodies.push_back(number);
+}
+
+/// Stores the contacts of an island that just fell asleep, and removes its other contacts from the separated ones.
+void storeContacts(WorldState& state, std::uint32_t island) {
+    SleepingIsland& asleep = state.sleepingIslands[island];
+    for (std::uint32_t body : asleep.bodies) {
+        visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t) {
+            if (state.contacts[contact].slot.isSet()) {
+                storeContact(state, contact);
+                asleep.contacts.push_back(contact);
+            } else if (!state.isAwake(state.contacts[contact])) {
+                removeSeparated(state, contact);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+void wakeBody(WorldState& state, std::uint32_t number) {
+    const Body& body = state.bodies[number];
+    if (body.kind == BodyKind::Static) return;
+    if (body.sleepingIsland != kNone) wakeIsland(state, body.sleepingIsland);
+    if (!body.isAwake) setAwake(state, number);
+    state.bodies[number].restTime = 0.0f;
+}
+
+void wakeBodies(WorldState& state, std::uint32_t contact) {
+    const std::array<std::uint32_t, 2> bodies = state.contacts[contact].bodies;
+    for (std::uint32_t body : bodies) wakeBody(state, body);
+}
+
+void wakeNeighbours(WorldState& state, std::uint32_t body) {
+    visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
+        if (hasManifold(state.contacts[contact])) wakeBody(state, other);
+    });
+}
+
+void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
+    Body& body = state.bodies[number];
+    const BodyMotion& motion = state.motions[number];
+    const float turning = length(motion.angularVelocity) * state.poses[number].boundingRadius;
+    const bool rests = body.isDynamic() && length(motion.velocity) < kRestSpeed && turning < kRestSpeed;
+    body.restTime = rests ? body.restTime + dt : 0.0f;
+}
+
+std::size_t updateAwakeBodies(WorldState& state) {
+    if (state.woken.empty() && !state.hasRemovedAwake) return 0;
+    const auto isAsleep = [&](std::uint32_t body) { return !state.bodies[body].isAwake; };
+    std::erase_if(state.awake, isAsleep);
+    std::erase_if(state.woken, isAsleep);
+    std::sort(state.woken.begin(), state.woken.end());
+    // Merged from the back, in place.
+    std::size_t old = state.awake.size(), added = state.woken.size();
+    state.awake.resize(old + added);
+    for (std::size_t end = old + added; added > 0;) {
+        const bool isOld = old > 0 && state.awake[old - 1] > state.woken[added - 1];
+        state.awake[--end] = isOld ? state.awake[--old] : state.woken[--added];
+    }
+    // An index that was removed and reused may be in both lists.
+    state.awake.erase(std::unique(state.awake.begin(), state.awake.end()), state.awake.end());
+    state.woken.clear();
+    state.hasRemovedAwake = false;
+    return state.awake.size();
+}
+
+int sleepRestingIslands(WorldState& state) {
+    const auto rests = [&](std::uint32_t body) { return isAtRest(state.bodies[body]); };
+    if (!state.sleeping || std::none_of(state.awake.begin(), state.awake.end(), rests)) return 0;
+    UnionFind unions = findIslands(state);
+    std::vector<char> isActive(state.bodies.size(), 0);
+    for (std::uint32_t body : state.awake) {
+        if (state.bodies[body].isDynamic() && !rests(body)) isActive[unions.root(body)] = 1;
+    }
+    std::vector<std::uint32_t> islandOfRoot(state.bodies.size(), kNone), newIslands, stillAwake;
+    int count = 0;
+    for (std::uint32_t body : state.awake) {
+        const std::uint32_t root = unions.root(body);
+        count += root == body ? 1 : 0;
+        if (!state.bodies[body].isDynamic() || isActive[root] != 0) {
+            stillAwake.push_back(body);
+            continue;
+        }
+        if (islandOfRoot[root] == kNone) newIslands.push_back(islandOfRoot[root] = newSleepingIsland(state));
+        putToSleep(state, body, islandOfRoot[root]);
+    }
+    state.awake = std::move(stillAwake);
+    for (std::uint32_t island : newIslands) storeContacts(state, island);
+    return count;
+}
+
+std::vector<std::uint32_t> islandsOf(const WorldState& state) {
+    UnionFind unions = findIslands(state);
+    for (const SleepingIsland& asleep : state.sleepingIslands) {
+        for (const std::uint32_t body : asleep.bodies) unions.join(asleep.bodies.front(), body);
+    }
+    std::vector<std::uint32_t> roots(state.bodies.size(), 0);
+    for (std::uint32_t body = 1; body < roots.size(); ++body) {
+        if (state.bodies[body].shape != nullptr && state.bodies[body].isDynamic()) roots[body] = unions.root(body);
+    }
+    return roots;
+}
+
+}  // namespace rubble

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/physics/state/WorldState.h"
+
+#include <cstddef>
+
+namespace rubble {
+
+/// Wakes a dynamic or kinematic body and its sleeping island.
+void wakeBody(WorldState& state, std::uint32_t body);
+/// Wakes both bodies of a contact.
+void wakeBodies(WorldState& state, std::uint32_t contact);
+/// Wakes the bodies that touch a body, which itself does not sleep with them.
+void wakeNeighbours(WorldState& state, std::uint32_t body);
+
+/// Brings WorldState::awake up to date with the bodies woken and removed since the last call. Waking only appends to a
+/// list, so that waking n bodies takes O(n log n), with any number of islands. Returns the number of list elements
+/// read.
+std::size_t updateAwakeBodies(WorldState& state);
+
+/// Updates how long an awake body has been at rest, after a step of dt seconds.
+void updateRestTime(WorldState& state, std::uint32_t body, float dt);
+/// Puts islands, bodies connected by contacts, to sleep if all of their bodies have been at rest for half a second.
+/// Returns the number of islands tested.
+/// Source: Catto 2024, "Simulation Islands"; Tarjan 1975 (union-find).
+int sleepRestingIslands(WorldState& state);
+/// World::islands().
+std::vector<std::uint32_t> islandsOf(const WorldState& state);
+
+}  // namespace rubble

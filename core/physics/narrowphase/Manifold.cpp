@@ -1,0 +1,213 @@
+#include "core/physics/narrowphase/Manifold.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// Of two points that span nearly as much, the earlier is kept, for coherence with the last manifold.
+constexpr float kHysteresis = 1.05f;
+constexpr float kMinSpread = 1e-6f;  // m^2: points within a millimetre count as one
+constexpr int kMaxClippedPoints = 2 * kMaxHullCorners;
+constexpr std::uint32_t kCutByEdge = 1u << 31;
+constexpr std::uint32_t kOnSecondFace = 1u << 30;
+
+/// A vertex of the clipped incident face. Left uninitialized: hundreds lie on the stack, of which few are used.
+struct ClippedPoint {
+    Vec3f position;
+    float height;             // above the reference face
+    std::uint16_t edgeAfter;  // the edge that starts here: of the incident face, or a side of the reference face
+    std::uint32_t feature;
+};
+
+/// Transforms the incident face into the reference hull's frame.
+int transformFace(const Hull& hull, int face, const RelativePose& pose, const HullPlane& reference, ClippedPoint* out) {
+    const std::span<const std::uint16_t> loop = hull.face(face);
+    int count = 0;
+    for (std::uint16_t corner : loop) {
+        const Vec3f at = pose.rotation * hull.corner(corner) + pose.offset;
+        out[count++] = {at, dot(reference.normal, at) - reference.offset, corner, corner};
+    }
+    return count;
+}
+
+/// Computes the heights of points above a plane. True if any is positive.
+bool computeHeights(const HullPlane& plane, const ClippedPoint* points, int count, float* heights) {
+    float highest = -1.0f;
+    for (int i = 0; i < count; ++i) {
+        heights[i] = dot(plane.normal, points[i].position) - plane.offset;
+        highest = std::max(highest, heights[i]);
+    }
+    return highest > 0.0f;
+}
+
+/// Sutherland-Hodgman: clips by the plane of a side of the reference face; `heights` are those above the plane.
+int clip(const float* heights, std::uint16_t side, const ClippedPoint* in, int count, ClippedPoint* out) {
+    int kept = 0;
+    float before = heights[count - 1];
+    for (int i = 0; i < count; ++i) {
+        const ClippedPoint& from = in[i == 0 ? count - 1 : i - 1];
+        const ClippedPoint& to = in[i];
+        const float after = heights[i];
+        if ((before <= 0.0f) != (after <= 0.0f)) {
+            const float fraction = before / (before - after);
+            const std::uint32_t feature =
+                kCutByEdge | static_cast<std::uint32_t>(from.edgeAfter) << 12 | side | (before <= 0.0f ? 1u << 24 : 0u);
+            const Vec3f at = from.position + (to.position - from.position) * fraction;
+            out[kept++] = {at, from.height + (to.height - from.height) * fraction,
+                           before <= 0.0f ? static_cast<std::uint16_t>(side | 0x800u) : from.edgeAfter, feature};
+        }
+        if (after <= 0.0f) out[kept++] = to;
+        before = after;
+    }
+    return kept;
+}
+
+/// Twice the signed area of a, b, c; positive if counter-clockwise seen against the normal, m^2.
+float twiceArea(Vec3f normal, Vec3f a, Vec3f b, Vec3f c) { return dot(normal, cross(b - a, c - a)); }
+
+/// The index of the point with the highest score; the earliest of nearly equal ones, -1 if none is above `least`.
+template <class Score>
+int bestOf(const ClippedPoint* points, int count, float least, const Score& score) {
+    int best = -1;
+    float most = least;
+    for (int i = 0; i < count; ++i) {
+        const float value = score(points[i]);
+        if (value > most) {
+            most = value * kHysteresis;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// Reduces the manifold to four points, moved to the front: the deepest, the one farthest from it, the one that spans
+/// the largest triangle with both, and the one farthest outside that triangle.
+int reduce(ClippedPoint* points, int count, Vec3f normal) {
+    if (count <= kMaxManifoldPoints) return count;
+    const auto moveTo = [&](int index, int found) { std::swap(points[index], points[found]); };
+    float deepest = points[0].height;
+    for (int i = 1; i < count; ++i) deepest = std::min(deepest, points[i].height);
+    // Depths that differ by less than a millimetre count as equal.
+    moveTo(0,
+           bestOf(points, count, 0.0f, [&](const ClippedPoint& p) { return 0.001f / (p.height - deepest + 0.001f); }));
+    const Vec3f a = points[0].position;
+    int found =
+        bestOf(points + 1, count - 1, kMinSpread, [&](const ClippedPoint& p) { return lengthSquared(p.position - a); });
+    if (found < 0) return 1;
+    moveTo(1, 1 + found);
+    const Vec3f b = points[1].position;
+    found = bestOf(points + 2, count - 2, kMinSpread,
+                   [&](const ClippedPoint& p) { return std::abs(twiceArea(normal, a, b, p.position)); });
+    if (found < 0) return 2;
+    moveTo(2, 2 + found);
+    const Vec3f c = points[2].position;
+    const float inwards = twiceArea(normal, a, b, c) > 0.0f ? 1.0f : -1.0f;
+    found = bestOf(points + 3, count - 3, kMinSpread, [&](const ClippedPoint& p) {
+        const float least = std::min(
+            inwards * twiceArea(normal, a, b, p.position),
+            std::min(inwards * twiceArea(normal, b, c, p.position), inwards * twiceArea(normal, c, a, p.position)));
+        return -least;
+    });
+    if (found < 0) return 3;
+    moveTo(3, 3 + found);
+    return 4;
+}
+
+/// The manifold for a reference face of `owner`, in its frame.
+Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin) {
+    ClippedPoint buffers[2][kMaxClippedPoints];
+    const HullPlane& reference = owner.planes[face];
+    const int incident = other.faceAlong(pose.rotation.transposedTimes(reference.normal) * -1.0f);
+    ClippedPoint *in = buffers[0], *out = buffers[1];
+    int count = transformFace(other, incident, pose, reference, in);
+    const std::span<const std::uint16_t> loop = owner.face(face);
+    const std::span<const HullPlane> sides = owner.sidesOf(face);
+    float heights[kMaxClippedPoints];
+    for (std::size_t i = 0; i < loop.size() && count > 0; ++i) {
+        if (!computeHeights(sides[i], in, count, heights)) continue;
+        count = clip(heights, loop[i], in, count, out);
+        std::swap(in, out);
+    }
+    const ClippedPoint* end = std::remove_if(in, in + count, [&](const ClippedPoint& p) { return p.height > margin; });
+    count = reduce(in, static_cast<int>(end - in), reference.normal);
+    Manifold manifold;
+    manifold.normal = reference.normal;
+    manifold.count = count;
+    for (int i = 0; i < count; ++i) {
+        manifold.points[i] = {in[i].position - reference.normal * (0.5f * in[i].height), in[i].height, in[i].feature};
+    }
+    return manifold;
+}
+
+Manifold secondFaceManifold(const Hull& first, const Hull& second, int face, const RelativePose& pose, float margin) {
+    const RelativePose firstInSecond{pose.rotation.transposed(), pose.rotation.transposedTimes(pose.offset) * -1.0f};
+    Manifold manifold = faceManifold(second, face, first, firstInSecond, margin);
+    manifold.normal = pose.rotation * manifold.normal * -1.0f;
+    for (int i = 0; i < manifold.count; ++i) {
+        Manifold::Point& point = manifold.points[i];
+        point.position = pose.rotation * point.position + pose.offset;
+        point.feature |= kOnSecondFace;
+    }
+    return manifold;
+}
+
+/// The point halfway between the closest points of two edges.
+Manifold edgeManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                      float margin) {
+    const HullEdge &edgeA = first.edges[axis.first], &edgeB = second.edges[axis.second];
+    const Vec3f a = first.corner(edgeA.from), u = first.corner(edgeA.to) - a;
+    const Vec3f b = pose.rotation * second.corner(edgeB.from) + pose.offset;
+    const Vec3f v = pose.rotation * second.corner(edgeB.to) + pose.offset - b;
+    const Vec3f displacement = b - a;
+    const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
+    Manifold manifold;
+    manifold.normal = axis.normal;
+    if (determinant <= 0.0f) return manifold;
+    const float s = (dot(u, displacement) * vv - dot(v, displacement) * uv) / determinant;
+    const float t = (dot(u, displacement) * uv - dot(v, displacement) * uu) / determinant;
+    const float separation = dot(axis.normal, displacement);
+    if (s < 0.0f || s > 1.0f || t < 0.0f || t > 1.0f || separation > margin) return manifold;
+    manifold.count = 1;
+    manifold.points[0] = {(a + u * s + b + v * t) * 0.5f, separation,
+                          kCutByEdge | kOnSecondFace | static_cast<std::uint32_t>(axis.first) << 12 | axis.second};
+    return manifold;
+}
+
+/// The supporting corner along the axis: the first hull's if it touches a face of the second, else the second's.
+Manifold::Point supportingCorner(const SeparatingAxis& axis, const Hull& first, const Hull& second,
+                                 const RelativePose& pose) {
+    if (axis.kind == AxisKind::SecondFace) {
+        const int corner = first.farthest(axis.normal);
+        return {first.corner(corner), 0.0f, kOnSecondFace | static_cast<std::uint32_t>(corner)};
+    }
+    const int corner = second.farthest(pose.rotation.transposedTimes(axis.normal) * -1.0f);
+    return {pose.rotation * second.corner(corner) + pose.offset, 0.0f, static_cast<std::uint32_t>(corner)};
+}
+
+}  // namespace
+
+Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                       float margin) {
+    switch (axis.kind) {
+        case AxisKind::FirstFace: return faceManifold(first, axis.first, second, pose, margin);
+        case AxisKind::SecondFace: return secondFaceManifold(first, second, axis.second, pose, margin);
+        case AxisKind::Edges: return edgeManifold(axis, first, second, pose, margin);
+        case AxisKind::None: break;
+    }
+    return {};
+}
+
+Manifold touchingManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                          float margin) {
+    Manifold manifold = manifoldAlong(axis, first, second, pose, margin);
+    manifold.normal = axis.normal;
+    if (manifold.count == 0) {
+        manifold.count = 1;
+        manifold.points[0] = supportingCorner(axis, first, second, pose);
+    }
+    return manifold;
+}
+
+}  // namespace rubble

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/physics/narrowphase/SeparatingAxis.h"
+
+#include <array>
+
+namespace rubble {
+
+inline constexpr int kMaxManifoldPoints = 4;
+
+/// The contact points of two hulls that touch or nearly do, in the first hull's frame.
+struct Manifold {
+    struct Point {
+        Vec3f position{0.0f, 0.0f, 0.0f};  // m, halfway between the hulls
+        float separation = 0.0f;           // m, negative where they overlap
+        std::uint32_t feature = 0;         // identifies the corner or edges that generate the point
+    };
+    Vec3f normal{0.0f, 1.0f, 0.0f};  // from first to second, length 1
+    int count = 0;
+    std::array<Point, kMaxManifoldPoints> points;
+};
+
+/// The contact points along an axis with a separation below `margin`. For a face: the incident face of the other hull
+/// clipped to it and reduced to the four points that span the largest area. For edges: the point between them, none if
+/// the closest points of their lines lie beyond their ends.
+/// Source: Gregorius 2015, "Robust contact creation".
+Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                       float margin);
+
+/// The same for hulls known to touch along the axis: if clipping leaves no point, the supporting corner.
+Manifold touchingManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                          float margin);
+
+}  // namespace rubble

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/physics/shape/Hull.h"
+
+#include <cstdint>
+
+namespace rubble {
+
+/// The pose of a second hull in the first's frame.
+struct RelativePose {
+    Mat3f rotation;                  // first from second
+    Vec3f offset{0.0f, 0.0f, 0.0f};  // m: the second's centre of mass in the first's frame
+};
+
+enum class AxisKind : std::uint8_t {
+    None,
+    FirstFace,   // the normal of a face of the first hull
+    SecondFace,  // the normal of a face of the second hull
+    Edges,       // the cross product of an edge of each
+};
+
+/// The axis along which two hulls are farthest apart, or overlap least.
+struct SeparatingAxis {
+    AxisKind kind = AxisKind::None;
+    std::uint16_t first = 0;         // index of the first hull's face or edge, if the kind has one
+    std::uint16_t second = 0;        // index of the second hull's face or edge
+    float separation = -1e30f;       // m
+    Vec3f normal{0.0f, 1.0f, 0.0f};  // from first to second, in the first's frame
+
+    bool isFace() const { return kind == AxisKind::FirstFace || kind == AxisKind::SecondFace; }
+};
+
+/// By how much an edge pair must separate more than a face, or a face of the second hull more than one of the first, m.
+inline constexpr float kAxisPreference = 0.0005f;
+
+/// The separating axis test over all face normals of both hulls and all edge pairs that form a face of the Minkowski
+/// difference, by their arcs on the Gauss map. Returns early with an axis along which the hulls are more than `margin`
+/// apart. Prefers faces to edges and the first hull's faces to the second's, by kAxisPreference. `guess`, the axis of
+/// the last test, is tested first.
+///
+/// Source: Gregorius 2013, "The separating axis test between convex polyhedra".
+SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
+                              const SeparatingAxis& guess);
+
+/// The first half of separatingAxis(): the best face of either hull.
+SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
+                            const SeparatingAxis& guess);
+/// The second half of separatingAxis(): the best edge pair if it is better than `face` by kAxisPreference, else `face`.
+SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
+                            float margin);
+
+/// The axis of a given face of either hull, its separation computed for `pose`.
+SeparatingAxis faceAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose);
+
+/// An initial guess for hulls that have not been tested yet: the first hull's face along the axis on which the bounding
+/// boxes are farthest apart. None where the boxes overlap clearly on every axis: then no face normal near an axis
+/// separates the hulls.
+SeparatingAxis initialGuess(const Hull& first, const Hull& second, const RelativePose& pose);
+
+}  // namespace rubble

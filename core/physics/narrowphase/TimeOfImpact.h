@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/physics/narrowphase/SeparatingAxis.h"
+
+namespace rubble {
+
+/// When two hulls that move without rotating begin to touch.
+struct TimeOfImpact {
+    SeparatingAxis axis;    // along which they touch; kind None where they do not
+    float fraction = 1.0f;  // of the displacement, in [0, 1]
+};
+
+/// The time of impact of two hulls that are apart, where the second moves by `displacement` relative to the first, in
+/// the first's frame.
+/// Source: Eberly 2001, "Dynamic collision detection".
+TimeOfImpact timeOfImpact(const Hull& first, const Hull& second, const RelativePose& pose, Vec3f displacement);
+
+}  // namespace rubble

@@ -1,0 +1,187 @@
+#include "core/physics/shape/Hull.h"
+
+#include "core/geometry/hull/ConvexHull.h"
+#include "core/physics/shape/CoplanarFaces.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+constexpr double kWeldDistance = 1e-3;           // m
+constexpr double kWeldFractionOfWidth = 0.02;    // keeps the shape of small hulls
+constexpr double kPlanarDistance = 1e-3;         // m: points rounded to 3 digits deviate by as much
+constexpr double kPlanarFractionOfWidth = 5e-3;  // keeps the shape of small hulls
+constexpr std::size_t kRowMultiple = 4;
+
+double widthAlong(const Polytope& polytope, const Plane& plane) {
+    double lowest = plane.offset;
+    for (Vec3 vertex : polytope.vertices) lowest = std::min(lowest, glm::dot(plane.normal, vertex));
+    return plane.offset - lowest;
+}
+
+double minWidthOf(const Polytope& polytope) {
+    double minWidth = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : polytope.planes) minWidth = std::min(minWidth, widthAlong(polytope, plane));
+    return minWidth;
+}
+
+/// The vertices that are not within `distance` of an earlier one.
+std::vector<Vec3> weldedVertices(const Polytope& polytope, double distance) {
+    std::vector<Vec3> kept;
+    for (Vec3 vertex : polytope.vertices) {
+        const auto isNear = [&](Vec3 other) { return glm::dot(other - vertex, other - vertex) < distance * distance; };
+        if (std::none_of(kept.begin(), kept.end(), isNear)) kept.push_back(vertex);
+    }
+    return kept;
+}
+
+Result<Polytope> simplified(const Polytope& polytope) {
+    const double minWidth = minWidthOf(polytope);
+    const std::vector<Vec3> vertices =
+        weldedVertices(polytope, std::min(kWeldDistance, kWeldFractionOfWidth * minWidth));
+    Result<Polytope> hull =
+        vertices.size() == polytope.vertices.size() ? Result<Polytope>(polytope) : convexHull(vertices);
+    if (!hull) return hull;
+    return mergeCoplanarFaces(*hull, std::min(kPlanarDistance, kPlanarFractionOfWidth * minWidth));
+}
+
+void append(VectorRows& rows, Vec3f v) {
+    rows.x.push_back(v.x);
+    rows.y.push_back(v.y);
+    rows.z.push_back(v.z);
+}
+
+void pad(VectorRows& rows, Vec3f v) {
+    while (rows.x.size() % kRowMultiple != 0) append(rows, v);
+}
+
+void addCorners(Hull& hull, const Polytope& polytope, Vec3 centre) {
+    Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
+    for (Vec3 vertex : polytope.vertices) {
+        const Vec3f corner = toFloat(vertex - centre);
+        append(hull.corners, corner);
+        low = componentMin(low, corner);
+        high = componentMax(high, corner);
+        hull.boundingRadius = std::max(hull.boundingRadius, length(corner));
+    }
+    hull.cornerCount = static_cast<int>(polytope.vertices.size());
+    pad(hull.corners, hull.corner(0));
+    hull.middle = (low + high) * 0.5f;
+    hull.extents = (high - low) * 0.5f;
+}
+
+void addFaces(Hull& hull, const Polytope& polytope, Vec3 centre) {
+    hull.firstInLoop.push_back(0);
+    for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
+        const Plane& plane = polytope.planes[face];
+        const double offset = plane.offset - glm::dot(plane.normal, centre);
+        hull.planes.push_back({toFloat(plane.normal), static_cast<float>(offset)});
+        for (std::uint32_t vertex : polytope.faces[face]) hull.loops.push_back(static_cast<std::uint16_t>(vertex));
+        hull.firstInLoop.push_back(static_cast<std::uint16_t>(hull.loops.size()));
+    }
+}
+
+/// Reduced by kPlanarDistance: the plane of a merged face may lie in front of some of its corners.
+float innerRadiusOf(const Hull& hull) {
+    float innerRadius = hull.boundingRadius;
+    for (const HullPlane& plane : hull.planes)
+        innerRadius = std::min(innerRadius, plane.offset - static_cast<float>(kPlanarDistance));
+    return innerRadius > 0.0f ? innerRadius : -hull.boundingRadius;
+}
+
+void addSides(Hull& hull) {
+    for (int face = 0; face < static_cast<int>(hull.planes.size()); ++face) {
+        const std::span<const std::uint16_t> loop = hull.face(face);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec3f from = hull.corner(loop[i]), to = hull.corner(loop[i + 1 == loop.size() ? 0 : i + 1]);
+            const Vec3f outwards = normalized(cross(to - from, hull.planes[face].normal));
+            hull.sides.push_back({outwards, dot(outwards, from)});
+        }
+    }
+}
+
+/// The face whose loop runs along each directed edge.
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint16_t> facesByEdge(const Polytope& polytope) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint16_t> faces;
+    for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
+        const std::vector<std::uint32_t>& loop = polytope.faces[face];
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            faces[{loop[i], loop[(i + 1) % loop.size()]}] = static_cast<std::uint16_t>(face);
+        }
+    }
+    return faces;
+}
+
+void addEdges(Hull& hull, const Polytope& polytope) {
+    const auto faces = facesByEdge(polytope);
+    for (const auto& [from, to] : polytope.edges) {
+        const HullEdge edge{static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(to), faces.at({from, to}),
+                            faces.at({to, from})};
+        hull.edges.push_back(edge);
+        append(hull.edgeVectors, hull.corner(edge.to) - hull.corner(edge.from));
+        append(hull.edgeCorners, hull.corner(edge.from));
+        append(hull.edgeFirstNormals, hull.planes[edge.firstFace].normal);
+        append(hull.edgeSecondNormals, hull.planes[edge.secondFace].normal);
+    }
+    for (VectorRows* rows : {&hull.edgeVectors, &hull.edgeCorners, &hull.edgeFirstNormals, &hull.edgeSecondNormals}) {
+        pad(*rows, Vec3f(0.0f));
+    }
+}
+
+}  // namespace
+
+int Hull::farthest(Vec3f direction) const {
+    int best = 0;
+    float most = dot(direction, corner(0));
+    for (int i = 1; i < cornerCount; ++i) {
+        const float along = dot(direction, corner(i));
+        if (along > most) {
+            most = along;
+            best = i;
+        }
+    }
+    return best;
+}
+
+int Hull::faceAlong(Vec3f direction) const {
+    int best = 0;
+    float most = dot(direction, planes[0].normal);
+    for (int i = 1; i < static_cast<int>(planes.size()); ++i) {
+        const float along = dot(direction, planes[i].normal);
+        if (along > most) {
+            most = along;
+            best = i;
+        }
+    }
+    return best;
+}
+
+Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
+    if (polytope.vertices.size() > kMaxHullCorners) {
+        return Error{ErrorCode::BadInput, "The hull has " + std::to_string(polytope.vertices.size()) +
+                                              " corners; the simulation supports at most " +
+                                              std::to_string(kMaxHullCorners) + "."};
+    }
+    if (polytope.vertices.size() < 4 || polytope.faces.size() < 4) {
+        return Error{ErrorCode::Degenerate, "The hull needs at least four corners and four faces, but has " +
+                                                std::to_string(polytope.vertices.size()) + " and " +
+                                                std::to_string(polytope.faces.size()) + "."};
+    }
+    const Result<Polytope> simple = simplified(polytope);
+    if (!simple) return simple.error();
+    Hull hull;
+    hull.innerRadius = innerRadiusOf(hull);
+    hull.minWidth = static_cast<float>(minWidthOf(*simple));
+    addCorners(hull, *simple, centre);
+    addFaces(hull, *simple, centre);
+    addSides(hull);
+    addEdges(hull, *simple);
+    return hull;
+}
+
+}  // namespace rubble

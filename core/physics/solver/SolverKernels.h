@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/physics/math/Lanes.h"
+#include "core/physics/solver/BodyMotion.h"
+#include "core/physics/solver/ContactBlock.h"
+
+#include <cstddef>
+#include <span>
+
+namespace rubble {
+
+/// The coefficients of a soft constraint.
+/// Source: Catto 2011, "Soft constraints".
+struct Softness {
+    float biasRate = 0.0f;  // 1/s
+    float massScale = 1.0f;
+    float impulseScale = 0.0f;
+};
+
+/// The parameters of a step, for all passes.
+struct SolverStep {
+    BodyMotion* motions = nullptr;    // by body
+    const BodyPose* poses = nullptr;  // by body
+    float dt = 0.0f;                  // s, of the whole step
+    float subStep = 0.0f;             // s
+    Vec3f gravity{0.0f, 0.0f, 0.0f};  // m/s^2
+    Softness betweenBodies;
+    Softness againstFixed;          // stiffer, so that bodies are not pushed through the ground
+    float pushOutSpeed = 0.0f;      // m/s
+    float restitutionSpeed = 0.0f;  // m/s: no restitution below it
+};
+
+/// The solver's passes over blocks of contacts that share no dynamic body, or over bodies. All SIMD widths give the
+/// same bits.
+struct SolverKernels {
+    /// One bit per lane: set if its manifold is outdated, since its bodies moved or rotated too far relative to each
+    /// other.
+    unsigned (*staleLanes)(const ContactBlock& block, const ReferenceBlock& reference, const SolverStep& step);
+    /// Computes current separations and effective masses.
+    void (*prepare)(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references, const SolverStep& step);
+    /// Applies the impulses of the last sub-step.
+    void (*warmStart)(std::span<ContactBlock> blocks, const SolverStep& step);
+    /// Normal impulses, with a bias velocity that resolves overlaps.
+    void (*solve)(std::span<ContactBlock> blocks, const SolverStep& step);
+    /// Normal impulses without bias, which removes the bias velocity, and friction.
+    void (*relax)(std::span<ContactBlock> blocks, const SolverStep& step);
+    /// Restitution of points that approached faster than the restitution speed.
+    void (*restitute)(std::span<ContactBlock> blocks, const SolverStep& step);
+    void (*integrateVelocities)(std::span<const std::uint32_t> bodies, const SolverStep& step);
+    void (*integratePositions)(std::span<const std::uint32_t> bodies, const SolverStep& step);
+};
+
+/// The kernels of a SIMD width that this machine supports.
+const SolverKernels& kernelsOf(SimdWidth width);
+
+}  // namespace rubble

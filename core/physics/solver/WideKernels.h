@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/physics/solver/ImpulseKernels.h"
+#include "core/physics/solver/IntegrationKernels.h"
+#include "core/physics/solver/PrepareKernels.h"
+
+namespace rubble {
+
+/// The solver's passes for W lanes. Each width is instantiated in a file of its own, compiled for machines that support
+/// it.
+template <int W>
+inline constexpr SolverKernels kWideKernels{
+    &PrepareKernels<W>::staleLanes,
+    &PrepareKernels<W>::prepare,
+    &ImpulseKernels<W>::warmStart,
+    &ImpulseKernels<W>::solve,
+    &ImpulseKernels<W>::relax,
+    &ImpulseKernels<W>::restitute,
+    &IntegrationKernels<W>::integrateVelocities,
+    &IntegrationKernels<W>::integratePositions,
+};
+
+}  // namespace rubble

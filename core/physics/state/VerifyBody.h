@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/physics/state/Body.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+/// Whether every coordinate's magnitude is at most `most`; false for NaN.
+bool isWithin(Vec3 v, double most);
+
+/// What is wrong with a pose, as a sentence that names its owner `what`; nothing for a valid one.
+std::optional<std::string> verifyPose(const Pose& pose, std::string_view what);
+
+/// Why a body cannot be created from a definition, as a sentence; nothing for a valid one.
+std::optional<std::string> verifyBodyDefinition(const BodyDefinition& definition);
+
+}  // namespace rubble

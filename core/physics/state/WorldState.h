@@ -1,0 +1,140 @@
+#pragma once
+
+#include "core/base/Index.h"
+#include "core/physics/broadphase/DynamicBoxTree.h"
+#include "core/physics/broadphase/PairTable.h"
+#include "core/physics/narrowphase/SeparatingAxis.h"
+#include "core/physics/solver/BodyMotion.h"
+#include "core/physics/solver/ContactColours.h"
+#include "core/physics/state/Body.h"
+#include "core/physics/state/StepResults.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rubble {
+
+inline constexpr float kNeverCollided = -1e30f;  // SeparatedContact::collideAtTravel of a new contact
+
+/// The data of a body other than its motion and pose. Body 0 is the placeholder in empty lanes.
+struct Body {
+    std::shared_ptr<const Shape> shape;  // null: the slot is free
+    std::uint32_t generation = 0;
+    BodyKind kind = BodyKind::Static;
+    bool isAwake = false;                     // always false for static bodies
+    float mass = 0.0f;                        // kg; 0 unless dynamic
+    SymMat3f inertia;                         // kg m^2, in the body's axes
+    SymMat3f inverseInertia;                  // 0 unless dynamic
+    Vec3f centreRemainder{0.0f, 0.0f, 0.0f};  // m: the rounding error of the pose's centre (compensated summation)
+    Vec3f angularMomentum{0.0f, 0.0f,
+                          0.0f};  // kg m^2/s about its centre, in world axes, at the reference angular velocity
+    Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s
+    float friction = 0.0f;
+    float restitution = 0.0f;
+    float boxValidUntil = 0.0f;            // m: BodyPose::travel up to which its fat boxes are valid
+    float restTime = 0.0f;                 // s: how long it has been at rest
+    std::uint32_t sleepingIsland = kNone;  // the island that it sleeps in
+    std::uint32_t firstProxy = kNone;
+    std::uint32_t firstContact = kNone;  // 2 * contact + side
+    std::uint64_t tag = 0;
+
+    bool isDynamic() const { return kind == BodyKind::Dynamic; }
+};
+
+/// A hull of a body in the broad phase.
+struct Proxy {
+    std::uint32_t body = kNone;  // kNone: the slot is free
+    std::uint32_t hull = 0;
+    std::uint32_t leaf = kNone;
+    std::uint32_t next = kNone;  // next of the same body
+};
+
+/// Two proxies whose fat boxes overlap.
+struct Contact {
+    std::array<std::uint32_t, 2> proxies{kNone, kNone};  // first < second; kNone: the slot is free
+    std::array<std::uint32_t, 2> bodies{};
+    std::array<std::uint32_t, 2> next{kNone, kNone};  // 2 * contact + side, next of the same body
+    std::array<std::uint32_t, 2> previous{kNone, kNone};
+    ContactSlot slot;                         // set if it has a manifold and is awake
+    std::uint32_t stored = kNone;             // index of its stored lane while it sleeps
+    std::uint32_t separatedIndex = kNone;     // index in WorldState::separated
+    SeparatingAxis axis;                      // of the last collision
+    std::array<std::uint32_t, 4> features{};  // of the manifold's points
+};
+
+/// An awake contact without manifold.
+struct SeparatedContact {
+    std::uint32_t contact = kNone;
+    std::array<std::uint32_t, 2> bodies{};
+    float collideAtTravel = kNeverCollided;  // m: the sum of both bodies' travel before which they cannot touch
+};
+
+/// Bodies that fell asleep together.
+struct SleepingIsland {
+    std::vector<std::uint32_t> bodies;
+    std::vector<std::uint32_t> contacts;
+};
+
+/// The stored lanes of a sleeping contact.
+struct StoredContact {
+    StoredLane<ContactBlock> block{};
+    StoredLane<ReferenceBlock> reference{};
+};
+
+/// Everything that the next step depends on.
+struct WorldState {
+    Vec3f gravity{0.0f, 0.0f, 0.0f};
+    bool sleeping = true;
+
+    std::vector<Body> bodies = std::vector<Body>(1);
+    std::vector<BodyMotion> motions = std::vector<BodyMotion>(1);
+    std::vector<BodyPose> poses = std::vector<BodyPose>(1);
+    std::vector<float> predictedTravel =
+        std::vector<float>(1);     // m: an upper bound of BodyPose::travel at the end of the coming step
+    std::size_t bouncyBodies = 0;  // bodies with restitution
+    std::vector<std::uint32_t> freeBodies;
+    std::vector<std::uint32_t> awake;  // dynamic and kinematic, ascending; as of the last updateAwakeBodies()
+    std::vector<std::uint32_t> woken;  // bodies that woke since, in any order
+    bool hasRemovedAwake = false;      // whether an awake body was removed since
+
+    std::vector<Proxy> proxies;
+    std::vector<std::uint32_t> freeProxies;
+    DynamicBoxTree tree;
+    std::vector<std::uint32_t> rebox;  // bodies added or moved by the caller since the last collide()
+
+    std::vector<Contact> contacts;
+    std::vector<std::uint32_t> freeContacts;
+    PairTable pairs;
+    ContactColours colours;
+    std::vector<SeparatedContact> separated;
+
+    std::vector<SleepingIsland> sleepingIslands;
+    std::vector<std::uint32_t> freeSleepingIslands;
+    std::vector<StoredContact> stored;
+    std::vector<std::uint32_t> freeStored;
+
+    // The spring of World::grab().
+    BodyId grabbed;
+    Vec3f grabPoint{0.0f, 0.0f, 0.0f};   // in the body's axes, from its centre
+    Vec3f grabTarget{0.0f, 0.0f, 0.0f};  // in the world
+    float grabForce = 0.0f;              // N
+
+    StepEvents events;  // ended contacts are added as they end
+
+    bool isAwake(const Contact& contact) const {
+        return bodies[contact.bodies[0]].isAwake || bodies[contact.bodies[1]].isAwake;
+    }
+    BodyId idOf(std::uint32_t body) const { return {body, bodies[body].generation}; }
+};
+
+inline const Hull& hullOf(const WorldState& state, const Proxy& proxy) {
+    return state.bodies[proxy.body].shape->hulls[proxy.hull];
+}
+
+struct Snapshot {
+    WorldState state;
+};
+
+}  // namespace rubble

@@ -1,0 +1,257 @@
+#include "core/physics/step/BroadPhase.h"
+
+#include "core/physics/islands/Sleeping.h"
+#include "core/physics/state/Contacts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kMinChunk = 64;  // bodies
+
+/// An upper bound of how far any point of a body moves in dt seconds, if it accelerates no more than by gravity.
+float predictedDistance(const WorldState& state, std::uint32_t body, float dt) {
+    const BodyMotion& motion = state.motions[body];
+    const float speed = length(motion.velocity) + length(motion.angularVelocity) * state.poses[body].boundingRadius;
+    return (speed + length(state.gravity) * dt) * dt;
+}
+
+void updateFatBoxes(WorldState& state, std::uint32_t number, float dt) {
+    Body& body = state.bodies[number];
+    const BodyPose& pose = state.poses[number];
+    const float margin = boxMargin(pose.boundingRadius);
+    const Vec3f displacement = state.motions[number].velocity * dt;
+    // The movement by rotation is added to the margin.
+    const float extra = std::max(0.0f, state.predictedTravel[number] - pose.travel - length(displacement));
+    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+        const Box tight = tightBox(state, state.proxies[proxy]);
+        state.tree.move(state.proxies[proxy].leaf, widened(swept(tight, displacement), margin + extra));
+    }
+    body.boxValidUntil = pose.travel + margin + extra;
+    if (length(displacement) > margin)
+        body.boxValidUntil = pose.travel;  // moves out of the margin: update again in the next step
+}
+
+void markMoved(PairScratch& scratch, std::uint32_t body) {
+    if (scratch.isMoved[body] != 0) return;
+    scratch.isMoved[body] = 1;
+    scratch.moved.push_back(body);
+}
+
+/// Predicts how far awake bodies can move, and lists those that may leave their boxes.
+void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt) {
+    scratch.leaving.resize(regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        std::vector<std::uint32_t>& leaving = scratch.leaving[region];
+        leaving.clear();
+        for (std::uint32_t body : regions.bodies(region)) {
+            state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
+            if (state.predictedTravel[body] > state.bodies[body].boxValidUntil) leaving.push_back(body);
+        }
+    });
+}
+
+void updateBoxes(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
+                 PairBodies bodies) {
+    scratch.moved.clear();
+    scratch.isMoved.assign(state.bodies.size(), 0);
+    for (std::uint32_t body : state.rebox) {
+        if (state.bodies[body].shape == nullptr) continue;
+        state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
+        updateFatBoxes(state, body, dt);
+        markMoved(scratch, body);
+    }
+    state.rebox.clear();
+    if (bodies == PairBodies::Changed) return;
+    findLeaving(state, threads, regions, scratch, dt);
+    for (std::uint32_t body : mergeSorted(scratch.leaving)) {
+        if (scratch.isMoved[body] != 0) continue;
+        updateFatBoxes(state, body, dt);
+        markMoved(scratch, body);
+    }
+}
+
+/// Lists the pairs of a proxy with others, except those that can never touch. `isWanted` accepts the other body.
+template <class IsWanted>
+void listPairs(const WorldState& state, std::uint32_t proxy, std::span<const std::uint32_t> others,
+               const IsWanted& isWanted, std::vector<std::uint32_t>& found) {
+    const std::uint32_t body = state.proxies[proxy].body;
+    const bool isDynamic = state.bodies[body].isDynamic();
+    const std::size_t before = found.size();
+    std::size_t end = before;
+    found.resize(before + 2 * others.size());
+    for (const std::uint32_t otherProxy : others) {
+        const std::uint32_t other = state.proxies[otherProxy].body;
+        const bool canTouch = (other != body) & (isDynamic | state.bodies[other].isDynamic());
+        // Branchless: written unconditionally, kept by counting, since the outcome is unpredictable.
+        found[end] = proxy;
+        found[end + 1] = otherProxy;
+        end += canTouch & isWanted(other) ? 2 : 0;
+    }
+    found.resize(end);
+}
+
+/// The pairs of a moved body's proxy; a pair of two moved bodies is listed by the lower.
+void pairWithNear(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy, NearbyBoxes& near,
+                  std::vector<std::uint32_t>& found) {
+    const std::uint32_t body = state.proxies[proxy].body;
+    const auto isWanted = [&](std::uint32_t other) { return (scratch.isMoved[other] == 0) | (body < other); };
+    listPairs(state, proxy, near.overlapping(state.tree.box(state.proxies[proxy].leaf)), isWanted, found);
+}
+
+/// The pairs of a range of moved bodies. Consecutive boxes that lie close together, such as those of sibling fragments,
+/// query the tree together, as long as their common bounding box is not much larger than themselves.
+void searchAround(const WorldState& state, const PairScratch& scratch, IndexRange range, NearbyBoxes& near,
+                  std::vector<std::uint32_t>& found) {
+    constexpr std::size_t kMaxGroup = 16;
+    constexpr float kMaxGrowth = 1.5f;
+    std::array<std::uint32_t, kMaxGroup> group{};
+    std::size_t count = 0;
+    Box around;
+    const auto search = [&] {
+        if (count > 0) near.gather(state.tree, around);
+        for (std::size_t i = 0; i < count; ++i) pairWithNear(state, scratch, group[i], near, found);
+        count = 0;
+    };
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const Body& body = state.bodies[scratch.moved[i]];
+        for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+            const Box& box = state.tree.box(state.proxies[proxy].leaf);
+            const Box all = count == 0 ? box : joined(around, box);
+            if (count == kMaxGroup || (count > 0 && all.area() > kMaxGrowth * (around.area() + box.area()))) {
+                search();
+                around = box;
+            } else {
+                around = all;
+            }
+            group[count++] = proxy;
+        }
+    }
+    search();
+}
+
+/// If at least half of all boxes moved, the tree would be rebuilt for one query.
+bool isSweepFaster(const WorldState& state, const PairScratch& scratch) {
+    constexpr std::size_t kMin = 64, kMax = 8192;  // a sweep takes O(n^(5/3)) in a uniform volume
+    return state.tree.size() >= kMin && state.tree.size() <= kMax && 2 * scratch.moved.size() >= state.tree.size();
+}
+
+/// The pairs of all moved bodies, by a sweep over all boxes.
+void findPairsBySweep(const WorldState& state, ThreadPool& threads, PairScratch& scratch, std::size_t chunks) {
+    scratch.sweep.clear();
+    for (std::uint32_t proxy = 0; proxy < state.proxies.size(); ++proxy) {
+        const std::uint32_t leaf = state.proxies[proxy].leaf;
+        if (leaf != kNone) scratch.sweep.add(proxy, state.tree.box(leaf));
+    }
+    scratch.sweep.sort();
+    scratch.sweepScratch.resize(scratch.found.size());
+    threads.forEachChunk(scratch.sweep.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        for (std::size_t rank = range.begin; rank < range.end; ++rank) {
+            const std::uint32_t proxy = scratch.sweep.number(rank);
+            const bool hasMoved = scratch.isMoved[state.proxies[proxy].body] != 0;
+            const auto oneMoved = [&](std::uint32_t other) { return hasMoved | (scratch.isMoved[other] != 0); };
+            listPairs(state, proxy, scratch.sweep.overlappingLater(rank, scratch.sweepScratch[chunk]), oneMoved,
+                      scratch.found[chunk]);
+        }
+    });
+}
+
+/// The pairs of all moved bodies, by the tree.
+void findPairsByTree(const WorldState& state, ThreadPool& threads, PairScratch& scratch, std::size_t chunks) {
+    scratch.near.resize(scratch.found.size());
+    threads.forEachChunk(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
+    });
+}
+
+bool boxesOverlap(const WorldState& state, const Contact& contact) {
+    return state.tree.box(state.proxies[contact.proxies[0]].leaf)
+        .overlaps(state.tree.box(state.proxies[contact.proxies[1]].leaf));
+}
+
+void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
+    scratch.separatedContacts.clear();
+    for (std::uint32_t body : scratch.moved) {
+        visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
+            if (scratch.isMoved[other] != 0 && other < body) return;
+            if (!boxesOverlap(state, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
+        });
+    }
+    for (std::uint32_t contact : scratch.separatedContacts) {
+        for (std::uint32_t body : state.contacts[contact].bodies) {
+            if (state.contacts[contact].stored != kNone) wakeBody(state, body);
+        }
+        removeContact(state, contact);
+    }
+}
+
+}  // namespace
+
+float boxMargin(float boundingRadius) {
+    constexpr float kMaxMargin = 0.05f;          // m
+    constexpr float kFractionOfRadius = 0.125f;  // for small bodies
+    return std::min(kMaxMargin, kFractionOfRadius * boundingRadius);
+}
+
+Box tightBox(const Hull& hull, const BodyPose& pose) {
+    const Mat3f rotation = pose.rotation.matrix();
+    const Vec3f middle = pose.centre + rotation * hull.middle;
+    const Vec3f half = componentAbs(rotation.x) * hull.extents.x + componentAbs(rotation.y) * hull.extents.y +
+                       componentAbs(rotation.z) * hull.extents.z;
+    return {middle - half, middle + half};
+}
+
+Box tightBox(const WorldState& state, const Proxy& proxy) {
+    return tightBox(hullOf(state, proxy), state.poses[proxy.body]);
+}
+
+void addProxies(WorldState& state, std::uint32_t body) {
+    const auto hulls = static_cast<std::uint32_t>(state.bodies[body].shape->hulls.size());
+    for (std::uint32_t hull = hulls; hull-- > 0;) {
+        if (state.freeProxies.empty()) {
+            state.freeProxies.push_back(static_cast<std::uint32_t>(state.proxies.size()));
+            state.proxies.emplace_back();
+        }
+        const std::uint32_t number = state.freeProxies.back();
+        state.freeProxies.pop_back();
+        Proxy& proxy = state.proxies[number];
+        proxy = {body, hull, kNone, state.bodies[body].firstProxy};
+        proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
+        state.bodies[body].firstProxy = number;
+    }
+    state.rebox.push_back(body);
+}
+
+void removeProxies(WorldState& state, std::uint32_t body) {
+    for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone;) {
+        const std::uint32_t next = state.proxies[proxy].next;
+        state.tree.remove(state.proxies[proxy].leaf);
+        state.proxies[proxy] = {};
+        state.freeProxies.push_back(proxy);
+        proxy = next;
+    }
+    state.bodies[body].firstProxy = kNone;
+}
+
+void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
+               PairBodies bodies) {
+    updateBoxes(state, threads, regions, scratch, dt, bodies);
+    if (scratch.moved.empty()) return;
+    removeSeparatedContacts(state, scratch);
+    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinChunk);
+    scratch.found.resize(std::max(chunks, scratch.found.size()));
+    for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
+    if (isSweepFaster(state, scratch)) {
+        findPairsBySweep(state, threads, scratch, chunks);
+    } else {
+        state.tree.update();
+        findPairsByTree(state, threads, scratch, chunks);
+    }
+    for (const std::vector<std::uint32_t>& found : scratch.found) {
+        for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
+    }
+}
+
+}  // namespace rubble

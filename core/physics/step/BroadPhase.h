@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/physics/broadphase/NearbyBoxes.h"
+#include "core/physics/broadphase/SortAndSweep.h"
+#include "core/physics/state/Regions.h"
+
+namespace rubble {
+
+/// Memory of findPairs(), reused from step to step.
+struct PairScratch {
+    std::vector<std::uint32_t> moved;                 // bodies with new fat boxes
+    std::vector<char> isMoved;                        // by body
+    std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
+    std::vector<std::vector<std::uint32_t>> found;    // by chunk: two proxies per pair
+    std::vector<NearbyBoxes> near;                    // by chunk
+    SortAndSweep sweep;
+    std::vector<SortAndSweep::Scratch> sweepScratch;  // by chunk
+    std::vector<std::uint32_t> separatedContacts;     // those whose boxes no longer overlap
+};
+
+/// The bounding box of a hull, or of a proxy's hull, without margin.
+Box tightBox(const Hull& hull, const BodyPose& pose);
+Box tightBox(const WorldState& state, const Proxy& proxy);
+
+/// The margin of the fat box of a body with this bounding radius, m.
+float boxMargin(float boundingRadius);
+
+/// Adds a body's hulls to the tree, or removes them.
+void addProxies(WorldState& state, std::uint32_t body);
+void removeProxies(WorldState& state, std::uint32_t body);
+
+/// The bodies that findPairs() considers.
+enum class PairBodies {
+    Changed,  // those added or moved by the caller
+    All,      // these and all awake bodies
+};
+
+/// Predicts how far bodies can move in dt seconds, updates the fat boxes of those that may leave theirs, adds contacts
+/// for boxes that begin to overlap, and removes those of boxes that no longer do.
+void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
+               PairBodies bodies);
+
+}  // namespace rubble

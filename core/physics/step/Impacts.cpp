@@ -1,0 +1,206 @@
+#include "core/physics/step/Impacts.h"
+
+#include "core/physics/solver/SpeedThresholds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+constexpr float kRoundingSpeed = 0.01f;  // m/s, tolerance
+// Points at most this far behind the first belong to the same impact, for any length of the step.
+constexpr float kImpactDepth = 0.005f;  // m
+constexpr float kHitSpeed = 1.0f;       // m/s
+
+Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
+
+/// Calls visit(block, lane) for each contact of a region.
+template <class Visit>
+void visitContacts(const WorldState& state, const Regions& regions, std::size_t region, const Visit& visit) {
+    const std::span<const ContactColours::List> lists = state.colours.lists();
+    for (std::size_t list = 0; list < lists.size(); ++list) {
+        const std::span blocks = regions.part(list, std::span(lists[list].blocks), region);
+        regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
+            for (const ContactBlock& block : blocks.subspan(range.begin, range.size())) {
+                for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                    if (block.pointCount[lane] > 0) visit(block, lane);
+                }
+            }
+        });
+    }
+}
+
+template <class Visit>
+void visitContacts(const WorldState& state, const Visit& visit) {
+    visitContacts(state, Regions(), 0, visit);
+}
+
+/// By bodies, then by point, since bodies of several hulls may touch at several points: independent of the order of
+/// lanes.
+template <class Event>
+void sortByBodies(std::vector<Event>& events) {
+    const auto key = [](const Event& event) {
+        return std::tuple(event.first, event.second, event.point.x, event.point.y, event.point.z);
+    };
+    std::stable_sort(events.begin(), events.end(), [&](const Event& a, const Event& b) { return key(a) < key(b); });
+}
+
+/// Computes the centroid of the points that `counts` accepts, relative to the first body's centre. Returns their
+/// number.
+template <class Counts>
+int computeCentroid(const ContactBlock& block, std::size_t lane, const Counts& counts, Vec3f& centroid) {
+    int count = 0;
+    centroid = Vec3f(0.0f);
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        if (!counts(block.points[i])) continue;
+        centroid += at(block.points[i].position, lane);
+        ++count;
+    }
+    if (count > 0) centroid *= 1.0f / static_cast<float>(count);
+    return count;
+}
+
+/// The least separation of the points that will touch within dt seconds, m; minus infinity if none will.
+float firstSeparation(const ContactBlock& block, std::size_t lane, float dt, float tolerance) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    float first = kInfinity;
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        const float speed = -block.points[i].approach[lane], separation = block.points[i].separation[lane];
+        if (speed > kMinImpactSpeed && separation <= speed * dt + tolerance) first = std::min(first, separation);
+    }
+    return first < kInfinity ? first : -kInfinity;
+}
+
+/// A body's contribution to the inverse effective mass at a point along a direction.
+float inverseEffectiveMass(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f normal) {
+    const Vec3f turning = cross(arm, normal);
+    return state.motions[body].inverseMass + dot(turning, state.poses[body].inverseInertia * turning);
+}
+
+/// The acceleration of a body by gravity.
+Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
+    return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
+}
+
+std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block, std::size_t lane) {
+    const auto isHit = [&](const PointRows& point) {
+        return point.approach[lane] < -kHitSpeed && point.stepImpulse[lane] > 0.0f;
+    };
+    Vec3f position(0.0f);
+    if (computeCentroid(block, lane, isHit, position) == 0) return std::nullopt;
+    HitEvent hit{state.idOf(block.first[lane]),
+                 state.idOf(block.second[lane]),
+                 toDouble(state.poses[block.first[lane]].centre + position),
+                 toDouble(at(block.normal, lane)),
+                 0.0,
+                 0.0};
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        hit.approachSpeed = std::max(hit.approachSpeed, -static_cast<double>(block.points[i].approach[lane]));
+        hit.impulse += block.points[i].stepImpulse[lane];
+    }
+    return hit;
+}
+
+/// An impact and the separation of its bodies there.
+struct SeparatedImpact : Impact {
+    float separation = 0.0f;  // m
+};
+
+/// Removes impacts of the same two bodies that come after the first.
+void removeLaterImpacts(std::vector<SeparatedImpact>& impacts) {
+    const auto isSamePair = [](const SeparatedImpact& a, const SeparatedImpact& b) {
+        return a.first == b.first && a.second == b.second;
+    };
+    auto kept = impacts.begin();
+    for (auto begin = impacts.begin(); begin != impacts.end();) {
+        const auto end =
+            std::find_if_not(begin, impacts.end(), [&](const auto& one) { return isSamePair(*begin, one); });
+        const auto first =
+            std::min_element(begin, end, [](const auto& a, const auto& b) { return a.separation < b.separation; });
+        const float last = first->separation + kImpactDepth;
+        kept = std::copy_if(begin, end, kept, [&](const auto& one) { return one.separation <= last; });
+        begin = end;
+    }
+    impacts.erase(kept, impacts.end());
+}
+
+}  // namespace
+
+std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step) {
+    std::vector<SeparatedImpact> impacts;
+    // Gravity accelerates bodies within the step, and rounding must not let an impact fall between two steps.
+    const float tolerance = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
+    visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        const float first = firstSeparation(block, lane, step.dt, tolerance);
+        const auto approaches = [&](const PointRows& point) {
+            return -point.approach[lane] > kMinImpactSpeed && point.separation[lane] <= first + kImpactDepth;
+        };
+        Vec3f position(0.0f);
+        if (computeCentroid(block, lane, approaches, position) == 0) return;
+        const std::uint32_t a = block.first[lane], b = block.second[lane];
+        const Vec3f normal = at(block.normal, lane), positionB = position + at(block.centreOffset, lane);
+        const Vec3f speed = state.motions[b].velocity + cross(state.motions[b].angularVelocity, positionB) -
+                            state.motions[a].velocity - cross(state.motions[a].angularVelocity, position);
+        const float inverseMass =
+            inverseEffectiveMass(state, a, position, normal) + inverseEffectiveMass(state, b, positionB, normal);
+        if (inverseMass <= 0.0f) return;
+        SeparatedImpact impact;
+        impact.separation = first;
+        impact.first = state.idOf(a);
+        impact.second = state.idOf(b);
+        impact.point = toDouble(state.poses[a].centre + position);
+        impact.normal = toDouble(normal);
+        // Gravity accelerates them until the time of impact: the impact of a drop must not depend on where in the step
+        // it ends.
+        const float approach = -dot(speed, normal);
+        const float gain = -dot(gravityOn(state, b, step.gravity) - gravityOn(state, a, step.gravity), normal);
+        const float squared = approach * approach + 2.0f * gain * std::max(first, 0.0f);
+        impact.approachSpeed = std::sqrt(std::max(squared, 0.0f));
+        impact.effectiveMass = 1.0f / inverseMass;
+        impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
+        impacts.push_back(impact);
+    });
+    sortByBodies(impacts);
+    removeLaterImpacts(impacts);
+    return {impacts.begin(), impacts.end()};
+}
+
+void findHits(const WorldState& state, ThreadPool& threads, const Regions& regions,
+              std::vector<std::vector<HitEvent>>& byRegion, std::vector<HitEvent>& hits) {
+    byRegion.resize(regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        byRegion[region].clear();
+        visitContacts(state, regions, region, [&](const ContactBlock& block, std::size_t lane) {
+            if (const std::optional<HitEvent> hit = hitOf(state, block, lane)) byRegion[region].push_back(*hit);
+        });
+    });
+    for (const std::vector<HitEvent>& some : byRegion) hits.insert(hits.end(), some.begin(), some.end());
+    sortByBodies(hits);
+}
+
+std::vector<ContactPoint> contactPointsOf(const WorldState& state) {
+    std::vector<ContactPoint> points;
+    const auto list = [&](const ContactBlock& block, std::size_t lane) {
+        for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+            const PointRows& point = block.points[i];
+            points.push_back({state.idOf(block.first[lane]), state.idOf(block.second[lane]),
+                              toDouble(state.poses[block.first[lane]].centre + at(point.position, lane)),
+                              toDouble(at(block.normal, lane)), point.separation[lane], point.impulse[lane]});
+        }
+    };
+    visitContacts(state, list);
+    for (const Contact& contact : state.contacts) {
+        if (contact.proxies[0] == kNone || contact.stored == kNone) continue;
+        ContactBlock block{};
+        putLane(block, 0, state.stored[contact.stored].block);
+        list(block, 0);
+    }
+    sortByBodies(points);
+    return points;
+}
+
+}  // namespace rubble

@@ -1,0 +1,231 @@
+#include "core/physics/step/NarrowPhase.h"
+
+#include "core/physics/islands/Sleeping.h"
+#include "core/physics/narrowphase/TimeOfImpact.h"
+#include "core/physics/state/Contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+/// A manifold is recycled while its bodies move less than this relative to each other.
+constexpr float kMaxSlack = 0.02f;  // m
+/// Separated bodies are collided again when they may have closed this fraction of the gap.
+constexpr float kGapFraction = 0.75f;
+/// Bodies that move more than this fraction of the thinner one's width in a step get a swept manifold.
+constexpr float kSweptFraction = 0.5f;
+constexpr std::size_t kMinChunk = 1024;  // contacts
+
+/// Replaces the manifold by that of the time of impact, if the hulls touch within the displacement.
+void sweep(HullCollision& collision, const Hull& first, const Hull& second, RelativePose pose, Vec3f displacement) {
+    const TimeOfImpact impact = timeOfImpact(first, second, pose, displacement);
+    if (impact.axis.kind == AxisKind::None) return;
+    pose.offset = pose.offset + displacement * impact.fraction;
+    collision.axis = impact.axis;
+    collision.offset = pose.offset;
+    collision.isSwept = true;
+    // With a wide margin: corners behind the first one resist the rotation towards them.
+    collision.manifold = touchingManifold(impact.axis, first, second, pose,
+                                          2.0f * std::min(first.boundingRadius, second.boundingRadius));
+}
+
+/// A unit vector perpendicular to another, a function of it only.
+Vec3f tangentOf(Vec3f normal) {
+    const Vec3f size = componentAbs(normal);
+    const Vec3f other = size.x <= size.y && size.x <= size.z ? Vec3f(1.0f, 0.0f, 0.0f)
+                        : size.y <= size.z                   ? Vec3f(0.0f, 1.0f, 0.0f)
+                                                             : Vec3f(0.0f, 0.0f, 1.0f);
+    return normalized(cross(normal, other));
+}
+
+// Access to one lane.
+Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
+void put(Vec3f v, Vec3Row& rows, std::size_t lane) {
+    rows.x[lane] = v.x;
+    rows.y[lane] = v.y;
+    rows.z[lane] = v.z;
+}
+void put(Quatf q, QuatRow& rows, std::size_t lane) {
+    rows.x[lane] = q.x;
+    rows.y[lane] = q.y;
+    rows.z[lane] = q.z;
+    rows.w[lane] = q.w;
+}
+
+/// Transforms the friction impulse of the last step to the tangents of a new normal.
+void rotateFriction(ContactBlock& block, std::size_t lane, Vec3f normal) {
+    const Vec3f tangent = tangentOf(normal);
+    const float x = block.frictionX[lane], y = block.frictionY[lane];
+    if (x != 0.0f || y != 0.0f) {  // zero for new contacts
+        const Vec3f oldTangent = at(block.tangent, lane), oldNormal = at(block.normal, lane);
+        const Vec3f friction = oldTangent * x + cross(oldNormal, oldTangent) * y;
+        block.frictionX[lane] = dot(friction, tangent);
+        block.frictionY[lane] = dot(friction, cross(normal, tangent));
+    }
+    put(normal, block.normal, lane);
+    put(tangent, block.tangent, lane);
+}
+
+/// Writes the points; those with a feature of the last manifold keep their impulses (warm starting).
+void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference, std::size_t lane,
+               const Manifold& manifold, const Mat3f& rotation) {
+    const auto before = static_cast<std::size_t>(block.pointCount[lane]);
+    std::array<float, kMaxManifoldPoints> impulses{};
+    std::array<std::uint32_t, kMaxManifoldPoints> features{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        features[i] = manifold.points[i].feature;
+        for (std::size_t j = 0; j < before; ++j) {
+            if (contact.features[j] == features[i]) impulses[i] = block.points[j].impulse[lane];
+        }
+    }
+    for (std::size_t i = 0; i < kMaxManifoldPoints; ++i) {
+        const bool isThere = i < static_cast<std::size_t>(manifold.count);
+        put(isThere ? rotation * manifold.points[i].position : Vec3f(0.0f), block.points[i].position, lane);
+        block.points[i].impulse[lane] = impulses[i];
+        reference.separation[i][lane] = isThere ? manifold.points[i].separation : 0.0f;
+    }
+    block.pointCount[lane] = static_cast<std::uint32_t>(manifold.count);
+    contact.features = features;
+}
+
+void collideAndStore(WorldState& state, std::uint32_t number, std::vector<ContactCollision>& collisions, float dt) {
+    const Contact& contact = state.contacts[number];
+    collisions.push_back({number, collideContact(state, contact, dt)});
+    if (contact.slot.isSet() && collisions.back().collision.manifold.count > 0)
+        storeManifold(state, number, collisions.back().collision);
+}
+
+/// Collides contacts whose manifold is outdated, each on the thread of its region.
+void collideStale(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
+                  const SolverKernels& kernels, const SolverStep& step) {
+    scratch.stale.resize(regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        scratch.stale[region].clear();
+        for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
+            const ContactColours::List& list = state.colours.lists()[number];
+            const std::span blocks = regions.part(number, std::span(list.blocks), region);
+            const std::span references = regions.part(number, std::span(list.references), region);
+            regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
+                for (std::size_t i = range.begin; i < range.end; ++i) {
+                    const unsigned stale = kernels.staleLanes(blocks[i], references[i], step);
+                    for (std::size_t lane = 0; stale >> lane != 0; ++lane) {
+                        if ((stale >> lane & 1u) == 0) continue;
+                        collideAndStore(state, blocks[i].contact[lane], scratch.stale[region], step.dt);
+                    }
+                }
+            });
+        }
+    });
+}
+
+/// Collides contacts without manifold whose bodies may touch now.
+void collideSeparated(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
+                      float dt, bool newOnly) {
+    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinChunk);
+    scratch.separated.resize(chunks);
+    threads.forEachChunk(state.separated.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        scratch.separated[chunk].clear();
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const SeparatedContact& contact = state.separated[i];
+            const float travel = state.predictedTravel[contact.bodies[0]] + state.predictedTravel[contact.bodies[1]];
+            const bool mayTouch =
+                newOnly ? contact.collideAtTravel == kNeverCollided : travel >= contact.collideAtTravel;
+            if (mayTouch) collideAndStore(state, contact.contact, scratch.separated[chunk], dt);
+        }
+    });
+}
+
+/// Sorts all collisions by contact: colours must not depend on the lanes that contacts are in.
+void sortCollisions(NarrowPhaseScratch& scratch) {
+    scratch.all.clear();
+    for (const auto* some : {&scratch.stale, &scratch.separated}) {
+        for (const std::vector<ContactCollision>& collisions : *some) {
+            for (const ContactCollision& one : collisions) scratch.all.push_back(&one);
+        }
+    }
+    const auto isBefore = [](const ContactCollision* a, const ContactCollision* b) { return a->contact < b->contact; };
+    if (!std::is_sorted(scratch.all.begin(), scratch.all.end(), isBefore)) {  // after insertions
+        std::sort(scratch.all.begin(), scratch.all.end(), isBefore);
+    }
+}
+
+}  // namespace
+
+void storeManifold(WorldState& state, std::uint32_t number, const HullCollision& collision) {
+    Contact& contact = state.contacts[number];
+    ContactBlock& block = state.colours.block(contact.slot);
+    ReferenceBlock& reference = state.colours.reference(contact.slot);
+    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
+    const BodyPose &first = state.poses[contact.bodies[0]], &second = state.poses[contact.bodies[1]];
+    const Mat3f rotation = first.rotation.matrix();
+    rotateFriction(block, lane, rotation * collision.manifold.normal);
+    putPoints(contact, block, reference, lane, collision.manifold, rotation);
+    put(first.rotation, reference.firstRotation, lane);
+    put(second.rotation, reference.secondRotation, lane);
+    put(collision.isSwept ? rotation * collision.offset * -1.0f : first.centre - second.centre, reference.centreOffset,
+        lane);
+    reference.isSwept[lane] = collision.isSwept ? 1.0f : 0.0f;
+    reference.slack[lane] = collision.isSwept ? -1.0f : kMaxSlack;
+    const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
+    block.friction[lane] = std::sqrt(a.friction * b.friction);
+    block.restitution[lane] = std::max(a.restitution, b.restitution);
+    contact.axis = collision.axis;
+}
+
+void storeGap(WorldState& state, std::uint32_t number, const HullCollision& collision) {
+    Contact& contact = state.contacts[number];
+    const float travelled = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
+    state.separated[contact.separatedIndex].collideAtTravel =
+        travelled + std::max(0.0f, kGapFraction * collision.axis.separation);
+    contact.axis = collision.axis;
+}
+
+RelativePose relativePose(const BodyPose& first, const BodyPose& second) {
+    const Mat3f rotation = first.rotation.matrix();
+    return {rotation.transposed() * second.rotation.matrix(), rotation.transposedTimes(second.centre - first.centre)};
+}
+
+HullCollision collideContact(const WorldState& state, const Contact& contact, float dt) {
+    const Hull& first = hullOf(state, state.proxies[contact.proxies[0]]);
+    const Hull& second = hullOf(state, state.proxies[contact.proxies[1]]);
+    const BodyPose &firstPose = state.poses[contact.bodies[0]], &secondPose = state.poses[contact.bodies[1]];
+    const RelativePose pose = relativePose(firstPose, secondPose);
+    const BodyMotion &a = state.motions[contact.bodies[0]], &b = state.motions[contact.bodies[1]];
+    const Vec3f displacement = (b.velocity - a.velocity) * dt;
+    const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
+    const bool isFast = far > kSweptFraction * minWidth;
+    const float margin = kSpeculativeDistance + (isFast ? 0.0f : far);
+    HullCollision collision = collideHulls(first, second, pose, margin, contact.axis);
+    if (collision.axis.separation > margin && isFast) {
+        sweep(collision, first, second, pose, firstPose.rotation.matrix().transposedTimes(displacement));
+    }
+    return collision;
+}
+
+int findManifolds(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
+                  const SolverKernels& kernels, const SolverStep& step, bool newOnly) {
+    for (std::vector<ContactCollision>& collisions : scratch.stale) collisions.clear();
+    if (!newOnly) collideStale(state, threads, regions, scratch, kernels, step);
+    collideSeparated(state, threads, regions, scratch, step.dt, newOnly);
+    sortCollisions(scratch);
+    for (const auto* collided : scratch.all) {
+        const auto& [number, collision] = *collided;
+        const bool touches = collision.manifold.count > 0, touched = state.contacts[number].slot.isSet();
+        const auto points = static_cast<std::uint32_t>(collision.manifold.count);
+        if (touches && touched) {
+            moveLane(state, number, points);
+        } else if (touches) {
+            wakeBodies(state, number);
+            beginTouching(state, number, points);
+            storeManifold(state, number, collision);
+        } else if (!touches) {
+            if (touched) endTouching(state, number);
+            storeGap(state, number, collision);
+        }
+    }
+    return static_cast<int>(scratch.all.size());
+}
+
+}  // namespace rubble

@@ -1,0 +1,204 @@
+#include "core/physics/step/Solver.h"
+
+#include "core/physics/islands/Sleeping.h"
+#include "core/physics/solver/SpeedThresholds.h"
+#include "core/physics/state/AngularMomentum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr int kMinSubSteps = 4;                       // per step, enough for 1/60 s
+constexpr float kMaxSubStep = 1.0f / 240.0f + 1e-6f;  // s
+// Soft contacts: springs that resolve overlaps. With softer ones stacks sink, a house at 30 Hz by 8 mm; the largest
+// stable frequency is a quarter of the sub-step rate.
+constexpr float kContactHertz = 50.0f;
+constexpr float kDampingRatio = 2.0f;
+constexpr float kPushOutSpeed = 3.0f;  // m/s
+
+/// Source: Catto 2011, "Soft constraints", by the spring's frequency and damping ratio.
+Softness softness(float hertz, float dampingRatio, float h) {
+    const float omega = 2.0f * 3.14159265f * hertz;
+    const float a1 = 2.0f * dampingRatio + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
+int subStepsOf(float dt) { return std::max(kMinSubSteps, static_cast<int>(std::ceil(dt / kMaxSubStep))); }
+
+using Pass = void (*)(std::span<ContactBlock>, const SolverStep&);
+
+/// The spring of World::grab(): critically damped, with limited force.
+void pullGrabbed(WorldState& state, const SolverStep& step) {
+    const std::uint32_t number = state.grabbed.index;
+    if (number == 0 || !state.bodies[number].isDynamic()) return;
+    BodyMotion& motion = state.motions[number];
+    const BodyPose& pose = state.poses[number];
+    const Vec3f arm = (motion.deltaRotation * pose.rotation).matrix() * state.grabPoint;
+    const Vec3f at = pose.centre + motion.deltaPosition + arm;
+    const Vec3f speed = motion.velocity + cross(motion.angularVelocity, arm);
+    constexpr float kGrabHertz = 5.0f;
+    const float omega = 2.0f * 3.14159265f * kGrabHertz;
+    const Vec3f targetVelocity = (state.grabTarget - at) * (0.5f * omega);
+    // The effective mass at the point along the change of velocity.
+    const Vec3f change = targetVelocity - speed;
+    const float size = length(change);
+    if (size < 1e-6f) return;
+    const Vec3f direction = change * (1.0f / size), turning = cross(arm, direction);
+    const float mass = 1.0f / (motion.inverseMass + dot(turning, pose.inverseInertia * turning));
+    const float impulse = std::min(mass * size * std::min(1.0f, omega * step.subStep), state.grabForce * step.subStep);
+    motion.velocity += direction * (impulse * motion.inverseMass);
+    motion.angularVelocity += pose.inverseInertia * (turning * impulse);
+}
+
+/// Applies the displacement of the step to the pose.
+void finishBody(WorldState& state, std::uint32_t number) {
+    Body& body = state.bodies[number];
+    BodyPose& pose = state.poses[number];
+    BodyMotion& motion = state.motions[number];
+    pose.travel += length(motion.deltaPosition) + 2.0f * length(motion.deltaRotation.vector()) * pose.boundingRadius;
+    // Compensated summation: free flight stays on its parabola for minutes.
+    const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;
+    body.centreRemainder = moved - (centre - pose.centre);
+    pose.centre = centre;
+    applyRotation(state, number);
+    motion.deltaPosition = Vec3f(0.0f);
+    motion.deltaRotation = {};
+}
+
+/// Plans and runs the parallel stages of sub-steps, one region per thread.
+class Stages {
+public:
+    Stages(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+           const SolverStep& step, SolveScratch& scratch)
+        : m_state(state), m_threads(threads), m_regions(regions), m_kernels(kernels), m_step(step), m_scratch(scratch) {
+        m_scratch.fastRotating.resize(m_regions.count());
+        m_scratch.slowRotating.resize(m_regions.count());
+        m_regions.forEach(threads, [&](std::size_t region) { classifyBodies(region); });
+        planSubStep();
+        m_scratch.restitution.clear();
+        if (m_state.bouncyBodies > 0) planColours(m_scratch.restitution, kernels.restitute);
+    }
+
+    void run(const std::vector<SolveStage>& stages) const {
+        m_threads.runStages(stages.size(), m_regions.count(),
+                            [&](std::size_t stage, std::size_t region) { work(stages[stage], region); });
+    }
+
+private:
+    void classifyBodies(std::size_t region) const {
+        m_scratch.fastRotating[region].clear();
+        m_scratch.slowRotating[region].clear();
+        for (std::uint32_t body : m_regions.bodies(region)) {
+            (isFastRotating(m_state, body, m_step.dt) ? m_scratch.fastRotating : m_scratch.slowRotating)[region]
+                .push_back(body);
+        }
+    }
+    void planSubStep() {
+        std::vector<SolveStage>& stages = m_scratch.subStep;
+        stages.clear();
+        stages.push_back({.over = SolveStage::Over::Velocities});
+        if (m_state.grabbed.index != 0) stages.push_back({.over = SolveStage::Over::Grabbed});
+        planColours(stages, m_kernels.warmStart);
+        planColours(stages, m_kernels.solve);
+        stages.push_back({.over = SolveStage::Over::Positions});
+        planColours(stages, m_kernels.relax);
+    }
+    /// Adds a stage per colour that has contacts, for both of its lists.
+    void planColours(std::vector<SolveStage>& stages, Pass pass) const {
+        const std::span<const ContactColours::List> lists = m_state.colours.lists();
+        for (std::uint32_t list = 0; list < ContactColours::kLists; list += 2) {
+            const bool hasFirst = lists[list].count > 0,
+                       hasSecond = list + 1 < lists.size() && lists[list + 1].count > 0;
+            if (hasFirst || hasSecond) stages.push_back({.pass = pass, .list = list});
+        }
+    }
+
+    void work(const SolveStage& stage, std::size_t region) const {
+        switch (stage.over) {
+            case SolveStage::Over::Contacts: return passContacts(stage, region);
+            case SolveStage::Over::Velocities: return m_kernels.integrateVelocities(m_regions.bodies(region), m_step);
+            case SolveStage::Over::Positions: return moveBodies(region);
+            case SolveStage::Over::Grabbed:
+                if (region == 0) pullGrabbed(m_state, m_step);
+        }
+    }
+    void passContacts(const SolveStage& stage, std::size_t region) const {
+        const std::span<ContactColours::List> lists = m_state.colours.lists();
+        if (stage.list == ContactColours::kOverflow) {
+            if (region == 0) stage.pass(lists[stage.list].blocks, m_step);
+            return;
+        }
+        for (std::uint32_t list : {stage.list, stage.list + 1}) {
+            const std::span blocks = m_regions.part(list, std::span(lists[list].blocks), region);
+            m_regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
+                stage.pass(blocks.subspan(range.begin, range.size()), m_step);
+            });
+        }
+    }
+    void moveBodies(std::size_t region) const {
+        m_kernels.integratePositions(m_scratch.slowRotating[region], m_step);
+        for (std::uint32_t body : m_scratch.fastRotating[region]) {
+            BodyMotion& motion = m_state.motions[body];
+            motion.deltaRotation = midpointRotation(m_state, body, m_step.subStep);
+            motion.deltaPosition += motion.velocity * m_step.subStep;
+        }
+    }
+
+    WorldState& m_state;
+    ThreadPool& m_threads;
+    const Regions& m_regions;
+    const SolverKernels& m_kernels;
+    const SolverStep& m_step;
+    SolveScratch& m_scratch;
+};
+
+}  // namespace
+
+SolverStep solverStep(WorldState& state, float dt) {
+    const float h = dt / static_cast<float>(subStepsOf(dt));
+    const float hertz = std::min(kContactHertz, 0.25f / h);
+    return {state.motions.data(),
+            state.poses.data(),
+            dt,
+            h,
+            state.gravity,
+            softness(hertz, kDampingRatio, h),
+            softness(2.0f * hertz, kDampingRatio, h),
+            kPushOutSpeed,
+            kMinRestitutionSpeed};
+}
+
+void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+                     const SolverStep& step) {
+    regions.forEach(threads, [&](std::size_t region) {
+        for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
+            ContactColours::List& list = state.colours.lists()[number];
+            const std::span blocks = regions.part(number, std::span(list.blocks), region);
+            const std::span references = regions.part(number, std::span<const ReferenceBlock>(list.references), region);
+            regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
+                kernels.prepare(blocks.subspan(range.begin, range.size()),
+                                references.subspan(range.begin, range.size()), step);
+            });
+        }
+    });
+}
+
+void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
+                   const SolverKernels& kernels, const SolverStep& step) {
+    const Stages stages(state, threads, regions, kernels, step, scratch);
+    for (int i = subStepsOf(step.dt); i > 0; --i) stages.run(scratch.subStep);
+    stages.run(scratch.restitution);
+}
+
+void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
+    regions.forEach(threads, [&](std::size_t region) {
+        for (std::uint32_t number : regions.bodies(region)) {
+            finishBody(state, number);
+            updateRestTime(state, number, dt);
+        }
+    });
+}
+
+}  // namespace rubble

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "core/base/Hash.h"
+#include "core/geometry/mesh/TriangleMesh.h"
+#include "core/physics/math/Lanes.h"
+#include "core/physics/narrowphase/ManifoldCache.h"
+#include "core/physics/queries/SceneQueries.h"
+#include "core/physics/state/Body.h"
+#include "core/physics/state/StepResults.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// Settings of a world. Results do not depend on threads and lanes.
+struct WorldSettings {
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    bool sleeping = true;           // bodies at rest are not simulated until something touches them
+    int threads = 1;
+    SimdWidth lanes = widestSimd();
+};
+
+/// The impulse of a blast on a body.
+struct BlastImpulse {
+    BodyId body;
+    Vec3 point;    // in world space
+    Vec3 impulse;  // N s
+};
+
+struct Snapshot;
+struct WorldState;
+
+/// A rigid body simulation. A step is collide(), which finds contacts and imminent impacts, then solve(), which moves
+/// the bodies; bodies may be removed and added between the two.
+///
+/// Positions are floats relative to the origin, with a resolution of 8 micrometres within 100 m.
+/// Sources: Catto 2024, "Solver2D" (soft steps); Gregorius 2013 (separating axes of hulls); Tonge 2012 (colouring).
+class World {
+public:
+    explicit World(const WorldSettings& settings = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    /// Errors: BadInput for a pose or velocity that is not finite, an orientation that is not of length 1, or a
+    /// density, friction, restitution or damping out of range.
+    Result<BodyId> addBody(const BodyDefinition& definition);
+    /// Removes a body; those that touch it wake.
+    void removeBody(BodyId body);
+    bool contains(BodyId body) const;
+    std::size_t bodyCount() const;
+    /// All bodies by ascending index.
+    std::vector<BodyId> bodies() const;
+
+    BodyState state(BodyId body) const;
+    BodyKind kind(BodyId body) const;
+    const Shape& shape(BodyId body) const;
+    std::uint64_t tag(BodyId body) const;
+    double mass(BodyId body) const;  // kg; 0 where static or kinematic
+    double restitution(BodyId body) const;
+
+    Vec3 gravity() const;  // m/s^2
+    void setGravity(Vec3 gravity);
+    /// Sets the material; velocities are kept.
+    void setMaterial(BodyId body, const BodyMaterial& material);
+    void setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity);
+    /// Teleports a body.
+    void setPose(BodyId body, const Pose& pose);
+    void wake(BodyId body);
+    /// Applies an impulse, N s, at a point in world space; wakes the body.
+    void applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
+    /// The impulses of a blast on all bodies within `radius`, including those that are not dynamic: away from `point`,
+    /// `impulse` N s/m^2 at 1 m on the body's projected area, falling off with the square of the distance.
+    std::vector<BlastImpulse> blast(Vec3 point, double radius, double impulse) const;
+    /// Applies the impulses of blast() to the dynamic bodies.
+    void explode(Vec3 point, double radius, double impulse);
+    /// Pulls a point of a body to a target, as a critically damped spring of at most `force` N, until release().
+    void grab(BodyId body, Vec3 point, double force);
+    void dragTo(Vec3 point);
+    void release();
+
+    /// Finds contacts and the impacts of the coming step. Called again in a step after bodies were added and removed,
+    /// it considers the new ones only.
+    void collide(double dt);
+    /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
+    /// the manifolds if these are cached. Call between collide() and solve(), and collide() again after it.
+    void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
+    /// The impacts of the coming step, after collide(), sorted by bodies.
+    std::vector<Impact> impacts();
+    /// Simulates dt seconds, after collide().
+    void solve(double dt);
+    /// collide() and solve().
+    void step(double dt);
+
+    const StepEvents& events() const;
+    StepCounts counts() const;
+    const StepTimes& times() const;
+    /// All contact points, for debug drawing; those of sleeping bodies as of when they fell asleep.
+    std::vector<ContactPoint> contactPoints() const;
+    /// The fat bounding box of a body in the broad phase, for debug drawing.
+    Box3 box(BodyId body) const;
+    /// The islands, bodies connected by contacts, for debug drawing: for each body index the lowest body index of its
+    /// island; 0 if not dynamic. Sleeping bodies are in the island that they fell asleep in.
+    std::vector<std::uint32_t> islands() const;
+
+    /// The first body that a ray hits; of several at the same distance, the one with the lowest index. Hulls that
+    /// contain the start are not hit.
+    std::optional<CastHit> castRay(Vec3 from, Vec3 to) const;
+    /// The first body that a convex polytope hits when it moves by `displacement` from `pose` without rotating. Bodies
+    /// that it touches or overlaps at the start are hit there, with the axis of least overlap as normal.
+    ///
+    /// Errors: those of makeHull(); BadInput for a pose or displacement that is not finite, an orientation that is not
+    /// of length 1, or a position farther than kMaxCoordinate from the origin.
+    Result<std::optional<CastHit>> castHull(const Polytope& polytope, const Pose& pose, Vec3 displacement) const;
+    /// The bodies that overlap a convex polytope, by ascending index.
+    ///
+    /// Errors: those of makeHull(); BadInput for a pose as above.
+    Result<std::vector<BodyId>> overlapping(const Polytope& polytope, const Pose& pose) const;
+
+    /// The complete state: everything that the next step depends on.
+    std::shared_ptr<const Snapshot> snapshot() const;
+    void restore(const Snapshot& snapshot);
+    /// The memory that a snapshot taken now needs, in bytes.
+    std::size_t snapshotBytes() const;
+    /// A hash of pose, velocities and sleep state of all bodies, by index.
+    ContentHash hash() const;
+    /// The energy of the dynamic bodies and their momenta about the origin.
+    Momenta momenta() const;
+
+private:
+    struct StepContext;  // threads and memory reused from step to step; not part of the state
+
+    std::unique_ptr<WorldState> m_state;
+    std::unique_ptr<StepContext> m_context;
+};
+
+}  // namespace rubble

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/play/scene/PlayAsset.h"
+
+#include <limits>
+
+namespace rubble {
+
+/// The thresholds that satisfy all strength requirements of an asset: low < threshold <= high.
+struct ThresholdInterval {
+    double low = 0.0;                                       // N·s: the largest impulse that it must survive
+    double high = std::numeric_limits<double>::infinity();  // N·s: the smallest impulse that must break it
+    std::uint32_t lowRequirement = kNone;  // index in Asset::requirements of the bound; kNone: unbounded
+    std::uint32_t highRequirement = kNone;
+    std::vector<double> impulses;  // N·s, one per requirement
+
+    /// True where the requirements conflict: no threshold satisfies all of them.
+    bool isEmpty() const { return !(low < high); }
+    bool contains(double threshold) const { return threshold > low && threshold <= high; }
+    /// A threshold with a margin to both sides: the geometric mean of the bounds, or 25 % beyond the only bound.
+    /// Nothing if the interval is empty or unbounded.
+    std::optional<double> suggested() const;
+};
+
+/// The interval for the requirements of an asset: surviving an event needs a threshold above its impulse, breaking in
+/// it one that is not above it, see requirementImpulse().
+///
+/// Errors: those of requirementImpulse(), with the asset's name.
+Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
+
+/// "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s".
+std::string requirementText(const StrengthRequirement& requirement);
+
+/// The two requirements that conflict most, and by how much, or the one that cannot be met, as a sentence; nothing if
+/// the interval is not empty.
+std::optional<std::string> conflictText(const Asset& asset, const ThresholdInterval& interval);
+
+/// "above 734.5 N·s and at most 980 N·s"; "any" without bounds.
+std::string intervalText(const ThresholdInterval& interval);
+
+/// "734.5 N·s".
+std::string impulseText(double impulse);
+
+}  // namespace rubble

@@ -1,0 +1,230 @@
+#include "core/play/analysis/SwapAudit.h"
+
+#include "core/asset/bake/FractureResult.h"
+#include "core/base/Assert.h"
+#include "core/base/MessageText.h"
+#include "core/physics/queries/Penetration.h"
+#include "core/play/session/Session.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr double kLeverFactor =
+    3.0;                            // momenta lost with the gap, relative to its part of the mass: far parts carry more
+constexpr int kSettlingSteps = 60;  // before the swap on the ground
+const Quat kFlat{0.5 * std::sqrt(2.0), -0.5 * std::sqrt(2.0), 0.0, 0.0};  // z up
+
+double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
+
+/// A project with one instance of an asset and no forces.
+Project isolated(const Project& project, Id asset) {
+    Project scene;
+    scene.nextId = project.nextId + 1;
+    scene.materials = project.materials;
+    scene.assets = {*findAsset(project, asset)};
+    scene.instances = {{.id = project.nextId, .name = "audited", .asset = asset}};
+    scene.gravity = Vec3(0.0);
+    scene.ground.isOn = false;
+    return scene;
+}
+
+Result<Session> started(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
+    auto scene = std::make_shared<PlayScene>();
+    scene->project = project;
+    scene->assets[{asset->bake->asset}] = asset;
+    return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false});
+}
+
+/// Breaks all breakable bodies; false if there are none.
+bool breakAll(Session& session) {
+    bool isAny = false;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.fracture() == nullptr) continue;
+        const Status added = session.add(BreakInput{body.number});
+        RUBBLE_ASSERT(added.hasValue());
+        isAny = true;
+    }
+    return isAny;
+}
+
+void step(Session& session, int steps) {
+    for (int k = 0; k < steps; ++k) session.step();
+}
+
+std::string idOf(const PlayBody& body) { return body.asset->bake->fragmentId(body.fragment); }
+
+/// An upper bound of the speed of a body's corners.
+double speedOf(const Session& session, const PlayBody& body) {
+    const BodyState state = session.world().state(body.body);
+    return lengthOf(state.velocity) + lengthOf(state.angularVelocity) * session.world().shape(body.body).boundingRadius;
+}
+
+void updateFastest(const Session& session, PieceSpeed& fastest) {
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role != PlayRole::Piece) continue;
+        const double speed = speedOf(session, body);
+        if (fastest.piece.empty() || speed > fastest.speed) fastest = {idOf(body), speed};
+    }
+}
+
+double exactOverlap(const Session& session) {
+    std::vector<std::vector<Polytope>> hulls;
+    std::vector<PosedHulls> placed;
+    for (const PlayBody& body : session.bodies()) {
+        hulls.push_back(hullsOf(body));
+        placed.push_back({.pose = session.world().state(body.body).pose});
+    }
+    for (std::size_t k = 0; k < placed.size(); ++k) placed[k].hulls = hulls[k];
+    return penetrationOf(placed).largest;
+}
+
+double massOf(const Session& session) {
+    double mass = 0.0;
+    for (const PlayBody& body : session.bodies()) mass += session.world().mass(body.body);
+    return mass;
+}
+
+/// Measures the floating asset, level by level.
+void measureResting(Session session, SwapAudit& audit) {
+    for (int level = 0; breakAll(session); ++level) {
+        session.step();
+        if (level == 0) {
+            const StepCounts counts = session.world().counts();
+            audit.contacts = counts.contacts;
+            audit.contactPoints = counts.contactPoints;
+            audit.deepestOverlap = exactOverlap(session);
+        }
+        audit.pieces += static_cast<std::uint32_t>(session.events().born.size());
+        step(session, kAuditSteps - 1);
+        updateFastest(session, audit.resting);
+        audit.restingEnergy = std::max(audit.restingEnergy, session.world().momenta().kinetic);
+    }
+}
+
+/// Measures the asset lying flat on the ground.
+void measureLying(Session session, SwapAudit& audit) {
+    step(session, kSettlingSteps);
+    breakAll(session);
+    step(session, kAuditSteps);
+    updateFastest(session, audit.lying);
+}
+
+/// An off-centre hammer blow on the front, which makes the asset fly and rotate about all axes.
+Hammer offCentreBlow(const PlayAsset& asset, double mass) {
+    const Shape& shape = *asset.whole.shape;
+    const Hull& hull = shape.hulls[0];
+    const Vec3f front(0.0f, 0.0f, 1.0f);
+    const auto face = hull.face(hull.faceAlong(front));
+    Vec3 middle(0.0);
+    for (const std::uint16_t corner : face) middle += toDouble(hull.corner(corner)) / static_cast<double>(face.size());
+    const Vec3 beside = middle + 0.7 * (toDouble(hull.corner(face[0])) - middle);
+    return {.at = beside + shape.mass.centre, .impulse = mass * Vec3(0.5, 0.3, -1.0)};
+}
+
+/// Advice for a fragment that is pushed, given its id.
+std::string adviceOn(const PlayAsset& asset, const std::string& piece) {
+    const auto isAboutIt = [&](const Diagnostic& one) {
+        return one.place.fragment != kNone && one.place.path == pathOfId(piece);
+    };
+    if (std::ranges::any_of(asset.diagnostics, isAboutIt)) {
+        return " Its collision shape is simplified: move its seed away from its neighbours', or delete it.";
+    }
+    if (!asset.diagnostics.empty()) {
+        return " Neighbours with simplified collision shapes may push it: move their seeds away from their "
+               "neighbours', or "
+               "delete them.";
+    }
+    return " Move its seed away from its neighbours', or delete it.";
+}
+
+void checkSpeed(const PlayAsset& asset, SwapAudit& audit, const std::string& when, const PieceSpeed& fastest,
+                double limit) {
+    if (fastest.speed <= limit) return;
+    audit.faults.push_back("Piece " + fastest.piece + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " +
+                           std::to_string(kAuditSteps) + " steps after the swap" + when + "; at most " +
+                           messageText(1e3 * limit) + " mm/s is clean." + adviceOn(asset, fastest.piece));
+}
+
+void checkDrift(SwapAudit& audit, const std::string& what, double drift, double limit) {
+    if (drift <= limit) return;
+    audit.faults.push_back("In flight the swap " + what + " by " + roundedText(drift, 3) + " (relative); at most " +
+                           messageText(limit) + " is clean.");
+}
+
+void checkLimits(const PlayAsset& asset, SwapAudit& audit) {
+    if (audit.deepestOverlap > kCleanOverlap) {
+        audit.faults.push_back("Two pieces overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) +
+                               " mm when they are swapped in.");
+    }
+    checkSpeed(asset, audit, " without any force", audit.resting, kCleanSpeed);
+    checkSpeed(asset, audit, " lying flat on the ground", audit.lying, kCleanLyingSpeed);
+    // The gap removes momenta along with mass; far from the centre that is more than its part of the mass.
+    const double gap = audit.gapFraction;
+    checkDrift(audit, "changes the mass", audit.massDrift, kCleanDrift + gap);
+    checkDrift(audit, "changes the momentum", audit.momentumDrift, kCleanDrift + kLeverFactor * gap);
+    checkDrift(audit, "changes the angular momentum", audit.angularDrift, kCleanDrift + kLeverFactor * gap);
+    checkDrift(audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
+}
+
+/// The part of the whole's volume that is removed by the gap between pieces.
+double gapFractionOf(const Bake& bake, double gap) {
+    if (gap == 0.0) return 0.0;
+    const Fragments& pieces = bake.fractures[0].fragments;
+    double volume = 0.0;
+    for (std::uint32_t k = 0; k < pieces.count(); ++k) volume += pieces[k].volume();
+    return 1.0 - volume / bake.whole.volume;
+}
+
+double driftOf(Vec3 now, Vec3 before, double scale) { return lengthOf(now - before) / scale; }
+
+/// Measures the drift in the step of the swap in flight.
+void measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
+    const double mass = massOf(session);
+    const Status added = session.add(ShotInput{"blow", offCentreBlow(asset, mass)});
+    RUBBLE_ASSERT(added.hasValue());
+    step(session, 2);
+    const Momenta before = session.world().momenta();
+    breakAll(session);
+    session.step();
+    const Momenta after = session.world().momenta();
+    audit.massDrift = std::abs(massOf(session) - mass) / mass;
+    audit.momentumDrift = driftOf(after.linear, before.linear, lengthOf(before.linear));
+    audit.angularDrift = driftOf(after.angular, before.angular, lengthOf(before.angular));
+    audit.energyGain = (after.kinetic - before.kinetic) / before.kinetic;
+}
+
+}  // namespace
+
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
+    const Asset& authored = *findAsset(project, asset->bake->asset);
+    if (asset->fractureOf(kNone) == nullptr) {
+        return ofAsset(authored, {ErrorCode::NotFound, "It has no fragments, so there is no swap to audit."});
+    }
+    Project scene = isolated(project, authored.id);
+    Result<Session> floating = started(scene, asset);
+    if (!floating) return ofAsset(authored, floating.error());
+    const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
+    SwapAudit audit{.gapFraction = gapFractionOf(*asset->bake, authored.shaping.gap)};
+    for (const Diagnostic& one : asset->diagnostics) audit.notices.push_back(one.message);
+    if (audit.gapFraction > 0.0) {
+        audit.notices.push_back("The gap between pieces takes " + roundedText(100.0 * audit.gapFraction, 3) +
+                                " % of the mass and of its momenta.");
+    }
+    Result<Session> moving = started(scene, asset);
+    if (!moving) return ofAsset(authored, moving.error());
+    measureMoving(std::move(*moving), *asset, audit);
+    measureResting(std::move(*floating), audit);
+    scene.gravity = {0.0, -9.81, 0.0};
+    scene.ground.isOn = true;
+    scene.instances[0].pose = {{0.0, authored.prism.depth / 2.0, 0.0}, kFlat};
+    Result<Session> lying = started(scene, asset);
+    if (!lying) return ofAsset(authored, lying.error());
+    measureLying(std::move(*lying), audit);
+    checkLimits(*asset, audit);
+    return audit;
+}
+
+}  // namespace rubble

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/play/scene/PlayAsset.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+// The limits of a clean swap.
+inline constexpr double kCleanSpeed = 1e-3;       // m/s: of the fastest fragment after kAuditSteps without forces
+inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: the same for an asset lying flat under gravity
+inline constexpr double kCleanOverlap = 1e-6;     // m
+inline constexpr double kCleanDrift = 1e-5;       // relative, of mass, momenta and energy in a step of single precision
+inline constexpr int kAuditSteps = 30;            // of 1/60 s
+
+/// A fragment and its speed.
+struct PieceSpeed {
+    std::string piece;   // its id
+    double speed = 0.0;  // m/s, of its fastest corner
+};
+
+/// How much the swap of an asset for its fragments changes mass and motion by itself.
+struct SwapAudit {
+    std::uint32_t pieces = 0;  // fragments of all levels
+    int contacts = 0;          // pairs of touching fragments right after the swap of the whole
+    int contactPoints = 0;
+    double deepestOverlap = 0.0;  // m: of two exact fragments then
+    PieceSpeed resting;           // the fastest fragment, kAuditSteps after the swap of any level, without forces
+    double restingEnergy = 0.0;   // J: their kinetic energy then; the whole had none
+    PieceSpeed lying;             // the fastest fragment after kAuditSteps, of an asset lying flat on the ground
+    double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
+    double momentumDrift = 0.0;
+    double angularDrift = 0.0;
+    double energyGain = 0.0;           // negative: a loss
+    double gapFraction = 0.0;          // of the volume, removed by the gap between pieces: so much may be lost
+    std::vector<std::string> notices;  // fragments with simplified shapes
+    std::vector<std::string> faults;   // violated limits and what to change, as sentences
+
+    bool isClean() const { return faults.empty(); }
+};
+
+/// Measures swaps without forces, in sessions with one instance of an asset: floating at rest, lying flat on the
+/// ground, and flying and rotating. The project's damage preset, debris and gravity are not used; gravity on the ground
+/// is 9.81 m/s².
+///
+/// Errors: NotFound if the asset has no fragments; those of playScene().
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset);
+
+}  // namespace rubble

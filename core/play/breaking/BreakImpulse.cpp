@@ -1,0 +1,33 @@
+#include "core/play/breaking/BreakImpulse.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// The break of a body; null if it does not break.
+PendingBreak* breakOf(BodyId body, std::span<PendingBreak> breaks) {
+    const auto found = std::ranges::find(breaks, body, [](const PendingBreak& one) { return one.event.body.body; });
+    return found == breaks.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void applyBreakImpulses(World& world, std::span<PendingBreak> breaks) {
+    for (PendingBreak& broken : breaks) {
+        const PlayBreak& event = broken.event;
+        if (event.impactor.index == 0) continue;
+        PendingBreak* other = breakOf(event.impactor, breaks);
+        const MovingMass impactor = other != nullptr ? other->mass : movingMass(world, event.impactor);
+        const double stopping = stoppingImpulse(impactor, broken.mass, event.point, event.normal, broken.restitution);
+        const Vec3 impulse = std::min(event.threshold, stopping) * event.normal;
+        broken.mass.applyImpulse(impulse, event.point);
+        if (other != nullptr) {
+            other->mass.applyImpulse(-impulse, event.point);
+        } else if (impactor.inverseMass > 0.0) {
+            world.applyImpulse(event.impactor, -impulse, event.point);
+        }
+    }
+}
+
+}  // namespace rubble

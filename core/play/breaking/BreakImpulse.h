@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/play/breaking/MovingMass.h"
+#include "core/play/state/PlayEvents.h"
+
+#include <span>
+
+namespace rubble {
+
+/// A body about to be swapped: its break, and how its mass moves.
+struct PendingBreak {
+    PlayBreak event;
+    double restitution = 0.0;  // of the pair
+    Pose pose;                 // of the whole's frame
+    MovingMass mass;           // as if it were not fixed
+};
+
+/// Applies the break impulses, in order: each impactor loses, and the body it breaks gains, the body's threshold or the
+/// impulse that stops their approach, whichever is less. If two bodies break each other, each is the other's impactor.
+void applyBreakImpulses(World& world, std::span<PendingBreak> breaks);
+
+}  // namespace rubble

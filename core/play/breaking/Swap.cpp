@@ -1,0 +1,145 @@
+#include "core/play/breaking/Swap.h"
+
+#include "core/base/Assert.h"
+#include "core/base/Stopwatch.h"
+#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/Damage.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// The damage of a step to breakable bodies, by number.
+std::vector<std::pair<PlayBody, DamageDone>> damageToBreakableBodies(const SessionParts& parts,
+                                                                     std::span<const Impact> impacts) {
+    std::vector<std::pair<PlayBody, DamageDone>> damaged;
+    for (const DamageDone& damage : damageOf(impacts, parts.world, parts.scene.project.damage.rule)) {
+        const PlayBody* body = findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(damage.body)));
+        RUBBLE_ASSERT(body != nullptr);
+        if (body->fracture() != nullptr) damaged.emplace_back(*body, damage);
+    }
+    std::ranges::sort(damaged, {}, [](const auto& one) { return one.first.number; });
+    return damaged;
+}
+
+PendingBreak breakBy(const SessionParts& parts, const PlayBody& body, const Impact& impact, double damage) {
+    PendingBreak broken = pendingBreak(parts, body);
+    const bool isFirst = impact.first == body.body;
+    broken.event.impact = damage;
+    broken.event.point = impact.point;
+    broken.event.normal = isFirst ? -impact.normal : impact.normal;
+    broken.event.impactor = isFirst ? impact.second : impact.first;
+    broken.restitution = impact.restitution;
+    return broken;
+}
+
+/// The asset whose fragments replace the body: its own, or one fractured at the point of impact.
+std::shared_ptr<const PlayAsset> assetToSwap(const SessionParts& parts, const PendingBreak& broken) {
+    const PlayBody& body = broken.event.body;
+    const Asset& asset = *findAsset(parts.scene.project, body.asset->bake->asset);
+    if (!asset.cutAtImpact || body.fragment != kNone) return body.asset;
+    const Vec3 local = glm::conjugate(broken.pose.orientation) * (broken.event.point - broken.pose.position);
+    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, Vec2(local), body.number);
+    if (cut && (*cut)->fractureOf(kNone) != nullptr) return std::move(*cut);
+    parts.state.events.notices.push_back(
+        "A body broke into the pieces of its pattern, since it cannot be fractured at the point of impact: " +
+        (cut ? std::string("this would give one piece.") : cut.error().message));
+    return body.asset;
+}
+
+/// A fragment at its position in the whole, moving as that point of the whole did; with the thesis preset, with the
+/// velocity of the whole's centre.
+BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& broken, const PlayAsset& asset,
+                               std::uint32_t fragment) {
+    const PlayPiece& piece = asset.pieces[fragment];
+    const Vec3 offset = piece.offset - asset.piece(broken.event.body.fragment).offset;
+    const BodyMaterial material = bodyMaterial(parts, asset, fragment, PlayRole::Piece);
+    BodyDefinition definition{
+        .shape = piece.shape,
+        .pose = {broken.pose.position + broken.pose.orientation * offset, broken.pose.orientation},
+        .velocity = broken.mass.velocity,
+        .angularVelocity = broken.mass.angularVelocity,
+        .density = material.density,
+        .friction = material.friction,
+        .restitution = material.restitution};
+    if (!parts.scene.project.damage.isThesis) {
+        const Vec3 centre = definition.pose.position + broken.pose.orientation * piece.shape->mass.centre;
+        definition.velocity = broken.mass.velocityAt(centre);
+    }
+    return definition;
+}
+
+/// Removes the whole from the world.
+void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
+    broken.event.asset = assetToSwap(parts, broken);
+    broken.event.pose = broken.pose;
+    removeFromWorld(parts, broken.event.body.number);
+    broken.event.milliseconds = watch.lap();
+}
+
+/// Adds the fragments to the world.
+void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
+    PlayBreak& event = broken.event;
+    const PlayFracture& fracture = *event.asset->fractureOf(event.body.fragment);
+    event.firstPiece = parts.state.nextNumber;
+    event.pieces = fracture.count;
+    for (std::uint32_t k = 0; k < fracture.count; ++k) {
+        const std::uint32_t fragment = fracture.first + k;
+        const Result<std::uint32_t> added =
+            addBody(parts, pieceDefinition(parts, broken, *event.asset, fragment),
+                    {.role = PlayRole::Piece, .origin = event.body.origin, .asset = event.asset, .fragment = fragment});
+        RUBBLE_ASSERT(added.hasValue());
+        parts.state.events.born.push_back(parts.state.bodies.back());
+    }
+    const PlayBody* pieces = &parts.state.bodies[parts.state.bodies.size() - fracture.count];
+    const auto bodyOf = [&](std::uint32_t fragment) { return pieces[fragment - fracture.first].body; };
+    for (const PlayContact& pair : fracture.neighbours) {
+        parts.world.addContact(bodyOf(pair.first), bodyOf(pair.second), pair.manifolds);
+    }
+    event.milliseconds += watch.lap();
+    parts.state.events.breaks.push_back(event);
+    parts.state.recentBreaks.push_back(event);
+}
+
+}  // namespace
+
+PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
+    PendingBreak broken;
+    broken.event = {
+        .step = parts.state.step + 1, .body = body, .threshold = thresholdOf(parts.state, parts.scene, body)};
+    broken.pose = parts.world.state(body.body).pose;
+    const BodyMaterial material = bodyMaterial(parts, *body.asset, body.fragment, body.role);
+    broken.mass = parts.world.kind(body.body) == BodyKind::Dynamic
+                      ? movingMass(parts.world, body.body)
+                      : restingMass(parts.world.shape(body.body), material.density, broken.pose);
+    return broken;
+}
+
+void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks) {
+    if (!parts.scene.project.damage.isThesis) applyBreakImpulses(parts.world, breaks);
+    Stopwatch watch;
+    for (PendingBreak& broken : breaks) removeWhole(parts, broken, watch);
+    eraseRemovedBodies(parts.state);
+    watch.lap();
+    for (PendingBreak& broken : breaks) addPieces(parts, broken, watch);
+}
+
+bool breakHitBodies(const SessionParts& parts) {
+    const std::vector<Impact> impacts = parts.world.impacts();
+    std::vector<PendingBreak> breaks;
+    for (const auto& [body, damage] : damageToBreakableBodies(parts, impacts)) {
+        const double threshold = thresholdOf(parts.state, parts.scene, body);
+        const Impact& impact = impacts[damage.impact];
+        parts.state.events.impacts.push_back({body.number, damage.amount, threshold, impact.point});
+        if (parts.state.hasDestruction && damage.amount >= threshold) {
+            breaks.push_back(breakBy(parts, body, impact, damage.amount));
+        }
+    }
+    if (breaks.empty()) return false;
+    applyBreaks(parts, std::move(breaks));
+    return true;
+}
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/play/breaking/BreakImpulse.h"
+#include "core/play/state/SessionState.h"
+
+namespace rubble {
+
+/// Finds the bodies that break in a step whose collisions are known, and swaps them for their fragments. True if any
+/// broke.
+bool breakHitBodies(const SessionParts& parts);
+/// Applies the break impulses and swaps the bodies for their fragments, in the given order.
+void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks);
+/// The break of a body without an impactor.
+PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body);
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#include "core/play/scene/InstanceOverlaps.h"
+
+#include "core/base/QuantityText.h"
+#include "core/physics/queries/Penetration.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+std::string nameOf(const Project& project, Id instance) {
+    const auto found = std::ranges::find(project.instances, instance, &Instance::id);
+    return found != project.instances.end() ? '"' + found->name + '"' : std::to_string(instance);
+}
+
+double depthInGround(const PosedHulls& body, const Ground& ground) {
+    double lowest = ground.height;
+    for (const Polytope& hull : body.hulls) {
+        for (const Vec3& vertex : hull.vertices) {
+            lowest = std::min(lowest, body.pose.position.y + (body.pose.orientation * vertex).y);
+        }
+    }
+    return ground.height - lowest;
+}
+
+}  // namespace
+
+std::vector<InstanceOverlap> instanceOverlaps(const Project& project) {
+    const AssetHulls hulls = assetHulls(project);
+    std::vector<PosedHulls> bodies;
+    for (const Instance& instance : project.instances) {
+        const auto own = hulls.find(instance.asset);
+        bodies.push_back({own != hulls.end() ? own->second : std::span<const Polytope>(), instance.pose});
+    }
+    std::vector<InstanceOverlap> overlaps;
+    for (std::size_t k = 0; k < bodies.size() && project.ground.isOn; ++k) {
+        const double depth = depthInGround(bodies[k], project.ground);
+        if (depth > kTouchTolerance && !project.instances[k].isFixed) {
+            overlaps.push_back({project.instances[k].id, 0, depth});
+        }
+    }
+    for (const auto& [first, second, depth] : overlapsOf(bodies)) {
+        if (depth <= kTouchTolerance) continue;
+        overlaps.push_back({project.instances[first].id, project.instances[second].id, depth});
+    }
+    std::ranges::sort(overlaps, {}, [](const InstanceOverlap& o) { return std::pair(o.first, o.second); });
+    return overlaps;
+}
+
+std::string sentenceOf(const InstanceOverlap& overlap, const Project& project) {
+    const std::string first = nameOf(project, overlap.first);
+    const std::string depth = quantityText(QuantityKind::Length, overlap.depth);
+    if (overlap.second == 0) return first + " stands " + depth + " deep in the ground.";
+    return first + " and " + nameOf(project, overlap.second) + " overlap by " + depth + ".";
+}
+
+}  // namespace rubble

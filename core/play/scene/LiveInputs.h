@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/play/scene/PlayInput.h"
+
+#include <optional>
+#include <vector>
+
+namespace rubble {
+
+/// The inputs that change a project while it is played into another state of it: thresholds, physical materials and
+/// gravity. Empty if both play alike: names, shots, play-tests and requirements have no effect. Nothing (no vector) if
+/// play must be restarted: for another shape, pattern, placement, surface or rule.
+std::optional<std::vector<PlayInput>> liveInputs(const Project& played, const Project& now);
+
+}  // namespace rubble

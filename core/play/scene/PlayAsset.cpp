@@ -1,0 +1,105 @@
+#include "core/play/scene/PlayAsset.h"
+
+#include "core/asset/bake/FractureResult.h"
+#include "core/base/Roots.h"
+#include "core/play/scene/BodyShape.h"
+
+namespace rubble {
+namespace {
+
+/// The shape of a solid; a simplification is added to the diagnostics.
+Result<std::shared_ptr<const Shape>> namedShape(const std::string& name, std::span<const Polytope> hulls,
+                                                const MassProperties& mass, const DiagnosticPlace& place,
+                                                std::vector<Diagnostic>& diagnostics) {
+    Result<BodyShape> made = bodyShape(hulls, mass);
+    if (!made) return Error{made.error().code, name + ": " + made.error().message};
+    if (made->simplified) {
+        diagnostics.push_back(diagnostic(DiagnosticCode::SimplifiedShape, place, name + ": " + *made->simplified));
+    }
+    return std::move(made->shape);
+}
+
+PlayFracture playFracture(const BakedFracture& baked) {
+    PlayFracture fracture{.first = baked.first, .count = baked.fragments.count()};
+    for (std::uint32_t k = 0; k < fracture.count; ++k) {
+        for (const Bond& bond : baked.fragments[k].bonds()) {
+            if (bond.fragment > k) fracture.neighbours.push_back({baked.first + k, baked.first + bond.fragment, {}});
+        }
+    }
+    return fracture;
+}
+
+/// Computes the contact manifolds of all neighbours.
+void findContacts(PlayAsset& ready, PlayFracture& fracture) {
+    const auto centreOf = [](const PlayPiece& piece) { return piece.offset + piece.shape->mass.centre; };
+    for (PlayContact& pair : fracture.neighbours) {
+        const PlayPiece &first = ready.pieces[pair.first], &second = ready.pieces[pair.second];
+        pair.manifolds = cachedManifolds(*first.shape, *second.shape, centreOf(second) - centreOf(first));
+    }
+}
+
+Status appendPieces(const BakedFracture& baked, const TaskContext& task, PlayAsset& ready) {
+    const Bake& bake = *ready.bake;
+    for (std::uint32_t k = 0; k < baked.fragments.count(); ++k) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        const Fragment solid = baked.fragments[k];
+        const MassProperties mass = solid.mass();
+        const std::string id = bake.fragmentId(baked.first + k);
+        const DiagnosticPlace place{
+            .asset = bake.asset, .level = baked.level, .fragment = baked.first + k, .path = pathOfId(id)};
+        Result<std::shared_ptr<const Shape>> shape =
+            namedShape("Piece " + id, solid.hulls(), mass, place, ready.diagnostics);
+        if (!shape) return shape.error();
+        ready.pieces.push_back({.shape = std::move(*shape),
+                                .offset = solid.offset(),
+                                .thresholdScale = thresholdScaleOf(mass.volume / bake.whole.volume)});
+    }
+    return success();
+}
+
+}  // namespace
+
+double thresholdScaleOf(double volumeFraction) {
+    const double root = cubeRoot(volumeFraction);
+    return root * root;
+}
+
+std::vector<Polytope> wholeHullsInPrism(const Bake& bake) {
+    std::vector<Polytope> hulls = bake.wholeHulls;
+    for (Polytope& hull : hulls) hull = translated(std::move(hull), bake.whole.centre);
+    return hulls;
+}
+
+const PlayFracture* PlayAsset::fractureOf(std::uint32_t fragment) const {
+    const std::uint32_t fracture = piece(fragment).fracture;
+    return fracture == kNone ? nullptr : &fractures[fracture];
+}
+
+Result<PlayAsset> wholePlayAsset(const Asset& asset, std::shared_ptr<const Bake> bake) {
+    PlayAsset ready{.bake = std::move(bake)};
+    Result<std::shared_ptr<const Shape>> whole = namedShape("The whole", wholeHullsInPrism(*ready.bake),
+                                                            ready.bake->whole, {.asset = asset.id}, ready.diagnostics);
+    if (!whole) return ofAsset(asset, whole.error());
+    ready.whole.shape = std::move(*whole);
+    return ready;
+}
+
+Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
+                                                   const TaskContext& task, FindContacts when) {
+    Result<PlayAsset> whole = wholePlayAsset(asset, std::move(bake));
+    if (!whole) return whole.error();
+    const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
+    for (const BakedFracture& baked : ready->bake->fractures) {
+        if (const Status appended = appendPieces(baked, task, *ready); !appended) {
+            return appended.error().code == ErrorCode::Cancelled ? appended.error() : ofAsset(asset, appended.error());
+        }
+        if (baked.fragments.count() < 2) continue;
+        PlayPiece& broken = baked.parent == kNone ? ready->whole : ready->pieces[baked.parent];
+        broken.fracture = static_cast<std::uint32_t>(ready->fractures.size());
+        ready->fractures.push_back(playFracture(baked));
+        if (when == FindContacts::InAdvance) findContacts(*ready, ready->fractures.back());
+    }
+    return std::shared_ptr<const PlayAsset>(ready);
+}
+
+}  // namespace rubble

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+#include "core/physics/narrowphase/ManifoldCache.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// A solid that can be a body: the whole of an asset, or one of its fragments.
+struct PlayPiece {
+    std::shared_ptr<const Shape> shape;  // in its own frame: the prism's for the whole, else the fragment's
+    Vec3 offset{0.0, 0.0, 0.0};          // m, of that frame in the prism's; the axes are the same
+    double thresholdScale = 1.0;         // its threshold relative to the whole's
+    std::uint32_t fracture = kNone;      // index in PlayAsset::fractures; kNone: it does not break
+};
+
+/// Two neighbouring fragments and, if precomputed, their contact manifolds.
+struct PlayContact {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    std::vector<CachedManifold> manifolds;
+};
+
+/// The fragments that replace one solid: consecutive in the bake.
+struct PlayFracture {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;              // at least 2
+    std::vector<PlayContact> neighbours;  // each pair once
+};
+
+/// An asset prepared for play: the shapes of everything it can become, shared by all of its bodies.
+struct PlayAsset {
+    std::shared_ptr<const Bake> bake;
+    PlayPiece whole;
+    std::vector<PlayPiece> pieces;  // one per fragment of the bake
+    std::vector<PlayFracture> fractures;
+    std::vector<Diagnostic> diagnostics;  // SimplifiedShape
+
+    /// A fragment; kNone: the whole.
+    const PlayPiece& piece(std::uint32_t fragment) const { return fragment == kNone ? whole : pieces[fragment]; }
+    /// The fragments that replace it; null if it does not break.
+    const PlayFracture* fractureOf(std::uint32_t fragment) const;
+};
+
+/// The thresholdScale of a fragment with this fraction of the whole's volume: its power of 2/3, since breaking energy
+/// scales with area.
+double thresholdScaleOf(double volumeFraction);
+
+/// The hulls of the whole in the prism's frame.
+std::vector<Polytope> wholeHullsInPrism(const Bake& bake);
+
+/// When the contacts between fragments are computed, which takes about as long as their first collision.
+enum class FindContacts : std::uint8_t { InAdvance, OnBreak };
+
+/// Prepares the whole of a baked asset without its fragments, which is enough for strength requirements.
+///
+/// Errors: as below.
+Result<PlayAsset> wholePlayAsset(const Asset& asset, std::shared_ptr<const Bake> bake);
+
+/// Prepares a baked asset. A solid with too many corners gets the hull of its extreme ones as its shape, one that is
+/// too thin its bounding box, each with the mass of the exact solid and a notice.
+///
+/// Errors: BadInput if the whole cannot be a body, with the asset's name; Cancelled.
+Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
+                                                   const TaskContext& task = {},
+                                                   FindContacts when = FindContacts::InAdvance);
+
+}  // namespace rubble

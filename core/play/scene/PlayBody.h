@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/physics/world/World.h"
+#include "core/play/scene/PlayAsset.h"
+
+namespace rubble {
+
+enum class PlayRole : std::uint8_t {
+    Ground,
+    Instance,    // whole, placed in the project
+    Projectile,  // whole, thrown
+    Piece,       // a fragment of an instance or a projectile
+};
+
+/// A body of a session. Numbers are given in order of creation and never reused; the number is the body's tag in the
+/// world.
+struct PlayBody {
+    std::uint32_t number = 0;
+    BodyId body;
+    PlayRole role = PlayRole::Instance;
+    std::uint32_t origin = 0;                // its instance or shot: an index in Session::origins()
+    std::shared_ptr<const PlayAsset> asset;  // null for the ground and plain projectiles
+    std::uint32_t fragment = kNone;          // of the asset's bake; kNone: the whole
+    std::shared_ptr<const Polytope> hull;    // without an asset: its hull, in its own frame
+    std::uint64_t born = 0;                  // steps done before it was created
+
+    bool isDebris() const { return role == PlayRole::Piece || role == PlayRole::Projectile; }
+    /// The fragments that replace it; null if it does not break.
+    const PlayFracture* fracture() const { return asset ? asset->fractureOf(fragment) : nullptr; }
+};
+
+/// The unbroken solid that bodies come from: an instance, or something thrown.
+struct PlayOrigin {
+    std::string name;
+    Id instance = 0;            // 0: the ground, or thrown
+    Id asset = 0;               // 0: the ground, or a plain projectile
+    std::uint32_t variant = 0;  // of the asset
+};
+
+/// "front 1.1", or with the fragment's path: "front 1.1/5.17".
+std::string nameOf(const PlayBody& body, const PlayOrigin& origin);
+
+/// The exact convex hulls of a body, in its own frame.
+std::vector<Polytope> hullsOf(const PlayBody& body);
+
+/// The height of a body's highest point in the world, m.
+double topHeight(const PlayBody& body, const World& world);
+
+}  // namespace rubble

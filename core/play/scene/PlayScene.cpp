@@ -1,0 +1,59 @@
+#include "core/play/scene/PlayScene.h"
+
+#include "core/asset/checks/ValueFaults.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/Names.h"
+
+namespace rubble {
+namespace {
+
+Error missing(const std::string& owner, Id asset) {
+    return {ErrorCode::BadInput, owner + " is of asset " + std::to_string(asset) + ", which is not baked yet."};
+}
+
+/// Checks that every asset in use is prepared.
+Status checkAssets(const PlayScene& scene) {
+    for (const Instance& instance : scene.project.instances) {
+        if (!scene.assets.contains(variantOf(instance))) {
+            return missing(ownerText("Instance", instance.id, instance.name), instance.asset);
+        }
+    }
+    for (const Shot& shot : scene.project.shots) {
+        const Throw* thrown = std::get_if<Throw>(&shot.action);
+        if (thrown != nullptr && thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
+            return missing(ownerText("Shot", shot.id, shot.name), thrown->asset);
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
+                                                   const TaskContext& task) {
+    if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
+    auto scene = std::make_shared<PlayScene>();
+    scene->project = project;
+    for (const AssetVariant& variant : usedVariants(project)) {
+        const auto baked = bakes.find(variant);
+        if (baked == bakes.end()) continue;
+        const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
+        Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
+        if (!ready) return ready.error();
+        for (const Diagnostic& one : (*ready)->diagnostics) {
+            scene->notices.push_back(ownerText("Asset", asset.id, asset.name) + ": " + one.message);
+        }
+        scene->assets[variant] = std::move(*ready);
+    }
+    if (const Status checked = checkAssets(*scene); !checked) return checked.error();
+    return std::shared_ptr<const PlayScene>(std::move(scene));
+}
+
+Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const TaskContext& task) {
+    if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
+    const Result<AssetBakes> bakes = bakesOf(project, {}, task);
+    if (!bakes) return bakes.error();
+    return playScene(project, *bakes, task);
+}
+
+}  // namespace rubble

@@ -1,0 +1,66 @@
+#include "core/play/session/Aim.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxDistance = 1000.0;    // m: farther hits are ignored
+constexpr double kDefaultDistance = 30.0;  // m: of the target without a hit
+
+}  // namespace
+
+std::optional<CastHit> firstHit(const World& world, const Ray& ray) {
+    return world.castRay(ray.from, ray.at(kMaxDistance));
+}
+
+Throw throwAlong(const Session& session, Throw thrown, const Ray& ray) {
+    const std::optional<CastHit> hit = firstHit(session.world(), ray);
+    thrown.from = ray.from;
+    return aimedAt(thrown, hit ? hit->point : ray.at(kDefaultDistance), session.world().gravity());
+}
+
+std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray) {
+    const std::optional<CastHit> hit = firstHit(session.world(), ray);
+    if (!hit) return std::nullopt;
+    return Hammer{hit->point, impulse * ray.direction};
+}
+
+std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray) {
+    const std::optional<CastHit> hit = firstHit(session.world(), ray);
+    if (!hit) return std::nullopt;
+    explosion.at = hit->point;
+    return explosion;
+}
+
+/// The trajectory time t to displacement d at speed v under gravity g solves g²/4 t⁴ - (d·g + v²) t² + d² = 0. The
+/// smaller root t² is computed without cancellation, which also covers g = 0.
+Throw aimedAt(Throw thrown, Vec3 target, Vec3 gravity) {
+    thrown.to = target;
+    const Vec3 d = target - thrown.from;
+    const double half = glm::dot(d, gravity) + thrown.speed * thrown.speed;
+    const double discriminant = half * half - glm::dot(gravity, gravity) * glm::dot(d, d);
+    if (half <= 0.0 || discriminant < 0.0) return thrown;
+    const double squaredTime = 2.0 * glm::dot(d, d) / (half + std::sqrt(discriminant));
+    thrown.to = target - 0.5 * squaredTime * gravity;
+    return thrown;
+}
+
+Trajectory trajectoryOf(const Session& session, const Throw& thrown, double seconds) {
+    const Vec3 aim = thrown.to - thrown.from, gravity = session.world().gravity();
+    const double length = std::sqrt(glm::dot(aim, aim));
+    Trajectory trajectory{.points = {thrown.from}};
+    if (!(length > 0.0)) return trajectory;
+    const Vec3 velocity = (thrown.speed / length) * aim;
+    const std::uint64_t steps = stepOf(seconds, session.stepLength());
+    for (std::uint64_t step = 1; step <= steps && !trajectory.hit; ++step) {
+        const double time = static_cast<double>(step) * session.stepLength();
+        const Vec3 next = thrown.from + time * velocity + 0.5 * time * time * gravity;
+        trajectory.hit = session.world().castRay(trajectory.points.back(), next);
+        trajectory.points.push_back(trajectory.hit ? trajectory.hit->point : next);
+    }
+    return trajectory;
+}
+
+}  // namespace rubble

@@ -1,0 +1,225 @@
+#include "core/play/session/PlayTestRun.h"
+
+#include "core/base/MessageText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr double kUntouched = 0.01;  // m
+
+double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
+
+/// Observes the run of a test.
+class TestObserver {
+public:
+    explicit TestObserver(const Session& session) : m_session(session) {
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role == PlayRole::Instance)
+                m_starts.push_back({body.number, session.world().state(body.body).centre});
+        }
+        m_pieces.assign(session.origins().size(), 1);
+        m_brokenAt.assign(session.origins().size(), 0);
+    }
+
+    void afterStep() {
+        m_pieces.resize(m_session.origins().size(), 1);
+        m_brokenAt.resize(m_session.origins().size(), 0);
+        for (const PlayBreak& broken : m_session.events().breaks) {
+            m_pieces[broken.body.origin] += broken.pieces - 1;
+            if (m_brokenAt[broken.body.origin] == 0) m_brokenAt[broken.body.origin] = m_session.stepsDone();
+        }
+        for (const Start& start : m_starts) {
+            const PlayBody* body = m_session.body(start.number);
+            if (body == nullptr) continue;
+            const double moved = lengthOf(m_session.world().state(body->body).centre - start.centre);
+            recordMove(body->origin, moved);
+        }
+    }
+
+    ExpectationOutcome outcome(const Expectation& expectation) const {
+        switch (expectation.kind) {
+            case ExpectationKind::StandsUntouched: return standsUntouched(expectation);
+            case ExpectationKind::Breaks: return breaks(expectation);
+            case ExpectationKind::DoesNotBreak: return doesNotBreak(expectation);
+            case ExpectationKind::BreaksIntoAtLeast: return breaksInto(expectation);
+            case ExpectationKind::NothingAbove: return nothingAbove(expectation);
+            case ExpectationKind::NothingFaster: return nothingFaster(expectation);
+        }
+        return {};
+    }
+
+private:
+    struct Start {
+        std::uint32_t number = 0;
+        Vec3 centre;
+    };
+    /// When an instance had first moved by more than kUntouched.
+    struct Move {
+        std::uint32_t origin = 0;
+        std::uint64_t step = 0;
+    };
+
+    void recordMove(std::uint32_t origin, double moved) {
+        const bool isRecorded = std::ranges::find(m_firstMoves, origin, &Move::origin) != m_firstMoves.end();
+        if (moved > kUntouched && !isRecorded) m_firstMoves.push_back({origin, m_session.stepsDone()});
+    }
+
+    bool matches(std::uint32_t origin, Id instance) const {
+        const PlayOrigin& one = m_session.origins()[origin];
+        return instance == 0 ? one.instance != 0 : one.instance == instance;
+    }
+    std::string nameOf(Id instance, const std::string& any) const {
+        for (const PlayOrigin& origin : m_session.origins()) {
+            if (instance != 0 && origin.instance == instance) return '"' + origin.name + '"';
+        }
+        return any;
+    }
+    std::string when(std::uint64_t step) const {
+        const double time = static_cast<double>(step) * m_session.stepLength();
+        return "at step " + std::to_string(step) + " (" + roundedText(time, 4) + " s)";
+    }
+    /// The first matching origin that broke; nothing if none did.
+    std::optional<std::uint32_t> firstBroken(Id instance) const {
+        std::optional<std::uint32_t> first;
+        for (std::uint32_t origin = 0; origin < m_brokenAt.size(); ++origin) {
+            if (m_brokenAt[origin] == 0 || !matches(origin, instance)) continue;
+            if (!first || m_brokenAt[origin] < m_brokenAt[*first]) first = origin;
+        }
+        return first;
+    }
+    std::string brokeText(std::uint32_t origin) const {
+        return '"' + m_session.origins()[origin].name + "\" broke " + when(m_brokenAt[origin]);
+    }
+
+    ExpectationOutcome standsUntouched(const Expectation& expectation) const {
+        ExpectationOutcome outcome{.expected = nameOf(expectation.instance, "everything") + " stands untouched for " +
+                                               messageText(expectation.value) + " s"};
+        const auto until = static_cast<std::uint64_t>(std::floor(expectation.value / m_session.stepLength() + 1e-6));
+        outcome.step = std::min(until, m_session.stepsDone());
+        outcome.isMet = until <= m_session.stepsDone();
+        outcome.seen = outcome.isMet ? "it stood" : "the test is over before";
+        for (const Move& move : m_firstMoves) {
+            if (move.step > outcome.step || !matches(move.origin, expectation.instance)) continue;
+            outcome = {false, outcome.expected,
+                       '"' + m_session.origins()[move.origin].name + "\" had moved more than 1 cm " + when(move.step),
+                       move.step};
+            break;
+        }
+        const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
+        if (broken && m_brokenAt[*broken] <= outcome.step) {
+            outcome = {false, outcome.expected, brokeText(*broken), m_brokenAt[*broken]};
+        }
+        return outcome;
+    }
+
+    ExpectationOutcome breaks(const Expectation& expectation) const {
+        const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
+        return {broken.has_value(), nameOf(expectation.instance, "something") + " breaks",
+                broken ? brokeText(*broken) : "nothing of it broke",
+                broken ? m_brokenAt[*broken] : m_session.stepsDone()};
+    }
+
+    ExpectationOutcome doesNotBreak(const Expectation& expectation) const {
+        const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
+        return {!broken, nameOf(expectation.instance, "anything") + " does not break",
+                broken ? brokeText(*broken) : "it stayed whole", broken ? m_brokenAt[*broken] : m_session.stepsDone()};
+    }
+
+    ExpectationOutcome breaksInto(const Expectation& expectation) const {
+        std::uint32_t most = 0;
+        for (std::uint32_t origin = 0; origin < m_pieces.size(); ++origin) {
+            if (matches(origin, expectation.instance)) most = std::max(most, m_pieces[origin]);
+        }
+        return {most >= expectation.value,
+                nameOf(expectation.instance, "something") + " breaks into at least " + messageText(expectation.value) +
+                    " pieces",
+                most == 1 ? "it stayed whole" : "it was in " + std::to_string(most) + " pieces", m_session.stepsDone()};
+    }
+
+    /// The matching dynamic body with the largest value of a measure.
+    template <class Measure>
+    std::pair<const PlayBody*, double> largest(Id instance, const Measure& measure) const {
+        std::pair<const PlayBody*, double> found{nullptr, 0.0};
+        for (const PlayBody& body : m_session.bodies()) {
+            if (m_session.world().kind(body.body) != BodyKind::Dynamic) continue;
+            if (instance != 0 && !matches(body.origin, instance)) continue;
+            const double value = measure(body);
+            if (found.first == nullptr || value > found.second) found = {&body, value};
+        }
+        return found;
+    }
+
+    ExpectationOutcome nothingAbove(const Expectation& expectation) const {
+        const auto [body, height] =
+            largest(expectation.instance, [&](const PlayBody& one) { return topHeight(one, m_session.world()); });
+        return {body == nullptr || height <= expectation.value,
+                "nothing" + ofText(expectation.instance) + " is higher than " + messageText(expectation.value) +
+                    " m at the end",
+                body == nullptr ? "nothing was left"
+                                : '"' + m_session.nameOf(*body) + "\" reached up to " + roundedText(height, 4) + " m",
+                m_session.stepsDone()};
+    }
+
+    ExpectationOutcome nothingFaster(const Expectation& expectation) const {
+        const auto [body, speed] = largest(expectation.instance, [&](const PlayBody& one) {
+            return lengthOf(m_session.world().state(one.body).velocity);
+        });
+        return {body == nullptr || speed <= expectation.value,
+                "nothing" + ofText(expectation.instance) + " is faster than " + messageText(expectation.value) +
+                    " m/s at the end",
+                body == nullptr ? "nothing was left"
+                                : '"' + m_session.nameOf(*body) + "\" moved at " + roundedText(speed, 4) + " m/s",
+                m_session.stepsDone()};
+    }
+
+    std::string ofText(Id instance) const { return instance == 0 ? "" : " of " + nameOf(instance, ""); }
+
+    const Session& m_session;
+    std::vector<Start> m_starts;
+    std::vector<Move> m_firstMoves;
+    std::vector<std::uint32_t> m_pieces;    // by origin
+    std::vector<std::uint64_t> m_brokenAt;  // by origin; 0: not broken
+};
+
+}  // namespace
+
+bool PlayTestOutcome::isPassed() const { return std::ranges::all_of(expectations, &ExpectationOutcome::isMet); }
+
+std::uint64_t PlayTestOutcome::failedAt() const {
+    const auto failed = std::ranges::find(expectations, false, &ExpectationOutcome::isMet);
+    return failed == expectations.end() ? 0 : failed->step;
+}
+
+Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                          const SessionSettings& settings) {
+    Result<Session> session = Session::start(scene, settings);
+    if (!session) return session.error();
+    for (const Shot& shot : scene->project.shots) {
+        if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
+        if (const Status added = session->add(shot); !added) return added.error();
+    }
+    return session;
+}
+
+Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                                    const SessionSettings& settings, const TaskContext& task) {
+    Result<Session> session = sessionOf(std::move(scene), test, settings);
+    if (!session) return session.error();
+    TestObserver observer(*session);
+    const std::uint64_t steps = std::max<std::uint64_t>(stepOf(test.duration, settings.dt), 1);
+    while (session->stepsDone() < steps) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        session->step();
+        observer.afterStep();
+        task.report(static_cast<double>(session->stepsDone()) / static_cast<double>(steps));
+    }
+    PlayTestOutcome outcome{.test = test.id, .name = test.name, .steps = steps, .hash = session->hash()};
+    for (const Expectation& expectation : test.expectations)
+        outcome.expectations.push_back(observer.outcome(expectation));
+    return outcome;
+}
+
+}  // namespace rubble

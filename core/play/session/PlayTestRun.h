@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/play/session/Session.h"
+
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// The result of an expectation.
+struct ExpectationOutcome {
+    bool isMet = false;
+    std::string expected;    // "front 4.1" breaks
+    std::string seen;        // it broke at step 47 (0.783 s)
+    std::uint64_t step = 0;  // after which it was decided
+};
+
+struct PlayTestOutcome {
+    Id test = 0;
+    std::string name;
+    std::uint64_t steps = 0;
+    std::vector<ExpectationOutcome> expectations;  // in the test's order
+    ContentHash hash;                              // after the last step
+    bool isPassed() const;
+    /// The step after which the first expectation failed; 0 if none did.
+    std::uint64_t failedAt() const;
+};
+
+/// A session at its start with the test's shots pending.
+///
+/// Errors: those of Session::start() and Session::add().
+Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                          const SessionSettings& settings = {});
+
+/// Plays a test of the scene's project and evaluates its expectations.
+///
+/// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
+/// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its pieces at the end, removed ones
+/// included; without an instance, those of the one with the most. NothingAbove, NothingFaster: at the end, of all
+/// bodies that are not fixed, or of the instance and its pieces.
+///
+/// Errors: those of sessionOf(); Cancelled.
+Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
+                                    const SessionSettings& settings = {}, const TaskContext& task = {});
+
+}  // namespace rubble

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "core/play/session/Timeline.h"
+
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+/// A body that moved in a step, with a 32-bit hash of its pose and velocities.
+struct BodyCheck {
+    std::uint32_t body = 0;  // its number
+    std::uint32_t check = 0;
+    bool operator==(const BodyCheck&) const = default;
+};
+
+struct ReplayStep {
+    std::uint64_t hash = 0;        // of all bodies after the step
+    std::vector<BodyCheck> moved;  // the bodies awake after the step, by number
+    bool operator==(const ReplayStep&) const = default;
+};
+
+/// The pose of a body.
+struct ReplayBody {
+    std::uint32_t number = 0;
+    Pose pose;
+    bool operator==(const ReplayBody&) const = default;
+};
+
+/// The poses of all bodies after a step.
+struct ReplayKeyframe {
+    std::uint64_t step = 0;
+    std::vector<ReplayBody> bodies;  // by number
+    bool operator==(const ReplayKeyframe&) const = default;
+};
+
+inline constexpr std::uint64_t kKeyframeSteps = 60;
+
+/// A recorded session. Replaying the inputs with the same project reproduces it; hashes verify it, or locate the first
+/// divergence.
+struct Replay {
+    std::string program;  // name and version of the recording program
+    ContentHash project;  // hash of the played project
+    double dt = 1.0 / 60.0;
+    bool sleeping = true;
+    bool hasDestruction = true;
+    std::vector<TimedInput> inputs;  // ascending step
+    std::vector<ReplayStep> steps;
+    std::vector<ReplayKeyframe> keyframes;  // after every kKeyframeSteps steps
+    bool operator==(const Replay&) const = default;
+};
+
+/// Records a session while it is played.
+class ReplayRecorder {
+public:
+    /// Must be created before the session's first step.
+    ReplayRecorder(const Session& session, std::string program, ContentHash project);
+
+    /// Must be called after each step.
+    void add(const Session& session);
+    const Replay& replay() const { return m_replay; }
+
+private:
+    Replay m_replay;
+};
+
+/// Plays inputs (ascending step) for so many steps from the start and records them.
+///
+/// Errors: those of Session::start() and Timeline::seek(); Cancelled.
+Result<Replay> recordReplay(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings,
+                            std::vector<TimedInput> inputs, std::uint64_t steps, std::string program,
+                            ContentHash project, const TaskContext& task = {});
+
+/// The first difference between a replay and its recording.
+struct Divergence {
+    std::uint64_t step = 0;  // the first is 1
+    std::string body;        // the lowest-numbered one that differs; empty if unknown
+    struct Distance {
+        std::uint64_t step = 0;
+        double metres = 0.0;  // of the body farthest from its recorded position
+    };
+    std::optional<Distance> distance;  // at the next keyframe, once it has been played
+    /// `At step 12 "front 4.1" diverged from the recording.`
+    std::string sentence() const;
+};
+
+/// Plays a replay, seeks in it, and compares it with its recording.
+class ReplayPlayer {
+public:
+    /// Errors: those of Session::start() and Session::add(). `settings` gives threads and lanes; the rest comes from
+    /// the replay.
+    static Result<ReplayPlayer> start(std::shared_ptr<const PlayScene> scene, Replay replay,
+                                      const SessionSettings& settings = {});
+
+    const Replay& replay() const { return m_replay; }
+    const Session& session() const { return m_timeline.session(); }
+    /// Goes to the state after so many steps, at most the length of the replay.
+    ///
+    /// Errors: those of Timeline::seek().
+    Status seek(std::uint64_t step, const TaskContext& task = {});
+    /// The first divergence in the steps played so far.
+    const std::optional<Divergence>& divergence() const { return m_divergence; }
+
+private:
+    ReplayPlayer(Replay replay, Timeline timeline) : m_replay(std::move(replay)), m_timeline(std::move(timeline)) {}
+    void compare();
+
+    Replay m_replay;
+    Timeline m_timeline;
+    std::optional<Divergence> m_divergence;
+};
+
+}  // namespace rubble

@@ -1,0 +1,120 @@
+#include "core/play/session/Session.h"
+
+#include "core/base/Assert.h"
+#include "core/base/MessageText.h"
+#include "core/base/Stopwatch.h"
+#include "core/play/breaking/Swap.h"
+#include "core/play/session/DebrisRemoval.h"
+#include "core/play/session/SessionInputs.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+WorldSettings worldSettings(const PlayScene& scene, const SessionSettings& settings) {
+    return {.gravity = scene.project.gravity,
+            .sleeping = settings.sleeping,
+            .threads = settings.threads,
+            .lanes = settings.lanes};
+}
+
+}  // namespace
+
+std::uint64_t stepOf(double time, double dt) {
+    constexpr double kSlack = 1e-6;  // of a step: 0.1 s are six steps of 1/60 s in spite of rounding
+    return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time / dt - kSlack)));
+}
+
+Session::Session(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings)
+    : m_scene(std::move(scene)),
+      m_settings(settings),
+      m_state(std::make_unique<SessionState>()),
+      m_world(worldSettings(*m_scene, settings)) {
+    m_state->hasDestruction = settings.hasDestruction;
+}
+
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Result<Session> Session::start(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings) {
+    if (!(settings.dt >= kShortestStep && settings.dt <= kLongestStep)) {
+        return Error{ErrorCode::BadInput, "A step must be from " + messageText(kShortestStep) + " to " +
+                                              messageText(kLongestStep) + " s long."};
+    }
+    Session session(std::move(scene), settings);
+    const Status placed = placeScene({*session.m_scene, session.m_settings, *session.m_state, session.m_world});
+    if (!placed) return placed.error();
+    return session;
+}
+
+Status Session::add(const PlayInput& input) { return add(TimedInput{m_state->step, input}); }
+
+Status Session::add(const TimedInput& timed) {
+    if (timed.step < m_state->step) {
+        return Error{ErrorCode::BadInput, "An input for step " + std::to_string(timed.step) + " came after " +
+                                              std::to_string(m_state->step) + " steps were done."};
+    }
+    if (const std::optional<std::string> fault = faultOf(timed.input, *m_scene, *m_state)) {
+        return Error{ErrorCode::BadInput, *fault};
+    }
+    const auto place = std::ranges::upper_bound(m_state->pending, timed.step, {}, &TimedInput::step);
+    m_state->pending.insert(place, timed);
+    return success();
+}
+
+Status Session::add(const Shot& shot) {
+    return add(
+        TimedInput{std::max(m_state->step, stepOf(shot.time, m_settings.dt)), ShotInput{shot.name, shot.action}});
+}
+
+void Session::step() {
+    const SessionParts parts{*m_scene, m_settings, *m_state, m_world};
+    m_state->events = {};
+    applyInputs(parts);
+    m_world.collide(m_settings.dt);
+    Stopwatch watch;
+    const bool isBroken = breakHitBodies(parts);
+    m_swapMilliseconds = watch.lap();
+    if (isBroken) m_world.collide(m_settings.dt);
+    m_world.solve(m_settings.dt);
+    ++m_state->step;
+    removeDebris(parts);
+    const auto recent = static_cast<std::uint64_t>(kRecentTime / m_settings.dt);
+    std::erase_if(m_state->recentBreaks,
+                  [&](const PlayBreak& broken) { return broken.step + recent <= m_state->step; });
+}
+
+std::uint64_t Session::stepsDone() const { return m_state->step; }
+double Session::stepLength() const { return m_settings.dt; }
+bool Session::isSleeping() const { return m_settings.sleeping; }
+const PlayScene& Session::scene() const { return *m_scene; }
+const World& Session::world() const { return m_world; }
+const std::vector<PlayBody>& Session::bodies() const { return m_state->bodies; }
+const PlayBody* Session::body(std::uint32_t number) const { return findBody(*m_state, number); }
+const std::vector<PlayOrigin>& Session::origins() const { return m_state->origins; }
+std::string Session::nameOf(const PlayBody& body) const { return rubble::nameOf(body, m_state->origins[body.origin]); }
+double Session::thresholdOf(const PlayBody& body) const { return rubble::thresholdOf(*m_state, *m_scene, body); }
+double Session::fadeOf(const PlayBody& body) const {
+    return rubble::fadeOf(body, m_scene->project.debris, m_state->step, m_settings.dt);
+}
+bool Session::hasDestruction() const { return m_state->hasDestruction; }
+const PlayEvents& Session::events() const { return m_state->events; }
+const std::vector<PlayBreak>& Session::recentBreaks() const { return m_state->recentBreaks; }
+double Session::swapMilliseconds() const { return m_swapMilliseconds; }
+
+std::shared_ptr<const SessionSnapshot> Session::snapshot() const {
+    return std::make_shared<const SessionSnapshot>(SessionSnapshot{*m_state, m_world.snapshot()});
+}
+
+std::size_t Session::snapshotBytes() const { return byteCount(*m_state) + m_world.snapshotBytes(); }
+
+void Session::restore(const SessionSnapshot& snapshot) {
+    *m_state = snapshot.state;
+    m_world.restore(*snapshot.world);
+}
+
+}  // namespace rubble

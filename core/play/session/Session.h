@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/base/Hash.h"
+#include "core/play/state/SessionState.h"
+
+namespace rubble {
+
+/// A project while it is simulated: its instances on its ground, inputs, and bodies that are swapped for their
+/// fragments when they break. A step is: apply inputs, collide, break and swap, collide the fragments, solve, remove
+/// debris.
+///
+/// The same scene, inputs and step length give the same bits, on any number of threads and lanes.
+class Session {
+public:
+    /// Errors: BadInput for a step length outside [kShortestStep, kLongestStep] or an instance that cannot be placed.
+    static Result<Session> start(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings = {});
+    ~Session();
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+
+    /// Adds an input for the next step, or for a later one; inputs of the same step are applied in the order they were
+    /// added.
+    ///
+    /// Errors: BadInput for an unusable projectile, a threshold that is not positive, a number that is not finite, a
+    /// missing id or body, a past step.
+    Status add(const PlayInput& input);
+    Status add(const TimedInput& timed);
+    /// Adds a shot of the project at its time: before the first step that starts no earlier.
+    Status add(const Shot& shot);
+
+    void step();
+
+    std::uint64_t stepsDone() const;
+    double stepLength() const;
+    bool isSleeping() const;  // true where bodies at rest are put to sleep
+    const PlayScene& scene() const;
+    const World& world() const;
+    /// All bodies by number: the ground (0, if there is one), instances in the project's order, then in order of
+    /// creation.
+    const std::vector<PlayBody>& bodies() const;
+    /// The body with a number; null if it is gone.
+    const PlayBody* body(std::uint32_t number) const;
+    const std::vector<PlayOrigin>& origins() const;
+    std::string nameOf(const PlayBody& body) const;
+    /// The smallest damage that breaks a body, N·s; infinite if it does not break.
+    double thresholdOf(const PlayBody& body) const;
+    /// In [0, 1]: how much of a body has faded out.
+    double fadeOf(const PlayBody& body) const;
+    bool hasDestruction() const;
+
+    const PlayEvents& events() const;
+    /// The breaks of the last kRecentTime, for drawing their dust.
+    const std::vector<PlayBreak>& recentBreaks() const;
+    /// The time that the last step spent on breaks and swaps, ms; the rest is World::times().
+    double swapMilliseconds() const;
+    ContentHash hash() const { return world().hash(); }
+
+    /// Everything that the next steps depend on, including pending inputs.
+    std::shared_ptr<const SessionSnapshot> snapshot() const;
+    void restore(const SessionSnapshot& snapshot);
+    /// The memory that a snapshot taken now needs, in bytes.
+    std::size_t snapshotBytes() const;
+
+private:
+    Session(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings);
+
+    std::shared_ptr<const PlayScene> m_scene;
+    SessionSettings m_settings;
+    std::unique_ptr<SessionState> m_state;
+    World m_world;
+    double m_swapMilliseconds = 0.0;
+};
+
+inline constexpr double kShortestStep = 1e-5;  // s: rounding dominates shorter steps
+inline constexpr double kLongestStep = 0.1;    // s: longer ones do not resolve motion
+
+inline constexpr double kRecentTime = 1.0;  // s
+
+/// The number of steps of dt before a shot at this time is due.
+std::uint64_t stepOf(double time, double dt);
+
+}  // namespace rubble

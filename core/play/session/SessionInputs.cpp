@@ -1,0 +1,255 @@
+#include "core/play/session/SessionInputs.h"
+
+#include "core/asset/checks/PlayFaults.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/Ranges.h"
+#include "core/base/Assert.h"
+#include "core/play/breaking/Swap.h"
+#include "core/play/scene/Projectile.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+using Sentence = std::optional<std::string>;
+
+constexpr double kHammerRange = 0.1;  // m before and behind the target point
+
+bool isInRange(ProjectNumber number, Vec3 v) {
+    const NumberRange& range = rangeOf(number);
+    return range.contains(v.x) && range.contains(v.y) && range.contains(v.z);
+}
+
+bool isAlive(const SessionState& state, std::uint32_t number) {
+    return std::ranges::binary_search(state.bodies, number, {}, &PlayBody::number);
+}
+
+/// The body that a throw starts with.
+Result<BodyDefinition> projectileBodyOf(const Throw& thrown, const PlayScene& scene, const SessionState& state) {
+    if (thrown.kind != ProjectileKind::Asset) return projectileBody(thrown, nullptr, nullptr);
+    return projectileBody(thrown, scene.assets.at({thrown.asset})->whole.shape,
+                          &materialOf(state, scene, thrown.asset));
+}
+
+Sentence faultOfInput(const ShotInput& shot, const PlayScene& scene, const SessionState& state) {
+    if (Sentence fault = rubble::faultOf(Shot{.name = shot.name, .action = shot.action})) return fault;
+    const Throw* thrown = std::get_if<Throw>(&shot.action);
+    if (thrown == nullptr) return std::nullopt;
+    if (thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
+        return "Shot \"" + shot.name + "\" throws asset " + std::to_string(thrown->asset) + ", which does not exist.";
+    }
+    const Result<BodyDefinition> body = projectileBodyOf(*thrown, scene, state);
+    if (!body) return "Shot \"" + shot.name + "\": " + body.error().message;
+    return std::nullopt;
+}
+
+Sentence faultOfInput(const ThresholdInput& input, const PlayScene& scene, const SessionState&) {
+    if (!rangeOf(ProjectNumber::Threshold).contains(input.threshold)) return "A threshold must be positive.";
+    if (input.instance == 0 && !scene.assets.contains({input.asset})) {
+        return "Cannot set a threshold: there is no asset " + std::to_string(input.asset) + ".";
+    }
+    const auto isMeant = [&](const Instance& instance) { return instance.id == input.instance; };
+    if (input.instance != 0 && std::ranges::none_of(scene.project.instances, isMeant)) {
+        return "Cannot set a threshold: there is no instance " + std::to_string(input.instance) + ".";
+    }
+    return std::nullopt;
+}
+
+Sentence faultOfInput(const MaterialInput& input, const PlayScene& scene, const SessionState&) {
+    Project changed = scene.project;
+    const auto found = std::ranges::find(changed.materials, input.material.id, &Material::id);
+    if (found == changed.materials.end()) {
+        return "Cannot set a material: there is no material " + std::to_string(input.material.id) + ".";
+    }
+    *found = input.material;
+    return verifyProject(changed);
+}
+
+Sentence faultOfInput(const BreakInput& input, const PlayScene&, const SessionState& state) {
+    if (!isAlive(state, input.body)) return "Cannot break: there is no body " + std::to_string(input.body) + ".";
+    return std::nullopt;
+}
+
+Sentence faultOfInput(const GravityInput& input, const PlayScene&, const SessionState&) {
+    return isInRange(ProjectNumber::Gravity, input.gravity) ? std::nullopt : Sentence("Gravity must be finite.");
+}
+
+Sentence faultOfInput(const DestructionInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
+
+Sentence faultOfInput(const GrabInput& input, const PlayScene&, const SessionState& state) {
+    if (!isAlive(state, input.body)) return "Cannot grab: there is no body " + std::to_string(input.body) + ".";
+    if (!isInRange(ProjectNumber::ShotPosition, input.point) ||
+        !rangeOf(ProjectNumber::GrabForce).contains(input.force)) {
+        return "Cannot grab: the point must be finite and the force positive.";
+    }
+    return std::nullopt;
+}
+
+Sentence faultOfInput(const DragInput& input, const PlayScene&, const SessionState&) {
+    return isInRange(ProjectNumber::ShotPosition, input.to) ? std::nullopt
+                                                            : Sentence("Cannot drag: the target must be finite.");
+}
+
+Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
+
+void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
+    Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
+    RUBBLE_ASSERT(definition.hasValue());
+    PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state.origins.size())};
+    PlayOrigin origin{.name = name};
+    if (thrown.kind == ProjectileKind::Asset) {
+        origin.asset = thrown.asset;
+        body.asset = parts.scene.assets.at({thrown.asset});
+    } else {
+        body.hull = std::make_shared<const Polytope>(projectileHull(thrown));
+    }
+    const Result<std::uint32_t> added = addBody(parts, *definition, std::move(body));
+    if (!added) {
+        parts.state.events.notices.push_back("Shot \"" + name + "\": " + added.error().message);
+        return;
+    }
+    parts.state.origins.push_back(std::move(origin));
+    parts.state.events.born.push_back(parts.state.bodies.back());
+}
+
+/// The body that a hammer hits, and where.
+std::optional<CastHit> hitBy(const World& world, const Hammer& hammer, Vec3 direction) {
+    return world.castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
+}
+
+void applyAction(const SessionParts& parts, const std::string& name, const Hammer& hammer) {
+    const double size = std::sqrt(glm::dot(hammer.impulse, hammer.impulse));
+    if (size == 0.0) return;
+    const Vec3 direction = hammer.impulse / size;
+    std::optional<CastHit> hit = hitBy(parts.world, hammer, direction);
+    if (!hit) {
+        parts.state.events.notices.push_back("The blow \"" + name + "\" hit nothing.");
+        return;
+    }
+    double remaining = size;
+    const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
+    const double threshold = thresholdOf(parts.state, parts.scene, body);
+    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, hit->point});
+    if (parts.state.hasDestruction && size >= threshold) {
+        PendingBreak broken = pendingBreak(parts, body);
+        broken.event.impact = size;
+        broken.event.point = hit->point;
+        broken.event.normal = direction;
+        broken.mass.applyImpulse(threshold * direction,
+                                 hit->point);  // the whole gets the break impulse, a fragment the rest
+        remaining = size - threshold;
+        applyBreaks(parts, {broken});
+        hit = hitBy(parts.world, hammer, direction);
+    }
+    if (hit && parts.world.kind(hit->body) == BodyKind::Dynamic) {
+        parts.world.applyImpulse(hit->body, remaining * direction, hit->point);
+    }
+}
+
+void applyAction(const SessionParts& parts, const std::string&, const Explosion& explosion) {
+    std::vector<PendingBreak> breaks;
+    for (const BlastImpulse& push : parts.world.blast(explosion.at, explosion.radius, explosion.impulse)) {
+        const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(push.body)));
+        const double size = std::sqrt(glm::dot(push.impulse, push.impulse));
+        if (body.fracture() == nullptr || size == 0.0) continue;
+        const double threshold = thresholdOf(parts.state, parts.scene, body);
+        parts.state.events.impacts.push_back({body.number, size, threshold, push.point});
+        if (!parts.state.hasDestruction || size < threshold) continue;
+        breaks.push_back(pendingBreak(parts, body));
+        breaks.back().event.impact = size;
+        breaks.back().event.point = push.point;
+        breaks.back().event.normal = push.impulse / size;
+    }
+    std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
+    applyBreaks(parts, std::move(breaks));
+    parts.world.explode(explosion.at, explosion.radius, explosion.impulse);
+}
+
+void applyInput(const SessionParts& parts, const ShotInput& shot) {
+    std::visit([&](const auto& action) { applyAction(parts, shot.name, action); }, shot.action);
+}
+
+void applyInput(const SessionParts& parts, const ThresholdInput& input) {
+    std::map<Id, double>& thresholds =
+        input.instance != 0 ? parts.state.instanceThresholds : parts.state.assetThresholds;
+    thresholds[input.instance != 0 ? input.instance : input.asset] = input.threshold;
+}
+
+void applyInput(const SessionParts& parts, const MaterialInput& input) {
+    *std::ranges::lower_bound(parts.state.materials, input.material.id, {}, &Material::id) = input.material;
+    for (const PlayBody& body : parts.state.bodies) {
+        if (body.asset == nullptr) continue;
+        if (materialOf(parts.state, parts.scene, body.asset->bake->asset).id != input.material.id) continue;
+        parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role));
+    }
+}
+
+/// Adds the break of an input to those of the inputs directly before it.
+void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<PendingBreak>& breaks) {
+    const PlayBody* body = findBody(parts.state, input.body);
+    const auto isPending = [&](const PendingBreak& one) { return one.event.body.number == input.body; };
+    if (body == nullptr || body->fracture() == nullptr || std::ranges::any_of(breaks, isPending)) {
+        parts.state.events.notices.push_back("Nothing was broken: the body has no fragments, or it is gone.");
+        return;
+    }
+    breaks.push_back(pendingBreak(parts, *body));
+    breaks.back().event.point = breaks.back().mass.centre;
+}
+
+void applyInput(const SessionParts& parts, const GravityInput& input) { parts.world.setGravity(input.gravity); }
+
+void applyInput(const SessionParts& parts, const DestructionInput& input) { parts.state.hasDestruction = input.isOn; }
+
+void applyInput(const SessionParts& parts, const GrabInput& input) {
+    const PlayBody* body = findBody(parts.state, input.body);
+    if (body == nullptr || parts.world.kind(body->body) != BodyKind::Dynamic) {
+        parts.state.events.notices.push_back("Nothing was grabbed: the body is fixed, or it broke.");
+        return;
+    }
+    parts.world.grab(body->body, input.point, input.force);
+}
+
+void applyInput(const SessionParts& parts, const DragInput& input) { parts.world.dragTo(input.to); }
+
+void applyInput(const SessionParts& parts, const ReleaseInput&) { parts.world.release(); }
+
+void applyInput(const SessionParts& parts, const PlayInput& input) {
+    std::visit(
+        [&](const auto& one) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, BreakInput>) applyInput(parts, one);
+        },
+        input);
+}
+
+}  // namespace
+
+std::optional<std::string> faultOf(const PlayInput& input, const PlayScene& scene, const SessionState& state) {
+    return std::visit([&](const auto& one) { return faultOfInput(one, scene, state); }, input);
+}
+
+void applyInputs(const SessionParts& parts) {
+    std::vector<TimedInput>& pending = parts.state.pending;
+    std::size_t due = 0;
+    while (due < pending.size() && pending[due].step <= parts.state.step) ++due;
+    const auto end = pending.begin() + static_cast<std::ptrdiff_t>(due);
+    std::vector<TimedInput> inputs(std::make_move_iterator(pending.begin()), std::make_move_iterator(end));
+    pending.erase(pending.begin(), end);
+    std::vector<PendingBreak> breaks;  // of consecutive inputs: these bodies break together
+    breaks.reserve(inputs.size());
+    for (TimedInput& timed : inputs) {
+        if (const auto* input = std::get_if<BreakInput>(&timed.input)) {
+            addBreak(parts, *input, breaks);
+        } else {
+            applyBreaks(parts, std::exchange(breaks, {}));
+            applyInput(parts, timed.input);
+        }
+        parts.state.events.inputs.push_back(std::move(timed));
+    }
+    applyBreaks(parts, std::move(breaks));
+}
+
+}  // namespace rubble

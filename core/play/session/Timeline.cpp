@@ -1,0 +1,94 @@
+#include "core/play/session/Timeline.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kMaxSnapshots = 48;
+constexpr std::size_t kRecentSnapshots = 12;  // the last ones, which are never removed
+
+}  // namespace
+
+Timeline::Timeline(Session session, std::vector<TimedInput> inputs, std::uint64_t steps, std::size_t maxSnapshotBytes)
+    : m_session(std::move(session)),
+      m_inputs(std::move(inputs)),
+      m_length(m_session.stepsDone() + steps),
+      m_maxSnapshotBytes(maxSnapshotBytes) {
+    addSnapshot();
+}
+
+std::size_t Timeline::snapshotBytes() const {
+    std::size_t bytes = 0;
+    for (const Keyframe& one : m_keyframes) bytes += one.bytes;
+    return bytes;
+}
+
+Status Timeline::add(const PlayInput& input) {
+    const std::uint64_t now = m_session.stepsDone();
+    if (const Status earlier = addInputsUntil(now); !earlier) return earlier.error();  // earlier inputs come first
+    if (const Status added = m_session.add(input); !added) return added.error();
+    discardAfter(now);
+    m_inputs.push_back({now, input});
+    m_added = m_inputs.size();
+    return success();
+}
+
+Status Timeline::step() {
+    if (const Status added = addInputsUntil(m_session.stepsDone()); !added) return added.error();
+    m_session.step();
+    m_length = std::max(m_length, m_session.stepsDone());
+    if (m_session.stepsDone() >= m_keyframes.back().step + kSnapshotSteps) addSnapshot();
+    return success();
+}
+
+Status Timeline::seek(std::uint64_t step, const TaskContext& task, const std::function<void()>& afterEach) {
+    const std::uint64_t target = std::clamp(step, m_keyframes.front().step, m_length);
+    const Keyframe& from = *std::prev(std::ranges::upper_bound(m_keyframes, target, {}, &Keyframe::step));
+    if (target < m_session.stepsDone() || from.step > m_session.stepsDone()) {
+        m_session.restore(*from.snapshot);
+        const auto next = std::ranges::lower_bound(m_inputs, from.step, {}, &TimedInput::step);
+        m_added = static_cast<std::size_t>(next - m_inputs.begin());
+    }
+    while (m_session.stepsDone() < target) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        if (const Status played = this->step(); !played) return played.error();
+        if (afterEach) afterEach();
+    }
+    return success();
+}
+
+/// Adds the inputs up to a step to the session.
+Status Timeline::addInputsUntil(std::uint64_t step) {
+    for (; m_added < m_inputs.size() && m_inputs[m_added].step <= step; ++m_added) {
+        if (const Status added = m_session.add(m_inputs[m_added]); !added) return added.error();
+    }
+    return success();
+}
+
+void Timeline::discardAfter(std::uint64_t step) {
+    m_inputs.resize(m_added);
+    m_length = step;
+    std::erase_if(m_keyframes, [&](const Keyframe& one) { return one.step > step; });
+}
+
+void Timeline::addSnapshot() {
+    m_keyframes.push_back({m_session.stepsDone(), m_session.snapshot(), m_session.snapshotBytes()});
+    const auto isTooMuch = [&] { return m_keyframes.size() > kMaxSnapshots || snapshotBytes() > m_maxSnapshotBytes; };
+    while (m_keyframes.size() > 2 && isTooMuch()) removeSnapshot();
+}
+
+/// Removes the snapshot with the closest neighbours: of the older ones, so that the recent ones stay dense and the
+/// others become evenly spaced; of the recent ones if there are no others.
+void Timeline::removeSnapshot() {
+    const std::size_t last = m_keyframes.size() - 1;  // the first and the last one stay
+    const std::size_t end = m_keyframes.size() > kRecentSnapshots + 1 ? m_keyframes.size() - kRecentSnapshots : last;
+    std::size_t closest = 1;
+    const auto gapAround = [&](std::size_t k) { return m_keyframes[k + 1].step - m_keyframes[k - 1].step; };
+    for (std::size_t k = 2; k < end; ++k) {
+        if (gapAround(k) < gapAround(closest)) closest = k;
+    }
+    m_keyframes.erase(m_keyframes.begin() + static_cast<std::ptrdiff_t>(closest));
+}
+
+}  // namespace rubble

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/play/scene/PlayBody.h"
+#include "core/play/scene/PlayInput.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// A body that broke in a step, and why.
+struct PlayBreak {
+    std::uint64_t step = 0;  // the first is 1
+    PlayBody body;           // as it was before
+    double impact = 0.0;     // N·s: the damage done to it
+    double threshold = 0.0;  // N·s
+    Vec3 point{0.0, 0.0, 0.0};
+    Vec3 normal{0.0, 0.0, 0.0};    // from the impactor into the body
+    BodyId impactor;               // index 0 for hammers, explosions and BreakInput
+    std::uint32_t firstPiece = 0;  // number of its first fragment; the others follow
+    std::uint32_t pieces = 0;
+    Pose pose;                               // of the whole's frame when it broke
+    std::shared_ptr<const PlayAsset> asset;  // of its fragments: its own, or one cut at the point of impact
+    double milliseconds = 0.0;  // wall-clock time of the swap: the only member that differs from run to run
+};
+
+/// A body that was hit in a step, and how close it came to breaking.
+struct PlayImpact {
+    std::uint32_t body = 0;  // its number
+    double damage = 0.0;     // N·s
+    double threshold = 0.0;  // N·s
+    Vec3 point{0.0, 0.0, 0.0};
+};
+
+/// What happened in the last step, in a fixed order.
+struct PlayEvents {
+    std::vector<TimedInput> inputs;  // applied before it
+    std::vector<PlayBreak> breaks;
+    std::vector<PlayImpact> impacts;   // on breakable bodies, by body
+    std::vector<PlayBody> born;        // fragments and projectiles
+    std::vector<PlayBody> removed;     // debris that was removed, and bodies that left the world
+    std::vector<std::string> notices;  // sentences about inputs that could not be applied as given
+};
+
+}  // namespace rubble

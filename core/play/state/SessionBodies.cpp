@@ -1,0 +1,128 @@
+#include "core/play/state/SessionBodies.h"
+
+#include "core/asset/project/Threshold.h"
+#include "core/base/Assert.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr double kGroundExtent = 200.0;  // m to each side; farther out single precision cannot resolve 0.1 mm
+constexpr double kGroundDepth = 10.0;    // m
+constexpr double kFallDepth = 100.0;     // m below everything placed: bodies below it are removed
+constexpr double kThesisMass = 100.0;    // kg per fragment: listing 8 of the thesis
+
+Polytope groundBox() {
+    const std::vector<Vec2> ring{
+        {-kGroundExtent, -kGroundDepth}, {kGroundExtent, -kGroundDepth}, {kGroundExtent, 0.0}, {-kGroundExtent, 0.0}};
+    return extruded(ring, -kGroundExtent, kGroundExtent);
+}
+
+Status placeGround(const SessionParts& parts) {
+    const Ground& ground = parts.scene.project.ground;
+    if (!ground.isOn) return success();
+    parts.state.origins.push_back({.name = "ground"});
+    const auto box = std::make_shared<const Polytope>(groundBox());
+    const Result<std::shared_ptr<const Shape>> shape = makeShape({box.get(), 1});
+    RUBBLE_ASSERT(shape.hasValue());
+    const Result<std::uint32_t> added = addBody(parts,
+                                                {.shape = *shape,
+                                                 .kind = BodyKind::Static,
+                                                 .pose = {.position = {0.0, ground.height, 0.0}},
+                                                 .friction = ground.friction,
+                                                 .restitution = ground.restitution},
+                                                {.role = PlayRole::Ground, .hull = box});
+    return added ? success() : Status(added.error());
+}
+
+Status placeInstance(const SessionParts& parts, const Instance& instance) {
+    SessionState& state = parts.state;
+    const std::shared_ptr<const PlayAsset>& asset = parts.scene.assets.at(variantOf(instance));
+    const BodyMaterial material = bodyMaterial(parts, *asset, kNone, PlayRole::Instance);
+    const auto origin = static_cast<std::uint32_t>(state.origins.size());
+    state.origins.push_back({instance.name, instance.id, instance.asset, instance.variant});
+    if (instance.threshold) state.instanceThresholds[instance.id] = *instance.threshold;
+    state.lowest = std::min(state.lowest, instance.pose.position.y - kFallDepth);
+    const Result<std::uint32_t> added =
+        addBody(parts,
+                {.shape = asset->whole.shape,
+                 .kind = instance.isFixed ? BodyKind::Static : BodyKind::Dynamic,
+                 .pose = {instance.pose.position, glm::normalize(instance.pose.orientation)},
+                 .density = material.density,
+                 .friction = material.friction,
+                 .restitution = material.restitution},
+                {.role = PlayRole::Instance, .origin = origin, .asset = asset});
+    if (!added) return Error{added.error().code, "Instance \"" + instance.name + "\": " + added.error().message};
+    return success();
+}
+
+}  // namespace
+
+const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset) {
+    const Id material = findAsset(scene.project, asset)->material;
+    return *std::ranges::lower_bound(state.materials, material, {}, &Material::id);
+}
+
+BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role) {
+    const Material& material = materialOf(parts.state, parts.scene, asset.bake->asset);
+    BodyMaterial made{material.density, material.friction, material.restitution};
+    if (parts.scene.project.damage.isThesis && role == PlayRole::Piece) {
+        made.density = kThesisMass / asset.piece(fragment).shape->mass.volume;
+    }
+    return made;
+}
+
+double thresholdOf(const SessionState& state, const PlayScene& scene, const PlayBody& body) {
+    if (body.fracture() == nullptr) return std::numeric_limits<double>::infinity();
+    const Damage& damage = scene.project.damage;
+    if (damage.isThesis) return damage.thesisThreshold;
+    const PlayOrigin& origin = state.origins[body.origin];
+    const auto own = state.instanceThresholds.find(origin.instance);
+    const double whole = own != state.instanceThresholds.end() ? own->second : state.assetThresholds.at(origin.asset);
+    return whole * body.asset->piece(body.fragment).thresholdScale;
+}
+
+PlayBody* findBody(SessionState& state, std::uint32_t number) {
+    const auto found = std::ranges::lower_bound(state.bodies, number, {}, &PlayBody::number);
+    return found != state.bodies.end() && found->number == number ? &*found : nullptr;
+}
+
+Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body) {
+    SessionState& state = parts.state;
+    definition.tag = state.nextNumber;
+    const Result<BodyId> id = parts.world.addBody(definition);
+    if (!id) return id.error();
+    body.number = state.nextNumber++;
+    body.body = *id;
+    body.born = state.step;
+    state.bodies.push_back(std::move(body));
+    return state.bodies.back().number;
+}
+
+void removeFromWorld(const SessionParts& parts, std::uint32_t number) {
+    PlayBody* body = findBody(parts.state, number);
+    RUBBLE_ASSERT(body != nullptr);
+    parts.world.removeBody(body->body);
+    body->body = {};
+}
+
+void eraseRemovedBodies(SessionState& state) {
+    std::erase_if(state.bodies, [](const PlayBody& body) { return body.body.index == 0; });
+}
+
+Status placeScene(const SessionParts& parts) {
+    SessionState& state = parts.state;
+    const Project& project = parts.scene.project;
+    state.materials = project.materials;
+    for (const Asset& asset : project.assets) state.assetThresholds[asset.id] = thresholdOf(project, asset);
+    state.lowest = project.ground.height - kFallDepth;
+    if (const Status placed = placeGround(parts); !placed) return placed.error();
+    for (const Instance& instance : project.instances) {
+        if (const Status placed = placeInstance(parts, instance); !placed) return placed.error();
+    }
+    return success();
+}
+
+}  // namespace rubble

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/physics/world/World.h"
+#include "core/play/scene/PlayScene.h"
+#include "core/play/state/PlayEvents.h"
+
+#include <map>
+
+namespace rubble {
+
+struct SessionSettings {
+    double dt = 1.0 / 60.0;  // s, length of a step
+    bool sleeping = true;
+    bool hasDestruction = true;  // until a DestructionInput changes it
+    int threads = 1;
+    SimdWidth lanes = widestSimd();
+};
+
+/// Everything in a session that changes, except its world.
+struct SessionState {
+    std::uint64_t step = 0;
+    bool hasDestruction = true;
+    std::vector<PlayBody> bodies;  // ascending number
+    std::uint32_t nextNumber = 0;
+    std::vector<PlayOrigin> origins;
+    std::vector<TimedInput> pending;  // ascending step; equal steps in the order they were added
+    std::vector<Material> materials;  // with their current values; ascending id
+    std::map<Id, double> assetThresholds;
+    std::map<Id, double> instanceThresholds;  // of instances with their own
+    double lowest = 0.0;                      // m: bodies below it have left the world
+    PlayEvents events;
+    std::vector<PlayBreak> recentBreaks;  // of the last kRecentTime; never read by the simulation
+};
+
+struct SessionSnapshot {
+    SessionState state;
+    std::shared_ptr<const Snapshot> world;
+};
+
+/// The memory of a state, in bytes: of everything that grows with its bodies. Assets and hulls are shared and not
+/// counted.
+std::size_t byteCount(const SessionState& state);
+
+/// The parts of a session that the functions carrying out a step work on.
+struct SessionParts {
+    const PlayScene& scene;
+    const SessionSettings& settings;
+    SessionState& state;
+    World& world;
+};
+
+}  // namespace rubble

@@ -1,0 +1,165 @@
+#include "editor/actions/FileActions.h"
+
+#include "core/io/mesh/MeshImport.h"
+#include "editor/dialogs/ExportDialog.h"
+#include "editor/dialogs/FileFilters.h"
+#include "editor/dialogs/ImportDialog.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/views/Views.h"
+#include "editor/widgets/Action.h"
+#include "editor/workspace/PreferenceStore.h"
+#include "editor/workspace/RecentFiles.h"
+#include "editor/workspace/Workspace.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace rubble {
+
+FileActions::FileActions(Views& views, const PreferenceStore& preferences, RecentFiles& recentFiles)
+    : QObject(&views.window()),
+      m_views(views),
+      m_workspace(views.workspace()),
+      m_preferences(preferences),
+      m_recentFiles(recentFiles),
+      m_menu(new QMenu(tr("&File"), &views.window())) {
+    const auto add = actionAdder(*m_menu, this);
+    m_new =
+        add({"file-new", tr("&New"), tr("Create a new project"), QKeySequence::New}, &FileActions::newProjectRequested);
+    m_open = add({"file-open", tr("&Open…"), tr("Open an existing project"), QKeySequence::Open},
+                 &FileActions::openWithDialog);
+    m_recent = m_menu->addMenu(tr("Open &Recent"));
+    connect(m_recent, &QMenu::aboutToShow, this, &FileActions::fillRecent);
+    m_menu->addSeparator();
+    m_save = add({"file-save", tr("&Save"), tr("Save the project"), QKeySequence::Save}, &FileActions::saveTriggered);
+    add({"file-save-as", tr("Save &As…"), tr("Save the project to another file"), QKeySequence("Ctrl+Shift+S")},
+        &FileActions::saveAsTriggered);
+    m_revert = add({"file-revert", tr("Re&vert"), tr("Reload the project as it was saved last")}, &FileActions::revert);
+    m_menu->addSeparator();
+    m_import = add(
+        {"file-import", tr("&Import Mesh…"), tr("Import the objects of a mesh file as assets"), QKeySequence("Ctrl+I")},
+        &FileActions::importWithDialog);
+    m_export = add(
+        {"file-export", tr("&Export…"), tr("Export packs and meshes for other programs"), QKeySequence("Ctrl+Shift+E")},
+        &FileActions::exportWithDialog);
+    add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
+         QKeySequence("Ctrl+E")},
+        &FileActions::exportAgain);
+    m_menu->addSeparator();
+    add({"file-close", tr("&Close Window"), tr("Close this window"), QKeySequence::Close}, &FileActions::closeWindow);
+    add({"file-quit", tr("&Quit"), tr("Close all windows and quit"), QKeySequence("Ctrl+Q")},
+        &FileActions::quitRequested);
+    connect(&m_workspace.document(), &Document::modifiedChanged, this, &FileActions::updateEnabled);
+    connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &FileActions::updateEnabled);
+    updateEnabled();
+}
+
+QList<QAction*> FileActions::toolbarActions() const { return {m_new, m_open, m_save, m_import, m_export}; }
+
+void FileActions::updateEnabled() {
+    m_revert->setEnabled(!m_workspace.file().path().isEmpty() && m_workspace.document().isModified());
+}
+
+void FileActions::openWithDialog() {
+    const QString folder = QFileInfo(m_workspace.file().path()).path();
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Project"), folder, projectFilter());
+    if (!path.isEmpty()) openFile(path);
+}
+
+void FileActions::openFile(const QString& path) {
+    if (isMeshPath(path)) return importMesh(path);
+    emit openProjectRequested(path);
+}
+
+bool FileActions::save() {
+    DocumentFile& file = m_workspace.file();
+    if (file.path().isEmpty()) return saveAs();
+    const Status saved = file.save();
+    showIfError(&m_views.window(), saved);
+    if (saved) m_views.showStatus(tr("Saved %1.").arg(file.name()));
+    return saved.hasValue();
+}
+
+bool FileActions::saveAs() {
+    DocumentFile& file = m_workspace.file();
+    QFileDialog dialog(&m_views.window(), tr("Save Project"), QFileInfo(file.path()).path(), projectFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
+    dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : file.name());
+    if (dialog.exec() != QDialog::Accepted) return false;
+    const Status saved = file.saveAs(dialog.selectedFiles().first());
+    showIfError(&m_views.window(), saved);
+    if (!saved) return false;
+    m_recentFiles.add(file.path());
+    m_views.showStatus(tr("Saved %1.").arg(file.name()));
+    return true;
+}
+
+void FileActions::revert() {
+    const QString question = tr("Discard all changes to %1 since it was saved?").arg(m_workspace.file().name());
+    if (!confirmLoss(&m_views.window(), question, tr("Revert"), tr("Cancel"))) return;
+    showIfError(&m_views.window(), m_workspace.file().reload());
+}
+
+bool FileActions::confirmClose() {
+    if (!m_workspace.document().isModified()) return true;
+    enum Answer : std::size_t { kSave, kDiscard, kCancel };
+    const std::size_t answer = ask(&m_views.window(), {.text = tr("Save changes to %1?").arg(m_workspace.file().name()),
+                                                       .informativeText = tr("Unsaved changes will be lost."),
+                                                       .answers = {{tr("Save"), QMessageBox::AcceptRole},
+                                                                   {tr("Discard"), QMessageBox::DestructiveRole},
+                                                                   {tr("Cancel"), QMessageBox::RejectRole}},
+                                                       .defaultAnswer = kSave});
+    return answer == kSave ? save() : answer == kDiscard;
+}
+
+void FileActions::importWithDialog() {
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Import Mesh"), {}, meshFilter());
+    if (!path.isEmpty()) importMesh(path);
+}
+
+void FileActions::importMesh(const QString& path) {
+    ImportDialog dialog(path, m_workspace.project(), m_preferences.preferences(), &m_views.window());
+    const std::filesystem::path importer = importerPath(QApplication::applicationDirPath().toStdString());
+    if (!dialog.read(importer) || dialog.exec() != QDialog::Accepted) return;
+    m_views.showProject();
+    for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
+    m_workspace.document().push(dialog.edit());
+    m_workspace.selection().setAsset(dialog.firstAsset());
+    m_views.showStatus(tr("Imported %1.").arg(QFileInfo(path).fileName()));
+}
+
+void FileActions::exportWithDialog() {
+    ExportDialog dialog(m_workspace, &m_views.window());
+    if (dialog.exec() == QDialog::Accepted) exportWith(dialog.options());
+}
+
+void FileActions::exportAgain() {
+    const std::optional<ExportOptions> last = lastExportOptions(m_workspace);
+    const bool areAssetsGone = last && last->assets && last->assets->empty();
+    if (!last || areAssetsGone) return exportWithDialog();
+    exportWith(*last);
+}
+
+void FileActions::exportWith(const ExportOptions& options) {
+    m_views.showStatus(exportProject(m_workspace, options, m_views.messages(), &m_views.window()));
+}
+
+void FileActions::closeWindow() { m_views.window().close(); }
+
+void FileActions::fillRecent() {
+    m_recent->clear();
+    for (const QString& path : m_recentFiles.paths()) {
+        QAction* action = m_recent->addAction(QFileInfo(path).fileName(), this, [this, path] { openFile(path); });
+        action->setStatusTip(QDir::toNativeSeparators(path));
+    }
+    if (m_recent->isEmpty()) m_recent->addAction(tr("No Recent Projects"))->setEnabled(false);
+    m_recent->addSeparator();
+    m_recent->addAction(tr("&Clear Recent Projects"), &m_recentFiles, &RecentFiles::clear);
+}
+
+}  // namespace rubble

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "editor/dialogs/ProjectExport.h"
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace rubble {
+
+class PreferenceStore;
+class RecentFiles;
+class Views;
+class Workspace;
+
+/// The File menu: opening, saving, import and export. Unsaved changes are never dropped without asking.
+class FileActions : public QObject {
+    Q_OBJECT
+public:
+    FileActions(Views& views, const PreferenceStore& preferences, RecentFiles& recentFiles);
+
+    QMenu* menu() const { return m_menu; }
+    QList<QAction*> toolbarActions() const;
+    QAction* openAction() const { return m_open; }
+    QAction* importAction() const { return m_import; }
+
+    /// Saves the project, asking for a path if it has none. Returns false if it was not saved.
+    bool save();
+    bool saveAs();
+    /// Asks whether to save unsaved changes. Returns false if the user cancels.
+    bool confirmClose();
+    /// Opens a project file, or imports a mesh file.
+    void openFile(const QString& path);
+    void importMesh(const QString& path);
+
+signals:
+    void newProjectRequested();
+    void openProjectRequested(const QString& path);
+    void quitRequested();
+
+private:
+    void openWithDialog();
+    void saveTriggered() { save(); }
+    void saveAsTriggered() { saveAs(); }
+    void revert();
+    void importWithDialog();
+    void exportWithDialog();
+    void exportAgain();
+    void exportWith(const ExportOptions& options);
+    void closeWindow();
+    void fillRecent();
+    void updateEnabled();
+
+    Views& m_views;
+    Workspace& m_workspace;
+    const PreferenceStore& m_preferences;
+    RecentFiles& m_recentFiles;
+    QMenu* m_menu;
+    QMenu* m_recent = nullptr;
+    QAction* m_new = nullptr;
+    QAction* m_open = nullptr;
+    QAction* m_save = nullptr;
+    QAction* m_revert = nullptr;
+    QAction* m_import = nullptr;
+    QAction* m_export = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QProgressBar;
+
+namespace rubble {
+
+struct FilmRequest;
+class PlayController;
+class Views;
+class Workspace;
+
+/// The action that exports the simulation as a film, and the progress bar with its Cancel button in the status bar. The
+/// window stays usable during the export.
+class FilmActions : public QObject {
+    Q_OBJECT
+public:
+    explicit FilmActions(Views& views);
+
+    QAction* action() const { return m_action; }
+    /// Asks before closing the window stops an export. Returns false if the user chooses to continue.
+    bool confirmClose();
+
+private:
+    void exportWithDialog();
+    bool confirmStop(const QString& question, const QString& action);
+    void addProgress();
+    void updateProgress();
+    void showFinished(const FilmRequest& request);
+    void showFailed(const QString& sentence);
+
+    Views& m_views;
+    Workspace& m_workspace;
+    QAction* m_action;
+    QProgressBar* m_progress = nullptr;
+    QList<QWidget*> m_progressWidgets;
+};
+
+}  // namespace rubble

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+
+namespace rubble {
+
+class Views;
+
+/// The actions on the material library, for the Asset menu, the project tree and the inspector.
+class MaterialActions : public QObject {
+    Q_OBJECT
+public:
+    explicit MaterialActions(Views& views);
+
+    /// The library comes first.
+    QList<QAction*> actions() const { return {m_library, m_save}; }
+
+private:
+    void openLibrary();
+    void saveAsPreset();
+
+    Views& m_views;
+    QAction* m_library = nullptr;
+    QAction* m_save = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,221 @@
+#include "editor/actions/PlayActions.h"
+
+#include "core/base/Version.h"
+#include "core/io/play/ReplayFile.h"
+#include "editor/actions/FilmActions.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/view3d/SceneView.h"
+#include "editor/views/Views.h"
+#include "editor/widgets/Action.h"
+#include "editor/widgets/Icon.h"
+#include "editor/widgets/TaskDialog.h"
+#include "editor/workspace/Workspace.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0};
+
+QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
+
+}  // namespace
+
+PlayActions::PlayActions(Views& views, FilmActions& film)
+    : QObject(&views.window()),
+      m_views(views),
+      m_workspace(views.workspace()),
+      m_film(film),
+      m_menu(new QMenu(tr("&Play"), &views.window())) {
+    addRun();
+    m_menu->addSeparator();
+    addSpeeds();
+    addOverlays();
+    m_menu->addSeparator();
+    addShots();
+    m_menu->addSeparator();
+    addReplays();
+    for (QAction* action : m_menu->actions()) action->setEnabled(views.isProjectShown());
+    connect(&views, &Views::projectShown, this, [this] {
+        for (QAction* action : m_menu->actions()) action->setEnabled(true);
+        updateState();
+    });
+    connect(&controller(), &PlayController::stateChanged, this, &PlayActions::updateState);
+    connect(&controller(), &PlayController::settingsChanged, this, &PlayActions::updateState);
+    connect(&controller(), &PlayController::frameChanged, this, &PlayActions::updateRecorded);
+    connect(&controller(), &PlayController::statusMessage, &views, &Views::showStatus);
+    updateState();
+}
+
+PlayController& PlayActions::controller() const { return m_workspace.play(); }
+
+void PlayActions::addRun() {
+    const auto add = actionAdder(*m_menu, this);
+    m_play =
+        add({"play-start", tr("&Play"), tr("Start the simulation"), QKeySequence("Ctrl+P")}, &PlayActions::startOrStop);
+    m_pause = add({"play-pause", tr("P&ause\tP"), tr("Pause or resume the simulation")}, &PlayActions::pauseOrResume);
+    m_pause->setCheckable(true);
+    m_step = makeAction(this, {"play-step", tr("S&tep\t."), tr("Advance the simulation by one step")});
+    m_reset = makeAction(this, {"play-reset", tr("&Reset\tR"), tr("Restart the simulation from the beginning")});
+    connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
+    connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
+    m_menu->addActions({m_step, m_reset});
+}
+
+void PlayActions::addSpeeds() {
+    QMenu* menu = m_menu->addMenu(iconNamed("play-speed"), tr("Playback Spee&d"));
+    m_speeds = new QActionGroup(this);
+    for (const double speed : kSpeeds) {
+        QAction* action = menu->addAction(tr("%1×").arg(QLocale().toString(speed)));
+        action->setCheckable(true);
+        action->setData(speed);
+        action->setStatusTip(tr("Set the playback speed"));
+        m_speeds->addAction(action);
+        connect(action, &QAction::triggered, this, [this, speed] { controller().setTimeScale(speed); });
+    }
+    m_destruction = makeAction(this, {"play-destruction", tr("D&estruction"), tr("Let bodies break")});
+    m_destruction->setCheckable(true);
+    m_menu->addAction(m_destruction);
+    connect(m_destruction, &QAction::toggled, &controller(), &PlayController::setDestruction);
+}
+
+void PlayActions::addOverlays() {
+    QMenu* menu = m_menu->addMenu(iconNamed("play-overlays"), tr("O&verlays"));
+    const std::tuple<bool PlayOverlays::*, QString, QString> overlays[] = {
+        {&PlayOverlays::hasHeat, tr("Threshold &Heat Map"),
+         tr("Colour bodies by impact ÷ threshold: of the aimed throw, otherwise of the last impacts")},
+        {&PlayOverlays::hasContacts, tr("&Contacts"), tr("Show contact points, overlapping ones in red")},
+        {&PlayOverlays::hasNormals, tr("Contact &Normals"), tr("Show contact normals")},
+        {&PlayOverlays::hasImpulses, tr("Contact &Impulses"), tr("Show contact impulses as arrows")},
+        {&PlayOverlays::hasHulls, tr("H&ulls"), tr("Show the convex hulls used for collisions")},
+        {&PlayOverlays::hasBoxes, tr("&Bounding Boxes"), tr("Show the bounding boxes of the broad phase")},
+        {&PlayOverlays::hasIslands, tr("I&slands"), tr("Colour bodies by the island they belong to")},
+        {&PlayOverlays::hasSleep, tr("S&leeping Bodies"), tr("Show sleeping bodies in blue")}};
+    for (const auto& [member, text, tip] : overlays) {
+        QAction* action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setStatusTip(tip);
+        action->setToolTip(tip);
+        connect(action, &QAction::toggled, this, [this, flag = member](bool isOn) {
+            PlayOverlays shown = controller().overlays();
+            shown.*flag = isOn;
+            controller().setOverlays(shown);
+        });
+    }
+}
+
+void PlayActions::addShots() {
+    m_shots = m_menu->addMenu(iconNamed("play-shot"), tr("&Fire Shot"));
+    connect(m_shots, &QMenu::aboutToShow, this, &PlayActions::fillShots);
+    m_saveShot =
+        actionAdder(*m_menu, this)({"play-save-shot", tr("&Keep Last Shot"),
+                                    tr("Add the last throw to the shots of the project"), QKeySequence("Ctrl+K")},
+                                   &PlayActions::saveShot);
+}
+
+void PlayActions::addReplays() {
+    const auto add = actionAdder(*m_menu, this);
+    m_saveReplay =
+        add({"play-save-replay", tr("Save Repla&y…"), tr("Save the simulation as a replay")}, &PlayActions::saveReplay);
+    add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
+    m_menu->addAction(m_film.action());
+}
+
+void PlayActions::startOrStop() {
+    if (controller().isInPlay()) return controller().stop();
+    m_views.setSceneVisible(true);
+    m_views.scene().viewport().setFocus();
+    controller().play();
+}
+
+void PlayActions::pauseOrResume() { controller().isPlaying() ? controller().pause() : controller().play(); }
+
+void PlayActions::fillShots() {
+    m_shots->clear();
+    for (const Shot& shot : m_workspace.project().shots) {
+        QAction* action = m_shots->addAction(QString::fromStdString(shot.name));
+        action->setStatusTip(tr("Fire this shot"));
+        connect(action, &QAction::triggered, this, [this, shot] {
+            if (!controller().isInPlay()) startOrStop();
+            controller().fire(shot);
+        });
+    }
+    if (m_shots->isEmpty()) m_shots->addAction(tr("No Shots in This Project"))->setEnabled(false);
+}
+
+void PlayActions::saveShot() {
+    if (!controller().lastShot()) return;
+    const ShotInput& shot = *controller().lastShot();
+    Addition added = addShot(m_workspace.project(), shot.name, shot.action);
+    m_workspace.document().push(std::move(added.edit));
+    m_views.showStatus(tr("Added the last throw to the shots of the project."));
+}
+
+void PlayActions::saveReplay() {
+    controller().pause();
+    QFileDialog dialog(&m_views.window(), tr("Save Replay"), {}, replayFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix("replay");
+    if (dialog.exec() != QDialog::Accepted) return;
+    const PlayScript script = controller().script();
+    const std::shared_ptr<const PlayScene> scene = controller().scene();
+    const QString path = dialog.selectedFiles().first();
+    TaskDialog task(tr("Saving the replay…"), &m_views.window());
+    const Status saved = task.run<Status>([&](const TaskContext& context) -> Status {
+        const Result<Replay> replay = recordReplay(scene, script.settings, script.inputs, script.steps,
+                                                   programVersion(), projectHash(controller().startProject()), context);
+        if (!replay) return replay.error();
+        return rubble::saveReplay(path.toStdString(), *replay);
+    });
+    if (saved) return m_views.showStatus(tr("Saved %1.").arg(QFileInfo(path).fileName()));
+    if (saved.error().code != ErrorCode::Cancelled) showError(&m_views.window(), saved.error());
+}
+
+void PlayActions::openReplay() {
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Replay"), {}, replayFilter());
+    if (path.isEmpty()) return;
+    const Result<Replay> replay = loadReplay(path.toStdString());
+    if (!replay) return showError(&m_views.window(), replay.error());
+    if (replay->project != projectHash(m_workspace.project())) {
+        m_views.showStatus(tr("The project has changed since the replay was recorded."));
+    }
+    m_views.setSceneVisible(true);
+    m_views.scene().viewport().setFocus();
+    controller().replay(scriptOf(*replay));
+}
+
+void PlayActions::updateState() {
+    const bool isOn = controller().isInPlay();
+    m_play->setText(isOn ? tr("Sto&p") : tr("&Play"));
+    m_play->setIcon(iconNamed(isOn ? "play-stop" : "play-start"));
+    const QString tip = isOn ? tr("Stop the simulation and return to the project") : tr("Start the simulation");
+    m_play->setStatusTip(tip);
+    m_play->setToolTip(tip + " (" + m_play->shortcut().toString(QKeySequence::NativeText) + ')');
+    for (QAction* action : {m_pause, m_step, m_reset}) action->setEnabled(m_views.isProjectShown() && isOn);
+    m_pause->setChecked(controller().state() == PlayState::Paused);
+    m_destruction->setChecked(controller().hasDestruction());
+    for (QAction* action : m_speeds->actions()) {
+        action->setChecked(action->data().toDouble() == controller().timeScale());
+    }
+    updateRecorded();
+}
+
+/// Enables the actions that save what was recorded.
+void PlayActions::updateRecorded() {
+    const bool isShown = m_views.isProjectShown();
+    m_saveShot->setEnabled(isShown && controller().isInPlay() && controller().lastShot());
+    const auto& frame = controller().frame();
+    const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
+    for (QAction* action : {m_saveReplay, m_film.action()}) action->setEnabled(isRecorded);
+}
+
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace rubble {
+
+class FilmActions;
+class PlayController;
+class Views;
+class Workspace;
+
+/// The Play menu: running the simulation, its shots, replays and films.
+class PlayActions : public QObject {
+    Q_OBJECT
+public:
+    PlayActions(Views& views, FilmActions& film);
+
+    QMenu* menu() const { return m_menu; }
+    QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
+
+private:
+    void addRun();
+    void addSpeeds();
+    void addOverlays();
+    void addShots();
+    void addReplays();
+    void startOrStop();
+    void pauseOrResume();
+    void fillShots();
+    void saveShot();
+    void saveReplay();
+    void openReplay();
+    void updateState();
+    void updateRecorded();
+    PlayController& controller() const;
+
+    Views& m_views;
+    Workspace& m_workspace;
+    FilmActions& m_film;
+    QMenu* m_menu;
+    QAction* m_play = nullptr;
+    QAction* m_pause = nullptr;
+    QAction* m_step = nullptr;
+    QAction* m_reset = nullptr;
+    QAction* m_destruction = nullptr;
+    QAction* m_saveShot = nullptr;
+    QAction* m_saveReplay = nullptr;
+    QMenu* m_shots = nullptr;
+    QActionGroup* m_speeds = nullptr;
+};
+
+}  // namespace rubble

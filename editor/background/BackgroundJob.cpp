@@ -1,0 +1,64 @@
+#include "editor/background/BackgroundJob.h"
+
+#include <QPromise>
+#include <QThread>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kProgressSteps = 1000;
+
+}  // namespace
+
+BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
+    m_thread.setMaxThreadCount(1);
+    connect(&m_watcher, &QFutureWatcherBase::resultReadyAt, this, [this](int index) {
+        if (m_isRunning) m_watcher.resultAt(index)();
+    });
+    connect(&m_watcher, &QFutureWatcherBase::progressValueChanged, this, [this](int value) {
+        if (m_isRunning) emit progressed(static_cast<double>(value) / kProgressSteps);
+    });
+    connect(&m_watcher, &QFutureWatcherBase::finished, this, &BackgroundJob::finish);
+}
+
+BackgroundJob::~BackgroundJob() {
+    m_cancel.cancel();
+    m_thread.waitForDone();
+}
+
+void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> work) {
+    cancel();
+    m_cancel = CancelToken();
+    m_delivery = std::make_shared<Call>();
+    const auto promise = std::make_shared<QPromise<Call>>();
+    promise->setProgressRange(0, kProgressSteps);
+    promise->start();
+    m_isRunning = true;
+    m_watcher.setFuture(promise->future());  // drops the queued events of the previous function
+
+    TaskContext task{.cancel = m_cancel, .threads = std::max(1, QThread::idealThreadCount())};
+    task.progress = [promise](double fraction) {
+        promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
+    };
+    m_thread.start([promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
+        if (!task.isCancelled()) *delivery = work(task, [&](Call call) { promise->addResult(std::move(call)); });
+        promise->finish();
+    });
+}
+
+void BackgroundJob::finish() {
+    if (!m_isRunning) return;
+    m_isRunning = false;
+    if (const Call deliver = std::exchange(*m_delivery, {})) deliver();
+}
+
+void BackgroundJob::cancel() {
+    m_cancel.cancel();
+    m_isRunning = false;
+}
+
+}  // namespace rubble

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/base/TaskContext.h"
+
+#include <QFutureWatcher>
+#include <QThreadPool>
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace rubble {
+
+/// Runs one function at a time on a background thread and delivers its result in the thread of the job, through the
+/// event loop.
+///
+/// start() replaces the running function: that is cancelled, and nothing of it is delivered any more. The destructor
+/// cancels and waits.
+class BackgroundJob : public QObject {
+    Q_OBJECT
+public:
+    using Call = std::function<void()>;
+    /// Queues a call in the thread of the job; it is dropped if the function has been replaced or cancelled by then.
+    /// The call must not start another function.
+    using Post = std::function<void(Call)>;
+
+    explicit BackgroundJob(QObject* parent = nullptr);
+    ~BackgroundJob() override;
+
+    /// A function was started and its result has not been delivered.
+    bool isRunning() const { return m_isRunning; }
+
+    /// Starts `work(task)`, or `work(task, post)` if it delivers partial results, on the background thread. isRunning()
+    /// is false again when `deliver(result)` is called. A replaced function that ignores task.isCancelled() delays the
+    /// next one.
+    template <class Work, class Deliver>
+    void start(Work work, Deliver deliver) {
+        run([work = std::move(work), deliver = std::move(deliver)](const TaskContext& task, const Post& post) -> Call {
+            auto evaluate = [&] {
+                if constexpr (std::invocable<const Work&, const TaskContext&, const Post&>) {
+                    return work(task, post);
+                } else {
+                    return work(task);
+                }
+            };
+            auto result = std::make_shared<decltype(evaluate())>(evaluate());
+            return [deliver, result = std::move(result)] { deliver(std::move(*result)); };
+        });
+    }
+
+    /// Cancels the running function; nothing of it is delivered.
+    void cancel();
+
+signals:
+    /// The fraction of the running function that is done, in [0, 1]; at most about 25 times a second.
+    void progressed(double fraction);
+
+private:
+    void run(std::function<Call(const TaskContext& task, const Post& post)> work);
+    void finish();
+
+    QThreadPool m_thread;  // of one thread
+    QFutureWatcher<Call> m_watcher;
+    CancelToken m_cancel;
+    std::shared_ptr<Call> m_delivery;  // written by the thread before its future is finished
+    bool m_isRunning = false;
+};
+
+}  // namespace rubble

@@ -1,0 +1,64 @@
+#include "editor/background/OverlapWatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kDelayMilliseconds = 150;
+constexpr std::size_t kMaxReported = 100;  // one by one; the others as a number
+
+Message messageOf(const InstanceOverlap& overlap, const Project& project) {
+    Message message{.severity = Severity::Warning, .text = QString::fromStdString(sentenceOf(overlap, project))};
+    message.instances = {overlap.first};
+    if (overlap.second != 0) message.instances.push_back(overlap.second);
+    return message;
+}
+
+}  // namespace
+
+OverlapWatch::OverlapWatch(const Document& document, Messages& messages, QObject* parent)
+    : QObject(parent), m_document(document), m_messages(messages) {
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(kDelayMilliseconds);
+    connect(&m_delay, &QTimer::timeout, this, &OverlapWatch::check);
+    connect(&document, &Document::changed, this, [this](const Changes& changes) {
+        const bool isOfScene =
+            changes.touches(Part::Instance) || changes.touches(Part::Asset) || changes.touches(Part::Scene);
+        if (isOfScene) m_delay.start();
+    });
+    m_delay.start();
+}
+
+void OverlapWatch::check() {
+    if (m_job.isRunning()) return m_delay.start();
+    m_job.start([project = m_document.project()](const TaskContext&) { return instanceOverlaps(project); },
+                [this](std::vector<InstanceOverlap> overlaps) { report(std::move(overlaps)); });
+}
+
+void OverlapWatch::report(std::vector<InstanceOverlap> overlaps) {
+    const Project& project = m_document.project();
+    const auto isGone = [&](Id id) {
+        return id != 0 && std::ranges::find(project.instances, id, &Instance::id) == project.instances.end();
+    };
+    std::erase_if(overlaps, [&](const InstanceOverlap& one) { return isGone(one.first) || isGone(one.second); });
+    m_overlaps = std::move(overlaps);
+    std::vector<Message> messages;
+    for (std::size_t k = 0; k < std::min(m_overlaps.size(), kMaxReported); ++k) {
+        messages.push_back(messageOf(m_overlaps[k], project));
+    }
+    if (m_overlaps.size() > kMaxReported) {
+        messages.push_back({.severity = Severity::Warning,
+                            .text = tr("Instances overlap in %1 more places.").arg(m_overlaps.size() - kMaxReported)});
+    }
+    // Compared by text, since names may have changed.
+    if (std::ranges::equal(messages, m_reported, {}, &Message::text)) return;
+    m_reported.clear();
+    for (const Message& message : messages) m_reported.append(message.text);
+    m_messages.setOfScene(std::move(messages));
+    emit changed();
+}
+
+}  // namespace rubble

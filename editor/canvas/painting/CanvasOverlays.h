@@ -1,0 +1,22 @@
+#pragma once
+
+namespace rubble {
+
+/// The quantity that cells are coloured by, as in the 3D view. Level: the number of further levels that fracture the
+/// piece.
+enum class CellColouring { None, Piece, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold };
+
+/// What a canvas shows besides the outline.
+struct CanvasOverlays {
+    bool hasGrid = true;
+    bool hasCells = true;
+    bool hasSeeds = true;
+    bool hasTriangles = false;     // of the Delaunay triangulation, and the circumcircle of the hovered one
+    bool hasWholeVoronoi = false;  // cell edges beyond the outline
+    bool hasBonds = false;         // lines between neighbouring cells, as wide as the shared edge is long
+    bool hasLegend = true;
+    CellColouring colouring = CellColouring::Piece;
+    bool operator==(const CanvasOverlays&) const = default;
+};
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "editor/background/StateComparison.h"
+#include "editor/canvas/painting/CanvasColours.h"
+#include "editor/canvas/painting/CanvasView.h"
+#include "editor/canvas/painting/MovedCells.h"
+#include "editor/document/FragmentSelection.h"
+
+#include <QPainter>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// What a canvas shows of a pattern; repainted only where it changes.
+struct CanvasContents {
+    std::shared_ptr<const DrawablePattern> pattern;  // as baked; may be null
+    std::shared_ptr<const MovedPart> moved;          // changed since; null if nothing did
+    std::vector<std::array<Vec2, 2>> surroundings;   // edges around the entered fragment, m
+    CanvasOverlays overlays;
+    DrawablePattern::Range range;  // of overlays.colouring
+    FragmentSelection hidden;
+    double density = 0.0;               // kg/m^3
+    double threshold = 0.0;             // N·s, effective
+    std::map<std::string, int> depths;  // for Level: the number of further levels of each fractured fragment, by id
+    std::shared_ptr<const ComparedAsset> compared;  // changes since an earlier state; null if not shown
+
+    /// The effective colouring: none while changes are shown, so that these stand out.
+    CellColouring colouring() const { return compared ? CellColouring::None : overlays.colouring; }
+
+    QColor colour(const DrawablePattern& from, std::uint32_t piece) const;
+    /// The displayed state of the asset; null if there is no pattern.
+    const Asset* asset() const;
+    /// The pattern that a seed is drawn from, and its index there; kNone if it does not exist.
+    std::pair<const DrawablePattern*, std::uint32_t> find(SeedId seed) const;
+};
+
+/// Paints background, grid, cells, triangles and seeds, clipped to `part` (pixels).
+void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                   const CanvasColours& colours);
+
+/// The outline of a polygon in pixels.
+QPainterPath pathOf(const Polygon& polygon, const CanvasView& view);
+QPainterPath pathOfPiece(const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view);
+
+/// The approximate distance between seeds in a view, pixels.
+double seedSpacing(const DrawablePattern& pattern, const CanvasView& view);
+/// The radius of a seed marker, pixels: smaller where seeds are dense.
+double seedRadius(const DrawablePattern& pattern, const CanvasView& view);
+/// Paints a seed marker: a disc if scattered, a diamond if moved by hand, a square if placed.
+void paintSeedMarker(QPainter& painter, QPointF centre, double radius, SeedOrigin origin);
+
+}  // namespace rubble

@@ -1,0 +1,162 @@
+#include "editor/canvas/painting/ChangePainting.h"
+
+#include "editor/canvas/painting/CanvasPainting.h"
+
+#include <QCoreApplication>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kWidth = 2.0;      // of outlines, pixels
+constexpr double kArrowHead = 5.0;  // pixels
+constexpr double kMinArrow = 3.0;   // pixels; shorter moves have no arrow
+constexpr int kFillAlpha = 60;      // of 255
+
+QString tr(const char* text) { return QCoreApplication::translate("CanvasChanges", text); }
+
+QColor colourOf(PieceChange change, const CanvasColours& colours) {
+    switch (change) {
+        case PieceChange::Gone: return colours.gone;
+        case PieceChange::Added: return colours.added;
+        case PieceChange::Moved: return colours.moved;
+        case PieceChange::Reshaped: break;
+    }
+    return colours.reshaped;
+}
+
+Qt::BrushStyle hatchOf(PieceChange change) {
+    return change == PieceChange::Added ? Qt::BDiagPattern : Qt::Dense6Pattern;
+}
+
+QPen ghostPen(const QColor& colour) {
+    QPen pen(colour, kWidth, Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
+    pen.setDashPattern({3.0, 2.0});
+    return pen;
+}
+
+/// Neighbouring ghosts draw their shared edges twice: always from the same end, so that the dashes coincide.
+void drawGhost(QPainter& painter, const QPainterPath& ghost, const QColor& colour) {
+    painter.setPen(ghostPen(colour));
+    for (const QPolygonF& ring : ghost.toSubpathPolygons()) {
+        for (qsizetype k = 0; k + 1 < ring.size(); ++k) {
+            const QPointF &one = ring[k], &other = ring[k + 1];
+            const bool isForward = std::pair(one.x(), one.y()) < std::pair(other.x(), other.y());
+            painter.drawLine(isForward ? one : other, isForward ? other : one);
+        }
+    }
+}
+
+QPainterPath pathOf(const Bake& bake, std::uint32_t number, const CanvasView& view) {
+    const Fragment solid = bake.fragment(number).solid;
+    CanvasView shifted = view;
+    shifted.centre -= Vec2{solid.offset()};
+    return pathOf(solid.outline(), shifted);
+}
+
+QPointF centroidOf(const Bake& bake, std::uint32_t number, const CanvasView& view) {
+    return view.pixels(Vec2{bake.fragment(number).solid.offset()});
+}
+
+void paintArrow(QPainter& painter, QPointF from, QPointF to, const QColor& colour) {
+    const QPointF offset = to - from;
+    const double length = std::hypot(offset.x(), offset.y());
+    if (length < kMinArrow) return;
+    const QPointF along = offset / length * std::min(kArrowHead, length), across(-along.y(), along.x());
+    painter.setPen(QPen(colour, kWidth, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(from, to);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{to, to - along + 0.6 * across, to - along - 0.6 * across});
+}
+
+/// Paints the changed fragments one by one.
+class ChangesPainter {
+public:
+    ChangesPainter(QPainter& painter, const CanvasView& view, const ComparedAsset& compared,
+                   const CanvasColours& colours)
+        : m_painter(painter), m_view(view), m_compared(compared), m_colours(colours) {
+        for (const PieceDifference& piece : compared.pieces.pieces) m_changed.insert(piece.path);
+    }
+
+    void paint() {
+        for (const PieceDifference& piece : m_compared.pieces.pieces) {
+            if (piece.level > 0 && m_changed.contains(parentOf(piece.path))) continue;
+            paint(piece);
+        }
+    }
+
+private:
+    void paint(const PieceDifference& piece) {
+        const QColor colour = colourOf(piece.change, m_colours);
+        const bool isShape = piece.change == PieceChange::Added || piece.change == PieceChange::Reshaped;
+        if (isShape) {
+            const QPainterPath path = pathOf(*m_compared.after, piece.after, m_view);
+            QColor fill = colour;
+            fill.setAlpha(kFillAlpha);
+            m_painter.fillPath(path, fill);
+            m_painter.fillPath(path, QBrush(colour, hatchOf(piece.change)));
+            m_painter.strokePath(path, QPen(colour, kWidth));
+            return;
+        }
+        const QPainterPath ghost = pathOf(*m_compared.before, piece.before, m_view);
+        if (piece.change == PieceChange::Gone) {
+            QColor fill = colour;
+            fill.setAlpha(kFillAlpha);
+            m_painter.fillPath(ghost, fill);
+        }
+        drawGhost(m_painter, ghost, colour);
+        if (piece.change != PieceChange::Moved) return;
+        paintArrow(m_painter, centroidOf(*m_compared.before, piece.before, m_view),
+                   centroidOf(*m_compared.after, piece.after, m_view), colour);
+    }
+
+    QPainter& m_painter;
+    const CanvasView& m_view;
+    const ComparedAsset& m_compared;
+    const CanvasColours& m_colours;
+    std::set<FragmentPath> m_changed;
+};
+
+}  // namespace
+
+void paintChanges(QPainter& painter, const CanvasView& view, const ComparedAsset& compared,
+                  const CanvasColours& colours) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    ChangesPainter(painter, view, compared, colours).paint();
+    painter.restore();
+}
+
+void paintChangeMarker(QPainter& painter, QPointF centre, PieceChange change, const CanvasColours& colours) {
+    const QRectF box(centre.x() - 8.0, centre.y() - 4.5, 16.0, 9.0);
+    const QColor colour = colourOf(change, colours);
+    QColor fill = colour;
+    fill.setAlpha(kFillAlpha);
+    const bool isShape = change == PieceChange::Added || change == PieceChange::Reshaped;
+    if (change != PieceChange::Moved) painter.fillRect(box, fill);
+    if (isShape) painter.fillRect(box, QBrush(colour, hatchOf(change)));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(isShape ? QPen(colour, kWidth) : ghostPen(colour));
+    painter.drawRect(box);
+    if (change == PieceChange::Moved)
+        paintArrow(painter, centre - QPointF(4.0, 0.0), centre + QPointF(5.0, 0.0), colour);
+}
+
+QString changeText(PieceChange change, std::size_t count) {
+    switch (change) {
+        case PieceChange::Gone: return tr("removed: %L1").arg(count);
+        case PieceChange::Added: return tr("added: %L1").arg(count);
+        case PieceChange::Moved: return tr("moved: %L1").arg(count);
+        case PieceChange::Reshaped: break;
+    }
+    return tr("reshaped: %L1").arg(count);
+}
+
+}  // namespace rubble

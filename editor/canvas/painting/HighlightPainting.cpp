@@ -1,0 +1,170 @@
+#include "editor/canvas/painting/HighlightPainting.h"
+
+#include "core/fracture/pattern/AnisotropyMap.h"
+#include "editor/canvas/painting/LabelPainting.h"
+#include "editor/canvas/painting/RulerPainting.h"
+#include "editor/canvas/painting/VoronoiEdges.h"
+#include "editor/widgets/LocalizedQuantity.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kLargestCircle = 1e5;          // pixels; larger circles look like lines and are slow to draw
+constexpr std::size_t kMaxDetailedSeeds = 600;  // more are marked by squares, which are faster
+constexpr double kMessageMargin = 40.0;         // pixels
+
+QString tr(const char* text) { return QCoreApplication::translate("HighlightPainting", text); }
+
+QColor withAlpha(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+class SelectionPainter {
+public:
+    SelectionPainter(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
+                     const CanvasColours& colours)
+        : m_painter(painter), m_view(view), m_contents(contents), m_colours(colours) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colours.accent, 2.0));
+    }
+
+    void paintSeeds(const FragmentSelection& selection) {
+        const double radius = std::max(seedRadius(*m_contents.pattern, m_view), 2.0) + 2.5;
+        const bool isFine = selection.seeds.size() <= kMaxDetailedSeeds;
+        for (const SeedId id : selection.seeds) {
+            const auto [shown, seed] = m_contents.find(id);
+            if (seed == kNone) continue;
+            const QPointF at = m_view.pixels(shown->seeds().positions[seed]);
+            if (isFine) {
+                paintPieces(*shown, id, seed, selection);
+                m_painter.drawEllipse(at, radius, radius);
+            } else {
+                m_painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
+            }
+        }
+    }
+
+    /// Highlights the selected cells of cut layers, which have no seed.
+    void paintCells(const FragmentSelection& selection) {
+        Selection::Seeds cells;
+        for (const SeedId id : selection.seeds) {
+            if (m_contents.find(id).second == kNone) cells.insert(id);
+        }
+        if (cells.empty() || !m_contents.overlays.hasCells) return;
+        const DrawablePattern& pattern = *m_contents.pattern;
+        m_painter.setBrush(withAlpha(m_colours.accent, kFillAlpha));
+        for (std::uint32_t piece = 0; piece < pattern.partition().pieceCount(); ++piece) {
+            if (pattern.partition().seedOfPiece[piece] == kNone && cells.contains(pattern.cellOf(piece)))
+                m_painter.drawPath(pathOfPiece(pattern, piece, m_view));
+        }
+    }
+
+private:
+    static constexpr int kFillAlpha = 70;  // of 255
+
+    /// Outlines all pieces of a seed and fills the selected ones.
+    void paintPieces(const DrawablePattern& shown, SeedId id, std::uint32_t seed, const FragmentSelection& selection) {
+        if (!m_contents.overlays.hasCells) return;
+        const IndexRange pieces = shown.piecesOf(seed);
+        for (std::size_t k = pieces.begin; k < pieces.end; ++k) {
+            const auto piece = static_cast<std::uint32_t>(k);
+            const bool isSelected = selection.contains(shown.baked().parent, id, shown.fragmentId(piece));
+            m_painter.setBrush(isSelected ? QBrush(withAlpha(m_colours.accent, kFillAlpha)) : Qt::NoBrush);
+            m_painter.drawPath(pathOfPiece(shown, piece, m_view));
+        }
+        m_painter.setBrush(Qt::NoBrush);
+    }
+
+    QPainter& m_painter;
+    const CanvasView& m_view;
+    const CanvasContents& m_contents;
+    const CanvasColours& m_colours;
+};
+
+}  // namespace
+
+void paintOutline(QPainter& painter, const Polygon& outline, const CanvasView& view, const CanvasColours& colours) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.outline, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawPath(pathOf(outline, view));
+}
+
+void paintSelection(QPainter& painter, const Selection& selection, const CanvasView& view,
+                    const CanvasContents& contents, const CanvasColours& colours) {
+    if (!contents.pattern || selection.seeds().empty()) return;
+    SelectionPainter highlights(painter, view, contents, colours);
+    highlights.paintSeeds(selection.fragments());
+    highlights.paintCells(selection.fragments());
+}
+
+void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view,
+                  const CanvasColours& colours) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(withAlpha(colours.hover, 24));
+    for (const std::uint32_t neighbour : pattern.neighbours(piece)) {
+        painter.drawPath(pathOfPiece(pattern, neighbour, view));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.hover, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(pathOfPiece(pattern, piece, view));
+}
+
+void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, QPointF beside,
+                        const CanvasView& view, const CanvasColours& colours) {
+    const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
+    const QStringList lines = {
+        tr("Fragment %1").arg(QString::fromStdString(pattern.fragmentId(piece))),
+        localizedQuantity(QuantityKind::Area, pattern.area(piece)),
+        QCoreApplication::translate("HighlightPainting", "%Ln neighbour(s)", nullptr, neighbours),
+        tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
+    };
+    paintLabel(painter, beside, lines, colours, colours.panelEdge, view);
+}
+
+void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, const CanvasContents& contents,
+                     const CanvasColours& colours) {
+    const std::uint32_t triangle = contents.pattern->triangleAt(point);
+    if (triangle == kNone) return;
+    const Delaunay& delaunay = contents.pattern->baked().triangulation;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.circle, 1.5));
+    const bool hasGrain = AnisotropyMap::of(contents.asset()->pattern, contents.asset()->prism.outline).has_value();
+    if (const std::optional<Circle> circle = circumcircle(delaunay, triangle); circle && !hasGrain) {
+        const double radius = circle->radius * view.scale;
+        if (radius < kLargestCircle) painter.drawEllipse(view.pixels(circle->centre), radius, radius);
+    }
+    painter.setBrush(withAlpha(colours.circle, 40));
+    QPolygonF corners;
+    for (const std::uint32_t corner : delaunay.triangles[triangle].corner) {
+        corners.push_back(view.pixels(contents.pattern->site(corner)));
+    }
+    painter.drawPolygon(corners);
+}
+
+void paintMessage(QPainter& painter, const QString& message, const CanvasView& view, const CanvasColours& colours,
+                  const QColor& edge) {
+    const double margin = kRulerWidth + kMessageMargin;
+    const QRectF area = QRectF(QPointF(), view.size).adjusted(margin, margin, -kMessageMargin, -kMessageMargin);
+    QRectF panel = QFontMetricsF(painter.font()).boundingRect(area, Qt::AlignCenter | Qt::TextWordWrap, message);
+    panel.adjust(-16.0, -12.0, 16.0, 12.0);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(edge, 1.0));
+    painter.setBrush(colours.panel);
+    painter.drawRoundedRect(panel, 6.0, 6.0);
+    painter.setPen(colours.text);
+    painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, message);
+}
+
+}  // namespace rubble

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "editor/canvas/painting/CanvasPainting.h"
+#include "editor/document/Selection.h"
+
+namespace rubble {
+
+// Highlights over the contents of a canvas: the selection and the hovered piece.
+
+void paintOutline(QPainter& painter, const Polygon& outline, const CanvasView& view, const CanvasColours& colours);
+
+/// Highlights the selected seeds and the selected ones of their pieces.
+void paintSelection(QPainter& painter, const Selection& selection, const CanvasView& view,
+                    const CanvasContents& contents, const CanvasColours& colours);
+
+/// Highlights a piece and its neighbours.
+void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view,
+                  const CanvasColours& colours);
+/// Paints a label with the fragment's name and properties beside a point in pixels.
+void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, QPointF beside,
+                        const CanvasView& view, const CanvasColours& colours);
+
+/// Paints the Delaunay triangle at a point (m) and its circumcircle, which contains no other seed; no circle if the
+/// pattern has a grain, which makes it an ellipse.
+void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, const CanvasContents& contents,
+                     const CanvasColours& colours);
+
+/// Paints a message at the centre of the canvas; `edge` is the colour of its border.
+void paintMessage(QPainter& painter, const QString& message, const CanvasView& view, const CanvasColours& colours,
+                  const QColor& edge);
+
+}  // namespace rubble

@@ -1,0 +1,234 @@
+#include "editor/canvas/painting/LegendPainting.h"
+
+#include "core/asset/project/FragmentColours.h"
+#include "editor/canvas/painting/ChangePainting.h"
+#include "editor/canvas/painting/LabelPainting.h"
+#include "editor/widgets/LayerText.h"
+#include "editor/widgets/LocalizedQuantity.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <functional>
+
+namespace rubble {
+
+namespace {
+
+// All in pixels.
+constexpr double kPadding = 8.0;
+constexpr double kSampleWidth = 22.0;
+constexpr double kRowHeight = 17.0;
+constexpr double kScaleWidth = 130.0;
+constexpr double kScaleHeight = 42.0;
+constexpr double kMarkerSize = 4.0;
+constexpr double kEdgeMargin = 10.0;
+constexpr std::size_t kMaxLayers = 6;
+
+QString tr(const char* text) { return QCoreApplication::translate("CanvasLegend", text); }
+
+/// A sample, painted around a point, and its meaning.
+struct Row {
+    std::function<void(QPainter&, QPointF)> paintSample;
+    QString text;
+};
+
+QString scaleTitle(CellColouring colouring) {
+    switch (colouring) {
+        case CellColouring::Area: return tr("Area");
+        case CellColouring::Neighbours: return tr("Neighbours");
+        case CellColouring::Aspect: return tr("Aspect ratio");
+        case CellColouring::Level: return tr("Further levels");
+        case CellColouring::Volume: return tr("Volume");
+        case CellColouring::Mass: return tr("Mass");
+        case CellColouring::Threshold: return tr("Break threshold");
+        case CellColouring::None:
+        case CellColouring::Piece: break;
+    }
+    return {};
+}
+
+QString scaleText(CellColouring colouring, double value, const CanvasContents& contents) {
+    switch (colouring) {
+        case CellColouring::Area: return localizedQuantity(QuantityKind::Area, value);
+        case CellColouring::Volume: return localizedQuantity(QuantityKind::Volume, value);
+        case CellColouring::Mass: return localizedQuantity(QuantityKind::Mass, contents.density * value);
+        case CellColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, contents.threshold * value);
+        case CellColouring::Neighbours:
+        case CellColouring::Level: return QLocale().toString(value, 'f', 0);
+        default: return QLocale().toString(value, 'f', 1);
+    }
+}
+
+/// Collects the rows and paints them.
+class Legend {
+public:
+    Legend(const CanvasContents& contents, const CanvasColours& colours) : m_contents(contents), m_colours(colours) {
+        if (contents.compared) addChanges(*contents.compared);
+        if (contents.overlays.hasSeeds) addSeeds();
+        if (contents.overlays.hasTriangles)
+            addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
+        if (contents.overlays.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
+        if (contents.overlays.hasBonds) addLine(colours.bond, tr("bonds, as wide as the shared edge"));
+        if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
+    }
+
+    void paint(QPainter& painter, const CanvasView& view) const {
+        const bool isScaled = hasScale();
+        if (m_rows.empty() && !isScaled) return;
+        painter.save();
+        QFont font = painter.font();
+        font.setPixelSize(11);
+        painter.setFont(font);
+        double width = isScaled ? kScaleWidth : 0.0;
+        for (const Row& row : m_rows) {
+            width = std::max(width, kSampleWidth + QFontMetricsF(font).horizontalAdvance(row.text));
+        }
+        const double rows = kRowHeight * static_cast<double>(m_rows.size());
+        const QSizeF size(std::ceil(width) + 2.0 * kPadding, rows + (isScaled ? kScaleHeight : 0.0) + 2.0 * kPadding);
+        const QRectF panel(
+            QPointF(view.size.width() - size.width() - kEdgeMargin, view.size.height() - size.height() - kEdgeMargin),
+            size);
+        paintPanel(painter, panel);
+        double top = panel.top() + kPadding;
+        for (const Row& row : m_rows) {
+            const QPointF middle(panel.left() + kPadding + kSampleWidth / 2.0 - 4.0, top + kRowHeight / 2.0);
+            row.paintSample(painter, middle);
+            painter.setPen(m_colours.text);
+            painter.drawText(QRectF(panel.left() + kPadding + kSampleWidth, top, width, kRowHeight), Qt::AlignVCenter,
+                             row.text);
+            top += kRowHeight;
+        }
+        if (isScaled) paintScale(painter, QRectF(panel.left() + kPadding, top, width, kScaleHeight));
+        painter.restore();
+    }
+
+private:
+    bool hasScale() const {
+        const CellColouring colouring = m_contents.colouring();
+        return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Piece;
+    }
+
+    void addChanges(const ComparedAsset& compared) {
+        if (compared.isEmpty()) m_rows.push_back({[](QPainter&, QPointF) {}, tr("no changes")});
+        for (int k = 0; k < kPieceChanges; ++k) {
+            const auto change = static_cast<PieceChange>(k);
+            const std::size_t count = compared.pieces.count(change);
+            if (count == 0) continue;
+            m_rows.push_back(
+                {[this, change](QPainter& painter, QPointF at) { paintChangeMarker(painter, at, change, m_colours); },
+                 changeText(change, count)});
+        }
+    }
+
+    void addSeeds() {
+        const DrawablePattern& pattern = *m_contents.pattern;
+        const std::vector<PatternLayer>& layers = pattern.baked().asset->pattern.layers;
+        const DrawablePattern::Counts& counts = pattern.counts();
+        addSeedMarker(SeedOrigin::Scattered, counts.scattered, tr("scattered seed"));
+        addSeedMarker(SeedOrigin::Moved, counts.moved, tr("moved by hand"));
+        addSeedMarker(SeedOrigin::Placed, counts.placed, tr("placed by hand"));
+        for (std::size_t k = 0; k < std::min(layers.size(), kMaxLayers) && layers.size() > 1; ++k) {
+            if (layers[k].isOn && kindOf(layers[k].parameters).role != LayerRole::Moves) addLayer(k, layers[k]);
+        }
+        if (counts.duplicates > 0) addDuplicates(counts.duplicates);
+        if (counts.withoutCell > 0) addWithoutCell(counts.withoutCell);
+    }
+
+    void addSeedMarker(SeedOrigin origin, std::size_t count, const QString& text) {
+        if (count == 0) return;
+        m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
+                              painter.setPen(Qt::NoPen);
+                              painter.setBrush(m_colours.text);
+                              paintSeedMarker(painter, at, kMarkerSize, origin);
+                          },
+                          text});
+    }
+
+    void addLayer(std::size_t number, const PatternLayer& layer) {
+        m_rows.push_back({[number](QPainter& painter, QPointF at) {
+                              painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
+                          },
+                          tr("layer %1: %2").arg(number + 1).arg(layerKindName(layer.parameters).toLower())});
+    }
+
+    void addDuplicates(std::size_t count) {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setBrush(Qt::NoBrush);
+                              painter.setPen(QPen(m_colours.fault, 1.5));
+                              painter.drawEllipse(at, kMarkerSize + 2.0, kMarkerSize + 2.0);
+                          },
+                          tr("duplicate seeds: %1").arg(count)});
+    }
+
+    void addWithoutCell(std::size_t count) {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setBrush(Qt::NoBrush);
+                              painter.setPen(QPen(m_colours.text, 1.5));
+                              painter.drawEllipse(at, kMarkerSize, kMarkerSize);
+                          },
+                          tr("seeds without a cell: %1").arg(count)});
+    }
+
+    void addLine(const QColor& colour, const QString& text) {
+        m_rows.push_back({[colour](QPainter& painter, QPointF at) {
+                              painter.setPen(QPen(colour, 1.5));
+                              painter.drawLine(at - QPointF(8.0, 0.0), at + QPointF(8.0, 0.0));
+                          },
+                          text});
+    }
+
+    void addHatch() {
+        m_rows.push_back({[this](QPainter& painter, QPointF at) {
+                              painter.setPen(QPen(m_colours.cellEdge, 1.0));
+                              painter.setBrush(QBrush(m_colours.label, Qt::BDiagPattern));
+                              painter.drawRect(QRectF(at.x() - 7.5, at.y() - 4.5, 15.0, 9.0));
+                          },
+                          tr("hidden fragment")});
+    }
+
+    void paintPanel(QPainter& painter, const QRectF& panel) const {
+        QColor fill = m_colours.panel;
+        fill.setAlpha(235);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(m_colours.panelEdge, 1.0));
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(panel.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    }
+
+    void paintScale(QPainter& painter, const QRectF& area) const {
+        const CellColouring colouring = m_contents.overlays.colouring;
+        painter.setPen(m_colours.text);
+        painter.drawText(area, Qt::AlignTop | Qt::AlignLeft, scaleTitle(colouring));
+        const QRectF bar(area.left(), area.top() + 16.0, area.width(), 9.0);
+        QLinearGradient ramp(bar.topLeft(), bar.topRight());
+        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, QColor(packed(rampColour(stop / 10.0))));
+        painter.setBrush(ramp);
+        painter.setPen(QPen(m_colours.panelEdge, 1.0));
+        painter.drawRect(bar);
+        painter.setPen(m_colours.text);
+        const QRectF ends(area.left(), bar.bottom() + 1.0, area.width(), 16.0);
+        const auto& [least, most] = m_contents.range;
+        if (least == most) {
+            painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
+                             tr("all: %1").arg(scaleText(colouring, least, m_contents)));
+            return;
+        }
+        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents));
+        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents));
+    }
+
+    const CanvasContents& m_contents;
+    const CanvasColours& m_colours;
+    std::vector<Row> m_rows;
+};
+
+}  // namespace
+
+void paintLegend(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
+                 const CanvasColours& colours) {
+    if (contents.pattern) Legend(contents, colours).paint(painter, view);
+}
+
+}  // namespace rubble

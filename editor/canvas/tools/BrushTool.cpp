@@ -1,0 +1,198 @@
+#include "editor/canvas/tools/BrushTool.h"
+
+#include "core/fracture/pattern/SeedEdits.h"
+#include "core/fracture/sampling/DensityArea.h"
+#include "editor/commands/ProjectEdits.h"
+
+#include <QImage>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMinRadius = 3.0;  // pixels
+constexpr double kMaxRadius = 400.0;
+constexpr double kRadiusFactor = 1.25;  // per key press
+constexpr double kStrengthStep = 0.1;
+constexpr int kMaxAlpha = 150;  // of the image over the cells, of 255
+
+/// The grey value of the highest density; erasing, of the lowest.
+double valueOf(DenseWhere dense, bool isErasing) { return (dense == DenseWhere::Bright) != isErasing ? 1.0 : 0.0; }
+
+}  // namespace
+
+const PatternLayer* BrushTool::layer() const {
+    const Asset* shown = m_state.displayedAsset();
+    if (!shown) return nullptr;
+    const auto isDensity = [](const PatternLayer& each) {
+        return each.isOn && std::holds_alternative<DensityImage>(each.parameters);
+    };
+    const auto& layers = shown->pattern.layers;
+    const auto found = std::find_if(layers.rbegin(), layers.rend(), isDensity);
+    return found == layers.rend() ? nullptr : &*found;
+}
+
+void BrushTool::press(const CanvasPointer& pointer) {
+    if (!m_state.displayedAsset()) return;
+    m_pointer = pointer;
+    const PatternLayer* target = layer();
+    m_painting =
+        Painting{.before = *m_state.asset(), .last = pointer.metres, .mergeKey = m_state.document.newMergeKey()};
+    if (target) {
+        m_painting->layer = target->id;
+        m_painting->picture = std::get<DensityImage>(target->parameters).image;
+    } else {
+        m_painting->newId = m_painting->layer = m_state.document.project().nextId;
+    }
+    paintTo(pointer);
+}
+
+void BrushTool::paintTo(const CanvasPointer& pointer) {
+    const Box2 box = boundsOf(m_state.displayedAsset()->prism.outline.outer);
+    const PatternLayer* target = layer();
+    const DenseWhere dense = target ? std::get<DensityImage>(target->parameters).dense : DenseWhere::Dark;
+    const bool isErasing = m_isErasing != pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const Brush brush{m_radiusPixels / m_state.view.scale, m_strength, valueOf(dense, isErasing)};
+    GreyImage picture = m_painting->picture ? *m_painting->picture : uniformImage(box, valueOf(dense, true));
+    picture = painted(std::move(picture), box, m_painting->last, pointer.metres, brush);
+    m_painting->last = pointer.metres;
+    push(std::make_shared<const GreyImage>(std::move(picture)));
+}
+
+void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
+    m_painting->picture = picture;
+    Asset asset = m_painting->before;
+    Pattern& pattern = m_state.patternIn(asset);
+    Edit edit{.text = tr("Paint Density"), .mergeKey = m_painting->mergeKey};
+    if (m_painting->newId != 0) {
+        const bool exists = findLayer(m_state.displayedAsset()->pattern, m_painting->newId) != nullptr;
+        const Id id = exists ? m_painting->newId : edit.allocateId(m_state.document.project());
+        m_painting->newId = m_painting->layer = id;
+        pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
+    }
+    if (PatternLayer* target = findLayer(pattern, m_painting->layer)) {
+        std::get<DensityImage>(target->parameters).image = std::move(picture);
+        edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
+        m_state.document.push(std::move(edit));
+    }
+    emit changed();
+}
+
+void BrushTool::move(const CanvasPointer& pointer) {
+    m_pointer = pointer;
+    if (m_painting && pointer.metres != m_painting->last) paintTo(pointer);
+    emit changed();
+}
+
+void BrushTool::release(const CanvasPointer&) {
+    m_painting.reset();
+    emit changed();
+}
+
+void BrushTool::setRadiusPixels(double radius) {
+    m_radiusPixels = std::clamp(radius, kMinRadius, kMaxRadius);
+    emit changed();
+}
+
+void BrushTool::setStrength(double strength) {
+    m_strength = std::clamp(strength, kStrengthStep, 1.0);
+    emit changed();
+}
+
+bool BrushTool::key(const QKeyEvent& event) {
+    switch (event.key()) {
+        case Qt::Key_BracketLeft: setRadiusPixels(m_radiusPixels / kRadiusFactor); return true;
+        case Qt::Key_BracketRight: setRadiusPixels(m_radiusPixels * kRadiusFactor); return true;
+        case Qt::Key_Comma: setStrength(m_strength - kStrengthStep); return true;
+        case Qt::Key_Period: setStrength(m_strength + kStrengthStep); return true;
+        case Qt::Key_X:
+            m_isErasing = !m_isErasing;
+            emit changed();
+            return true;
+        default: return CanvasTool::key(event);
+    }
+}
+
+/// Elsewhere brackets select parents and children.
+bool BrushTool::overridesShortcut(int key) const {
+    constexpr std::array kOwn{Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_Comma, Qt::Key_Period, Qt::Key_X};
+    return std::ranges::find(kOwn, key) != kOwn.end();
+}
+
+bool BrushTool::cancel() {
+    if (!m_painting) return false;
+    const Painting painting = *std::exchange(m_painting, std::nullopt);
+    if (m_state.asset() && m_state.asset()->id == painting.before.id) {
+        m_state.document.push(modify(tr("Paint Density"), painting.before, painting.mergeKey));
+    }
+    emit changed();
+    return true;
+}
+
+void BrushTool::endDrag() {
+    m_painting.reset();
+    emit changed();
+}
+
+void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) const {
+    const PatternLayer* target = layer();
+    const auto* density = target ? &std::get<DensityImage>(target->parameters) : nullptr;
+    if (!density || !density->image) return;
+    const GreyImage& picture = *density->image;
+    QImage overlay(static_cast<int>(picture.width), static_cast<int>(picture.height), QImage::Format_ARGB32);
+    for (int row = 0; row < overlay.height(); ++row) {
+        for (int column = 0; column < overlay.width(); ++column) {
+            const Vec2 point((column + 0.5) / overlay.width(), 1.0 - (row + 0.5) / overlay.height());
+            QColor colour = colours.fault;
+            colour.setAlpha(static_cast<int>(kMaxAlpha * densityAt(picture, density->dense, point)));
+            overlay.setPixelColor(column, row, colour);
+        }
+    }
+    const Box2 box = boundsOf(m_state.displayedAsset()->prism.outline.outer);
+    const QRectF area(m_state.view.pixels({box.min.x, box.max.y}), m_state.view.pixels({box.max.x, box.min.y}));
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(area, overlay);
+}
+
+void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
+    if (!m_state.displayedAsset()) return;
+    paintPicture(painter, colours);
+    if (!m_pointer) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const bool isErasing = m_isErasing != m_pointer->modifiers.testFlag(Qt::ShiftModifier);
+    for (const double radius : {m_radiusPixels, m_radiusPixels / 2.0}) {
+        painter.setPen(QPen(colours.halo, 3.0));
+        painter.drawEllipse(m_pointer->pixels, radius, radius);
+        painter.setPen(QPen(isErasing ? colours.text : colours.fault, 1.5, isErasing ? Qt::DashLine : Qt::SolidLine));
+        painter.drawEllipse(m_pointer->pixels, radius, radius);
+    }
+}
+
+QString BrushTool::hint() const {
+    const QString action = m_isErasing ? tr("Drag: erase") : tr("Drag: paint where seeds are dense");
+    return tr("%1 · Shift: invert · X: switch between paint and erase · [ ]: size · , .: strength %2 %")
+        .arg(action)
+        .arg(std::lround(100.0 * m_strength));
+}
+
+void BrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
+    menu.addAction(tr("Increase Brush &Size"), this, [this] { setRadiusPixels(m_radiusPixels * kRadiusFactor); });
+    menu.addAction(tr("&Decrease Brush Size"), this, [this] { setRadiusPixels(m_radiusPixels / kRadiusFactor); });
+    menu.addSeparator();
+    menu.addAction(tr("Increase S&trength"), this, [this] { setStrength(m_strength + kStrengthStep); });
+    menu.addAction(tr("Decrease Stren&gth"), this, [this] { setStrength(m_strength - kStrengthStep); });
+    menu.addSeparator();
+    QAction* erase = menu.addAction(tr("&Erase"), this, [this](bool isOn) {
+        m_isErasing = isOn;
+        emit changed();
+    });
+    erase->setCheckable(true);
+    erase->setChecked(m_isErasing);
+}
+
+}  // namespace rubble

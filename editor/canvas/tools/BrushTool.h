@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/fracture/pattern/DensityImage.h"
+#include "editor/canvas/tools/CanvasTool.h"
+#include "editor/commands/ImageBrush.h"
+
+#include <optional>
+
+namespace rubble {
+
+/// Paints the density of seeds: into the image of the last enabled density layer, or of a new one. Everything painted
+/// while the button is held is one undo step.
+class BrushTool : public CanvasTool {
+    Q_OBJECT
+public:
+    using CanvasTool::CanvasTool;
+
+    void press(const CanvasPointer& pointer) override;
+    void move(const CanvasPointer& pointer) override;
+    void release(const CanvasPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    bool overridesShortcut(int key) const override;
+    bool cancel() override;
+    void endDrag() override;
+    void paint(QPainter& painter, const CanvasColours& colours) const override;
+    Qt::CursorShape cursor() const override { return Qt::BlankCursor; }
+    QString hint() const override;
+    void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
+
+    double radiusPixels() const { return m_radiusPixels; }
+    void setRadiusPixels(double radius);
+    double strength() const { return m_strength; }
+    void setStrength(double strength);
+
+private:
+    struct Painting {
+        Asset before;
+        Id layer = 0;
+        std::shared_ptr<const GreyImage> picture;  // current state
+        Vec2 last{0.0, 0.0};
+        quint64 mergeKey = 0;
+        Id newId = 0;  // of a layer that the tool added; 0: none
+    };
+    /// The layer that is painted; null if there is none yet.
+    const PatternLayer* layer() const;
+    void paintTo(const CanvasPointer& pointer);
+    void push(std::shared_ptr<const GreyImage> picture);
+    void paintPicture(QPainter& painter, const CanvasColours& colours) const;
+
+    double m_radiusPixels = 30.0;
+    double m_strength = 0.4;
+    bool m_isErasing = false;
+    std::optional<Painting> m_painting;
+    std::optional<CanvasPointer> m_pointer;
+};
+
+}  // namespace rubble

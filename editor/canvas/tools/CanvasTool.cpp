@@ -1,0 +1,50 @@
+#include "editor/canvas/tools/CanvasTool.h"
+
+#include "editor/canvas/painting/GridPainting.h"
+#include "editor/commands/AssetPatterns.h"
+#include "editor/document/EnteredFragment.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double kNudge = 1.0;        // pixels
+constexpr double kLargeNudge = 10.0;  // with Shift
+
+std::optional<Vec2> directionOf(int key) {
+    switch (key) {
+        case Qt::Key_Left: return Vec2(-1.0, 0.0);
+        case Qt::Key_Right: return Vec2(1.0, 0.0);
+        case Qt::Key_Up: return Vec2(0.0, 1.0);
+        case Qt::Key_Down: return Vec2(0.0, -1.0);
+        default: return std::nullopt;
+    }
+}
+
+}  // namespace
+
+Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.enteredFragment()); }
+
+std::optional<FragmentPath> CanvasState::fracturedFragmentAt(Vec2 point) const {
+    const std::uint32_t piece = pattern ? pattern->pieceAt(point) : kNone;
+    const auto baked = bakes.find(selection.asset());
+    if (piece == kNone || !asset() || !baked || !baked->bake) return std::nullopt;
+    FragmentPath path = pathOfId(pattern->fragmentId(piece));
+    if (nearestFractured(*asset(), baked->bake.get(), path) != path) return std::nullopt;
+    return path;
+}
+
+std::optional<Vec2> nudgeStep(const QKeyEvent& event, const CanvasState& state) {
+    const std::optional<Vec2> direction = directionOf(event.key());
+    if (!direction) return std::nullopt;
+    const bool isLarge = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (state.isSnapping && !isLarge) return *direction * gridStep(state.view);
+    return *direction * ((isLarge ? kLargeNudge : kNudge) / state.view.scale);
+}
+
+quint64 CanvasTool::nudgeMergeKey(bool isRepeated) {
+    if (!isRepeated || m_nudgeMergeKey == 0) m_nudgeMergeKey = m_state.document.newMergeKey();
+    return m_nudgeMergeKey;
+}
+
+}  // namespace rubble

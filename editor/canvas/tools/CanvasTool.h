@@ -1,0 +1,96 @@
+#pragma once
+
+#include "editor/canvas/painting/CanvasColours.h"
+#include "editor/canvas/painting/CanvasView.h"
+#include "editor/canvas/painting/DrawablePattern.h"
+#include "editor/document/Bakes.h"
+#include "editor/document/Document.h"
+#include "editor/document/Selection.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+
+#include <memory>
+#include <optional>
+
+namespace rubble {
+
+/// The state shared by a canvas and its tools.
+struct CanvasState {
+    Document& document;
+    Selection& selection;
+    const Bakes& bakes;
+    CanvasView view;
+    std::shared_ptr<const DrawablePattern> pattern;  // the last baked one; may be null
+    std::shared_ptr<const Asset> fragment;           // the entered one, see fragmentAsAsset(); null if not known
+    bool isSnapping = false;
+
+    /// The active asset; null if there is none.
+    const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
+    bool isInFragment() const { return !selection.enteredFragment().empty(); }
+    /// The asset whose prism and pattern are shown: the active one, or the entered fragment as an asset. Null if there
+    /// is none.
+    const Asset* displayedAsset() const { return isInFragment() ? fragment.get() : asset(); }
+    /// The displayed pattern within `copy`, a copy of the active asset that is being changed.
+    Pattern& patternIn(Asset& copy) const;
+    /// The fractured fragment at a point, which can be entered; none if there is none.
+    std::optional<FragmentPath> fracturedFragmentAt(Vec2 point) const;
+};
+
+/// The pointer's position with the modifier keys.
+struct CanvasPointer {
+    QPointF pixels;
+    Vec2 metres;
+    Qt::KeyboardModifiers modifiers;
+};
+
+/// The displacement of an arrow key, m: one pixel, ten with Shift, one grid step if snapping is on. None for other
+/// keys.
+std::optional<Vec2> nudgeStep(const QKeyEvent& event, const CanvasState& state);
+
+/// Handles the left mouse button and the keys on a canvas. A tool pushes edits into the document and holds the state of
+/// a drag.
+class CanvasTool : public QObject {
+    Q_OBJECT
+public:
+    explicit CanvasTool(CanvasState& state) : m_state(state) {}
+
+    virtual void press(const CanvasPointer& pointer) = 0;
+    /// Also called while no button is held.
+    virtual void move(const CanvasPointer& pointer) = 0;
+    virtual void release(const CanvasPointer& pointer) = 0;
+    virtual void doubleClick(const CanvasPointer& pointer) { press(pointer); }
+    /// True if the tool handled the key; by default, Esc cancels.
+    virtual bool key(const QKeyEvent& event) { return event.key() == Qt::Key_Escape && cancel(); }
+    /// Whether the tool handles this key (without modifiers) in place of an action that has it as shortcut.
+    virtual bool overridesShortcut(int /*key*/) const { return false; }
+    /// Cancels the current drag or drawing and restores the state before; false if there is none.
+    virtual bool cancel() = 0;
+    /// Ends the current drag without a change: its starting state is outdated by an undo or redo.
+    virtual void endDrag() {}
+
+    virtual void paint(QPainter& painter, const CanvasColours& colours) const = 0;
+    virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
+    /// The status bar's hint on what the tool can do now.
+    virtual QString hint() const = 0;
+    /// Adds the tool's actions at the pointer to a context menu.
+    virtual void fillMenu(QMenu& menu, const CanvasPointer& pointer) = 0;
+
+signals:
+    /// The tool's painting, cursor or hint changed.
+    void changed();
+    /// A message for the status bar.
+    void statusMessage(const QString& message);
+
+protected:
+    /// The merge key of an arrow key's edit; the repeats of a held key are one undo step.
+    quint64 nudgeMergeKey(bool isRepeated);
+
+    CanvasState& m_state;
+
+private:
+    quint64 m_nudgeMergeKey = 0;
+};
+
+}  // namespace rubble

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "editor/canvas/tools/BoxLassoSelection.h"
+#include "editor/canvas/tools/CanvasTool.h"
+#include "editor/canvas/tools/ParameterHandles.h"
+
+#include <map>
+#include <optional>
+
+namespace rubble {
+
+/// Places, drags, deletes and selects seeds, and drags the handles of layer parameters.
+class SeedTool : public CanvasTool {
+    Q_OBJECT
+public:
+    explicit SeedTool(CanvasState& state) : CanvasTool(state), m_handles(state) {}
+
+    void press(const CanvasPointer& pointer) override;
+    void move(const CanvasPointer& pointer) override;
+    void release(const CanvasPointer& pointer) override;
+    void doubleClick(const CanvasPointer& pointer) override;
+    bool key(const QKeyEvent& event) override;
+    bool cancel() override;
+    void endDrag() override;
+    void paint(QPainter& painter, const CanvasColours& colours) const override;
+    Qt::CursorShape cursor() const override;
+    QString hint() const override;
+    void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
+
+    void deleteSelected();
+    /// Returns the selected seeds that were moved by hand to where they were scattered.
+    void restoreSelected();
+    void selectAll();
+    void selectNeighbours();
+    void invertSelection();
+
+private:
+    /// A drag of the selected seeds.
+    struct Drag {
+        Asset before;
+        std::map<SeedId, Vec2> from;  // m
+        Vec2 grabbed;                 // position of the seed under the pointer, m
+        Vec2 by{0.0, 0.0};
+        quint64 mergeKey = 0;
+    };
+    /// A box or lasso selection; with `isAdding` it extends the selection.
+    struct AreaDrag {
+        BoxLassoSelection area;
+        bool isAdding = false;
+    };
+    /// The seed that the last click placed. It is undone if the click was the first of a double click.
+    struct PlacedSeed {
+        Asset before;
+        Id nextId = 0;
+        std::optional<FragmentPath> fractured;  // the fragment at the pointer that can be entered
+        quint64 mergeKey = 0;
+    };
+
+    std::uint32_t seedAt(const CanvasPointer& pointer) const;
+    std::map<SeedId, Vec2> selectedPositions() const;
+    void beginDrag(std::uint32_t seed);
+    void dragBy(Vec2 by);
+    void click(const CanvasPointer& pointer);
+    /// Whether the pattern has only cut layers: its pieces can be selected, but there are no seeds.
+    bool hasOnlyCuts() const;
+    Selection::Seeds selectedSeeds() const;
+    void place(Vec2 position, quint64 mergeKey = 0);
+    void undoPlacement(const PlacedSeed& placed);
+    void nudge(Vec2 by, bool isRepeated);
+    void selectNext(int by);
+    Selection::Seeds seedsInArea() const;
+
+    ParameterHandles m_handles;
+    std::optional<Drag> m_drag;
+    std::optional<AreaDrag> m_area;
+    std::optional<PlacedSeed> m_placed;
+    QPointF m_pressed;
+    bool m_hasMoved = false;
+    CanvasPointer m_pointer{};
+    std::uint32_t m_hovered = kNone;  // seed
+};
+
+}  // namespace rubble

@@ -1,0 +1,145 @@
+#include "editor/canvas/widget/CanvasContentsUpdater.h"
+
+#include "core/asset/bake/FragmentLookup.h"
+#include "core/asset/project/Threshold.h"
+#include "editor/canvas/painting/SurroundingEdges.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubble {
+
+void CanvasContentsUpdater::setOverlays(const CanvasOverlays& overlays) {
+    m_contents.overlays = overlays;
+    refreshDepths();
+    refreshMovedPart();
+    m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::setCompared(std::shared_ptr<const ComparedAsset> compared) {
+    if (compared == m_compared) return;
+    m_compared = std::move(compared);
+    refreshComparison();
+    m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::refreshAll() {
+    m_contents.hidden = m_state.selection.hidden();
+    refreshSurroundings();
+    refreshComparison();
+    refreshMaterial();
+    refreshPattern();
+    refreshDepths();
+    m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::refreshHidden() {
+    m_contents.hidden = m_state.selection.hidden();
+    m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::refreshMaterial() {
+    const Asset* asset = m_state.asset();
+    const Material* material = asset ? findMaterial(m_state.document.project(), asset->material) : nullptr;
+    m_contents.density = material ? material->density : 0.0;
+    m_contents.threshold = material ? thresholdOf(*asset, *material) : 0.0;
+}
+
+void CanvasContentsUpdater::refreshPattern() {
+    const std::shared_ptr<const BakedPattern> baked =
+        m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.enteredFragment());
+    const std::shared_ptr<const DrawablePattern> before = m_contents.pattern;
+    if (before && &before->baked() == baked.get()) return;
+    const std::shared_ptr<const MovedPart> movedBefore = m_contents.moved;
+    const Asset* shown = m_contents.asset();
+    const DrawablePattern::Range range = m_contents.range;
+    m_contents.pattern = baked && !baked->fault ? std::make_shared<const DrawablePattern>(baked) : nullptr;
+    m_contents.range = scale();
+    m_state.pattern = m_contents.pattern;
+    m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
+    computeMovedPart();
+    if (!before || !m_contents.pattern || range != m_contents.range || !isLocal()) {
+        m_backingStore.invalidateAll();
+    } else if (*shown != *m_contents.asset()) {  // otherwise it is painted already
+        Box2 box = differenceBox(*before, *m_contents.pattern);
+        include(box, movedBox(movedBefore.get()));
+        include(box, movedBox(m_contents.moved.get()));
+        m_backingStore.invalidate(box);
+    }
+}
+
+void CanvasContentsUpdater::refreshMovedPart() {
+    const std::shared_ptr<const MovedPart> before = m_contents.moved;
+    computeMovedPart();
+    Box2 box = movedBox(before.get());
+    include(box, movedBox(m_contents.moved.get()));
+    m_backingStore.invalidate(box);
+}
+
+void CanvasContentsUpdater::refreshFragments() {
+    refreshSurroundings();
+    if (m_contents.overlays.colouring == CellColouring::Level) refreshDepths();
+}
+
+void CanvasContentsUpdater::refreshSurroundings() {
+    if (m_contents.surroundings.empty() && !m_state.isInFragment()) return;
+    const auto baked = m_state.bakes.find(m_state.selection.asset());
+    if (baked && !baked->bake && m_state.isInFragment()) return;  // keeps the surroundings from before the error
+    m_contents.surroundings.clear();
+    if (baked && m_state.isInFragment())
+        m_contents.surroundings = surroundingEdges(*baked->bake, m_state.selection.enteredFragment());
+    m_backingStore.invalidateAll();
+}
+
+/// Computes the number of further levels of each displayed fragment, if cells are coloured by it.
+void CanvasContentsUpdater::refreshDepths() {
+    m_contents.depths.clear();
+    const auto baked = m_state.bakes.find(m_state.selection.asset());
+    if (m_contents.overlays.colouring == CellColouring::Level && baked && baked->bake) {
+        const Bake& bake = *baked->bake;
+        const std::optional<std::uint32_t> entered = fragmentAt(bake, m_state.selection.enteredFragment());
+        for (const BakedFracture& fracture : bake.fractures) {
+            std::uint32_t parent = fracture.parent;
+            while (parent != kNone && bake.fragment(parent).parent != entered) parent = bake.fragment(parent).parent;
+            if (parent == kNone) continue;
+            int& depth = m_contents.depths[bake.fragmentId(parent)];
+            depth = std::max(depth, static_cast<int>(fracture.level - bake.fragment(parent).level));
+        }
+    }
+    m_contents.range = scale();
+    m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::refreshComparison() { m_contents.compared = m_state.isInFragment() ? nullptr : m_compared; }
+
+DrawablePattern::Range CanvasContentsUpdater::scale() const {
+    DrawablePattern::Range range;
+    if (!m_contents.pattern) return range;
+    if (m_contents.overlays.colouring != CellColouring::Level) {
+        return m_contents.pattern->range(m_contents.overlays.colouring);
+    }
+    for (const auto& [id, depth] : m_contents.depths) range.most = std::max(range.most, static_cast<double>(depth));
+    return range;
+}
+
+void CanvasContentsUpdater::computeMovedPart() {
+    m_contents.moved = m_movedCells && m_state.displayedAsset() && isLocal()
+                           ? m_movedCells->movedPart(*m_state.displayedAsset())
+                           : nullptr;
+}
+
+/// Whether an edit only changes the picture near the changed cells: triangles, bonds and the unclipped diagram reach
+/// beyond.
+bool CanvasContentsUpdater::isLocal() const {
+    const CanvasOverlays& overlays = m_contents.overlays;
+    return !overlays.hasTriangles && !overlays.hasBonds && !overlays.hasWholeVoronoi;
+}
+
+/// The box that a moved part repaints. If cells are coloured by a quantity, all changed cells are in it.
+Box2 CanvasContentsUpdater::movedBox(const MovedPart* part) const {
+    if (!part) return {};
+    const CellColouring colouring = m_contents.overlays.colouring;
+    return colouring == CellColouring::None || colouring == CellColouring::Piece ? part->moved : part->changed;
+}
+
+}  // namespace rubble

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "editor/canvas/painting/CanvasBackingStore.h"
+#include "editor/canvas/tools/CanvasTool.h"
+
+namespace rubble {
+
+/// Keeps the contents of a canvas up to date with document, selection and bakes, and invalidates only the parts of the
+/// picture that change. The refresh…() functions read what their names say from the state.
+class CanvasContentsUpdater {
+public:
+    explicit CanvasContentsUpdater(CanvasState& state) : m_state(state) {}
+
+    const CanvasContents& contents() const { return m_contents; }
+    /// The painted contents, up to date; `ratio` is the device pixel ratio.
+    const QImage& image(double ratio, const CanvasColours& colours) {
+        return m_backingStore.at(m_state.view, ratio, m_contents, colours);
+    }
+    void invalidateAll() { m_backingStore.invalidateAll(); }
+
+    void setOverlays(const CanvasOverlays& overlays);
+    /// The changes since an earlier state of the whole asset; null shows none.
+    void setCompared(std::shared_ptr<const ComparedAsset> compared);
+
+    void refreshAll();
+    void refreshHidden();
+    void refreshMaterial();
+    /// Also sets the pattern of the state.
+    void refreshPattern();
+    /// The cells that moved since the pattern was baked.
+    void refreshMovedPart();
+    /// What follows from the fragments: the surroundings of an entered one, and how often they are fractured further.
+    void refreshFragments();
+
+private:
+    void refreshSurroundings();
+    void refreshDepths();
+    void refreshComparison();
+    DrawablePattern::Range scale() const;
+    void computeMovedPart();
+    bool isLocal() const;
+    Box2 movedBox(const MovedPart* part) const;
+
+    CanvasState& m_state;
+    CanvasContents m_contents;
+    CanvasBackingStore m_backingStore;
+    std::shared_ptr<const ComparedAsset> m_compared;  // of the whole asset; null: none
+    std::unique_ptr<MovedCells> m_movedCells;         // of the pattern in m_contents
+};
+
+}  // namespace rubble

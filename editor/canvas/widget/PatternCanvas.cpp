@@ -1,0 +1,426 @@
+#include "editor/canvas/widget/PatternCanvas.h"
+
+#include "editor/canvas/painting/HighlightPainting.h"
+#include "editor/canvas/painting/LegendPainting.h"
+#include "editor/canvas/painting/RulerPainting.h"
+#include "editor/canvas/tools/BrushTool.h"
+#include "editor/canvas/tools/CrackLineTool.h"
+#include "editor/canvas/tools/MeasureTool.h"
+#include "editor/canvas/tools/OutlineTool.h"
+#include "editor/canvas/tools/SeedTool.h"
+#include "editor/canvas/widget/Breadcrumb.h"
+#include "editor/commands/AssetPatterns.h"
+#include "editor/document/EnteredFragment.h"
+
+#include <QContextMenuEvent>
+#include <QNativeGestureEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMargin = 24.0;  // pixels around the fitted outline
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kAnglePerNotch = 120.0;   // of QWheelEvent::angleDelta()
+constexpr double kSelectionMargin = 0.75;  // around the selection, of its size
+constexpr double kMinFramedSize = 0.02;    // the smallest framed size, of the outline's
+constexpr int kBreadcrumbGap = 8;          // pixels between rulers and breadcrumb
+
+}  // namespace
+
+PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
+    : QWidget(parent),
+      m_state{.document = document, .selection = selection, .bakes = bakes},
+      m_updater(m_state),
+      m_breadcrumb(new Breadcrumb(this)),
+      m_colours(canvasColours(palette())),
+      m_outlineTool(std::make_unique<OutlineTool>(m_state)),
+      m_seedTool(std::make_unique<SeedTool>(m_state)),
+      m_crackLineTool(std::make_unique<CrackLineTool>(m_state)),
+      m_brushTool(std::make_unique<BrushTool>(m_state)),
+      m_measureTool(std::make_unique<MeasureTool>(m_state)),
+      m_tool(m_seedTool.get()) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(tr("Pattern canvas"));
+    setAccessibleDescription(tr("The outline of the active asset, its seeds and their cells."));
+    connect(&document, &Document::changed, this, &PatternCanvas::applyChanges);
+    connect(&selection, &Selection::assetChanged, this, [this] {
+        m_savedViews.clear();
+        m_displayedFragment = m_state.selection.enteredFragment();
+        refreshAsset();
+    });
+    connect(&selection, &Selection::enteredFragmentChanged, this, &PatternCanvas::refreshEnteredFragment);
+    connect(m_breadcrumb, &Breadcrumb::clicked, this,
+            [this](const FragmentPath& fragment) { exitToFragment(m_state.selection, fragment); });
+    m_breadcrumb->move(static_cast<int>(kRulerWidth) + kBreadcrumbGap, static_cast<int>(kRulerWidth) + kBreadcrumbGap);
+    connect(&selection, &Selection::seedsChanged, this, &PatternCanvas::updateTool);
+    connect(&selection, &Selection::hiddenChanged, this, [this] {
+        m_updater.refreshHidden();
+        update();
+    });
+    connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
+        if (asset != m_state.selection.asset()) return;
+        m_updater.refreshPattern();
+        updateHovered();
+        update();
+    });
+    connect(&bakes, &Bakes::changed, this, [this](Id asset) {
+        if (asset != m_state.selection.asset()) return;
+        refreshFragment();
+        m_updater.refreshFragments();
+        update();
+    });
+    for (CanvasTool* tool : std::initializer_list<CanvasTool*>{
+             m_outlineTool.get(), m_seedTool.get(), m_crackLineTool.get(), m_brushTool.get(), m_measureTool.get()}) {
+        connect(tool, &CanvasTool::changed, this, &PatternCanvas::updateTool);
+        connect(tool, &CanvasTool::statusMessage, this, &PatternCanvas::statusMessage);
+    }
+    refreshAsset();
+}
+
+PatternCanvas::~PatternCanvas() = default;
+
+void PatternCanvas::setTool(CanvasToolKind kind) {
+    if (kind == m_toolKind) return;
+    m_tool->cancel();
+    m_toolKind = kind;
+    switch (kind) {
+        case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
+        case CanvasToolKind::Seeds: m_tool = m_seedTool.get(); break;
+        case CanvasToolKind::CrackLines: m_tool = m_crackLineTool.get(); break;
+        case CanvasToolKind::Brush: m_tool = m_brushTool.get(); break;
+        case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
+    }
+    updateTool();
+    emit toolKindChanged(kind);
+}
+
+void PatternCanvas::setOverlays(const CanvasOverlays& overlays) {
+    if (overlays == this->overlays()) return;
+    m_updater.setOverlays(overlays);
+    update();
+    emit overlaysChanged();
+}
+
+void PatternCanvas::setView(const CanvasView& view) {
+    m_isFitted = false;
+    m_state.view = view;
+    m_state.view.size = size();
+    update();
+}
+
+void PatternCanvas::fit() {
+    m_isFitted = true;
+    const Asset* shown = m_state.displayedAsset();
+    if (!shown) return;
+    // The rulers cover two edges.
+    CanvasView view = m_state.view;
+    view.size = QSizeF(size()) - QSizeF(kRulerWidth, kRulerWidth);
+    view = fitted(view, boundsOf(shown->prism.outline.outer), kMargin);
+    view.size = size();
+    m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
+    updatePointer();
+    update();
+}
+
+void PatternCanvas::frameSelected(std::optional<Vec2> point) {
+    if (!m_state.displayedAsset()) return;
+    Box2 box;
+    if (point) box.include(*point);
+    for (const SeedId id : m_state.selection.seeds()) {
+        const auto [shown, seed] = contents().pattern ? contents().find(id) : std::pair{nullptr, kNone};
+        if (seed != kNone) include(box, shown->boxOf(seed));
+    }
+    if (box.min.x > box.max.x) return fit();
+    // Keeps the size positive for a single point, and some context around it.
+    const double least = kMinFramedSize * boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
+    const Vec2 around(std::max(kSelectionMargin * box.diagonal(), least));
+    setView(fitted(m_state.view, {box.min - around, box.max + around}, kMargin));
+}
+
+void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
+    m_updater.setCompared(std::move(compared));
+    update();
+}
+
+void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }
+
+QString PatternCanvas::hint() const { return m_tool->hint(); }
+
+void PatternCanvas::applyChanges(const Changes& changes) {
+    const bool isOfAsset = changes.touches(Part::Asset, m_state.selection.asset());
+    if (isOfAsset) refreshFragment();
+    if (changes.isUndoOrRedo) m_tool->endDrag();
+    m_updater.refreshMaterial();
+    update();
+    if (!isOfAsset) return;
+    if (!m_state.asset()) refreshAsset();
+    m_updater.refreshMovedPart();
+    reportOwnPattern(changes);
+}
+
+void PatternCanvas::refreshAsset() {
+    m_tool->cancel();
+    refreshFragment();
+    m_updater.refreshAll();
+    updateHovered();
+    fit();
+    update();
+}
+
+/// Ends a drag without a change: an undo may have exited the fragment.
+void PatternCanvas::refreshEnteredFragment() {
+    saveView();
+    refreshFragment();
+    m_tool->endDrag();
+    refreshAsset();
+    const auto kept = std::ranges::find(m_savedViews, m_displayedFragment, &SavedView::fragment);
+    if (kept != m_savedViews.end()) {
+        if (!kept->isFitted) setView(kept->view);
+        m_savedViews.erase(kept, m_savedViews.end());
+        updatePointer();
+    }
+    m_hasOwnPattern = m_state.displayedAsset() && m_state.isInFragment() &&
+                      hasOwnPattern(*m_state.asset(), m_state.selection.enteredFragment());
+}
+
+/// Saves the view of the fragment that is left, to restore it on return.
+void PatternCanvas::saveView() {
+    const FragmentPath previous = std::exchange(m_displayedFragment, m_state.selection.enteredFragment());
+    if (previous != m_displayedFragment) m_savedViews.push_back({previous, m_state.view, m_isFitted});
+}
+
+/// Updates the entered fragment from the document.
+void PatternCanvas::refreshFragment() {
+    const Asset* asset = m_state.asset();
+    const FragmentPath& entered = m_state.selection.enteredFragment();
+    m_state.fragment = nullptr;
+    if (asset && !entered.empty()) {
+        if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered))
+            m_state.fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
+    }
+    m_breadcrumb->setPath(asset ? QString::fromStdString(asset->name) : QString(), entered);
+}
+
+/// Reports when the first edit inside a fragment gives it a pattern of its own.
+void PatternCanvas::reportOwnPattern(const Changes& changes) {
+    const FragmentPath& entered = m_state.selection.enteredFragment();
+    const bool hasOwn = m_state.displayedAsset() && m_state.isInFragment() && hasOwnPattern(*m_state.asset(), entered);
+    const bool hadOwn = std::exchange(m_hasOwnPattern, hasOwn);
+    if (!hasOwn || hadOwn || changes.isUndoOrRedo) return;
+    emit statusMessage(tr("Fragment %1 now has its own pattern. The other fragments of its level keep theirs.")
+                           .arg(QString::fromStdString(entered)));
+}
+
+void PatternCanvas::updateTool() {
+    setCursor(m_panFrom ? Qt::ClosedHandCursor : m_isSpaceHeld ? Qt::OpenHandCursor : m_tool->cursor());
+    emit hintChanged(m_tool->hint());
+    update();
+}
+
+void PatternCanvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.drawImage(QPointF(0.0, 0.0), m_updater.image(devicePixelRatioF(), m_colours));
+    paintHighlights(painter);
+    if (contents().overlays.hasLegend) paintLegend(painter, m_state.view, contents(), m_colours);
+    m_tool->paint(painter, m_colours);  // above the legend, so that no error message is hidden
+    if (showsFragmentLabel()) {
+        paintFragmentLabel(painter, *contents().pattern, m_hovered, m_pointer->pixels, m_state.view, m_colours);
+    }
+    if (const QString message = placeholderMessage(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
+        paintMessage(painter, message, m_state.view, m_colours,
+                     m_state.asset() ? m_colours.fault : m_colours.panelEdge);
+    }
+    paintRulers(painter, m_state.view, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
+}
+
+void PatternCanvas::paintHighlights(QPainter& painter) const {
+    const bool hasPiece = contents().pattern && contents().overlays.hasCells && m_hovered != kNone;
+    if (hasPiece && !m_isPressed) paintHovered(painter, *contents().pattern, m_hovered, m_state.view, m_colours);
+    if (const Asset* shown = m_state.displayedAsset())
+        paintOutline(painter, shown->prism.outline, m_state.view, m_colours);
+    if (contents().pattern && contents().overlays.hasTriangles && m_pointer) {
+        paintTriangleAt(painter, m_pointer->metres, m_state.view, contents(), m_colours);
+    }
+    paintSelection(painter, m_state.selection, m_state.view, contents(), m_colours);
+}
+
+/// Whether to label the hovered piece: not while drawing, measuring or dragging.
+bool PatternCanvas::showsFragmentLabel() const {
+    if (m_hovered == kNone || !contents().pattern || !m_pointer || !contents().overlays.hasCells) return false;
+    return m_toolKind != CanvasToolKind::Measure && m_toolKind != CanvasToolKind::Brush &&
+           !m_outlineTool->isDrawing() && !m_crackLineTool->isDrawing() && !m_panFrom && !m_isPressed;
+}
+
+QString PatternCanvas::placeholderMessage() const {
+    if (!m_state.asset()) {  // without any asset, the window shows the first steps
+        return m_state.document.project().assets.empty()
+                   ? QString()
+                   : tr("No asset selected. Select one in the project tree, or add one.");
+    }
+    const auto pattern = m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.enteredFragment());
+    if (pattern && pattern->fault) return QString::fromStdString(pattern->fault->message);
+    return {};
+}
+
+CanvasPointer PatternCanvas::pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const {
+    return {pixels, m_state.view.metres(pixels), modifiers};
+}
+
+/// Finds the piece under the pointer.
+void PatternCanvas::updateHovered() {
+    m_hovered = m_pointer && contents().pattern ? contents().pattern->pieceAt(m_pointer->metres) : kNone;
+}
+
+void PatternCanvas::setPointer(const CanvasPointer& pointer) {
+    m_pointer = pointer;
+    updateHovered();
+    emit pointerMoved(pointer.metres.x, pointer.metres.y);
+    update();
+}
+
+/// Updates what is under the pointer after the view moved.
+void PatternCanvas::updatePointer() {
+    if (m_pointer) setPointer(pointerAt(m_pointer->pixels, m_pointer->modifiers));
+}
+
+bool PatternCanvas::event(QEvent* event) {
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            setView(zoomed(m_state.view, 1.0 + gesture->value(), gesture->position()));
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() == Qt::NoModifier && m_tool->overridesShortcut(key->key())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void PatternCanvas::resizeEvent(QResizeEvent*) {
+    m_state.view.size = size();
+    if (m_isFitted) fit();
+    m_updater.invalidateAll();
+    update();
+}
+
+void PatternCanvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        m_colours = canvasColours(palette());
+        m_updater.invalidateAll();
+        update();
+    }
+    QWidget::changeEvent(event);
+}
+
+void PatternCanvas::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_isSpaceHeld)) {
+        m_panFrom = event->position();
+        return updateTool();
+    }
+    if (event->button() != Qt::LeftButton) return;
+    m_isPressed = true;
+    m_tool->press(pointerAt(event->position(), event->modifiers()));
+}
+
+void PatternCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (m_panFrom) {
+        setView(panned(m_state.view, event->position() - *m_panFrom));
+        m_panFrom = event->position();
+    } else {
+        m_tool->move(pointerAt(event->position(), event->modifiers()));
+    }
+    setPointer(pointerAt(event->position(), event->modifiers()));
+}
+
+void PatternCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_panFrom && event->button() != Qt::RightButton) {
+        m_panFrom.reset();
+        return updateTool();
+    }
+    if (event->button() != Qt::LeftButton) return;
+    m_isPressed = false;
+    m_tool->release(pointerAt(event->position(), event->modifiers()));
+}
+
+void PatternCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || m_isSpaceHeld) return mousePressEvent(event);
+    m_tool->doubleClick(pointerAt(event->position(), event->modifiers()));
+}
+
+void PatternCanvas::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / kAnglePerNotch;
+    setView(zoomed(m_state.view, std::pow(kZoomPerNotch, notches), event->position()));
+    setPointer(pointerAt(event->position(), event->modifiers()));
+    event->accept();
+}
+
+void PatternCanvas::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_isSpaceHeld = true;
+        return updateTool();
+    }
+    if (event->key() == Qt::Key_Escape && contents().compared && !m_tool->cancel()) return emit comparisonDismissed();
+    if (m_tool->key(*event)) return;
+    if (event->key() == Qt::Key_Escape && m_state.isInFragment())
+        return exitToFragment(m_state.selection, parentOf(m_state.selection.enteredFragment()));
+    if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoomBy(kZoomPerNotch);
+    if (event->key() == Qt::Key_Minus) return zoomBy(1.0 / kZoomPerNotch);
+    QWidget::keyPressEvent(event);
+}
+
+void PatternCanvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Space || event->isAutoRepeat()) return QWidget::keyReleaseEvent(event);
+    m_isSpaceHeld = false;
+    updateTool();
+}
+
+void PatternCanvas::focusOutEvent(QFocusEvent* event) {
+    m_isSpaceHeld = false;
+    m_panFrom.reset();
+    updateTool();
+    QWidget::focusOutEvent(event);
+}
+
+void PatternCanvas::leaveEvent(QEvent*) {
+    m_pointer.reset();
+    m_hovered = kNone;
+    emit pointerLeft();
+    update();
+}
+
+void PatternCanvas::addFragmentNavigation(QMenu& menu, const std::optional<FragmentPath>& fractured) {
+    if (!fractured && !m_state.isInFragment()) return;
+    menu.addSeparator();
+    if (fractured) {
+        menu.addAction(tr("&Enter Fragment %1").arg(QString::fromStdString(*fractured)), this,
+                       [this, fractured] { enterFragment(m_state.selection, *fractured); });
+    }
+    if (m_state.isInFragment()) {
+        menu.addAction(tr("E&xit Fragment"), this,
+                       [this] { exitToFragment(m_state.selection, parentOf(m_state.selection.enteredFragment())); });
+    }
+}
+
+void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    const CanvasPointer pointer = pointerAt(event->pos(), event->modifiers());
+    m_tool->fillMenu(menu, pointer);
+    addFragmentNavigation(menu, m_state.fracturedFragmentAt(pointer.metres));
+    menu.addSeparator();
+    if (!m_state.selection.fragments().isEmpty()) menu.addActions(m_fragmentActions);
+    menu.exec(event->globalPos());
+}
+
+}  // namespace rubble

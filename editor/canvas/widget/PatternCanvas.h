@@ -1,0 +1,138 @@
+#pragma once
+
+#include "editor/canvas/widget/CanvasContentsUpdater.h"
+
+#include <QWidget>
+
+namespace rubble {
+
+class BrushTool;
+class MeasureTool;
+class OutlineTool;
+class Breadcrumb;
+class SeedTool;
+class CrackLineTool;
+
+enum class CanvasToolKind { Outline, Seeds, CrackLines, Brush, Measure };
+
+/// Shows the pattern of the active asset, or of its entered fragment, in the plane, with tools to edit outline, seeds
+/// and cracks. Only what changed is repainted. While seeds are dragged, the cells around them are updated at once; the
+/// whole pattern follows when it is baked.
+class PatternCanvas : public QWidget {
+    Q_OBJECT
+public:
+    PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
+    ~PatternCanvas() override;
+
+    CanvasToolKind toolKind() const { return m_toolKind; }
+    void setTool(CanvasToolKind kind);
+    OutlineTool& outlineTool() { return *m_outlineTool; }
+    SeedTool& seedTool() { return *m_seedTool; }
+    CrackLineTool& crackLineTool() { return *m_crackLineTool; }
+    BrushTool& brushTool() { return *m_brushTool; }
+    MeasureTool& measureTool() { return *m_measureTool; }
+
+    const CanvasOverlays& overlays() const { return contents().overlays; }
+    void setOverlays(const CanvasOverlays& overlays);
+    bool isSnapping() const { return m_state.isSnapping; }
+    void setSnapping(bool isSnapping) { m_state.isSnapping = isSnapping; }
+    const CanvasView& view() const { return m_state.view; }
+    void setView(const CanvasView& view);
+    /// Fits the whole outline; resizing keeps it fitted until the user moves the view.
+    void fit();
+    void zoomBy(double factor);
+    /// Frames the cells of the selected seeds, and `point` if given, m.
+    void frameSelected(std::optional<Vec2> point = std::nullopt);
+
+    /// Shows the changes since an earlier state in place of the cells' colours; null shows the colours again.
+    void setCompared(std::shared_ptr<const ComparedAsset> compared);
+
+    /// The context menu's actions for selected fragments, in addition to those of the tool.
+    void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
+
+    /// The current tool's hint for the status bar.
+    QString hint() const;
+    /// The last baked pattern; may be null.
+    const DrawablePattern* displayedPattern() const { return contents().pattern.get(); }
+    /// The asset whose cells are shown; null if there are none.
+    const Asset* displayedAsset() const { return contents().asset(); }
+    QSize sizeHint() const override { return {800, 600}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+signals:
+    /// A message for the status bar.
+    void statusMessage(const QString& message);
+    void hintChanged(const QString& hint);
+    /// The position of the pointer, m.
+    void pointerMoved(double x, double y);
+    void pointerLeft();
+    void overlaysChanged();
+    void toolKindChanged(rubble::CanvasToolKind kind);
+    /// Escape was pressed while changes were shown and no tool was active.
+    void comparisonDismissed();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    const CanvasContents& contents() const { return m_updater.contents(); }
+    void applyChanges(const Changes& changes);
+    void refreshAsset();
+    void refreshEnteredFragment();
+    void saveView();
+    void refreshFragment();
+    void reportOwnPattern(const Changes& changes);
+    void updateTool();
+    void addFragmentNavigation(QMenu& menu, const std::optional<FragmentPath>& fractured);
+    CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
+    void setPointer(const CanvasPointer& pointer);
+    void updatePointer();
+    void updateHovered();
+
+    void paintHighlights(QPainter& painter) const;
+    bool showsFragmentLabel() const;
+    QString placeholderMessage() const;
+
+    CanvasState m_state;
+    CanvasContentsUpdater m_updater;
+    QList<QAction*> m_fragmentActions;
+    Breadcrumb* m_breadcrumb;
+    FragmentPath m_displayedFragment;  // empty: the whole asset
+    struct SavedView {
+        FragmentPath fragment;
+        CanvasView view;
+        bool isFitted;
+    };
+    std::vector<SavedView> m_savedViews;  // of the ancestors of m_displayedFragment
+    bool m_hasOwnPattern = false;         // the entered fragment
+    CanvasColours m_colours;
+    std::unique_ptr<OutlineTool> m_outlineTool;
+    std::unique_ptr<SeedTool> m_seedTool;
+    std::unique_ptr<CrackLineTool> m_crackLineTool;
+    std::unique_ptr<BrushTool> m_brushTool;
+    std::unique_ptr<MeasureTool> m_measureTool;
+    CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
+    CanvasTool* m_tool = nullptr;  // of m_toolKind
+
+    bool m_isFitted = true;  // until the user moves the view
+    std::optional<CanvasPointer> m_pointer;
+    std::uint32_t m_hovered = kNone;  // piece
+    std::optional<QPointF> m_panFrom;
+    bool m_isSpaceHeld = false;
+    bool m_isPressed = false;  // the left button, passed to the tool
+};
+
+}  // namespace rubble

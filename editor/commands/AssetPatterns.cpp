@@ -1,0 +1,111 @@
+#include "editor/commands/AssetPatterns.h"
+
+#include "core/asset/bake/Bake.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kTypicalFragmentSize = 0.25;  // of the length of its parent
+
+/// The position in Asset::leaves of a pattern index behind those of the levels.
+std::size_t leafAt(const Asset& asset, std::size_t index) { return index - asset.levels.size() - 1; }
+
+QString tr(const char* text) { return QCoreApplication::translate("AssetPatterns", text); }
+
+}  // namespace
+
+std::size_t patternCount(const Asset& asset) { return 1 + asset.levels.size() + asset.leaves.size(); }
+
+const Level* levelAt(const Asset& asset, std::size_t index) {
+    if (index == 0 || index >= patternCount(asset)) return nullptr;
+    if (index <= asset.levels.size()) return &asset.levels[index - 1];
+    const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
+    return leaf.level ? &*leaf.level : nullptr;
+}
+
+const Pattern* patternAt(const Asset& asset, std::size_t index) {
+    if (index == 0) return &asset.pattern;
+    const Level* level = levelAt(asset, index);
+    return level ? &level->pattern : nullptr;
+}
+
+Pattern& patternAt(Asset& asset, std::size_t index) {
+    if (index == 0) return asset.pattern;
+    if (index <= asset.levels.size()) return asset.levels[index - 1].pattern;
+    FragmentLevel& leaf = asset.leaves.at(leafAt(asset, index));
+    if (!leaf.level) leaf.level.emplace();
+    return leaf.level->pattern;
+}
+
+std::size_t patternIndexFor(const Asset& asset, const FragmentPath& fragment) {
+    if (fragment.empty()) return 0;
+    const auto leaf = std::ranges::find(asset.leaves, fragment, &FragmentLevel::fragment);
+    if (leaf != asset.leaves.end())
+        return 1 + asset.levels.size() + static_cast<std::size_t>(leaf - asset.leaves.begin());
+    const std::size_t level = levelOf(fragment);
+    return level < asset.levels.size() ? level + 1 : 0;
+}
+
+bool hasOwnPattern(const Asset& asset, const FragmentPath& fragment) {
+    const std::size_t index = patternIndexFor(asset, fragment);
+    return index > asset.levels.size() && levelAt(asset, index) != nullptr;
+}
+
+Pattern& ownPattern(Asset& asset, const FragmentPath& fragment) {
+    if (fragment.empty()) return asset.pattern;
+    if (!hasOwnPattern(asset, fragment)) {
+        const Level* shared = levelFor(asset, fragment, levelOf(fragment));
+        const Level own = shared ? *shared : Level{};
+        const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
+        const bool exists = leaf != asset.leaves.end() && leaf->fragment == fragment;
+        (exists ? leaf : asset.leaves.insert(leaf, {fragment, {}}))->level = own;
+    }
+    return patternAt(asset, patternIndexFor(asset, fragment));
+}
+
+void setMinimumVolume(Asset& asset, std::size_t index, double volume) {
+    if (!levelAt(asset, index)) return;
+    if (index <= asset.levels.size()) {
+        asset.levels[index - 1].minimumVolume = volume;
+    } else {
+        asset.leaves[leafAt(asset, index)].level->minimumVolume = volume;
+    }
+}
+
+void removeLevelAt(Asset& asset, std::size_t index) {
+    if (index == 0 || index >= patternCount(asset)) return;
+    if (index <= asset.levels.size()) {
+        asset.levels.erase(asset.levels.begin() + static_cast<std::ptrdiff_t>(index) - 1);
+    } else {
+        asset.leaves.erase(asset.leaves.begin() + static_cast<std::ptrdiff_t>(leafAt(asset, index)));
+    }
+}
+
+std::size_t depthAt(const Asset& asset, std::size_t index) {
+    if (index <= asset.levels.size() || index >= patternCount(asset)) return index;
+    return levelOf(asset.leaves[leafAt(asset, index)].fragment) + 1;
+}
+
+Box2 domainBounds(const Asset& asset, std::size_t index) {
+    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    if (index == 0) return bounds;
+    const auto depth = static_cast<double>(depthAt(asset, index));
+    const Vec2 half = bounds.size() / 2.0 * std::pow(kTypicalFragmentSize, depth);
+    return {-half, half};
+}
+
+QString patternName(const Asset& asset, std::size_t index) {
+    if (index == 0) return tr("Whole asset");
+    if (index <= asset.levels.size()) return tr("Fragments, level %1").arg(index);
+    const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
+    const QString name = QString::fromStdString(leaf.fragment);
+    return leaf.level ? tr("Fragment %1").arg(name) : tr("Fragment %1, kept whole").arg(name);
+}
+
+}  // namespace rubble

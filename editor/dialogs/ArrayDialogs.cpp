@@ -1,0 +1,114 @@
+#include "editor/dialogs/ArrayDialogs.h"
+
+#include "core/asset/bake/PrismHulls.h"
+#include "core/geometry/mesh/TriangleMesh.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <QtMath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMaxCopies = 1000;      // along one axis
+constexpr double kMaxDistance = 1e4;  // m
+constexpr int kMinWidth = 340;        // pixels, so that the title fits
+constexpr int kDefaultRingCount = 6;
+
+}  // namespace
+
+ArrayDialog::ArrayDialog(const QString& title, QWidget* parent)
+    : QDialog(parent), m_form(new QFormLayout), m_variants(new QCheckBox(tr("Own &variant for each copy"))) {
+    setWindowTitle(title);
+    m_variants->setToolTip(tr("Give each copy the same shape with its own fracture pattern"));
+    m_variants->setChecked(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(m_variants);
+    layout->addWidget(buttons);
+    copy->setDefault(true);  // after the button was added to the dialog
+    setMinimumWidth(kMinWidth);
+}
+
+bool ArrayDialog::haveVariants() const { return m_variants->isChecked(); }
+
+QSpinBox* ArrayDialog::addCount(const QString& label, int value) {
+    auto* box = new QSpinBox;
+    box->setRange(1, kMaxCopies);
+    box->setValue(value);
+    m_form->addRow(label, box);
+    return box;
+}
+
+QDoubleSpinBox* ArrayDialog::addNumber(const QString& label, const QString& unit, double value) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(-kMaxDistance, kMaxDistance);
+    box->setDecimals(3);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setSuffix(unit);
+    box->setValue(value);
+    m_form->addRow(label, box);
+    return box;
+}
+
+GridArrayDialog::GridArrayDialog(Vec3 steps, QWidget* parent) : ArrayDialog(tr("Grid Array"), parent) {
+    const QStringList axes{tr("x"), tr("y"), tr("z")};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const QString& name = axes[static_cast<int>(axis)];
+        m_counts[axis] = addCount(tr("Count along %1:").arg(name), axis == 0 ? 3 : 1);
+        m_steps[axis] = addNumber(tr("Step along %1:").arg(name), tr(" m"), steps[static_cast<int>(axis)]);
+    }
+    m_counts[0]->selectAll();
+    m_counts[0]->setFocus();
+}
+
+GridArray GridArrayDialog::array() const {
+    GridArray array;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        array.counts[axis] = m_counts[axis]->value();
+        array.steps[static_cast<int>(axis)] = m_steps[axis]->value();
+    }
+    return array;
+}
+
+RingArrayDialog::RingArrayDialog(QWidget* parent) : ArrayDialog(tr("Radial Array"), parent) {
+    m_count = addCount(tr("&Count:"), kDefaultRingCount);
+    m_x = addNumber(tr("Axis at &x:"), tr(" m"), 0.0);
+    m_z = addNumber(tr("Axis at &z:"), tr(" m"), 0.0);
+    m_degrees = addNumber(tr("&Angle between copies:"), QStringLiteral("°"), 360.0 / kDefaultRingCount);
+    connect(m_count, &QSpinBox::valueChanged, this, [this](int count) { m_degrees->setValue(360.0 / count); });
+    m_count->selectAll();
+    m_count->setFocus();
+}
+
+RingArray RingArrayDialog::array() const {
+    return {m_count->value(), {m_x->value(), m_z->value()}, qDegreesToRadians(m_degrees->value())};
+}
+
+Vec3 sizeOf(const Project& project, std::span<const Id> instances) {
+    const AssetHulls hulls = assetHulls(project);
+    Box3 box;
+    for (const Id id : instances) {
+        const Instance& instance = *findInstance(project, id);
+        const auto found = hulls.find(instance.asset);
+        if (found == hulls.end()) continue;
+        for (const Polytope& hull : found->second) {
+            for (const Vec3& vertex : hull.vertices) {
+                box.include(instance.pose.position + instance.pose.orientation * vertex);
+            }
+        }
+    }
+    return box.isEmpty() ? Vec3(1.0) : box.max - box.min;
+}
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/play/analysis/ContactSheet.h"
+
+#include <QString>
+
+namespace rubble {
+
+/// Returns the name of a measure: "Smallest fragment".
+QString measureName(SheetMeasure measure);
+
+/// Returns the caption of a variant: its number, the number of its fragments, the smallest and the longest one, and the
+/// effect of the shot.
+QString captionOf(const SheetEntry& entry);
+
+}  // namespace rubble

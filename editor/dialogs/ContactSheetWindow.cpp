@@ -1,0 +1,336 @@
+#include "editor/dialogs/ContactSheetWindow.h"
+
+#include "editor/commands/ProjectEdits.h"
+#include "editor/dialogs/ContactSheetText.h"
+#include "editor/dialogs/VariationTree.h"
+#include "editor/widgets/Icon.h"
+#include "editor/widgets/Theme.h"
+#include "editor/workspace/Workspace.h"
+
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize kPictureSize{240, 180};
+constexpr QSize kDefaultSize{1180, 760};
+constexpr double kMaxScreenFraction = 0.9;  // of the default size
+constexpr int kSettingsWidth = 300;         // pixels
+constexpr int kProgressWidth = 160;         // pixels
+constexpr int kDefaultVariants = 12;
+constexpr int kMaxSteps = 100'000;
+constexpr int kDefaultStep = 60;    // one second after the start
+constexpr int kDefaultSpread = 15;  // per cent
+constexpr int kMaxSpread = 90;      // per cent
+constexpr int kNumberRole = Qt::UserRole;
+
+QPushButton* createButton(const char* icon, const QString& text, const QString& tip) {
+    auto* button = new QPushButton(iconNamed(icon), text);
+    button->setToolTip(tip);
+    button->setAutoDefault(false);
+    return button;
+}
+
+/// Returns the picture of a variant, or an error icon if it has none.
+QPixmap pictureOf(const SheetCell& cell, double ratio) {
+    if (cell.image.isNull()) return iconNamed("message-error").pixmap(kPictureSize / 3, ratio);
+    QPixmap pixmap = QPixmap::fromImage(cell.image);
+    pixmap.setDevicePixelRatio(ratio);
+    return pixmap;
+}
+
+}  // namespace
+
+ContactSheetWindow::ContactSheetWindow(Workspace& workspace, QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      m_workspace(workspace),
+      m_asset(workspace.selection().asset()),
+      m_variations(new VariationTree),
+      m_variants(new QSpinBox),
+      m_spread(new QSpinBox),
+      m_shot(new QComboBox),
+      m_step(new QSpinBox),
+      m_sort(new QComboBox),
+      m_list(new QListWidget),
+      m_summary(new QLabel),
+      m_progress(new QProgressBar),
+      m_reseed(createButton("dice", tr("&Reseed"), tr("Generate variants with new random seeds"))),
+      m_lock(createButton("sheet-lock", tr("&Lock Selected Seeds"), tr("Lock the selected seeds in all new variants"))),
+      m_crossOver(createButton("sheet-crossover", tr("Cross &Over"), tr("Generate children of the selected variants"))),
+      m_apply(createButton("sheet-apply", tr("A&pply"), tr("Apply the selected variant to the asset"))),
+      m_cancel(createButton("remove", tr("&Cancel"), tr("Cancel and keep the finished variants"))) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName("contact-sheet");
+    resize(kDefaultSize.boundedTo(parent->screen()->availableSize() * kMaxScreenFraction));
+    auto* columns = new QHBoxLayout(this);
+    columns->addWidget(createSettings());
+    auto* rows = new QVBoxLayout;
+    rows->addWidget(m_list, 1);
+    rows->addWidget(createBar());
+    columns->addLayout(rows, 1);
+    setUpList();
+    connectSignals();
+    updateDocument();
+    m_list->setFocus();
+}
+
+const Asset* ContactSheetWindow::asset() const { return findAsset(m_workspace.project(), m_asset); }
+
+void ContactSheetWindow::setUpList() {
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setMovement(QListView::Static);
+    m_list->setIconSize(kPictureSize);
+    m_list->setSpacing(8);
+    m_list->setUniformItemSizes(false);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setWordWrap(true);
+    m_list->setAccessibleName(tr("Variants"));
+    m_list->setObjectName("sheet-list");
+}
+
+void ContactSheetWindow::connectSignals() {
+    connect(m_list, &QListWidget::itemActivated, this, &ContactSheetWindow::apply);
+    connect(m_list, &QListWidget::itemSelectionChanged, this, &ContactSheetWindow::updateState);
+    connect(m_sort, &QComboBox::currentIndexChanged, this, &ContactSheetWindow::sort);
+    connect(m_shot, &QComboBox::currentIndexChanged, this, &ContactSheetWindow::updateState);
+    connect(m_reseed, &QPushButton::clicked, this, [this] {
+        ++m_randomSeed;
+        generate();
+    });
+    connect(m_lock, &QPushButton::clicked, this, &ContactSheetWindow::lockSelected);
+    connect(m_cancel, &QPushButton::clicked, &m_generator, &ContactSheetGenerator::cancel);
+    connect(m_crossOver, &QPushButton::clicked, this, &ContactSheetWindow::crossOver);
+    connect(m_apply, &QPushButton::clicked, this, &ContactSheetWindow::apply);
+    connect(&m_generator, &ContactSheetGenerator::cellReady, this, &ContactSheetWindow::add);
+    connect(&m_generator, &ContactSheetGenerator::changed, this, &ContactSheetWindow::updateState);
+    connect(&m_generator, &ContactSheetGenerator::failed, this, &ContactSheetWindow::showMessage);
+    connect(&m_generator, &ContactSheetGenerator::progressed, this,
+            [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
+    connect(&m_workspace.document(), &Document::changed, this, &ContactSheetWindow::updateDocument);
+}
+
+QWidget* ContactSheetWindow::createSettings() {
+    auto* settings = new QWidget;
+    settings->setFixedWidth(kSettingsWidth);
+    auto* form = new QFormLayout(settings);
+    form->setContentsMargins(0, 0, 0, 0);
+    m_variants->setRange(1, static_cast<int>(VariantRecipe::kMaxVariants));
+    m_variants->setValue(kDefaultVariants);
+    form->addRow(tr("&Variants:"), m_variants);
+    m_shot->setObjectName("sheet-shot");
+    form->addRow(tr("S&hot:"), m_shot);
+    m_step->setRange(0, kMaxSteps);
+    m_step->setValue(kDefaultStep);
+    m_step->setToolTip(tr("Set the simulation step at which variants are shown"));
+    form->addRow(tr("S&tep:"), m_step);
+    m_sort->setObjectName("sheet-sort");
+    for (int k = 0; k < kSheetMeasures; ++k) m_sort->addItem(measureName(static_cast<SheetMeasure>(k)));
+    form->addRow(tr("&Sort by:"), m_sort);
+    m_spread->setRange(0, kMaxSpread);
+    m_spread->setValue(kDefaultSpread);
+    m_spread->setSuffix(tr(" %"));
+    m_spread->setToolTip(tr("Set the largest change of parameters from parents to children"));
+    form->addRow(tr("&Mutation:"), m_spread);
+    form->addRow(m_variations);
+    form->addRow(m_reseed);
+    form->addRow(m_lock);
+    return settings;
+}
+
+QWidget* ContactSheetWindow::createBar() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_summary->setObjectName("sheet-summary");
+    m_progress->setMaximumWidth(kProgressWidth);
+    m_progress->setAccessibleName(tr("Generating variants"));
+    row->addWidget(m_summary, 1);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_progress, m_cancel, m_crossOver, m_apply})
+        row->addWidget(widget);
+    return bar;
+}
+
+void ContactSheetWindow::fillShots() {
+    const Id selected = m_shot->currentData().toUInt();
+    const QSignalBlocker blocker(m_shot);
+    m_shot->clear();
+    m_shot->addItem(tr("None"), 0u);
+    for (const Shot& shot : m_workspace.project().shots) m_shot->addItem(QString::fromStdString(shot.name), shot.id);
+    m_shot->setCurrentIndex(std::max(0, m_shot->findData(selected)));
+}
+
+/// Shows the document's asset, layers and shots; closes the window if the asset was deleted.
+void ContactSheetWindow::updateDocument() {
+    if (!asset()) return void(close());
+    setWindowTitle(tr("Contact Sheet – %1").arg(QString::fromStdString(asset()->name)));
+    fillShots();
+    m_variations->setAsset(*asset());
+    updateState();
+}
+
+VariantRecipe ContactSheetWindow::recipe() const {
+    return {.count = static_cast<std::uint32_t>(m_variants->value()),
+            .randomSeed = m_randomSeed,
+            .kinds = m_variations->kinds(),
+            .varied = m_variations->varied(),
+            .spread = m_spread->value() / 100.0,
+            .locked = m_locked};
+}
+
+std::optional<SheetStage> ContactSheetWindow::stage() const {
+    const Id shot = m_shot->currentData().toUInt();
+    if (shot == 0) return std::nullopt;
+    return SheetStage{.shots = {shot}, .step = static_cast<std::uint64_t>(m_step->value())};
+}
+
+const SheetEntry& ContactSheetWindow::entryOf(const QListWidgetItem& item) const {
+    const auto number = item.data(kNumberRole).toUInt();
+    return std::ranges::find(m_cells, number, [](const SheetCell& cell) { return cell.entry.number; })->entry;
+}
+
+void ContactSheetWindow::generate() { start(generateVariants(*asset(), recipe())); }
+
+void ContactSheetWindow::crossOver() {
+    std::vector<Asset> parents;
+    for (const QListWidgetItem* item : m_list->selectedItems()) {
+        if (!entryOf(*item).fault) parents.push_back(entryOf(*item).asset);
+    }
+    ++m_randomSeed;
+    start(crossoverVariants(parents, recipe()));
+}
+
+void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
+    if (!variants) return showMessage(QString::fromStdString(variants.error().message));
+    m_cells.clear();
+    m_list->clear();
+    m_count = variants->size();
+    const Bakes& bakes = m_workspace.bakes();
+    SheetRequest request{.project = m_workspace.project(),
+                         .bakes = bakes.assetBakes(),
+                         .asset = m_asset,
+                         .variants = std::move(*variants),
+                         .stage = stage()};
+    if (!bakes.areCurrent(request.project)) request.bakes.clear();
+    const double ratio = devicePixelRatioF();
+    const SheetStyle style{
+        .size = {static_cast<int>(kPictureSize.width() * ratio), static_cast<int>(kPictureSize.height() * ratio)},
+        .theme = isDark(palette()) ? Theme::Dark : Theme::Light,
+        .view = request.stage ? StandardView::Isometric : StandardView::Front};
+    m_generator.start(std::move(request), style);
+}
+
+void ContactSheetWindow::add(const SheetCell& cell) {
+    m_cells.push_back(cell);
+    auto* item = new QListWidgetItem(QIcon(pictureOf(cell, devicePixelRatioF())), captionOf(cell.entry), m_list);
+    item->setData(kNumberRole, cell.entry.number);
+    item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    item->setToolTip(item->text());
+    sort();
+    updateState();
+}
+
+/// Sorts the items by the measure, and keeps current and selected items.
+void ContactSheetWindow::sort() {
+    std::vector<SheetEntry> entries;
+    for (const SheetCell& cell : m_cells) entries.push_back(cell.entry);
+    std::ranges::sort(entries, {}, &SheetEntry::number);
+    const std::vector<std::uint32_t> order = sortedBy(static_cast<SheetMeasure>(m_sort->currentIndex()), entries);
+    std::map<std::uint32_t, QListWidgetItem*> items;
+    const QListWidgetItem* current = m_list->currentItem();
+    std::set<std::uint32_t> selected;
+    for (const QListWidgetItem* item : m_list->selectedItems()) selected.insert(item->data(kNumberRole).toUInt());
+    while (m_list->count() > 0) {
+        QListWidgetItem* item = m_list->takeItem(0);
+        items[item->data(kNumberRole).toUInt()] = item;
+    }
+    for (const std::uint32_t index : order) {
+        QListWidgetItem* item = items.at(entries[index].number);
+        m_list->addItem(item);
+        if (item == current) m_list->setCurrentItem(item, QItemSelectionModel::NoUpdate);
+        item->setSelected(selected.contains(entries[index].number));
+    }
+}
+
+std::vector<std::uint32_t> ContactSheetWindow::shownNumbers() const {
+    std::vector<std::uint32_t> numbers;
+    for (int k = 0; k < m_list->count(); ++k) numbers.push_back(m_list->item(k)->data(kNumberRole).toUInt());
+    return numbers;
+}
+
+void ContactSheetWindow::lockSelected() {
+    const Selection& selection = m_workspace.selection();
+    const auto baked = m_workspace.bakes().find(m_asset);
+    const Selection::Seeds seeds = selection.fragments().seedsOf({});
+    m_locked.clear();
+    if (selection.asset() == m_asset && baked && baked->bake) {
+        m_locked = lockedIn(*baked->bake, std::vector(seeds.begin(), seeds.end()));
+    }
+    const int count = static_cast<int>(m_locked.size());
+    showMessage(count == 0 ? tr("No seeds are locked. Select seeds in the canvas to lock them.")
+                           : tr("%Ln seed(s) locked in all new variants.", nullptr, count));
+}
+
+void ContactSheetWindow::apply() {
+    const QList<QListWidgetItem*> selected = m_list->selectedItems();
+    if (selected.size() != 1 || !asset()) return;
+    const Asset& variant = entryOf(*selected.front()).asset;
+    Asset changed = *asset();
+    changed.pattern = variant.pattern;
+    changed.levels = variant.levels;
+    changed.leaves = variant.leaves;
+    changed.edits = variant.edits;
+    m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed)));
+    showMessage(tr("Applied the variant to the asset."));
+}
+
+void ContactSheetWindow::updateState() {
+    const int count = static_cast<int>(m_cells.size()), selected = static_cast<int>(m_list->selectedItems().size());
+    const bool isBusy = m_generator.isBusy();
+    m_crossOver->setEnabled(selected > 0 && !isBusy);
+    m_apply->setEnabled(selected == 1);
+    m_progress->setVisible(isBusy);
+    m_cancel->setVisible(isBusy);
+    m_step->setEnabled(m_shot->currentData().toUInt() != 0);
+    m_lock->setText(m_locked.empty() ? tr("&Lock Selected Seeds")
+                                     : tr("&Lock Selected Seeds (%L1 locked)").arg(m_locked.size()));
+    QString summary = isBusy ? tr("%L1 of %Ln variant(s)", nullptr, static_cast<int>(m_count)).arg(count)
+                             : tr("%Ln variant(s)", nullptr, count);
+    if (!isBusy && selected > 0) summary += tr(", %L1 selected").arg(selected);
+    m_summary->setText(summary);
+}
+
+void ContactSheetWindow::showMessage(const QString& sentence) {
+    updateState();
+    m_summary->setText(sentence);
+}
+
+void ContactSheetWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+    if (m_generator.isBusy()) return m_generator.cancel();
+    close();
+}
+
+void ContactSheetWindow::closeEvent(QCloseEvent* event) {
+    m_generator.cancel();
+    event->accept();
+}
+
+}  // namespace rubble

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "editor/background/ContactSheetGenerator.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace rubble {
+
+class VariationTree;
+class Workspace;
+
+/// Variants of one asset side by side, rendered as they are baked: at rest, or at one step of a simulation with a shot.
+/// They can be sorted by a measure, crossed over, and one of them applied to the asset as one undo step.
+class ContactSheetWindow : public QWidget {
+    Q_OBJECT
+public:
+    /// Shows variants of the active asset.
+    ContactSheetWindow(Workspace& workspace, QWidget* parent);
+
+    QListWidget& list() { return *m_list; }
+    const ContactSheetGenerator& generator() const { return m_generator; }
+    /// Returns the numbers of the variants in the order of the list.
+    std::vector<std::uint32_t> shownNumbers() const;
+    const std::vector<LockedSeed>& locked() const { return m_locked; }
+
+    /// Replaces all variants by those of the asset as it is.
+    void generate();
+    /// Replaces all other variants by children of the selected ones.
+    void crossOver();
+    /// Locks the seeds selected in the canvas, in variants generated from now on; without a selection unlocks all.
+    void lockSelected();
+    /// Applies the selected variant to the asset.
+    void apply();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    QWidget* createSettings();
+    QWidget* createBar();
+    void setUpList();
+    void connectSignals();
+    void fillShots();
+    void updateDocument();
+    VariantRecipe recipe() const;
+    std::optional<SheetStage> stage() const;
+    void start(Result<std::vector<Asset>> variants);
+    void add(const SheetCell& cell);
+    void sort();
+    void updateState();
+    void showMessage(const QString& sentence);
+    const Asset* asset() const;
+    const SheetEntry& entryOf(const QListWidgetItem& item) const;
+
+    Workspace& m_workspace;
+    Id m_asset;
+    ContactSheetGenerator m_generator;
+    std::vector<SheetCell> m_cells;    // in the order they were finished
+    std::vector<LockedSeed> m_locked;  // in all variants
+    std::uint64_t m_randomSeed = 1;
+    std::size_t m_count = 0;  // of variants being generated
+    VariationTree* m_variations;
+    QSpinBox* m_variants;
+    QSpinBox* m_spread;
+    QComboBox* m_shot;
+    QSpinBox* m_step;
+    QComboBox* m_sort;
+    QListWidget* m_list;
+    QLabel* m_summary;
+    QProgressBar* m_progress;
+    QPushButton* m_reseed;
+    QPushButton* m_lock;
+    QPushButton* m_crossOver;
+    QPushButton* m_apply;
+    QPushButton* m_cancel;
+};
+
+}  // namespace rubble

@@ -1,0 +1,165 @@
+#include "editor/dialogs/ExportDialog.h"
+
+#include "core/io/system/FileName.h"
+#include "editor/widgets/ComboBox.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMaxFolders = 4;  // that the summary names
+constexpr int kMinWidth = 520;  // pixels, so that a path fits
+
+ExportOptions defaultOptions(Workspace& workspace) {
+    const QString path = workspace.file().path();
+    const QString base = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                        : QFileInfo(path).absolutePath();
+    return {.folder = base + "/packs"};
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(parent), m_workspace(workspace) {
+    setWindowTitle(tr("Export"));
+    addFields();
+    addForm();
+    showOptions(lastExportOptions(workspace).value_or(defaultOptions(workspace)));
+    for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
+    for (QComboBox* box : {m_split, m_place, m_faces}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+    }
+    connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::updateSummary);
+    connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::updateSummary);
+    updateSummary();
+}
+
+void ExportDialog::addFields() {
+    m_assets = new QListWidget;
+    m_assets->setAccessibleName(tr("Assets to export"));
+    m_assets->setToolTip(tr("Select the assets to export; each gets a folder of its name"));
+    m_folder = new QLineEdit;
+    m_folder->setToolTip(tr("Set the folder that contains the folders of the assets"));
+    m_obj = new QCheckBox(tr("&OBJ with materials"));
+    m_obj->setToolTip(tr("Write Wavefront OBJ files, which all 3D programs read"));
+    m_glb = new QCheckBox(tr("&GLB"));
+    m_glb->setToolTip(tr("Write binary glTF files with a node per fragment"));
+    m_split =
+        comboBox({tr("One file for all"), tr("One file each")}, tr("Select how fragments are distributed to files"));
+    m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
+                       tr("Select the position of fragments in their files"));
+    m_faces = comboBox({tr("Polygons"), tr("Triangles")}, tr("Select the faces of OBJ files"));
+    m_summary = new QLabel;
+    m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
+}
+
+void ExportDialog::addForm() {
+    auto* browse = new QPushButton(tr("Browse…"));
+    connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    auto* folderRow = new QHBoxLayout;
+    folderRow->addWidget(m_folder, 1);
+    folderRow->addWidget(browse);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Assets:"), m_assets);
+    auto* folderLabel = new QLabel(tr("&Folder:"));
+    folderLabel->setBuddy(m_folder);
+    form->addRow(folderLabel, folderRow);
+    form->addRow(tr("Meshes:"), m_obj);
+    form->addRow(QString(), m_glb);
+    form->addRow(tr("Frag&ments:"), m_split);
+    form->addRow(tr("&Position:"), m_place);
+    form->addRow(tr("OBJ fa&ces:"), m_faces);
+    form->addRow(m_summary);
+    form->addRow(buttons);
+    m_export->setDefault(true);  // after the button was added to the dialog
+    resize(sizeHint().expandedTo({kMinWidth, 0}));
+}
+
+void ExportDialog::showOptions(const ExportOptions& options) {
+    for (const Asset& asset : m_workspace.project().assets) {
+        auto* item = new QListWidgetItem(QString::fromStdString(asset.name), m_assets);
+        item->setData(Qt::UserRole, asset.id);
+        const bool isSelected =
+            !options.assets || std::ranges::find(*options.assets, asset.id) != options.assets->end();
+        item->setCheckState(isSelected ? Qt::Checked : Qt::Unchecked);
+    }
+    m_folder->setText(QDir::toNativeSeparators(options.folder));
+    m_obj->setChecked(options.meshes.obj);
+    m_glb->setChecked(options.meshes.glb);
+    m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
+    m_place->setCurrentIndex(options.meshes.place == PartPlacement::Centred);
+    m_faces->setCurrentIndex(options.meshes.faces == FaceShape::Triangles);
+}
+
+std::vector<Id> ExportDialog::selectedAssets() const {
+    std::vector<Id> selected;
+    for (int row = 0; row < m_assets->count(); ++row) {
+        const QListWidgetItem* item = m_assets->item(row);
+        if (item->checkState() == Qt::Checked) selected.push_back(item->data(Qt::UserRole).toUInt());
+    }
+    return selected;
+}
+
+ExportOptions ExportDialog::options() const {
+    ExportOptions options{.folder = QDir::fromNativeSeparators(m_folder->text())};
+    std::vector<Id> selected = selectedAssets();
+    const bool areAll = static_cast<int>(selected.size()) == m_assets->count();
+    if (!areAll) options.assets = std::move(selected);  // all: includes assets that are added later
+    options.meshes.obj = m_obj->isChecked();
+    options.meshes.glb = m_glb->isChecked();
+    options.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
+    options.meshes.place = m_place->currentIndex() == 1 ? PartPlacement::Centred : PartPlacement::Assembled;
+    options.meshes.faces = m_faces->currentIndex() == 1 ? FaceShape::Triangles : FaceShape::Polygons;
+    return options;
+}
+
+void ExportDialog::browse() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export Folder"), m_folder->text());
+    if (!folder.isEmpty()) m_folder->setText(QDir::toNativeSeparators(folder));
+}
+
+/// Shows what will be written, and enables what is relevant.
+void ExportDialog::updateSummary() {
+    const MeshOptions meshes = options().meshes;
+    const std::vector<Id> assets = selectedAssets();
+    m_split->setEnabled(meshes.obj || meshes.glb);
+    m_place->setEnabled(meshes.obj || meshes.glb);
+    m_faces->setEnabled(meshes.obj);
+    m_export->setEnabled(!assets.empty() && !m_folder->text().isEmpty());
+    if (assets.empty()) return m_summary->setText(tr("No asset is selected."));
+    QStringList folders;
+    for (const Id id : assets) {
+        if (folders.size() == kMaxFolders) {
+            folders.append("…");
+            break;
+        }
+        folders.append(QString::fromStdString(safeFileName(findAsset(m_workspace.project(), id)->name)));
+    }
+    const QString content = meshes.obj && meshes.glb ? tr("pack.json, OBJ and GLB meshes")
+                            : meshes.obj             ? tr("pack.json and OBJ meshes")
+                            : meshes.glb             ? tr("pack.json and a GLB mesh")
+                                                     : tr("pack.json");
+    m_summary->setText(tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
+                           .arg(content, folders.join(", ")));
+}
+
+}  // namespace rubble

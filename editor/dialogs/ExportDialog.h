@@ -1,0 +1,43 @@
+#pragma once
+
+#include "editor/dialogs/ProjectExport.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace rubble {
+
+/// Asks what to export, and shows what will be written.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    ExportDialog(Workspace& workspace, QWidget* parent);
+    ExportOptions options() const;
+
+private:
+    void addFields();
+    void addForm();
+    void showOptions(const ExportOptions& options);
+    void browse();
+    std::vector<Id> selectedAssets() const;
+    void updateSummary();
+
+    Workspace& m_workspace;
+    QListWidget* m_assets;
+    QLineEdit* m_folder;
+    QCheckBox* m_obj;
+    QCheckBox* m_glb;
+    QComboBox* m_split;
+    QComboBox* m_place;
+    QComboBox* m_faces;
+    QLabel* m_summary;
+    QPushButton* m_export = nullptr;
+};
+
+}  // namespace rubble

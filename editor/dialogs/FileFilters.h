@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+
+namespace rubble {
+
+inline constexpr const char* kProjectSuffix = ".rubble";
+
+/// The filter of file dialogs for projects.
+QString projectFilter();
+/// The filter of file dialogs for meshes that can be imported.
+QString meshFilter();
+/// Whether a file's suffix is that of a mesh that can be imported.
+bool isMeshPath(const QString& path);
+
+}  // namespace rubble

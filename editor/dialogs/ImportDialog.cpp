@@ -1,0 +1,219 @@
+#include "editor/dialogs/ImportDialog.h"
+
+#include "editor/commands/ProjectEdits.h"
+#include "editor/dialogs/ImportView.h"
+#include "editor/dialogs/MeshReading.h"
+#include "editor/dialogs/OutlinePreview.h"
+#include "editor/widgets/ComboBox.h"
+#include "editor/widgets/LocalizedQuantity.h"
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize kDefaultSize{920, 700};
+
+enum Column { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+QString metresText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
+
+QString sizeText(const PrismFit& prism) {
+    const Vec2 size = boundsOf(prism.outline.outer).size();
+    return metresText(size.x) + " × " + metresText(size.y);
+}
+
+QLabel* createNotes() {
+    auto* label = new QLabel;
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& path, const Project& project, const Preferences& preferences, QWidget* parent)
+    : QDialog(parent), m_path(path), m_project(project), m_view(new ImportView(preferences)) {
+    setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
+    createFields();
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_view, 1);
+    top->addWidget(createOptions());
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_summary);
+    layout->addLayout(top, 3);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_notes);
+    layout->addWidget(m_refused);
+    layout->addWidget(buttons);
+    m_import->setDefault(true);  // after the button was added to the dialog
+    resize(kDefaultSize);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    for (QComboBox* box : {m_unit, m_up}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::updateMesh);
+    }
+    for (QComboBox* box : {m_axis, m_fallback}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::updateOutcome);
+    }
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
+}
+
+bool ImportDialog::read(const std::filesystem::path& importer) {
+    std::optional<SourceScene> scene = readMesh(m_path, importer, parentWidget());
+    if (!scene) return false;
+    m_scene = std::move(*scene);
+    updateMesh();
+    return true;
+}
+
+Edit ImportDialog::edit() const {
+    return editBetween(tr("Import %1").arg(QFileInfo(m_path).fileName()), m_project, m_outcome->project);
+}
+
+Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
+
+std::vector<Message> ImportDialog::messages() const {
+    std::vector<Message> messages;
+    for (const ImportedAsset& imported : m_outcome->assets) {
+        for (const std::string& note : imported.notes) {
+            messages.push_back({.text = textOf(note), .asset = imported.asset});
+        }
+    }
+    for (const Error& error : m_outcome->refused) {
+        messages.push_back({.severity = Severity::Error, .text = textOf(error.message)});
+    }
+    return messages;
+}
+
+void ImportDialog::createFields() {
+    m_summary = new QLabel;
+    m_summary->setWordWrap(true);
+    m_unit = createUnitBox();
+    m_up = comboBox({tr("Y"), tr("Z")}, tr("Select the axis of the file that points up"));
+    m_axis = comboBox({tr("Thinnest side"), tr("X"), tr("Y (up)"), tr("Z")},
+                      tr("Select the axis along which the outline is extruded"));
+    m_fallback = comboBox({tr("Refuse"), tr("Use silhouette"), tr("Use top face")},
+                          tr("Select what to do with objects that are not prisms"));
+    m_table = new QTableWidget(0, kColumns);
+    m_table->setHorizontalHeaderLabels({tr("Asset"), tr("Outline"), tr("Depth"), tr("Axis"), tr("Tolerance")});
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setAccessibleName(tr("Assets to import"));
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    m_preview = new OutlinePreview;
+    m_notes = createNotes();
+    m_refused = createNotes();
+    m_refused->hide();
+}
+
+QWidget* ImportDialog::createOptions() {
+    auto* options = new QWidget;
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Unit:"), m_unit);
+    form->addRow(tr("U&p axis:"), m_up);
+    form->addRow(tr("&Extrude along:"), m_axis);
+    form->addRow(tr("&Not a prism:"), m_fallback);
+    auto* rows = new QVBoxLayout(options);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addLayout(form);
+    rows->addWidget(new QLabel(tr("Outline, seen along the axis:")));
+    rows->addWidget(m_preview, 1);
+    return options;
+}
+
+ImportOptions ImportDialog::options() const {
+    ImportOptions options{.metresPerUnit = metresPerUnit(*m_unit)};
+    options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    options.axis = static_cast<PrismAxis>(m_axis->currentIndex());
+    if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
+    if (m_fallback->currentIndex() == 2) options.fallback = PrismFallback::TopCap;
+    return options;
+}
+
+/// Returns the length of one unit of the file, m.
+double ImportDialog::fileUnit() const {
+    const double stated = m_scene.metresPerUnit > 0.0 ? m_scene.metresPerUnit : 1.0;
+    return metresPerUnit(*m_unit).value_or(stated);
+}
+
+void ImportDialog::updateMesh() {
+    m_view->setModel(sourceModel(m_scene, fileUnit(), options().up));
+    updateOutcome();
+}
+
+void ImportDialog::updateOutcome() {
+    const std::string name = QFileInfo(m_path).completeBaseName().toStdString();
+    const Result<ImportOutcome> outcome = importedInto(m_project, m_scene, name, options(), TaskContext{});
+    m_outcome.reset();
+    if (outcome) m_outcome = *outcome;
+    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
+    updateSummary(outcome);
+    fillTable();
+}
+
+void ImportDialog::updateSummary(const Result<ImportOutcome>& outcome) {
+    std::size_t triangles = 0;
+    for (const SourceObject& object : m_scene.objects) triangles += object.triangles.size();
+    const QString unit = m_scene.metresPerUnit > 0.0
+                             ? tr("The unit of the file is %1.").arg(metresText(m_scene.metresPerUnit))
+                             : tr("The file has no unit; metres are used unless you select another unit.");
+    m_summary->setText(tr("%Ln object(s)", nullptr, static_cast<int>(m_scene.objects.size())) + ", " +
+                       tr("%Ln triangle(s)", nullptr, static_cast<int>(triangles)) + ". " + unit);
+    QStringList refused;
+    if (!outcome) refused.append(textOf(outcome.error().message));
+    if (m_outcome) {
+        for (const Error& error : m_outcome->refused) refused.append(textOf(error.message));
+    }
+    m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
+    m_refused->setVisible(!refused.isEmpty());
+}
+
+void ImportDialog::fillTable() {
+    m_table->setRowCount(0);
+    m_preview->setOutline({});
+    m_view->setPrism(nullptr);
+    m_notes->clear();
+    if (!m_outcome) return;
+    m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
+        const QStringList cells = {textOf(findAsset(m_outcome->project, imported.asset)->name),
+                                   sizeText(imported.prism), metresText(imported.prism.depth),
+                                   textOf(axisText(imported.prism.axis)), metresText(imported.tolerance)};
+        for (int column = 0; column < kColumns; ++column) {
+            m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
+        }
+    }
+    m_table->setCurrentCell(0, kName);
+}
+
+void ImportDialog::showRow(int row) {
+    if (!m_outcome || row < 0) return;
+    const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
+    m_preview->setOutline(imported.prism.outline);
+    m_view->setPrism(&imported.prism);
+    QStringList notes;
+    for (const std::string& note : imported.notes) notes.append(textOf(note));
+    const double deviation = imported.prism.deviation;
+    if (!imported.usesFallback && deviation == 0.0) notes.append(tr("The mesh is exactly this prism."));
+    if (!imported.usesFallback && deviation > 0.0) {
+        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(metresText(deviation)));
+    }
+    m_notes->setText(notes.join('\n'));
+}
+
+}  // namespace rubble

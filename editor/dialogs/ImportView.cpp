@@ -1,0 +1,36 @@
+#include "editor/dialogs/ImportView.h"
+
+#include "editor/workspace/ViewportStyle.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+ImportView::ImportView(const Preferences& preferences, QWidget* parent)
+    : QWidget(parent), m_viewport(new ViewportWidget), m_legend(new QLabel) {
+    applyPreferences(*m_viewport, preferences);
+    applyTheme(*m_viewport);
+    m_viewport->setMinimumSize(360, 260);
+    m_legend->setWordWrap(true);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(m_viewport, 1);
+    rows->addWidget(m_legend);
+}
+
+void ImportView::setModel(SourceModel model) {
+    m_model = std::move(model);
+    setPrism(nullptr);
+    m_viewport->frameAll();
+}
+
+void ImportView::setPrism(const PrismFit* prism) {
+    m_viewport->setScene(std::make_shared<const RenderScene>(importScene(m_model, prism)));
+    m_legend->setText(prism != nullptr
+                          ? tr("Grey: mesh. Blue-green: prism of the selected row. Orange: axis of the prism.")
+                          : tr("Grey: mesh. No prism fits it."));
+}
+
+}  // namespace rubble

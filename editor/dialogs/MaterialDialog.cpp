@@ -1,0 +1,143 @@
+#include "editor/dialogs/MaterialDialog.h"
+
+#include "editor/dialogs/MaterialSummary.h"
+#include "editor/dialogs/PatternPreview.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize kSwatchSize{28, 20};
+constexpr QSize kDefaultSize{760, 560};
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+QString materialFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/materials"; }
+
+MaterialDialog::MaterialDialog(Document& document, Selection& selection, const QString& folder, QWidget* parent)
+    : QDialog(parent),
+      m_document(document),
+      m_selection(selection),
+      m_library(materialLibrary(folder.toStdString())),
+      m_folder(folder),
+      m_list(new QListWidget),
+      m_summary(new QTextBrowser),
+      m_preview(new PatternPreview) {
+    setWindowTitle(tr("Material Library"));
+    m_list->setIconSize(kSwatchSize);
+    m_list->setAccessibleName(tr("Materials"));
+    m_summary->setAccessibleName(tr("Properties and sources"));
+    auto* layout = new QGridLayout(this);
+    layout->addWidget(m_list, 0, 0);
+    layout->addWidget(m_preview, 1, 0);
+    layout->addWidget(m_summary, 0, 1, 2, 1);
+    layout->addWidget(createOptions(), 2, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+    layout->setRowStretch(0, 1);
+    connect(m_list, &QListWidget::currentRowChanged, this, &MaterialDialog::showSelected);
+    connect(m_list, &QListWidget::itemDoubleClicked, this,
+            [this] { (m_apply->isEnabled() ? m_apply : m_add)->click(); });
+    fill();
+    resize(kDefaultSize);
+    m_list->setFocus();
+}
+
+/// Creates what is below the list: options, buttons, and errors of preset files.
+QWidget* MaterialDialog::createOptions() {
+    auto* options = new QWidget;
+    auto* layout = new QVBoxLayout(options);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_appliesPattern = new QCheckBox(tr("Apply the fracture &pattern"));
+    m_appliesPattern->setToolTip(
+        tr("Replace the layers, merges and splits of the asset by the pattern of the material"));
+    m_appliesPattern->setChecked(true);
+    m_derivesThreshold = new QCheckBox(tr("Derive the &threshold from the strength"));
+    m_derivesThreshold->setToolTip(
+        tr("Compute strength × smallest cross-section × contact time instead of using a typed number"));
+    layout->addWidget(m_appliesPattern);
+    layout->addWidget(m_derivesThreshold);
+    auto* folder = new QLabel(tr("Folder of your presets: %1").arg(QDir::toNativeSeparators(m_folder)));
+    folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    folder->setWordWrap(true);
+    folder->setEnabled(false);
+    layout->addWidget(folder);
+    for (const std::string& error : m_library.errors) {
+        auto* label = new QLabel(textOf(error));
+        label->setObjectName("error");
+        label->setWordWrap(true);
+        layout->addWidget(label);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    const QString name = asset() != nullptr ? textOf(asset()->name) : QString();
+    m_apply =
+        buttons->addButton(name.isEmpty() ? tr("A&pply") : tr("A&pply to \"%1\"").arg(QString(name).replace('&', "&&")),
+                           QDialogButtonBox::AcceptRole);
+    m_apply->setToolTip(tr("Add the material to the project and apply it to the active asset"));
+    m_add = buttons->addButton(tr("&Add to Project"), QDialogButtonBox::ActionRole);
+    m_add->setToolTip(tr("Add the material to the project only"));
+    connect(m_apply, &QPushButton::clicked, this, &MaterialDialog::applyToAsset);
+    connect(m_add, &QPushButton::clicked, this, &MaterialDialog::addToProject);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout->addWidget(buttons);
+    return options;
+}
+
+void MaterialDialog::fill() {
+    for (const LibraryMaterial& material : m_library.materials) {
+        auto* item = new QListWidgetItem(materialSwatch(material.preset), textOf(material.preset.name), m_list);
+        item->setToolTip(textOf(material.preset.note));
+    }
+    const Material* current = asset() ? findMaterial(m_document.project(), asset()->material) : nullptr;
+    const LibraryMaterial* preset = current ? findMaterial(m_library, current->name) : nullptr;
+    m_list->setCurrentRow(preset ? static_cast<int>(preset - m_library.materials.data()) : 0);
+}
+
+const LibraryMaterial* MaterialDialog::selected() const {
+    const int row = m_list->currentRow();
+    return row < 0 ? nullptr : &m_library.materials[static_cast<std::size_t>(row)];
+}
+
+const Asset* MaterialDialog::asset() const { return findAsset(m_document.project(), m_selection.asset()); }
+
+void MaterialDialog::showSelected() {
+    const LibraryMaterial* material = selected();
+    if (material == nullptr) return;
+    m_summary->setHtml(materialSummary(*material, locale()));
+    m_preview->setPreset(material->preset);
+    m_apply->setEnabled(asset() != nullptr);
+    m_appliesPattern->setEnabled(asset() != nullptr && !material->preset.pattern.layers.empty());
+    m_derivesThreshold->setEnabled(asset() != nullptr && material->preset.tensileStrength.has_value());
+}
+
+void MaterialDialog::applyToAsset() {
+    const LibraryMaterial* material = selected();
+    if (material == nullptr || asset() == nullptr) return;
+    m_document.push(applyPreset(
+        m_document.project(), asset()->id, material->preset,
+        {.appliesPattern = m_appliesPattern->isChecked(), .derivesThreshold = m_derivesThreshold->isChecked()}));
+    accept();
+}
+
+void MaterialDialog::addToProject() {
+    const LibraryMaterial* material = selected();
+    if (material == nullptr) return;
+    Addition addition = addMaterial(m_document.project(), material->preset);
+    if (!addition.edit.isEmpty()) m_document.push(std::move(addition.edit));
+    m_selection.setMaterial(addition.id);
+    accept();
+}
+
+}  // namespace rubble

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/io/project/MaterialPresetFile.h"
+#include "editor/commands/MaterialEdits.h"
+#include "editor/document/Document.h"
+#include "editor/document/Selection.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTextBrowser;
+
+namespace rubble {
+
+class PatternPreview;
+
+/// Returns the folder of the user's presets.
+QString materialFolder();
+
+/// The material library: the built-in presets and those of a folder, with properties and sources. Applies a preset to
+/// the active asset, or adds it to the project.
+class MaterialDialog : public QDialog {
+    Q_OBJECT
+public:
+    MaterialDialog(Document& document, Selection& selection, const QString& folder, QWidget* parent = nullptr);
+
+private:
+    QWidget* createOptions();
+    void fill();
+    void showSelected();
+    void applyToAsset();
+    void addToProject();
+    const LibraryMaterial* selected() const;
+    const Asset* asset() const;
+
+    Document& m_document;
+    Selection& m_selection;
+    MaterialLibrary m_library;
+    QString m_folder;
+    QListWidget* m_list;
+    QTextBrowser* m_summary;
+    PatternPreview* m_preview;
+    QCheckBox* m_appliesPattern = nullptr;
+    QCheckBox* m_derivesThreshold = nullptr;
+    QPushButton* m_apply = nullptr;
+    QPushButton* m_add = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,94 @@
+#include "editor/dialogs/MaterialSummary.h"
+
+#include "core/asset/project/FragmentColours.h"
+#include "core/asset/project/Threshold.h"
+#include "core/fracture/pattern/PatternKind.h"
+#include "editor/widgets/LayerText.h"
+#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/NumberText.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize kSwatchSize{28, 20};
+constexpr int kPixelRatio = 3;  // of a swatch, for screens of high resolution
+
+QString tr(const char* text) { return QCoreApplication::translate("MaterialSummary", text); }
+
+QString textOf(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+/// Returns a row of the table as HTML, with a note below it unless that is empty.
+QString rowOf(const QString& name, const QString& text, const QString& note) {
+    const QString row = QString("<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>").arg(name, text);
+    if (note.isEmpty()) return row;
+    return row + QString("<tr><td></td><td style='padding-bottom:6px'><small>%1</small></td></tr>").arg(note);
+}
+
+QString rowOf(const QString& name, const PresetFigure& figure, const NumberFormat& format, const QLocale& locale) {
+    const auto number = [&](double value) { return roundedText(value, format, locale); };
+    QString text = "<b>" + withUnit(number(figure.value), format) + "</b>";
+    if (figure.range) {
+        text += " · " + tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
+    }
+    return rowOf(name, text, textOf(figure.source));
+}
+
+QString layerNames(const Pattern& pattern) {
+    QStringList kinds;
+    for (const PatternLayer& layer : pattern.layers) kinds << layerKindName(layer.parameters).toHtmlEscaped();
+    return kinds.isEmpty() ? tr("none") : kinds.join(" + ");
+}
+
+}  // namespace
+
+QString materialSummary(const LibraryMaterial& material, const QLocale& locale) {
+    const MaterialPreset& preset = material.preset;
+    QString summary = QString("<h3>%1</h3>").arg(textOf(preset.name));
+    if (!preset.note.empty()) summary += QString("<p>%1</p>").arg(textOf(preset.note));
+    summary += "<table>" + rowOf(tr("Density"), preset.density, {tr("kg/m³")}, locale) +
+               rowOf(tr("Friction"), preset.friction, {}, locale) +
+               rowOf(tr("Restitution"), preset.restitution, {}, locale);
+    if (preset.tensileStrength) summary += rowOf(tr("Strength"), *preset.tensileStrength, {tr("MPa"), -6}, locale);
+    if (preset.fractureToughness)
+        summary += rowOf(tr("Toughness"), *preset.fractureToughness, {tr("MPa√m"), -6}, locale);
+    if (const std::optional<double> limit = transitionCrackLength(materialOf(preset, 0))) {
+        const QString text = localizedQuantity(QuantityKind::Length, *limit, {}, locale);
+        summary += rowOf(tr("Crack limit"), "<b>" + text + "</b>",
+                         tr("(toughness / strength)² / π: deeper cracks lower the strength"));
+    }
+    summary += rowOf(tr("Pattern"), layerNames(preset.pattern), {});
+    const QString file = QString::fromStdString(material.file.string()).toHtmlEscaped();
+    if (!file.isEmpty()) summary += rowOf(tr("File"), "<small>" + file + "</small>", {});
+    return summary + "</table>";
+}
+
+QIcon materialSwatch(const MaterialPreset& preset) {
+    QPixmap pixmap(kPixelRatio * kSwatchSize);
+    pixmap.setDevicePixelRatio(kPixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF area(0.5, 0.5, kSwatchSize.width() - 1.0, kSwatchSize.height() - 1.0);
+    QPainterPath frame;
+    frame.addRoundedRect(area, 3.0, 3.0);
+    painter.setClipPath(frame);
+    painter.fillRect(area, QColor(packed(preset.outside)));
+    QPainterPath corner;
+    corner.addPolygon(
+        QPolygonF{{area.right(), area.top()}, {area.right(), area.bottom()}, {area.center().x(), area.bottom()}});
+    painter.fillPath(corner, QColor(packed(preset.inside)));
+    painter.setClipping(false);
+    painter.setPen(QPen(QColor(128, 128, 128), 1.0));
+    painter.drawPath(frame);
+    painter.end();
+    QIcon swatch(pixmap);
+    swatch.addPixmap(pixmap, QIcon::Selected);  // otherwise Qt tints it in a selected row
+    return swatch;
+}
+
+}  // namespace rubble

@@ -1,0 +1,42 @@
+#include "editor/dialogs/MeshReading.h"
+
+#include "core/io/mesh/MeshImport.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/widgets/ComboBox.h"
+#include "editor/widgets/TaskDialog.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <array>
+
+namespace rubble {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("MeshReading", text); }
+
+}  // namespace
+
+std::optional<SourceScene> readMesh(const QString& path, const std::filesystem::path& importer, QWidget* parent) {
+    TaskDialog dialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), parent);
+    Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
+        [&](const TaskContext& task) { return importMesh(path.toStdString(), importer, task); });
+    if (scene) return std::move(*scene);
+    if (scene.error().code != ErrorCode::Cancelled) showError(parent, scene.error());
+    return std::nullopt;
+}
+
+QComboBox* createUnitBox() {
+    return comboBox(
+        {tr("As in the file"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
+        tr("Set the unit of the file"));
+}
+
+std::optional<double> metresPerUnit(const QComboBox& unitBox) {
+    constexpr std::array kMetres = {0.0, 1.0, 0.01, 0.001, 0.0254, 0.3048};
+    if (unitBox.currentIndex() <= 0) return std::nullopt;
+    return kMetres[static_cast<std::size_t>(unitBox.currentIndex())];
+}
+
+}  // namespace rubble

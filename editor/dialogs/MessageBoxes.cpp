@@ -1,0 +1,49 @@
+#include "editor/dialogs/MessageBoxes.h"
+
+#include <QApplication>
+#include <QPushButton>
+
+namespace rubble {
+
+void showError(QWidget* parent, const QString& text, const QStringList& details) {
+    QMessageBox box(QMessageBox::Warning, QApplication::applicationDisplayName(), text, QMessageBox::Ok, parent);
+    box.setDetailedText(details.join('\n'));
+    box.exec();
+}
+
+void showError(QWidget* parent, const Error& error) { showError(parent, QString::fromStdString(error.message)); }
+
+void showIfError(QWidget* parent, const Status& status) {
+    if (!status) showError(parent, status.error());
+}
+
+std::size_t ask(QWidget* parent, const Question& question) {
+    QMessageBox box(QMessageBox::Question, QApplication::applicationDisplayName(), question.text, QMessageBox::NoButton,
+                    parent);
+    box.setInformativeText(question.informativeText);
+    std::vector<QAbstractButton*> buttons;
+    std::size_t rejected = question.defaultAnswer;
+    for (std::size_t k = 0; k < question.answers.size(); ++k) {
+        const auto& [text, role] = question.answers[k];
+        QPushButton* button = box.addButton(text, role);
+        buttons.push_back(button);
+        if (role == QMessageBox::RejectRole) {
+            rejected = k;
+            box.setEscapeButton(button);
+        }
+        if (k == question.defaultAnswer) box.setDefaultButton(button);
+    }
+    box.exec();
+    for (std::size_t k = 0; k < buttons.size(); ++k) {
+        if (box.clickedButton() == buttons[k]) return k;
+    }
+    return rejected;
+}
+
+bool confirmLoss(QWidget* parent, const QString& text, const QString& action, const QString& reject) {
+    return ask(parent, {.text = text,
+                        .answers = {{action, QMessageBox::DestructiveRole}, {reject, QMessageBox::RejectRole}},
+                        .defaultAnswer = 1}) == 0;
+}
+
+}  // namespace rubble

@@ -1,0 +1,116 @@
+#include "editor/dialogs/ProjectExport.h"
+
+#include "core/io/pack/PackExport.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/widgets/TaskDialog.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QSettings>
+
+namespace rubble {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Export", text); }
+
+/// Returns the settings group of a project's last export; empty for a project without a file.
+QString settingsGroup(const QString& projectPath) {
+    if (projectPath.isEmpty()) return {};
+    const QByteArray hash = QCryptographicHash::hash(projectPath.toUtf8(), QCryptographicHash::Sha1).toHex();
+    return "exports/" + QString::fromLatin1(hash);
+}
+
+void store(const QString& group, const ExportOptions& options) {
+    if (group.isEmpty()) return;
+    QSettings settings;
+    settings.beginGroup(group);
+    settings.setValue("folder", options.folder);
+    settings.setValue("obj", options.meshes.obj);
+    settings.setValue("glb", options.meshes.glb);
+    settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
+    settings.setValue("centred", options.meshes.place == PartPlacement::Centred);
+    settings.setValue("triangles", options.meshes.faces == FaceShape::Triangles);
+    if (!options.assets) return settings.remove("assets");
+    QStringList assets;
+    for (const Id asset : *options.assets) assets.append(QString::number(asset));
+    settings.setValue("assets", assets);
+}
+
+std::vector<Id> assetsToExport(const ExportOptions& options, const Project& project) {
+    if (options.assets) return *options.assets;
+    std::vector<Id> assets;
+    for (const Asset& asset : project.assets) assets.push_back(asset.id);
+    return assets;
+}
+
+/// Shows the assets that failed and returns a sentence about the others.
+QString summary(const std::vector<AssetExport>& exports, const QString& folder, Messages& messages, QWidget* parent) {
+    QStringList errors;
+    int written = 0, unchanged = 0;
+    for (const AssetExport& asset : exports) {
+        if (asset.status) {
+            ++(asset.isUnchanged ? unchanged : written);
+            continue;
+        }
+        errors.append(QString::fromStdString(asset.status.error().message));
+        messages.add({.severity = Severity::Error, .text = errors.last(), .asset = asset.asset});
+    }
+    if (!errors.isEmpty()) {
+        const int failed = static_cast<int>(errors.size());
+        const QString text = QCoreApplication::translate(
+            "Export", "%n asset(s) could not be exported. The details say why.", nullptr, failed);
+        showError(parent, text, errors);
+    }
+    const QString exported = QCoreApplication::translate("Export", "Exported %n asset(s) to %1", nullptr, written)
+                                 .arg(QDir::toNativeSeparators(folder));
+    if (unchanged == 0) return exported + '.';
+    return exported + tr("; %L1 unchanged.").arg(unchanged);
+}
+
+}  // namespace
+
+std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
+    const QString group = settingsGroup(workspace.file().path());
+    QSettings settings;
+    if (group.isEmpty() || !settings.contains(group + "/folder")) return std::nullopt;
+    settings.beginGroup(group);
+    ExportOptions options{.folder = settings.value("folder").toString()};
+    options.meshes.obj = settings.value("obj").toBool();
+    options.meshes.glb = settings.value("glb").toBool();
+    if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
+    if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
+    if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;
+    if (!settings.contains("assets")) return options;
+    options.assets.emplace();
+    for (const QString& asset : settings.value("assets").toStringList()) {
+        if (findAsset(workspace.project(), asset.toUInt())) options.assets->push_back(asset.toUInt());
+    }
+    return options;
+}
+
+QString exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
+    store(settingsGroup(workspace.file().path()), options);
+    const Project project = workspace.project();
+    const std::vector<Id> assets = assetsToExport(options, project);
+    using Outcome = Result<std::vector<AssetExport>>;
+    TaskDialog dialog(tr("Exporting…"), parent);
+    const Outcome outcome = dialog.run<Outcome>([&](const TaskContext& task) {
+        return exportPacks(project, assets, options.folder.toStdString(), options.meshes, task);
+    });
+    if (outcome) {
+        const QString sentence = summary(*outcome, options.folder, messages, parent);
+        messages.add({.text = sentence});
+        return sentence;
+    }
+    if (outcome.error().code == ErrorCode::Cancelled) {
+        return tr("Export cancelled. No incomplete files were left.");
+    }
+    const QString sentence = QString::fromStdString(outcome.error().message);
+    messages.add({.severity = Severity::Error, .text = sentence});
+    showError(parent, sentence);
+    return sentence;
+}
+
+}  // namespace rubble

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/io/pack/PackMeshes.h"
+#include "editor/document/Messages.h"
+#include "editor/workspace/Workspace.h"
+
+class QWidget;
+
+namespace rubble {
+
+/// What an export writes, and where.
+struct ExportOptions {
+    QString folder;
+    std::optional<std::vector<Id>> assets;  // none: all assets of the project at the time of the export
+    MeshOptions meshes;
+};
+
+/// Returns the options of the project's last export, which QSettings keep by the project's path; none if it was never
+/// exported. Assets that do not exist any more are left out.
+std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
+
+/// Exports the project with a progress dialog and stores the options as its last ones. Returns a sentence for the
+/// status bar; errors are shown in a message box, and everything is added to `messages`.
+QString exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent);
+
+}  // namespace rubble

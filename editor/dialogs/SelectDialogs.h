@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+#include "editor/widgets/Units.h"
+
+#include <QDialog>
+
+class QLabel;
+class QSpinBox;
+
+namespace rubble {
+
+class NumberField;
+class RandomSeedField;
+
+/// Asks for a range of volumes and shows how many fragments are in it.
+class VolumeRangeDialog : public QDialog {
+    Q_OBJECT
+public:
+    VolumeRangeDialog(const Bake& bake, const Units& units, QWidget* parent);
+
+    double min() const;  // m^3
+    double max() const;  // m^3
+
+private:
+    NumberField* addField(double value, const Units& units);
+    void updateCount();
+
+    const Bake& m_bake;
+    NumberField* m_min;
+    NumberField* m_max;
+    QLabel* m_count;
+};
+
+/// Asks for a fraction of all fragments and the random seed that selects them.
+class RandomFractionDialog : public QDialog {
+    Q_OBJECT
+public:
+    RandomFractionDialog(int percent, quint64 randomSeed, QWidget* parent);
+
+    int percent() const;
+    quint64 randomSeed() const;
+
+private:
+    QSpinBox* m_percent;
+    RandomSeedField* m_seed;
+};
+
+}  // namespace rubble

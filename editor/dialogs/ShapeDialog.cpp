@@ -1,0 +1,61 @@
+#include "editor/dialogs/ShapeDialog.h"
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMinLength = 0.001;   // m
+constexpr double kMaxLength = 1000.0;  // m
+constexpr int kMaxCorners = 256;
+constexpr int kMinWidth = 320;  // pixels, so that the title fits
+
+}  // namespace
+
+ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWidget* parent)
+    : QDialog(parent), m_form(new QFormLayout) {
+    setWindowTitle(title);
+    for (const Length& length : lengths) {
+        auto* box = new QDoubleSpinBox;
+        box->setRange(kMinLength, kMaxLength);
+        box->setDecimals(3);
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        box->setSuffix(tr(" m"));
+        box->setValue(length.value);
+        m_form->addRow(length.label, box);
+        m_lengths.append(box);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton* add = buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(buttons);
+    add->setDefault(true);  // after the button was added to the dialog
+    setMinimumWidth(kMinWidth);
+    m_lengths.front()->selectAll();
+    m_lengths.front()->setFocus();
+}
+
+void ShapeDialog::addCorners(int value) {
+    m_corners = new QSpinBox;
+    m_corners->setRange(3, kMaxCorners);
+    m_corners->setValue(value);
+    m_form->insertRow(0, tr("&Corners:"), m_corners);
+    setTabOrder(m_corners, m_lengths.front());
+    m_corners->selectAll();
+    m_corners->setFocus();
+}
+
+double ShapeDialog::length(int index) const { return m_lengths[index]->value(); }
+
+int ShapeDialog::corners() const { return m_corners->value(); }
+
+}  // namespace rubble

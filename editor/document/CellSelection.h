@@ -1,0 +1,21 @@
+#pragma once
+
+#include "editor/document/Bakes.h"
+#include "editor/document/FragmentSelection.h"
+
+namespace rubble {
+
+// Selecting cells of a pattern: each is named by its seed, or by the cell of a cut layer where there are no seeds. See
+// cellId().
+
+/// All cells, and the seeds without a cell.
+FragmentSelection::Seeds allCells(const BakedPattern& pattern);
+/// All cells that are not selected.
+FragmentSelection::Seeds invertedCells(const BakedPattern& pattern, const FragmentSelection::Seeds& selected);
+/// The selected cells and their neighbours: cells that share an edge of at least minimumSharedEdge().
+FragmentSelection::Seeds withNeighbourCells(const BakedPattern& pattern, const FragmentSelection::Seeds& selected);
+
+/// The length (m) from which a shared edge makes two pieces neighbours.
+double minimumSharedEdge(const BakedPattern& pattern);
+
+}  // namespace rubble

@@ -1,0 +1,127 @@
+#include "editor/help/ActionSearch.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+namespace {
+
+/// Returns an action's text without mnemonic and ellipsis.
+QString plain(QString text) { return text.remove('&').remove("…"); }
+
+/// How well a word matches an action, the best match first.
+enum Match { kNameStart, kNameWordStart, kMenuWordStart, kInPath, kTipWordStart, kInTip, kNone };
+
+bool hasWordStartingWith(const QString& text, const QString& start) {
+    for (qsizetype at = text.indexOf(start, 0, Qt::CaseInsensitive); at >= 0;
+         at = text.indexOf(start, at + 1, Qt::CaseInsensitive)) {
+        if (at == 0 || !text[at - 1].isLetterOrNumber()) return true;
+    }
+    return false;
+}
+
+Match matchOf(const QString& word, const QAction* action) {
+    const QString name = plain(action->text()), path = pathOf(action), tip = action->statusTip();
+    if (name.startsWith(word, Qt::CaseInsensitive)) return kNameStart;
+    if (hasWordStartingWith(name, word)) return kNameWordStart;
+    if (hasWordStartingWith(path, word)) return kMenuWordStart;
+    if (path.contains(word, Qt::CaseInsensitive)) return kInPath;
+    if (hasWordStartingWith(tip, word)) return kTipWordStart;
+    return tip.contains(word, Qt::CaseInsensitive) ? kInTip : kNone;
+}
+
+}  // namespace
+
+QString pathOf(const QAction* action) {
+    QString path = plain(action->text());
+    for (const QObject* object : action->associatedObjects()) {
+        const auto* menu = qobject_cast<const QMenu*>(object);
+        if (menu && !menu->title().isEmpty()) return pathOf(menu->menuAction()) + " ▸ " + path;
+    }
+    return path;
+}
+
+QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& actions) {
+    const QStringList words = query.split(' ', Qt::SkipEmptyParts);
+    std::vector<std::pair<int, QAction*>> found;  // with the sum of its words' matches
+    for (QAction* action : actions) {
+        int score = 0;
+        bool isMatch = action->isEnabled();
+        for (const QString& word : words) {
+            const Match match = matchOf(word, action);
+            score += match;
+            isMatch = isMatch && match != kNone;
+        }
+        if (isMatch) found.emplace_back(score, action);
+    }
+    std::ranges::stable_sort(found, {}, &std::pair<int, QAction*>::first);
+    QList<QAction*> sorted;
+    for (const auto& [score, action] : found) sorted.append(action);
+    return sorted;
+}
+
+ActionSearch::ActionSearch(const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent, Qt::Popup), m_actions(actions), m_query(new QLineEdit), m_list(new QListWidget) {
+    setAccessibleName(tr("Search actions"));
+    m_query->setPlaceholderText(tr("Search actions"));
+    m_query->setClearButtonEnabled(true);
+    m_query->installEventFilter(this);
+    m_list->setFocusPolicy(Qt::NoFocus);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(m_query);
+    layout->addWidget(m_list);
+    connect(m_query, &QLineEdit::textChanged, this, &ActionSearch::filter);
+    connect(m_query, &QLineEdit::returnPressed, this, &ActionSearch::triggerCurrent);
+    connect(m_list, &QListWidget::itemClicked, this, &ActionSearch::triggerCurrent);
+    resize(520, 360);
+    move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, parent->height() / 8)));
+    filter({});
+    m_query->setFocus();
+}
+
+/// Arrow keys move through the list while the query has the focus.
+bool ActionSearch::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const int by = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+        if (by != 0) {
+            m_list->setCurrentRow(std::clamp(m_list->currentRow() + by, 0, m_list->count() - 1));
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+void ActionSearch::filter(const QString& query) {
+    m_list->clear();
+    for (QAction* action : matchingActions(query, m_actions)) {
+        const QString path = pathOf(action);
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? path : path + "    " + keys, m_list);
+        item->setToolTip(action->statusTip());
+        item->setData(Qt::UserRole, QVariant::fromValue(action));
+    }
+    m_list->setCurrentRow(0);
+}
+
+void ActionSearch::triggerCurrent() {
+    const QListWidgetItem* item = m_list->currentItem();
+    if (!item) return;
+    auto* action = item->data(Qt::UserRole).value<QAction*>();
+    accept();
+    QTimer::singleShot(0, action, &QAction::trigger);  // after the popup has closed and the window has the focus
+}
+
+}  // namespace rubble

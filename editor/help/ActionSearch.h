@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QDialog>
+
+class QLineEdit;
+class QListWidget;
+
+namespace rubble {
+
+/// A popup that finds an action by typed words and triggers it.
+class ActionSearch : public QDialog {
+    Q_OBJECT
+public:
+    explicit ActionSearch(const QList<QAction*>& actions, QWidget* parent);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void filter(const QString& query);
+    void triggerCurrent();
+
+    QList<QAction*> m_actions;
+    QLineEdit* m_query;
+    QListWidget* m_list;
+};
+
+/// Returns the enabled actions that match every word of a query, best match first: words match the start of the name,
+/// of a word in the name, of a word in the menus' names, any part of those, the start of a word in the tip, any part of
+/// the tip. Equal matches keep their order.
+QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& actions);
+
+/// Returns the name of an action after those of its menus: "File ▸ Save".
+QString pathOf(const QAction* action);
+
+}  // namespace rubble

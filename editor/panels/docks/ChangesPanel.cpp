@@ -1,0 +1,98 @@
+#include "editor/panels/docks/ChangesPanel.h"
+
+#include "editor/widgets/Buttons.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+QString iconOf(PieceChange change) {
+    switch (change) {
+        case PieceChange::Gone: return QStringLiteral("change-gone");
+        case PieceChange::Added: return QStringLiteral("change-added");
+        case PieceChange::Moved: return QStringLiteral("change-moved");
+        case PieceChange::Reshaped: break;
+    }
+    return QStringLiteral("change-reshaped");
+}
+
+}  // namespace
+
+ChangesPanel::ChangesPanel(const StateComparison& comparison, const Selection& selection, const Document& document,
+                           QWidget* parent)
+    : QWidget(parent),
+      m_comparison(comparison),
+      m_selection(selection),
+      m_document(document),
+      m_title(new QLabel),
+      m_list(new QListWidget) {
+    m_title->setWordWrap(true);
+    m_title->setMargin(6);
+    m_title->setObjectName("changes-title");
+    m_list->setObjectName("changes");
+    m_list->setAccessibleName(tr("Changes"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setWordWrap(true);
+    m_list->setAlternatingRowColors(true);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(m_title);
+    rows->addWidget(m_list, 1);
+    setFocusProxy(m_list);
+    connect(&comparison, &StateComparison::changed, this, &ChangesPanel::refresh);
+    connect(m_list, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        const int piece = item->data(Qt::UserRole).toInt();
+        const auto& compared = m_comparison.asset();
+        if (compared && piece >= 0) emit jumpRequested(compared->pieces.pieces[static_cast<std::size_t>(piece)]);
+    });
+    refresh();
+}
+
+void ChangesPanel::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) return emit dismissed();
+    QWidget::keyPressEvent(event);
+}
+
+void ChangesPanel::add(const QString& icon, const QString& text, int piece) {
+    auto* item = new QListWidgetItem(icon.isEmpty() ? QIcon() : iconNamed(icon), text, m_list);
+    item->setData(Qt::UserRole, piece);
+    item->setToolTip(text);
+}
+
+void ChangesPanel::refresh() {
+    m_list->clear();
+    const Asset* asset = findAsset(m_document.project(), m_selection.asset());
+    if (!asset) return m_title->setText(tr("No asset selected"));
+    const QString name = QString::fromStdString(asset->name);
+    m_title->setText(tr("%1, compared with %2").arg(name, m_comparison.name()));
+    if (m_comparison.asset()) return fill(*m_comparison.asset());
+    add({}, tr("Comparing…"));
+}
+
+void ChangesPanel::fill(const ComparedAsset& compared) {
+    if (!compared.wasThere) return add("change-added", tr("The asset is new."));
+    if (compared.isEmpty()) return add({}, tr("No changes"));
+    for (const RecipeChange& change : compared.recipe) {
+        add("change-recipe", QString::fromStdString(sentenceOf(change)));
+    }
+    const std::vector<LevelDifference>& levels = compared.pieces.levels;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const QString sentence = QString::fromStdString(sentenceOf(levels[k]));
+        add("dock-fragments", levels.size() > 1 ? tr("Level %1: %2").arg(k).arg(sentence) : sentence);
+    }
+    const std::vector<PieceDifference>& pieces = compared.pieces.pieces;
+    for (std::size_t k = 0; k < std::min(pieces.size(), kMaxListed); ++k) {
+        add(iconOf(pieces[k].change), QString::fromStdString(sentenceOf(pieces[k])), static_cast<int>(k));
+    }
+    if (pieces.size() > kMaxListed) add({}, tr("… and %L1 more").arg(pieces.size() - kMaxListed));
+}
+
+}  // namespace rubble

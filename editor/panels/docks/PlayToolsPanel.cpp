@@ -1,0 +1,140 @@
+#include "editor/panels/docks/PlayToolsPanel.h"
+
+#include "editor/widgets/NumberField.h"
+#include "editor/widgets/Section.h"
+
+#include <QComboBox>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+struct Preset {
+    ProjectileKind kind;
+    Vec3 size;    // m
+    double mass;  // kg
+};
+
+/// The size and mass of a kind: a concrete box, a steel ball, a wooden plank.
+Preset presetOf(ProjectileKind kind) {
+    switch (kind) {
+        case ProjectileKind::Ball: return {kind, Vec3(0.4), 260.0};
+        case ProjectileKind::Plank: return {kind, {0.25, 0.06, 2.5}, 25.0};
+        default: return {kind, Vec3(0.6), 200.0};
+    }
+}
+
+}  // namespace
+
+PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& controller, QWidget* parent)
+    : QWidget(parent), m_document(document), m_controller(controller), m_kind(new QComboBox) {
+    auto* content = new QWidget;
+    auto* rows = new QVBoxLayout(content);
+    rows->setContentsMargins(0, 0, 0, 0);
+    m_throw = new Section("throw", tr("Throw (F)"));
+    addThrow(*m_throw);
+    rows->addWidget(m_throw);
+    auto* hammer = new Section("hammer", tr("Hammer (H)"));
+    addField(*hammer, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"),
+             [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
+    rows->addWidget(hammer);
+    auto* blast = new Section("blast", tr("Blast (X)"));
+    addField(*blast, tr("Impulse"), tr("Impulse per square metre at a distance of 1 m"), tr("N·s/m²"),
+             [](PlayToolSettings& tools) -> double& { return tools.explosion.impulse; });
+    addField(*blast, tr("Radius"), tr("Radius of the blast"), tr("m"),
+             [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });
+    rows->addWidget(blast);
+    auto* grip = new Section("grip", tr("Grab (drag)"));
+    addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), tr("N"),
+             [](PlayToolSettings& tools) -> double& { return tools.grabForce; });
+    rows->addWidget(grip);
+    rows->addStretch(1);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(verticalScrollArea(content));
+    connect(&document, &Document::changed, this, &PlayToolsPanel::refreshAssets);
+    connect(&controller, &PlayController::toolSettingsChanged, this, &PlayToolsPanel::refresh);
+    refreshAssets();
+}
+
+void PlayToolsPanel::addThrow(Section& section) {
+    section.addRow(tr("Projectile"), m_kind, tr("Body to throw"));
+    m_kind->setObjectName("projectile");
+    connect(m_kind, &QComboBox::activated, this, &PlayToolsPanel::applyKind);
+    const std::array labels{tr("Width"), tr("Height"), tr("Length")};
+    for (int axis = 0; axis < 3; ++axis) {
+        m_sizes << addField(section, labels[static_cast<std::size_t>(axis)], tr("Size of the projectile"), tr("m"),
+                            [axis](PlayToolSettings& tools) -> double& { return tools.projectile.size[axis]; });
+    }
+    m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), tr("kg"),
+                      [](PlayToolSettings& tools) -> double& { return tools.projectile.mass; });
+    addField(section, tr("Full speed"), tr("Speed after holding F for one second; a tap gives a fifth of it"),
+             tr("m/s"), [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
+}
+
+NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint, const QString& unit,
+                                      const std::function<double&(PlayToolSettings&)>& member) {
+    auto* field = new NumberField;
+    field->setRange(FieldRange::aboveZero());
+    field->setFormat({.unit = unit});
+    section.addRow(label, field, hint);
+    connect(field, &NumberField::edited, this, [this, member](double value) {
+        PlayToolSettings tools = m_controller.toolSettings();
+        member(tools) = value;
+        m_controller.setToolSettings(tools);
+    });
+    connect(field, &NumberField::refused, this, &PlayToolsPanel::refused);
+    m_fields.push_back({field, member});
+    return field;
+}
+
+void PlayToolsPanel::setUnits(const Units& units) {
+    for (NumberField* field : m_sizes) field->setFormat(units.lengths());
+}
+
+/// Lists the three basic shapes, then the project's assets.
+void PlayToolsPanel::refreshAssets() {
+    std::vector<std::pair<Id, std::string>> assets;
+    for (const Asset& asset : m_document.project().assets) assets.emplace_back(asset.id, asset.name);
+    if (m_kind->count() > 0 && assets == m_assets) return;
+    m_assets = std::move(assets);
+    m_kind->clear();
+    m_kind->addItems({tr("Box"), tr("Ball"), tr("Plank")});
+    for (const auto& [id, name] : m_assets) m_kind->addItem(QString::fromStdString(name), id);
+    PlayToolSettings tools = m_controller.toolSettings();
+    if (tools.projectile.kind == ProjectileKind::Asset && !findAsset(m_document.project(), tools.projectile.asset)) {
+        tools.projectile.kind = ProjectileKind::Box;
+        m_controller.setToolSettings(tools);
+    }
+    refresh();
+}
+
+void PlayToolsPanel::applyKind(int index) {
+    PlayToolSettings tools = m_controller.toolSettings();
+    if (index < static_cast<int>(ProjectileKind::Asset)) {
+        const Preset preset = presetOf(static_cast<ProjectileKind>(index));
+        tools.projectile.kind = preset.kind;
+        tools.projectile.size = preset.size;
+        tools.projectile.mass = preset.mass;
+    } else {
+        tools.projectile.kind = ProjectileKind::Asset;
+        tools.projectile.asset = m_kind->itemData(index).toUInt();
+    }
+    m_controller.setToolSettings(tools);
+}
+
+void PlayToolsPanel::refresh() {
+    PlayToolSettings tools = m_controller.toolSettings();
+    const bool isAsset = tools.projectile.kind == ProjectileKind::Asset;
+    m_kind->setCurrentIndex(isAsset ? m_kind->findData(tools.projectile.asset)
+                                    : static_cast<int>(tools.projectile.kind));
+    for (const auto& [field, member] : m_fields) field->setValue(member(tools));
+    for (NumberField* field : m_sizes) {
+        const bool isDiameter = tools.projectile.kind == ProjectileKind::Ball && field != m_sizes.front();
+        m_throw->setRowVisible(field, !isAsset && !isDiameter);
+    }
+    m_throw->setRowVisible(m_mass, !isAsset);
+}
+
+}  // namespace rubble

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "editor/document/Document.h"
+#include "editor/play/PlayController.h"
+#include "editor/widgets/Units.h"
+
+#include <QWidget>
+
+class QComboBox;
+
+namespace rubble {
+
+class NumberField;
+class Section;
+
+/// The dock with the settings of the play tools: throw, hammer, blast and grab.
+class PlayToolsPanel : public QWidget {
+    Q_OBJECT
+public:
+    PlayToolsPanel(const Document& document, PlayController& controller, QWidget* parent = nullptr);
+
+    void setUnits(const Units& units);
+
+signals:
+    void refused(const QString& sentence);
+
+private:
+    NumberField* addField(Section& section, const QString& label, const QString& hint, const QString& unit,
+                          const std::function<double&(PlayToolSettings&)>& member);
+    void addThrow(Section& section);
+    void applyKind(int index);
+    void refreshAssets();
+    void refresh();
+
+    struct Bound {
+        NumberField* field;
+        std::function<double&(PlayToolSettings&)> member;
+    };
+
+    const Document& m_document;
+    PlayController& m_controller;
+    Section* m_throw;
+    QComboBox* m_kind;
+    QList<NumberField*> m_sizes;
+    NumberField* m_mass = nullptr;
+    std::vector<Bound> m_fields;
+    std::vector<std::pair<Id, std::string>> m_assets;  // that the box lists
+};
+
+}  // namespace rubble

@@ -1,0 +1,122 @@
+#include "editor/panels/docks/StepGraph.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+struct Stage {
+    const char* name;
+    double StepCost::*cost;
+    QColor colour;
+};
+
+/// Colours that colour-blind readers can tell apart. Source: Okabe, Ito, Color Universal Design (2008).
+constexpr std::size_t kStageCount = 5;
+const std::array<Stage, kStageCount> kStages{
+    {{QT_TRANSLATE_NOOP("rubble::StepGraph", "Broad phase"), &StepCost::pairs, {86, 180, 233}},
+     {QT_TRANSLATE_NOOP("rubble::StepGraph", "Narrow phase"), &StepCost::collide, {0, 114, 178}},
+     {QT_TRANSLATE_NOOP("rubble::StepGraph", "Swaps"), &StepCost::swaps, {213, 94, 0}},
+     {QT_TRANSLATE_NOOP("rubble::StepGraph", "Solver"), &StepCost::solve, {0, 158, 115}},
+     {QT_TRANSLATE_NOOP("rubble::StepGraph", "Integration"), &StepCost::finish, {204, 121, 167}}}};
+
+constexpr double kMinHeight = 0.2;  // ms
+constexpr int kMargin = 6;
+constexpr int kLegendColumns = 2;
+
+QString milliseconds(double value) { return StepGraph::tr("%1 ms").arg(QLocale().toString(value, 'f', 2)); }
+
+/// The smallest of 1, 2 or 5 times a power of ten that is at least `value`.
+double roundedUp(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= value) return factor * power;
+    }
+    return 10.0 * power;
+}
+
+}  // namespace
+
+StepGraph::StepGraph(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Time per step"));
+    setToolTip(tr("Computing time of the last steps, by stage"));
+}
+
+void StepGraph::setCosts(const std::vector<StepCost>& costs, std::size_t capacity) {
+    m_costs = costs;
+    m_capacity = capacity;
+    if (!costs.empty()) setAccessibleDescription(milliseconds(costs.back().total()));
+    update();
+}
+
+double StepGraph::highest() const {
+    double highest = kMinHeight;
+    for (const StepCost& cost : m_costs) highest = std::max(highest, cost.total());
+    return roundedUp(highest);
+}
+
+void StepGraph::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const int line = fontMetrics().height();
+    constexpr int kLegendRows = (static_cast<int>(kStageCount) + kLegendColumns - 1) / kLegendColumns;
+    const QRect inside = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    const QRect graph = inside.adjusted(0, 0, 0, -kLegendRows * line - 4);
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRect(QRectF(graph).adjusted(0.5, 0.5, -0.5, -0.5));
+    const double top = highest();
+    paintStages(painter, QRectF(graph).adjusted(1, 1, -1, -1), top);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(graph.adjusted(4, 1, -4, 0), Qt::AlignTop | Qt::AlignLeft, milliseconds(top));
+    paintLegend(painter, QRect(inside.left(), graph.bottom() + 4, inside.width(), kLegendRows * line));
+}
+
+/// The newest step is at the right.
+void StepGraph::paintStages(QPainter& painter, const QRectF& place, double highest) const {
+    if (m_costs.size() < 2) return;
+    const double width = place.width() / static_cast<double>(m_capacity - 1);
+    const auto across = [&](std::size_t k) {
+        return place.right() - width * static_cast<double>(m_costs.size() - 1 - k);
+    };
+    std::vector<double> below(m_costs.size(), 0.0);
+    painter.setPen(Qt::NoPen);
+    for (const Stage& stage : kStages) {
+        QPolygonF area;
+        for (std::size_t k = 0; k < m_costs.size(); ++k) {
+            area << QPointF(across(k), place.bottom() - place.height() * below[k] / highest);
+        }
+        for (std::size_t k = m_costs.size(); k-- > 0;) {
+            below[k] += m_costs[k].*stage.cost;
+            area << QPointF(across(k), place.bottom() - place.height() * below[k] / highest);
+        }
+        painter.setBrush(stage.colour);
+        painter.drawPolygon(area);
+    }
+}
+
+/// Long names are elided, times never.
+void StepGraph::paintLegend(QPainter& painter, const QRect& place) const {
+    const int line = fontMetrics().height(), square = line / 2, width = place.width() / kLegendColumns;
+    painter.setPen(palette().color(QPalette::WindowText));
+    for (std::size_t k = 0; k < kStages.size(); ++k) {
+        const int row = static_cast<int>(k) / kLegendColumns, column = static_cast<int>(k) % kLegendColumns;
+        const QPoint at(place.left() + column * width, place.top() + row * line);
+        painter.fillRect(QRect(at.x(), at.y() + (line - square) / 2, square, square), kStages[k].colour);
+        const QRect text(at.x() + square + 4, at.y(), width - square - 4 - kMargin, line);
+        const QString time = m_costs.empty() ? QString() : QLocale().toString(m_costs.back().*kStages[k].cost, 'f', 2);
+        const int nameWidth = text.width() - fontMetrics().horizontalAdvance(time + ' ');
+        painter.drawText(text, Qt::AlignVCenter | Qt::AlignLeft,
+                         fontMetrics().elidedText(tr(kStages[k].name), Qt::ElideRight, nameWidth));
+        painter.drawText(text, Qt::AlignVCenter | Qt::AlignRight, time);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,309 @@
+#include "editor/panels/docks/StrengthPanel.h"
+
+#include "core/asset/project/Threshold.h"
+#include "core/fracture/pattern/SeedEdits.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/panels/docks/IntervalBar.h"
+#include "editor/widgets/Buttons.h"
+#include "editor/widgets/ComboBox.h"
+#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/NumberField.h"
+#include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/Section.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+/// The first of the two grid rows of a requirement.
+int rowOf(std::size_t index) { return 2 * static_cast<int>(index); }
+
+const PieceSpeed& fastestOf(const SwapAudit& audit) {
+    return audit.resting.speed > kCleanSpeed ? audit.resting : audit.lying;
+}
+
+}  // namespace
+
+StrengthPanel::StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes,
+                             SwapAuditRunner& audits, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_bakes(bakes),
+      m_audits(audits),
+      m_title(new QLabel),
+      m_bar(new IntervalBar),
+      m_verdict(new QLabel),
+      m_auditText(new QLabel) {
+    auto* content = new QWidget;
+    auto* rows = new QVBoxLayout(content);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    m_title->setContentsMargins(8, 6, 8, 2);
+    rows->addWidget(m_title);
+    rows->addWidget(makeRequirements());
+    rows->addWidget(makeAudit());
+    rows->addStretch(1);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(verticalScrollArea(content));
+    connect(&document, &Document::changed, this, &StrengthPanel::refresh);
+    connect(&selection, &Selection::assetChanged, this, &StrengthPanel::refresh);
+    connect(&bakes, &Bakes::changed, this, &StrengthPanel::refresh);
+    connect(&audits, &SwapAuditRunner::changed, this, &StrengthPanel::refreshAudit);
+    connect(&audits, &SwapAuditRunner::statusMessage, this, &StrengthPanel::refused);
+    refresh();
+}
+
+QWidget* StrengthPanel::makeRequirements() {
+    auto* section = new Section("requirements", tr("Requirements"));
+    m_rows = new QWidget;
+    m_grid = new QGridLayout(m_rows);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    section->addWide(m_rows);
+    section->addWide(makeAddButton());
+    section->addWide(m_bar);
+    m_verdict->setWordWrap(true);
+    section->addWide(m_verdict);
+    m_apply = new QPushButton;
+    m_apply->setObjectName("set-threshold");
+    m_apply->setToolTip(tr("Set a threshold that meets all requirements"));
+    connect(m_apply, &QPushButton::clicked, this, &StrengthPanel::applySuggested);
+    section->addWide(m_apply);
+    return section;
+}
+
+QToolButton* StrengthPanel::makeAddButton() {
+    auto* button = new QToolButton;
+    button->setIcon(iconNamed("add"));
+    button->setText(tr("Add Requirement"));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolTip(tr("Add an event that the asset must survive or break by"));
+    auto* menu = new QMenu(button);
+    const std::pair<QString, StrengthRequirement> kinds[] = {
+        {tr("Survives &Drop"), {RequirementOutcome::Survives, DropRequirement{}}},
+        {tr("&Breaks by Drop"), {RequirementOutcome::Breaks, DropRequirement{.height = 3.0}}},
+        {tr("Survives &Impact"), {RequirementOutcome::Survives, HitRequirement{}}},
+        {tr("B&reaks by Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}}};
+    for (const auto& [text, requirement] : kinds) {
+        connect(menu->addAction(text), &QAction::triggered, this,
+                [this, added = requirement] { addRequirement(added); });
+    }
+    button->setMenu(menu);
+    return button;
+}
+
+QWidget* StrengthPanel::makeAudit() {
+    auto* section = new Section("audit", tr("Swap Audit"));
+    m_audit = new QPushButton(tr("Audit Swap"));
+    m_audit->setObjectName("audit-swap");
+    m_audit->setToolTip(tr("Check that fragments stay at rest when they replace the asset"));
+    connect(m_audit, &QPushButton::clicked, this, [this] { m_audits.audit(m_selection.asset()); });
+    section->addWide(m_audit);
+    m_auditText->setWordWrap(true);
+    m_auditText->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    section->addWide(m_auditText);
+    m_fix = new QPushButton;
+    m_fix->setObjectName("fix-swap");
+    m_fix->setToolTip(tr("Delete the seed of the fastest fragment"));
+    connect(m_fix, &QPushButton::clicked, this, &StrengthPanel::deleteFaultySeed);
+    section->addWide(m_fix);
+    return section;
+}
+
+const Asset* StrengthPanel::asset() const { return findAsset(m_document.project(), m_selection.asset()); }
+
+void StrengthPanel::refresh() {
+    const Asset* shown = asset();
+    m_title->setText(shown ? tr("<b>%1</b>").arg(textOf(shown->name).toHtmlEscaped()) : tr("No asset selected"));
+    setEnabled(shown != nullptr);
+    m_suggested.reset();
+    m_bar->setVisible(shown != nullptr);
+    if (!shown) return;
+    std::optional<ThresholdInterval> interval;
+    const auto baked = m_bakes.find(shown->id);
+    if (baked && baked->bake && baked->asset->prism == shown->prism) {
+        if (const Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
+            const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), *whole);
+            if (found) interval = *found;
+            m_verdict->setText(found ? QString() : textOf(found.error().message));
+        }
+    }
+    refreshRows(*shown, interval ? &*interval : nullptr);
+    m_bar->setInterval(shown->requirements, interval.value_or(ThresholdInterval{}),
+                       thresholdOf(m_document.project(), *shown));
+    if (interval) {
+        m_suggested = interval->suggested();
+        m_verdict->setText(verdict(*shown, *interval));
+    }
+    m_apply->setVisible(m_suggested.has_value());
+    if (m_suggested) {
+        m_apply->setText(tr("Set Threshold to %1").arg(localizedQuantity(QuantityKind::Impulse, *m_suggested)));
+    }
+    refreshAudit();
+}
+
+QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& interval) const {
+    if (const std::optional<std::string> conflict = conflictText(asset, interval)) return textOf(*conflict);
+    if (asset.requirements.empty()) return tr("No requirements: any threshold is valid.");
+    const bool isMet = interval.contains(thresholdOf(m_document.project(), asset));
+    return (isMet ? tr("The threshold is valid: %1.") : tr("The threshold is not valid: it must be %1."))
+        .arg(textOf(intervalText(interval)));
+}
+
+/// Rebuilds the rows, two per requirement, if what they show has changed.
+void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* interval) {
+    Shown shown{asset.id, asset.requirements, interval ? interval->impulses : std::vector<double>{}};
+    if (shown == m_shown) return;
+    m_shown = std::move(shown);
+    while (QLayoutItem* item = m_grid->takeAt(0)) {
+        if (item->widget()) item->widget()->deleteLater();
+        delete item;
+    }
+    for (std::size_t k = 0; k < asset.requirements.size(); ++k) {
+        addRow(k, asset.requirements[k]);
+        if (interval) addImpulse(k, interval->impulses[k]);
+    }
+    m_grid->setColumnStretch(2, 1);
+    m_rows->setVisible(!asset.requirements.empty());
+}
+
+void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& requirement) {
+    addOutcomeBox(index, requirement.outcome);
+    const int row = rowOf(index);
+    if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
+        m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
+        addField(index, 0, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
+                 [](auto& event, double value) { std::get<DropRequirement>(event).height = value; });
+    } else {
+        const auto& hit = std::get<HitRequirement>(requirement.event);
+        m_grid->addWidget(new QLabel(tr("an impact of")), row, 1);
+        addField(index, 0, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
+                 [](auto& event, double value) { std::get<HitRequirement>(event).mass = value; });
+        addField(index, 1, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
+                 [](auto& event, double value) { std::get<HitRequirement>(event).speed = value; });
+    }
+    addDeleteButton(index);
+}
+
+void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome) {
+    QComboBox* box = comboBox({tr("Survives"), tr("Breaks by")}, tr("Whether the asset must survive or break"));
+    box->setCurrentIndex(static_cast<int>(outcome));
+    box->setAccessibleName(tr("Outcome"));
+    connect(box, &QComboBox::activated, this, [this, index](int row) {
+        change(tr("Change Requirement"),
+               [=](Asset& changed) { changed.requirements[index].outcome = static_cast<RequirementOutcome>(row); });
+    });
+    m_grid->addWidget(box, rowOf(index), 0);
+}
+
+/// Connections are queued, since each change rebuilds the rows.
+template <class Set>
+void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
+                             const QString& name, Set set) {
+    auto* field = new NumberField;
+    field->setRange(fieldRange(number));
+    field->setFormat({.unit = unit});
+    field->setValue(value);
+    field->setAccessibleName(name);
+    field->setToolTip(name);
+    connect(field, &NumberField::refused, this, &StrengthPanel::refused);
+    const auto apply = [this, index, set](double entered) {
+        change(tr("Change Requirement"), [=](Asset& changed) { set(changed.requirements[index].event, entered); });
+    };
+    connect(field, &NumberField::edited, this, apply, Qt::QueuedConnection);
+    m_grid->addWidget(field, rowOf(index) + 1, column);
+}
+
+void StrengthPanel::addImpulse(std::size_t index, double impulse) {
+    auto* label = new QLabel(localizedQuantity(QuantityKind::Impulse, impulse));
+    label->setToolTip(tr("Impulse of this event on the asset"));
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_grid->addWidget(label, rowOf(index) + 1, 2, 1, 2);
+}
+
+void StrengthPanel::addDeleteButton(std::size_t index) {
+    QToolButton* button = panelButton("remove", tr("Delete Requirement"), tr("Delete this requirement"), m_rows);
+    const auto remove = [this, index] {
+        change(tr("Delete Requirement"), [=](Asset& changed) {
+            changed.requirements.erase(changed.requirements.begin() + static_cast<std::ptrdiff_t>(index));
+        });
+    };
+    connect(button, &QToolButton::clicked, this, remove, Qt::QueuedConnection);
+    m_grid->addWidget(button, rowOf(index), 3);
+}
+
+void StrengthPanel::change(const QString& text, const std::function<void(Asset&)>& change) {
+    if (asset() == nullptr) return;
+    Asset changed = *asset();
+    change(changed);
+    m_document.push(modify(text, std::move(changed)));
+}
+
+void StrengthPanel::addRequirement(const StrengthRequirement& requirement) {
+    change(tr("Add Requirement"), [&](Asset& changed) { changed.requirements.push_back(requirement); });
+}
+
+void StrengthPanel::applySuggested() {
+    if (!m_suggested) return;
+    change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) {
+        changed.threshold = threshold;
+        changed.contactTime.reset();  // a typed threshold
+    });
+}
+
+void StrengthPanel::refreshAudit() {
+    const SwapAudit* audit = asset() != nullptr ? m_audits.auditOf(asset()->id) : nullptr;
+    m_audit->setEnabled(!m_audits.isBusy());
+    m_audit->setText(m_audits.isBusy() ? tr("Auditing…") : tr("Audit Swap"));
+    m_fix->setVisible(faultySeed().has_value());
+    if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(textOf(faultySeed()->text())));
+    if (audit == nullptr) {
+        return m_auditText->setText(tr("Not audited since the last change"));
+    }
+    QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
+    for (const std::string& fault : audit->faults) lines << textOf(fault).toHtmlEscaped();
+    lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
+                 .arg(audit->contacts)
+                 .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap));
+    lines << tr("Highest speed after %1 steps: floating %2, lying on the ground %3")
+                 .arg(kAuditSteps)
+                 .arg(localizedQuantity(QuantityKind::Speed, audit->resting.speed),
+                      localizedQuantity(QuantityKind::Speed, audit->lying.speed));
+    lines << tr("Relative change in flight: mass %1, momentum %2, angular momentum %3, energy %4")
+                 .arg(roundedText(audit->massDrift, {}), roundedText(audit->momentumDrift, {}),
+                      roundedText(audit->angularDrift, {}), roundedText(audit->energyGain, {}));
+    m_auditText->setText(lines.join("<br>"));
+}
+
+std::optional<SeedId> StrengthPanel::faultySeed() const {
+    const SwapAudit* audit = asset() != nullptr ? m_audits.auditOf(asset()->id) : nullptr;
+    const auto baked = asset() != nullptr ? m_bakes.findPattern(asset()->id) : nullptr;
+    if (audit == nullptr || audit->isClean() || !baked) return std::nullopt;
+    const std::string& piece = fastestOf(*audit).piece;
+    const std::string seed = piece.substr(piece.find('/') + 1);  // "asset/layer.index", possibly with a suffix
+    for (const SeedId id : baked->seeds.ids) {
+        if (seed == id.text() || seed.starts_with(id.text() + '.') || seed.starts_with(id.text() + '/')) return id;
+    }
+    return std::nullopt;
+}
+
+void StrengthPanel::deleteFaultySeed() {
+    if (const std::optional<SeedId> seed = faultySeed()) {
+        change(tr("Delete Seed"), [&](Asset& changed) { deleteSeed(changed.pattern, *seed); });
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/asset/project/Ranges.h"
+#include "core/play/analysis/StrengthRequirement.h"
+#include "editor/background/SwapAuditRunner.h"
+#include "editor/document/Selection.h"
+
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace rubble {
+
+class IntervalBar;
+
+/// The dock with the strength requirements of the active asset, the interval of thresholds that meet them, and the
+/// audit of its swap for fragments.
+class StrengthPanel : public QWidget {
+    Q_OBJECT
+public:
+    StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
+                  QWidget* parent = nullptr);
+
+signals:
+    void refused(const QString& sentence);
+
+private:
+    QWidget* makeRequirements();
+    QToolButton* makeAddButton();
+    QWidget* makeAudit();
+    void refresh();
+    void refreshRows(const Asset& asset, const ThresholdInterval* interval);
+    void addRow(std::size_t index, const StrengthRequirement& requirement);
+    void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
+    template <class Set>
+    void addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
+                  const QString& name, Set set);
+    void addImpulse(std::size_t index, double impulse);
+    void addDeleteButton(std::size_t index);
+    QString verdict(const Asset& asset, const ThresholdInterval& interval) const;
+    void refreshAudit();
+    void addRequirement(const StrengthRequirement& requirement);
+    void change(const QString& text, const std::function<void(Asset&)>& change);
+    void applySuggested();
+    void deleteFaultySeed();
+    /// The seed of the fastest fragment, if the audit failed and the fragment is of the asset's own pattern.
+    std::optional<SeedId> faultySeed() const;
+    const Asset* asset() const;
+
+    Document& m_document;
+    const Selection& m_selection;
+    const Bakes& m_bakes;
+    SwapAuditRunner& m_audits;
+    QLabel* m_title;
+    QWidget* m_rows = nullptr;
+    QGridLayout* m_grid = nullptr;
+    IntervalBar* m_bar;
+    QLabel* m_verdict;
+    QPushButton* m_apply = nullptr;
+    QPushButton* m_audit = nullptr;
+    QPushButton* m_fix = nullptr;
+    QLabel* m_auditText;
+    std::optional<double> m_suggested;  // N·s
+    /// What the rows show.
+    struct Shown {
+        Id asset = 0;
+        std::vector<StrengthRequirement> requirements;
+        std::vector<double> impulses;  // N·s
+        bool operator==(const Shown&) const = default;
+    };
+    Shown m_shown;
+};
+
+}  // namespace rubble

@@ -1,0 +1,214 @@
+#include "editor/panels/inspector/AssetPage.h"
+
+#include "core/asset/project/Threshold.h"
+#include "editor/commands/Renaming.h"
+#include "editor/commands/Resizing.h"
+#include "editor/widgets/Buttons.h"
+#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/SliderField.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr Id kTyped = 1;  // sources of the threshold
+constexpr Id kDerived = 2;
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+bool isRectangle(const Ring& ring) {
+    const Box2 box = boundsOf(ring);
+    return ring.size() == 4 && std::ranges::all_of(ring, [&](Vec2 point) {
+               return (point.x == box.min.x || point.x == box.max.x) && (point.y == box.min.y || point.y == box.max.y);
+           });
+}
+
+}  // namespace
+
+AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_form(
+          document, [this] { return selected(); }, pushOf<Asset>(document)) {
+    m_asset = new Section("asset", tr("Asset"), this);
+    auto* shape = new Section("shape", tr("Shape"), this);
+    m_shaping = new ShapingSection(document, selection, this);
+    auto* pattern = new Section("pattern", tr("Pattern"), this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (Section* section : {m_asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
+    layout->addStretch();
+    m_form.setFault([this](const Asset& value) { return faultOf(value); });
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    buildAsset(*m_asset);
+    buildShape(*shape);
+    m_pattern = new PatternEditor(document);
+    pattern->addWide(m_pattern);
+    connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+    connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
+}
+
+std::vector<Asset> AssetPage::selected() const {
+    const Asset* asset = findAsset(m_document.project(), m_selection.asset());
+    return asset ? std::vector{*asset} : std::vector<Asset>{};
+}
+
+QString AssetPage::faultOf(const Asset& asset) const {
+    const QString name = nameFault(m_document.project(), Part::Asset, asset.id, textOf(asset.name));
+    if (!name.isEmpty()) return name;
+    const Result<Prism> prism = validated(asset.prism);
+    return prism ? QString() : textOf(prism.error().message);
+}
+
+void AssetPage::buildAsset(Section& section) {
+    auto* name = section.addRow(tr("Name"), new QLineEdit, tr("Name of the asset, also in exports"));
+    m_form.bind(
+        name, tr("Rename"), [](const Asset& asset) { return textOf(asset.name); },
+        [](Asset& asset, const QString& entered) { asset.name = entered.trimmed().toStdString(); });
+    m_material = section.addRow(tr("Material"), new QComboBox, tr("Material of the asset"));
+    m_form.bind(m_material, tr("Set Material"), &Asset::material);
+    buildThreshold(section);
+    auto* scale =
+        section.addRow(tr("Inside UVs"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
+    scale->setFormat({tr("per m"), 0});
+    scale->setRange(fieldRange(ProjectNumber::InsideUvScale));
+    m_form.bind(scale, tr("Set Inside UV Scale"), &Asset::insideUvScale);
+    m_inside = section.addRow(tr("Inside"), new QComboBox,
+                              tr("Material shown on fracture surfaces; the mass follows from the asset's material"));
+    m_form.bind(m_inside, tr("Set Inside Material"), &Asset::insideMaterial);
+}
+
+void AssetPage::buildThreshold(Section& section) {
+    m_threshold = section.addRow(tr("Threshold"), thresholdField(), tr("Impulse at which the asset breaks"));
+    m_form.bind(
+        m_threshold, tr("Set Threshold"),
+        [this](const Asset& asset) { return thresholdOf(m_document.project(), asset); },
+        [](Asset& asset, double entered) { asset.threshold = entered; });
+    auto* sources =
+        section.addRow(tr("Source"), new QComboBox, tr("Whether the threshold is typed or derived from strength"));
+    setItems(*sources, {{kTyped, tr("Typed"), {}}, {kDerived, tr("Derived from strength"), {}}});
+    m_form.bind(
+        sources, tr("Set Threshold Source"), [](const Asset& asset) { return asset.contactTime ? kDerived : kTyped; },
+        [this](Asset& asset, Id source) {
+            if (asset.contactTime && source == kDerived) return;
+            asset.threshold = thresholdOf(m_document.project(), asset);  // keeps its value when it becomes typed
+            asset.contactTime.reset();
+            if (source == kDerived) asset.contactTime = kDefaultContactTime;
+        });
+    m_contactTime =
+        section.addRow(tr("Contact time"), new NumberField,
+                       tr("Duration of an impact: threshold = strength × smallest cross-section × contact time"));
+    m_contactTime->setFormat({tr("ms"), 3});
+    m_contactTime->setRange(fieldRange(ProjectNumber::ContactTime));
+    m_form.bind(
+        m_contactTime, tr("Set Contact Time"),
+        [](const Asset& asset) { return asset.contactTime.value_or(kDefaultContactTime); },
+        [](Asset& asset, double entered) { asset.contactTime = entered; });
+    m_derivation = new QLabel;
+    m_derivation->setObjectName("derivation");
+    m_derivation->setWordWrap(true);
+    section.addWide(m_derivation);
+}
+
+/// Shows the formula of a derived threshold, or lets the threshold be typed.
+void AssetPage::showThreshold(const Asset& asset) {
+    const Material& material = *findMaterial(m_document.project(), asset.material);
+    const bool isDerived = derivedThreshold(asset, material).has_value();
+    m_threshold->setEnabled(!isDerived);
+    m_asset->setRowVisible(m_contactTime, asset.contactTime.has_value());
+    m_derivation->setVisible(asset.contactTime.has_value());
+    if (!asset.contactTime) return;
+    const auto text = [&](QuantityKind kind, double value) {
+        return localizedQuantity(kind, value, m_units, locale());
+    };
+    if (!isDerived) {
+        return m_derivation->setText(
+            tr("Material \"%1\" has no strength, so the typed threshold is used. Enter its strength.")
+                .arg(textOf(material.name)));
+    }
+    m_derivation->setText(tr("%1 × %2 × %3 = %4")
+                              .arg(text(QuantityKind::Pressure, *material.tensileStrength),
+                                   text(QuantityKind::Area, minimumCrossSection(asset.prism)),
+                                   text(QuantityKind::Time, *asset.contactTime),
+                                   text(QuantityKind::Impulse, thresholdOf(asset, material))));
+}
+
+void AssetPage::setLibraryAction(QAction* action) { m_asset->addWide(actionButton(action)); }
+
+void AssetPage::buildShape(Section& section) {
+    m_summary = new QLabel;
+    m_summary->setWordWrap(true);
+    m_summary->setToolTip(tr("Outline, area, volume and mass of the unbroken asset"));
+    section.addWide(m_summary);
+    const QStringList names{tr("Width"), tr("Height"), tr("Depth")};
+    const QStringList hints{tr("Size of the outline along x"), tr("Size of the outline along y"),
+                            tr("Thickness of the prism along z")};
+    for (int axis = 0; axis < 3; ++axis) {
+        auto* field = section.addRow(names[axis], new NumberField, hints[axis]);
+        field->setRange(fieldRange(axis == 2 ? ProjectNumber::PrismDepth : ProjectNumber::OutlineSize));
+        m_form.bind(
+            field, tr("Resize"), [axis](const Asset& asset) { return sizeOf(asset)[axis]; },
+            [axis](Asset& asset, double entered) {
+                Vec3 size = sizeOf(asset);
+                size[axis] = entered;
+                asset = resized(std::move(asset), size);
+            });
+        m_size[static_cast<std::size_t>(axis)] = field;
+    }
+    m_outline = new OutlineEditor(m_document);
+    section.addWide(m_outline);
+    connect(m_outline, &OutlineEditor::refused, this, &AssetPage::refused);
+}
+
+QString AssetPage::summary(const Asset& asset) const {
+    const Polygon& outline = asset.prism.outline;
+    const auto text = [&](QuantityKind kind, double value) {
+        return localizedQuantity(kind, value, m_units, locale());
+    };
+    const double size = area(outline);
+    const Material* material = findMaterial(m_document.project(), asset.material);
+    const double mass = size * asset.prism.depth * (material ? material->density : 0.0);
+    QString kind = isRectangle(outline.outer) ? tr("Rectangle")
+                                              : tr("%Ln point(s)", nullptr, static_cast<int>(outline.outer.size()));
+    if (outline.outer.size() == 3) kind = tr("Triangle");
+    if (!outline.holes.empty()) kind += ", " + tr("%Ln hole(s)", nullptr, static_cast<int>(outline.holes.size()));
+    return tr("%1 · %2 · %3 · %4")
+        .arg(kind, text(QuantityKind::Area, size), text(QuantityKind::Volume, size * asset.prism.depth),
+             text(QuantityKind::Mass, mass));
+}
+
+void AssetPage::setUnits(const Units& units) {
+    m_units = units;
+    for (NumberField* field : m_size) field->setFormat(units.lengths());
+    m_outline->setUnits(units);
+    m_shaping->setUnits(units);
+    m_pattern->setUnits(units);
+}
+
+void AssetPage::refresh() {
+    std::vector<ComboItem> materials;
+    for (const Material& material : m_document.project().materials) {
+        materials.push_back({material.id, textOf(material.name), material.outside});
+    }
+    setItems(*m_material, materials);
+    std::vector<ComboItem> insides{{0, tr("Same as Asset"), {}}};
+    for (const Material& material : m_document.project().materials) {
+        insides.push_back({material.id, textOf(material.name), material.inside});
+    }
+    setItems(*m_inside, insides);
+    m_form.refresh();
+    const std::vector<Asset> assets = selected();
+    m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
+    if (!assets.empty()) showThreshold(assets.front());
+    m_outline->refresh(m_selection.asset());
+    m_shaping->refresh();
+    m_pattern->refresh(m_selection.asset(), m_selection.enteredFragment());
+}
+
+}  // namespace rubble

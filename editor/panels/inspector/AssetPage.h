@@ -1,0 +1,52 @@
+#pragma once
+
+#include "editor/document/Selection.h"
+#include "editor/panels/inspector/OutlineEditor.h"
+#include "editor/panels/inspector/PatternEditor.h"
+#include "editor/panels/inspector/ShapingSection.h"
+
+#include <array>
+
+namespace rubble {
+
+/// The inspector's page for the active asset: material and threshold, shape, fragments, pattern.
+class AssetPage : public QWidget {
+    Q_OBJECT
+public:
+    AssetPage(Document& document, const Selection& selection, QWidget* parent = nullptr);
+
+    void refresh();
+    /// Sets the action that opens the material library, shown as a button.
+    void setLibraryAction(QAction* action);
+    void setUnits(const Units& units);
+
+signals:
+    void refused(const QString& sentence);
+
+private:
+    std::vector<Asset> selected() const;
+    QString faultOf(const Asset& asset) const;
+    void buildAsset(Section& section);
+    void buildThreshold(Section& section);
+    void buildShape(Section& section);
+    void showThreshold(const Asset& asset);
+    QString summary(const Asset& asset) const;
+
+    Document& m_document;
+    const Selection& m_selection;
+    Units m_units;
+    Form<Asset> m_form;
+    QComboBox* m_material = nullptr;
+    QComboBox* m_inside = nullptr;
+    Section* m_asset = nullptr;
+    SliderField* m_threshold = nullptr;
+    NumberField* m_contactTime = nullptr;
+    QLabel* m_derivation = nullptr;  // formula of the derived threshold, or why there is none
+    QLabel* m_summary = nullptr;
+    std::array<NumberField*, 3> m_size{};
+    OutlineEditor* m_outline = nullptr;
+    ShapingSection* m_shaping = nullptr;
+    PatternEditor* m_pattern = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,89 @@
+#include "editor/panels/inspector/Inspector.h"
+
+#include "editor/panels/inspector/AssetPage.h"
+#include "editor/panels/inspector/InstancePage.h"
+#include "editor/panels/inspector/MaterialPage.h"
+#include "editor/panels/inspector/ScenePage.h"
+#include "editor/widgets/Section.h"
+
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_asset(new AssetPage(document, selection)),
+      m_material(new MaterialPage(document, selection)),
+      m_instance(new InstancePage(document, selection)),
+      m_scene(new ScenePage(document)),
+      m_pages(new QStackedWidget(this)) {
+    for (QWidget* page : {static_cast<QWidget*>(m_asset), static_cast<QWidget*>(m_material),
+                          static_cast<QWidget*>(m_instance), static_cast<QWidget*>(m_scene)}) {
+        m_pages->addWidget(verticalScrollArea(page));
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+    setUnits({});
+    connect(m_asset, &AssetPage::refused, this, &Inspector::refused);
+    connect(m_material, &MaterialPage::refused, this, &Inspector::refused);
+    connect(m_instance, &InstancePage::refused, this, &Inspector::refused);
+    connect(&document, &Document::changed, this, &Inspector::refresh);
+    connect(&selection, &Selection::subjectChanged, this, &Inspector::showPage);
+    connect(&selection, &Selection::assetChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::enteredFragmentChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::materialChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::instancesChanged, this, &Inspector::refresh);
+    showPage();
+}
+
+QStringList Inspector::collapsedSections() const {
+    QStringList names;
+    for (const Section* section : findChildren<Section*>()) {
+        if (section->isCollapsed()) names.append(section->objectName());
+    }
+    return names;
+}
+
+void Inspector::setCollapsedSections(const QStringList& names) {
+    for (Section* section : findChildren<Section*>()) section->setCollapsed(names.contains(section->objectName()));
+}
+
+QWidget& Inspector::page() { return *static_cast<QScrollArea*>(m_pages->currentWidget())->widget(); }
+
+void Inspector::showPage() {
+    switch (m_selection.subject()) {
+        case Part::Asset: m_pages->setCurrentIndex(0); break;
+        case Part::Material: m_pages->setCurrentIndex(1); break;
+        case Part::Instance: m_pages->setCurrentIndex(2); break;
+        default: m_pages->setCurrentIndex(3); break;
+    }
+    refresh();
+}
+
+/// Refreshes the visible page only; the others are refreshed when they are shown.
+void Inspector::refresh() {
+    switch (m_pages->currentIndex()) {
+        case 0: return m_asset->refresh();
+        case 1: return m_material->refresh();
+        case 2: return m_instance->refresh();
+        default: return m_scene->refresh();
+    }
+}
+
+void Inspector::setMaterialActions(const QList<QAction*>& actions) {
+    m_material->setActions(actions);
+    m_asset->setLibraryAction(actions.front());
+}
+
+void Inspector::setUnits(const Units& units) {
+    m_asset->setUnits(units);
+    m_instance->setUnits(units);
+    m_scene->setUnits(units);
+    refresh();
+}
+
+}  // namespace rubble

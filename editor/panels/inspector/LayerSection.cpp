@@ -1,0 +1,201 @@
+#include "editor/panels/inspector/LayerSection.h"
+
+#include "editor/widgets/LayerText.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kFractionStep = 0.05;
+
+/// The factor from SI units to the unit shown.
+double shownPer(const LayerParameter& parameter) {
+    return parameter.quantity == Quantity::Angle ? 180.0 / std::numbers::pi : 1.0;
+}
+
+FieldRange fieldRange(const LayerParameter& parameter) {
+    const ParameterRange& range = parameter.range;
+    const double factor = shownPer(parameter);
+    FieldRange field{.min = range.min, .max = range.max, .isMinExcluded = range.isMinExcluded};
+    if (factor != 1.0)
+        field = {.min = std::round(range.min * factor), .max = std::round(range.max * factor), .step = 1.0};
+    if (parameter.type == ParameterType::Whole) field = FieldRange::whole(range.min, range.max);
+    if (range.min == 0.0 && range.max == 1.0 && !field.isWhole) field.step = kFractionStep;
+    return field;
+}
+
+auto numberOf(const LayerParameter& parameter) {
+    return [&parameter, factor = shownPer(parameter)](const PatternLayer& layer) {
+        return std::get<double>(parameter.read(layer.parameters)) * factor;
+    };
+}
+
+auto settingNumber(const LayerParameter& parameter) {
+    return [&parameter, factor = shownPer(parameter)](PatternLayer& layer, double entered) {
+        const double value = std::clamp(entered / factor, parameter.range.min, parameter.range.max);
+        parameter.write(layer.parameters, value);
+    };
+}
+
+SeedCount countOf(const LayerParameter& parameter, const PatternLayer& layer) {
+    return std::get<SeedCount>(parameter.read(layer.parameters));
+}
+
+/// The same count expressed in another way, up to rounding.
+SeedCount converted(const SeedCount& count, CountBy by, double area) {
+    if (count.by == by) return count;
+    const double number = std::clamp(count.in(area), 1.0, static_cast<double>(kMaxSeeds));
+    switch (by) {
+        case CountBy::Number: break;
+        case CountBy::Density: return {by, number / area};
+        case CountBy::PieceSize: return {by, std::sqrt(area / number)};
+    }
+    return {by, number};
+}
+
+}  // namespace
+
+LayerSection::LayerSection(const PatternKind& kind, Document& document, const LayerForm::Selected& selected,
+                           const LayerForm::Push& push, QWidget* parent)
+    : Section(parent), m_kind(kind), m_form(document, selected, push) {
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    m_form.setFault(
+        [](const PatternLayer& layer) { return QString::fromStdString(verifyPattern(Pattern{{layer}}).value_or("")); });
+    for (const LayerParameter& parameter : kind.parameters) addParameter(parameter);
+}
+
+void LayerSection::addParameter(const LayerParameter& parameter) {
+    const QString step = tr("Set %1").arg(inTitleCase(patternText(parameter.caption)));
+    QWidget* row = nullptr;
+    switch (parameter.type) {
+        case ParameterType::Whole:
+        case ParameterType::Real: row = addNumber(parameter, step); break;
+        case ParameterType::Option: row = addOption(parameter, step); break;
+        case ParameterType::Point: return addPoint(parameter, step);
+        case ParameterType::Count: return addCount(parameter, step);
+    }
+    if (!parameter.isUsed) return;
+    m_rowUpdates.push_back(
+        [this, row, &parameter](const PatternLayer& layer) { setRowVisible(row, parameter.isUsed(layer.parameters)); });
+}
+
+template <class Control, class Read, class Write>
+void LayerSection::bindNumber(Control* control, Quantity quantity, const QString& step, Read read, Write write) {
+    m_form.bind(control, step, read, write);
+    if (quantity == Quantity::Angle) control->setFormat({QStringLiteral("°"), 0});
+    if (quantity == Quantity::Length) {
+        m_unitSetters.push_back([control](const Units& units) { control->setFormat(units.lengths()); });
+    }
+}
+
+QWidget* LayerSection::addNumber(const LayerParameter& parameter, const QString& step) {
+    const QString caption = patternText(parameter.caption), hint = patternText(parameter.hint);
+    const SliderRange& range = parameter.sliderRange;
+    const double factor = shownPer(parameter);
+    if (range.from == range.to) {
+        auto* field = addRow(caption, new NumberField, hint);
+        field->setRange(fieldRange(parameter));
+        bindNumber(field, parameter.quantity, step, numberOf(parameter), settingNumber(parameter));
+        return field;
+    }
+    const SliderScale scale = range.isLogarithmic ? SliderScale::Logarithmic : SliderScale::Linear;
+    auto* slider =
+        addRow(caption, new SliderField(fieldRange(parameter), range.from * factor, range.to * factor, scale), hint);
+    bindNumber(slider, parameter.quantity, step, numberOf(parameter), settingNumber(parameter));
+    return slider;
+}
+
+/// A box that selects how the count is expressed, and a row for each way, of which one is visible.
+void LayerSection::addCount(const LayerParameter& parameter, const QString& step) {
+    const QString caption = patternText(parameter.caption), hint = patternText(parameter.hint);
+    auto* by = addRow(tr("%1 by").arg(caption), new QComboBox,
+                      tr("How the number of seeds is given: directly, or by the area to fill"));
+    by->addItem(tr("Number"), static_cast<Id>(CountBy::Number));
+    by->addItem(tr("Seeds per m²"), static_cast<Id>(CountBy::Density));
+    by->addItem(tr("Fragment Size"), static_cast<Id>(CountBy::PieceSize));
+    m_form.bind(
+        by, step, [&parameter](const PatternLayer& layer) { return static_cast<Id>(countOf(parameter, layer).by); },
+        [this, &parameter](PatternLayer& layer, Id entered) {
+            const auto wanted = static_cast<CountBy>(entered);
+            parameter.write(layer.parameters, converted(countOf(parameter, layer), wanted, m_area));
+        });
+    const auto bound = [&](CountBy way, Quantity quantity, auto* control) {
+        bindNumber(
+            control, quantity, step,
+            [this, &parameter, way](const PatternLayer& layer) {
+                return converted(countOf(parameter, layer), way, m_area).amount;
+            },
+            [&parameter, way](PatternLayer& layer, double entered) {
+                parameter.write(layer.parameters, SeedCount(way, entered));
+            });
+        m_rowUpdates.push_back([this, control, way, &parameter](const PatternLayer& layer) {
+            setRowVisible(control, countOf(parameter, layer).by == way);
+        });
+    };
+    const FieldRange whole = FieldRange::whole(parameter.range.min, parameter.range.max);
+    const SliderRange& range = parameter.sliderRange;
+    if (range.from == range.to) {
+        auto* number = addRow(caption, new NumberField, hint);
+        number->setRange(whole);
+        bound(CountBy::Number, Quantity::Number, number);
+    } else {
+        bound(CountBy::Number, Quantity::Number,
+              addRow(caption, new SliderField(whole, range.from, range.to, SliderScale::Logarithmic), hint));
+    }
+    bound(CountBy::Density, Quantity::Number,
+          addRow(tr("Seeds per m²"), new SliderField(FieldRange::aboveZero(), 0.1, 10'000.0, SliderScale::Logarithmic),
+                 tr("Number of seeds per square metre of the outline")));
+    bound(CountBy::PieceSize, Quantity::Length,
+          addRow(tr("Fragment size"), new SliderField(FieldRange::aboveZero(), 0.005, 2.0, SliderScale::Logarithmic),
+                 tr("Side length of a square as large as the average fragment")));
+}
+
+QWidget* LayerSection::addOption(const LayerParameter& parameter, const QString& step) {
+    auto* box = addRow(patternText(parameter.caption), new QComboBox, patternText(parameter.hint));
+    for (std::size_t k = 0; k < parameter.options.size(); ++k) {
+        box->addItem(patternText(parameter.options[k].caption), static_cast<Id>(k));
+    }
+    m_form.bind(
+        box, step,
+        [&parameter](const PatternLayer& layer) {
+            return static_cast<Id>(std::get<double>(parameter.read(layer.parameters)));
+        },
+        [&parameter](PatternLayer& layer, Id entered) {
+            parameter.write(layer.parameters, static_cast<double>(entered));
+        });
+    return box;
+}
+
+void LayerSection::addPoint(const LayerParameter& parameter, const QString& step) {
+    const QStringList axes{tr("x"), tr("y")};
+    for (int axis = 0; axis < 2; ++axis) {
+        auto* field = addRow(tr("%1 %2").arg(patternText(parameter.caption), axes[axis]), new NumberField,
+                             patternText(parameter.hint));
+        m_form.bind(
+            field, step,
+            [&parameter, axis](const PatternLayer& layer) {
+                return std::get<Vec2>(parameter.read(layer.parameters))[axis];
+            },
+            [&parameter, axis](PatternLayer& layer, double entered) {
+                Vec2 point = std::get<Vec2>(parameter.read(layer.parameters));
+                point[axis] = entered;
+                parameter.write(layer.parameters, point);
+            });
+        m_unitSetters.push_back([field](const Units& units) { field->setFormat(units.lengths()); });
+    }
+}
+
+void LayerSection::setUnits(const Units& units) {
+    for (const auto& take : m_unitSetters) take(units);
+}
+
+void LayerSection::refresh(const PatternLayer& layer, double area) {
+    m_area = area;
+    for (const auto& show : m_rowUpdates) show(layer);
+    m_form.refresh();
+}
+
+}  // namespace rubble

@@ -1,0 +1,78 @@
+#include "editor/panels/inspector/PictureField.h"
+
+#include "editor/commands/GreyImageLoading.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kSide = 64;   // pixels, of the thumbnail
+constexpr int kSquare = 8;  // pixels, of the chequered background
+
+/// The picture at thumbnail size on a chequered background.
+QPixmap thumbnailOf(const GreyImage& image) {
+    const QImage picture = pictureOf(image).scaled(kSide, kSide, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPixmap pixmap(picture.size());
+    pixmap.fill(Qt::white);
+    QPainter painter(&pixmap);
+    for (int y = 0; y < picture.height(); y += kSquare) {
+        for (int x = (y / kSquare % 2) * kSquare; x < picture.width(); x += 2 * kSquare) {
+            painter.fillRect(x, y, kSquare, kSquare, QColor(0xd0, 0xd8, 0xe4));
+        }
+    }
+    painter.drawImage(0, 0, picture);
+    return pixmap;
+}
+
+}  // namespace
+
+PictureField::PictureField(QWidget* parent)
+    : QWidget(parent), m_thumbnail(new QLabel), m_text(new QLabel), m_open(new QPushButton(tr("Open Picture…"))) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* beside = new QVBoxLayout;
+    m_thumbnail->setFrameShape(QFrame::StyledPanel);
+    m_text->setWordWrap(true);
+    m_open->setAutoDefault(false);
+    m_open->setToolTip(tr("Load a picture into the project"));
+    m_open->setStatusTip(m_open->toolTip());
+    layout->addWidget(m_thumbnail);
+    layout->addLayout(beside, 1);
+    beside->addWidget(m_text);
+    beside->addWidget(m_open, 0, Qt::AlignLeft);
+    beside->addStretch();
+    connect(m_open, &QPushButton::clicked, this, &PictureField::openDialog);
+    setPicture(nullptr);
+}
+
+void PictureField::setPicture(const Picture& picture) {
+    m_picture = picture;
+    m_thumbnail->setVisible(picture != nullptr);
+    if (!picture) return m_text->setText(tr("No picture"));
+    m_thumbnail->setPixmap(thumbnailOf(*picture));
+    m_text->setText(tr("%1 × %2, %3 bits").arg(picture->width).arg(picture->height).arg(picture->bits));
+}
+
+void PictureField::load(const QString& path) {
+    Result<Picture> picture = loadGreyImage(path);
+    if (picture) {
+        emit picked(*picture);
+    } else {
+        emit refused(QString::fromStdString(picture.error().message));
+    }
+}
+
+void PictureField::openDialog() {
+    const QString filter = tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.bmp *.pgm)");
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open Density Picture"), {}, filter);
+    if (!path.isEmpty()) load(path);
+}
+
+}  // namespace rubble

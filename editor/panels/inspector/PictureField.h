@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/fracture/sampling/GreyImage.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace rubble {
+
+/// A thumbnail of a grey picture with a button that loads another one.
+class PictureField : public QWidget {
+    Q_OBJECT
+public:
+    using Picture = std::shared_ptr<const GreyImage>;
+
+    explicit PictureField(QWidget* parent = nullptr);
+    /// Null: no picture.
+    void setPicture(const Picture& picture);
+    /// Loads a file and emits `picked`, or `refused`.
+    void load(const QString& path);
+
+signals:
+    void picked(rubble::PictureField::Picture picture);
+    /// A file could not be loaded; the sentence says why.
+    void refused(const QString& sentence);
+
+private:
+    void openDialog();
+
+    Picture m_picture;
+    QLabel* m_thumbnail;
+    QLabel* m_text;
+    QPushButton* m_open;
+};
+
+}  // namespace rubble

@@ -1,0 +1,70 @@
+#include "editor/panels/models/MessagesModel.h"
+
+#include "editor/widgets/Icon.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+
+namespace {
+
+QIcon iconOf(Severity severity) {
+    switch (severity) {
+        case Severity::Note: return iconNamed("message-note");
+        case Severity::Warning: return iconNamed("message-warning");
+        case Severity::Error: return iconNamed("message-error");
+    }
+    return {};
+}
+
+}  // namespace
+
+MessagesModel::MessagesModel(const Messages& messages, const Document& document, QObject* parent)
+    : QAbstractTableModel(parent), m_messages(messages), m_document(document) {
+    connect(&messages, &Messages::changed, this, &MessagesModel::reset);
+    reset();
+}
+
+int MessagesModel::count(Severity severity) const {
+    return static_cast<int>(std::ranges::count(m_messages.list(), severity, &Message::severity));
+}
+
+int MessagesModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : m_rowCount; }
+
+int MessagesModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant MessagesModel::data(const QModelIndex& index, int role) const {
+    const Message& shown = message(index.row());
+    if (role == kSeverityRole) return static_cast<int>(shown.severity);
+    if (role == Qt::DecorationRole && index.column() == kText) return iconOf(shown.severity);
+    if (role == Qt::ToolTipRole) {
+        return !shown.hasPlace() ? shown.text : tr("%1\nDouble-click to show the location").arg(shown.text);
+    }
+    if (role != Qt::DisplayRole) return {};
+    switch (index.column()) {
+        case kTime: return QLocale().toString(shown.time.time(), QLocale::LongFormat).section(' ', 0, 0);
+        case kAsset: {
+            const Asset* asset = findAsset(m_document.project(), shown.asset);
+            return asset ? QString::fromStdString(asset->name) : QString();
+        }
+        case kText: return shown.text;
+        default: return {};
+    }
+}
+
+QVariant MessagesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    const std::array titles = {tr("Time"), tr("Asset"), tr("Message")};
+    return titles[static_cast<std::size_t>(section)];
+}
+
+void MessagesModel::reset() {
+    beginResetModel();
+    m_rowCount = static_cast<int>(m_messages.list().size());
+    endResetModel();
+}
+
+}  // namespace rubble

@@ -1,0 +1,34 @@
+#include "editor/view3d/ExplodeSlider.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kSteps = 200;
+constexpr double kMaxFactor = 2.0;
+constexpr int kMinWidth = 40;  // pixels
+
+}  // namespace
+
+ExplodeSlider::ExplodeSlider(QWidget* parent) : QWidget(parent) {
+    auto* label = new QLabel(tr("E&xploded:"));
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setRange(0, kSteps);
+    slider->setMinimumWidth(kMinWidth);
+    slider->setToolTip(tr("Move fragments apart"));
+    slider->setAccessibleName(tr("Exploded"));
+    slider->setObjectName("exploded");
+    label->setBuddy(slider);
+    connect(slider, &QSlider::valueChanged, this,
+            [this](int value) { emit factorChanged(kMaxFactor * value / kSteps); });
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 0, 2, 0);
+    row->addWidget(label);
+    row->addWidget(slider, 1);
+}
+
+}  // namespace rubble

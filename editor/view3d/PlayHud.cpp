@@ -1,0 +1,150 @@
+#include "editor/view3d/PlayHud.h"
+
+#include "viewport/scene/OverlayColours.h"
+#include "viewport/widget/OverlayPlate.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace rubble {
+
+namespace {
+
+const QColor kRunning(242, 140, 40);
+const QColor kWaiting(96, 140, 190);
+constexpr int kFrame = 3;  // this and the following: points
+constexpr int kMargin = 12;
+constexpr int kAxes = 92;    // width of the axes indicator in the corner
+constexpr int kScale = 105;  // width of the scale bar at the right
+constexpr int kChargeWidth = 220;
+constexpr int kHeatWidth = 120;
+constexpr int kChargeHeight = 12;
+
+}  // namespace
+
+void PlayHud::setContent(const Content& content) {
+    if (m_content == content) return;
+    m_content = content;
+    emit changed();
+}
+
+void PlayHud::setVisible(bool isVisible) {
+    m_isVisible = isVisible;
+    emit changed();
+}
+
+QString PlayHud::accessibleText() const {
+    return m_isVisible ? (QStringList(m_content.title) + m_content.statistics).join(", ") : QString();
+}
+
+void PlayHud::paint(QPainter& painter, QSize size) const {
+    if (!m_isVisible) return;
+    paintTrajectory(painter);
+    paintTexts(painter, size);
+    paintCharge(painter, size);
+    paintHeat(painter, size);
+    paintFrame(painter, size);
+}
+
+void PlayHud::paintFrame(QPainter& painter, QSize size) const {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(
+        QPen(m_content.isRunning ? kRunning : kWaiting, kFrame, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(
+        QRectF(QPointF(), QSizeF(size)).adjusted(kFrame / 2.0, kFrame / 2.0, -kFrame / 2.0, -kFrame / 2.0));
+}
+
+/// Dashes with a dark outline, visible on any background, and a ring at the hit.
+void PlayHud::paintTrajectory(QPainter& painter) const {
+    if (m_content.trajectory.size() < 2) return;
+    QPainterPath path(m_content.trajectory.front());
+    for (const QPointF& point : m_content.trajectory) path.lineTo(point);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 110), 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    painter.setPen(QPen(kRunning, 2, Qt::DashLine, Qt::FlatCap));
+    painter.drawPath(path);
+    if (!m_content.hasHit) return;
+    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 4), std::pair(kRunning, 2)}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawEllipse(m_content.trajectory.back(), 7, 7);
+    }
+}
+
+void PlayHud::paintTexts(QPainter& painter, QSize size) const {
+    const QFont font = painter.font();
+    QFont bold = font;
+    bold.setBold(true);
+    const QFontMetrics lines(font), title(bold);
+    int width = title.horizontalAdvance(m_content.title);
+    for (const QString& line : m_content.statistics) width = std::max(width, lines.horizontalAdvance(line));
+    const int height = title.height() + static_cast<int>(m_content.statistics.size()) * lines.height();
+    QRect text =
+        paintPlate(painter, QRect(kMargin, kMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4));
+    painter.setPen(kPlateText);
+    painter.setFont(bold);
+    painter.drawText(text, Qt::AlignTop, m_content.title);
+    painter.setFont(font);
+    painter.setPen(kPlateSecondaryText);
+    painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.statistics.join('\n'));
+    if (m_content.hint.isEmpty()) return;
+    const int maxWidth = size.width() - kAxes - kScale - kMargin - 2 * kPlatePadding;
+    const QRect bounds = lines.boundingRect(QRect(0, 0, maxWidth, 1000), Qt::TextWordWrap, m_content.hint);
+    text = paintPlate(painter, QRect(kAxes, size.height() - kMargin - bounds.height() - 2 * kPlatePadding + 4,
+                                     bounds.width() + 2 * kPlatePadding, bounds.height() + 2 * kPlatePadding - 4));
+    painter.setPen(kPlateSecondaryText);
+    painter.drawText(text, Qt::TextWordWrap, m_content.hint);
+}
+
+void PlayHud::paintCharge(QPainter& painter, QSize size) const {
+    if (!m_content.charge) return;
+    const QFontMetrics lines(painter.font());
+    const int height = kChargeHeight + lines.height() + 2 * kPlatePadding;
+    const QRect plate((size.width() - kChargeWidth) / 2 - kPlatePadding, static_cast<int>(0.72 * size.height()),
+                      kChargeWidth + 2 * kPlatePadding, height);
+    const QRect inside = paintPlate(painter, plate);
+    QRect bar(inside.left(), inside.top() + 2, inside.width(), kChargeHeight);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 50));
+    painter.drawRoundedRect(bar, 3, 3);
+    bar.setWidth(static_cast<int>(*m_content.charge * bar.width()));
+    painter.setBrush(kRunning);
+    painter.drawRoundedRect(bar, 3, 3);
+    painter.setPen(kPlateText);
+    painter.drawText(inside.adjusted(0, kChargeHeight + 2, 0, 0), Qt::AlignHCenter | Qt::AlignBottom,
+                     m_content.chargeText);
+}
+
+/// The legend of the heat colours in the upper right corner.
+void PlayHud::paintHeat(QPainter& painter, QSize size) const {
+    if (!m_content.hasHeat) return;
+    const QFontMetrics lines(painter.font());
+    const QString breaks = tr("breaks"),
+                  title = m_content.isForecast ? tr("forecast: impact ÷ threshold") : tr("impact ÷ threshold");
+    const int square = kChargeHeight;
+    const int width =
+        std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));
+    const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
+    const QRect inside = paintPlate(
+        painter, QRect(size.width() - kMargin - width - 2 * kPlatePadding, kMargin, width + 2 * kPlatePadding, height));
+    const auto colourOf = [](double value) {
+        const Colour colour = heatColour(value);
+        return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
+                                static_cast<float>(colour.blue));
+    };
+    painter.setPen(kPlateText);
+    painter.drawText(inside, Qt::AlignTop, title);
+    const int top = inside.top() + lines.height() + 2;
+    for (int x = 0; x < kHeatWidth; ++x) {
+        painter.fillRect(QRect(inside.left() + x, top, 1, square), colourOf(0.999 * x / (kHeatWidth - 1)));
+    }
+    const int signal = inside.left() + kHeatWidth + 4;
+    painter.fillRect(QRect(signal, top, square, square), colourOf(1.0));
+    painter.setPen(kPlateSecondaryText);
+    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignLeft, "0");
+    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignRight, "1");
+    painter.drawText(QRect(signal + square + 3, top + (square - lines.height()) / 2, 200, lines.height()),
+                     Qt::AlignLeft, breaks);
+}
+
+}  // namespace rubble

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "viewport/widget/ViewportOverlay.h"
+
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+namespace rubble {
+
+/// The head-up display of play over the 3D view: a coloured frame, statistics, and the charge and trajectory of a
+/// throw.
+class PlayHud : public OverlayItem {
+    Q_OBJECT
+public:
+    using OverlayItem::OverlayItem;
+
+    struct Content {
+        bool isRunning = false;  // colours the frame
+        QString title;           // "Playing"
+        QStringList statistics;
+        QString hint;
+        std::optional<double> charge;  // in (0, 1], of a throw being charged
+        QString chargeText;
+        bool hasHeat = false;     // shows the legend of the heat colours
+        bool isForecast = false;  // heat is the forecast of the aimed throw
+        std::vector<QPointF> trajectory;
+        bool hasHit = false;  // the trajectory ends at a hit
+        bool operator==(const Content&) const = default;
+    };
+    void setContent(const Content& content);
+    /// Nothing is painted while it is hidden, as at first.
+    void setVisible(bool isVisible);
+
+    void paint(QPainter& painter, QSize size) const override;
+    QString accessibleText() const override;
+
+private:
+    void paintFrame(QPainter& painter, QSize size) const;
+    void paintTrajectory(QPainter& painter) const;
+    void paintTexts(QPainter& painter, QSize size) const;
+    void paintCharge(QPainter& painter, QSize size) const;
+    void paintHeat(QPainter& painter, QSize size) const;
+
+    Content m_content;
+    bool m_isVisible = false;
+};
+
+}  // namespace rubble

@@ -1,0 +1,129 @@
+#include "editor/view3d/PlayView.h"
+
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QLocale>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMilliseconds = 16;  // between frames
+
+QString number(double value, int digits) { return QLocale().toString(value, 'f', digits); }
+
+/// 12 kJ.
+QString energyText(double joule) {
+    if (std::abs(joule) >= 1e6) return PlayView::tr("%1 MJ").arg(number(joule / 1e6, 2));
+    if (std::abs(joule) >= 1e3) return PlayView::tr("%1 kJ").arg(number(joule / 1e3, 1));
+    return PlayView::tr("%1 J").arg(number(joule, 1));
+}
+
+}  // namespace
+
+PlayView::PlayView(PlayController& controller, ViewportWidget& viewport)
+    : QObject(&viewport),
+      m_controller(controller),
+      m_viewport(viewport),
+      m_tool(controller, viewport),
+      m_hud(new PlayHud(&viewport)) {
+    m_timer.setInterval(kMilliseconds);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &PlayView::refresh);
+    connect(&controller, &PlayController::stateChanged, this, &PlayView::updateState);
+    connect(&controller, &PlayController::frameChanged, this, [this] {
+        if (!m_timer.isActive()) refresh();
+    });
+    connect(&viewport, &ViewportWidget::cameraChanged, this, [this] { m_hud->setContent(content()); });
+}
+
+void PlayView::updateState() {
+    m_hud->setVisible(m_controller.isInPlay());
+    if (m_controller.isInPlay()) {
+        m_timer.start();
+    } else {
+        m_timer.stop();
+        m_shown = nullptr;
+        m_viewport.setStepFraction(1.0);
+    }
+    refresh();
+}
+
+void PlayView::refresh() {
+    if (!m_controller.isInPlay()) return;
+    showFrame();
+    m_viewport.setStepFraction(m_controller.stepFraction());
+    if (m_tool.charge()) m_tool.updateAim();
+    countFrame();
+    m_hud->setContent(content());
+}
+
+void PlayView::showFrame() {
+    const std::optional<PlayFrame>& frame = m_controller.frame();
+    if (!frame || frame->scene.get() == m_shown) return;
+    m_shown = frame->scene.get();
+    m_viewport.setScene(frame->scene);
+}
+
+void PlayView::countFrame() {
+    ++m_counted;
+    const double passed = m_controller.thread().now() - m_countedSince;
+    if (passed < 0.5) return;
+    m_framesPerSecond = static_cast<int>(std::lround(m_counted / passed));
+    m_countedSince += passed;
+    m_counted = 0;
+}
+
+QStringList PlayView::statisticsLines() const {
+    const PlayFrame& frame = *m_controller.frame();
+    const PlayStatistics& statistics = frame.statistics;
+    QStringList lines;
+    const double dt = m_controller.thread().stepLength();
+    lines << tr("%1 s · step %L2").arg(number(static_cast<double>(frame.step) * dt, 2)).arg(frame.step);
+    lines << tr("%1 ms per step · %2 fps").arg(number(statistics.cost.total(), 2)).arg(m_framesPerSecond);
+    lines << tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep);
+    lines << tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints);
+    const std::vector<BreakRecord>& breaks = m_controller.breaks();
+    if (breaks.empty()) {
+        lines << tr("no breaks");
+    } else {
+        lines << tr("%Ln break(s), last swap %1 ms", nullptr, static_cast<int>(breaks.size()))
+                     .arg(number(breaks.back().milliseconds, 3));
+    }
+    lines << tr("energy %1").arg(energyText(statistics.energy));
+    return lines;
+}
+
+PlayHud::Content PlayView::content() const {
+    PlayHud::Content content{.isRunning = m_controller.isPlaying()};
+    switch (m_controller.state()) {
+        case PlayState::Stopped: return content;
+        case PlayState::Preparing: content.title = tr("Preparing…"); break;
+        case PlayState::Paused: content.title = tr("Paused"); break;
+        case PlayState::Playing: content.title = tr("Playing"); break;
+    }
+    if (m_controller.timeScale() != 1.0)
+        content.title += tr(" at %1×").arg(QLocale().toString(m_controller.timeScale()));
+    if (!m_controller.hasDestruction()) content.title += tr(" · destruction off");
+    content.hint =
+        tr("F: throw, hold to charge · H: hammer · X: explosion · Drag: grab · P: pause · .: step · R: reset · "
+           "Esc: stop");
+    const std::optional<PlayFrame>& frame = m_controller.frame();
+    if (!frame) return content;
+    content.statistics = statisticsLines();
+    content.hasHeat = m_controller.overlays().hasHeat;
+    content.isForecast = frame->trajectory.has_value();
+    content.charge = m_tool.charge();
+    if (content.charge) {
+        content.chargeText =
+            tr("%1 m/s").arg(number(*content.charge * m_controller.toolSettings().projectile.speed, 1));
+    }
+    if (!frame->trajectory) return content;
+    for (const Vec3& position : frame->trajectory->points) {
+        if (const std::optional<QPointF> point = m_viewport.pointOf(position)) content.trajectory.push_back(*point);
+    }
+    content.hasHit = frame->trajectory->hit.has_value();
+    return content;
+}
+
+}  // namespace rubble

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "editor/play/PlayController.h"
+#include "editor/view3d/PlayHud.h"
+#include "editor/view3d/tools/PlayTool.h"
+
+#include <QTimer>
+
+namespace rubble {
+
+class ViewportWidget;
+
+/// Shows a session in a 3D view: its frames, interpolated, with a head-up display.
+class PlayView : public QObject {
+    Q_OBJECT
+public:
+    PlayView(PlayController& controller, ViewportWidget& viewport);
+
+    /// Draws the current frame; called automatically about sixty times a second.
+    void refresh();
+
+    PlayTool& tool() { return m_tool; }
+    PlayHud& hud() { return *m_hud; }
+
+private:
+    void updateState();
+    void showFrame();
+    PlayHud::Content content() const;
+    QStringList statisticsLines() const;
+    void countFrame();
+
+    PlayController& m_controller;
+    ViewportWidget& m_viewport;
+    PlayTool m_tool;
+    PlayHud* m_hud;
+    QTimer m_timer;
+    const RenderScene* m_shown = nullptr;
+    double m_countedSince = 0.0;  // s
+    int m_counted = 0;            // frames since
+    int m_framesPerSecond = 0;
+};
+
+}  // namespace rubble

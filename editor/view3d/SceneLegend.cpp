@@ -1,0 +1,107 @@
+#include "editor/view3d/SceneLegend.h"
+
+#include "core/asset/project/FragmentColours.h"
+#include "editor/widgets/LocalizedQuantity.h"
+#include "viewport/widget/OverlayPlate.h"
+
+#include <QLocale>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMargin = 12;  // this and the following: points
+constexpr int kScaleWidth = 150;
+constexpr int kScaleHeight = 11;
+constexpr int kSample = 18;
+constexpr int kBetween = 6;
+const QColor kBondColour(250, 140, 26);
+
+QString titleOf(SceneColouring colouring) {
+    switch (colouring) {
+        case SceneColouring::Level: return SceneLegend::tr("Level");
+        case SceneColouring::Volume: return SceneLegend::tr("Fragment volume");
+        case SceneColouring::Mass: return SceneLegend::tr("Fragment mass");
+        case SceneColouring::Aspect: return SceneLegend::tr("Length : width");
+        case SceneColouring::Threshold: return SceneLegend::tr("Breaks off at");
+        case SceneColouring::Material:
+        case SceneColouring::Piece: break;
+    }
+    return {};
+}
+
+QString valueText(SceneColouring colouring, double value) {
+    switch (colouring) {
+        case SceneColouring::Volume: return localizedQuantity(QuantityKind::Volume, value);
+        case SceneColouring::Mass: return localizedQuantity(QuantityKind::Mass, value);
+        case SceneColouring::Aspect: return QLocale().toString(value, 'f', 1);
+        case SceneColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, value);
+        default: return QLocale().toString(value, 'f', 0);
+    }
+}
+
+}  // namespace
+
+void SceneLegend::setContent(const Content& content) {
+    if (content == m_content) return;
+    m_content = content;
+    emit changed();
+}
+
+QStringList SceneLegend::texts() const {
+    QStringList texts;
+    if (m_content.range) {
+        const auto& [least, most] = *m_content.range;
+        texts = {titleOf(m_content.colouring), valueText(m_content.colouring, least)};
+        if (most > least) texts.append(valueText(m_content.colouring, most));
+    }
+    if (m_content.largestBondArea > 0.0)
+        texts.append(tr("Contact area %1").arg(localizedQuantity(QuantityKind::Area, m_content.largestBondArea)));
+    return texts;
+}
+
+QSize SceneLegend::plateSize(const QFontMetrics& lines) const {
+    int width = m_content.range ? kScaleWidth : 0, height = 2 * kPlatePadding - 4;
+    for (const QString& text : texts()) width = std::max(width, lines.horizontalAdvance(text));
+    if (m_content.range) height += 2 * lines.height() + kScaleHeight + 2;
+    if (m_content.largestBondArea > 0.0) {
+        width = std::max(width, kSample + kBetween + lines.horizontalAdvance(texts().back()));
+        height += lines.height() + (m_content.range ? kBetween : 0);
+    }
+    return {width + 2 * kPlatePadding, height};
+}
+
+/// In the upper right corner.
+void SceneLegend::paint(QPainter& painter, QSize size) const {
+    if (texts().isEmpty()) return;
+    const QSize plate = plateSize(painter.fontMetrics());
+    QRect inside = paintPlate(painter, QRect(QPoint(size.width() - plate.width() - kMargin, kMargin), plate));
+    const QStringList labels = texts();
+    const int line = painter.fontMetrics().height();
+    painter.setPen(kPlateText);
+    if (m_content.range) {
+        painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft, labels[0]);
+        const QRect bar(inside.left(), inside.top() + line + 1, inside.width(), kScaleHeight);
+        const bool isOne = m_content.range->most <= m_content.range->least;
+        for (int x = 0; x < bar.width(); ++x) {
+            const double fraction = isOne ? 0.5 : static_cast<double>(x) / (bar.width() - 1);
+            painter.fillRect(QRect(bar.left() + x, bar.top(), 1, bar.height()), QColor(packed(rampColour(fraction))));
+        }
+        const QRect ends(bar.left(), bar.bottom() + 2, bar.width(), line);
+        painter.setPen(kPlateSecondaryText);
+        if (isOne) painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop, tr("all: %1").arg(labels[1]));
+        if (!isOne) painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, labels[1]);
+        if (!isOne) painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, labels[2]);
+        inside.setTop(ends.bottom() + kBetween);
+    }
+    if (m_content.largestBondArea <= 0.0) return;
+    painter.setPen(QPen(kBondColour, 7.0, Qt::SolidLine, Qt::RoundCap));
+    const int middle = inside.top() + line / 2;
+    painter.drawLine(inside.left() + 4, middle, inside.left() + kSample - 4, middle);
+    painter.setPen(kPlateSecondaryText);
+    painter.drawText(inside.adjusted(kSample + kBetween, 0, 0, 0), Qt::AlignTop | Qt::AlignLeft, labels.back());
+}
+
+}  // namespace rubble

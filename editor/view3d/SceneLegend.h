@@ -1,0 +1,37 @@
+#pragma once
+
+#include "viewport/scene/SceneBuilder.h"
+#include "viewport/widget/ViewportOverlay.h"
+
+#include <QStringList>
+
+#include <optional>
+
+namespace rubble {
+
+/// The legend of fragment colours and bond lines in a corner of the 3D view.
+class SceneLegend : public OverlayItem {
+    Q_OBJECT
+public:
+    using OverlayItem::OverlayItem;
+
+    struct Content {
+        SceneColouring colouring = SceneColouring::Material;
+        std::optional<ValueRange> range;  // none: colours show no quantity
+        double largestBondArea = 0.0;     // m^2; 0: there are no lines
+        bool operator==(const Content&) const = default;
+    };
+    void setContent(const Content& content);
+    /// Its texts: the title, the values at both ends, and the area of the widest bond line.
+    QStringList texts() const;
+
+    void paint(QPainter& painter, QSize size) const override;
+    QString accessibleText() const override { return texts().join(", "); }
+
+private:
+    QSize plateSize(const QFontMetrics& lines) const;
+
+    Content m_content;
+};
+
+}  // namespace rubble

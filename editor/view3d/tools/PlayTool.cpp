@@ -1,0 +1,167 @@
+#include "editor/view3d/tools/PlayTool.h"
+
+#include "editor/play/PlayController.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QApplication>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMinCharge = 0.2;
+constexpr double kSecondsToFull = 1.0;
+
+bool isPlain(Qt::KeyboardModifiers modifiers) {
+    return !modifiers.testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier | Qt::MetaModifier);
+}
+
+}  // namespace
+
+PlayTool::PlayTool(PlayController& controller, ViewportWidget& viewport)
+    : m_controller(controller), m_viewport(viewport) {
+    connect(&viewport, &ViewportWidget::cameraChanged, this, &PlayTool::updateAim);
+    connect(&controller, &PlayController::toolSettingsChanged, this, &PlayTool::updateAim);
+    connect(&controller, &PlayController::stateChanged, this, [this] {
+        if (!m_controller.isInPlay()) {
+            m_chargingSince.reset();
+            m_pressedAt.reset();
+            m_isGrabbing = false;
+        }
+        updateAim();
+    });
+}
+
+std::optional<double> PlayTool::charge() const {
+    if (!m_chargingSince) return std::nullopt;
+    const double held = m_controller.thread().now() - *m_chargingSince;
+    return std::clamp(kMinCharge + (1.0 - kMinCharge) * held / kSecondsToFull, kMinCharge, 1.0);
+}
+
+Ray PlayTool::ray() const { return m_viewport.rayAt(m_pointer); }
+
+void PlayTool::updateAim() {
+    if (!m_controller.isInPlay()) return;
+    const bool isAiming = m_isPointing && !m_isGrabbing;
+    m_controller.aim(isAiming ? std::optional(ray()) : std::nullopt, charge().value_or(1.0));
+}
+
+void PlayTool::enter(QPointF position) {
+    if (!m_controller.isInPlay()) return;
+    m_pointer = position;
+    m_isPointing = true;
+    m_viewport.setFocus();  // for its keys
+    updateAim();
+}
+
+void PlayTool::leave() {
+    if (!m_controller.isInPlay()) return;
+    m_isPointing = false;
+    updateAim();
+}
+
+void PlayTool::focusLost() {
+    if (m_controller.isInPlay()) m_chargingSince.reset();
+}
+
+bool PlayTool::overridesShortcut(const QKeyEvent& event) const {
+    if (!m_controller.isInPlay() || !isPlain(event.modifiers())) return false;
+    switch (event.key()) {
+        case Qt::Key_F:
+        case Qt::Key_H:
+        case Qt::Key_X:
+        case Qt::Key_P:
+        case Qt::Key_Period:
+        case Qt::Key_R:
+        case Qt::Key_Escape: return true;
+        default: return false;
+    }
+}
+
+/// All keys but stepping act once when held.
+bool PlayTool::keyPress(const QKeyEvent& event) {
+    if (!overridesShortcut(event)) return false;
+    if (event.key() == Qt::Key_Period) m_controller.stepOnce();
+    if (event.isAutoRepeat()) return true;
+    switch (event.key()) {
+        case Qt::Key_F:
+            if (m_isPointing) m_chargingSince = m_controller.thread().now();
+            break;
+        case Qt::Key_H:
+            if (m_isPointing) m_controller.hammerAlong(ray());
+            break;
+        case Qt::Key_X:
+            if (m_isPointing) m_controller.explosionAlong(ray());
+            break;
+        case Qt::Key_P: m_controller.isPlaying() ? m_controller.pause() : m_controller.play(); break;
+        case Qt::Key_R: m_controller.reset(); break;
+        case Qt::Key_Escape:
+            if (!cancel()) m_controller.stop();
+            break;
+        default: break;
+    }
+    return true;
+}
+
+bool PlayTool::keyRelease(const QKeyEvent& event) {
+    if (!m_controller.isInPlay() || event.key() != Qt::Key_F || event.isAutoRepeat()) return false;
+    throwCharged();
+    return true;
+}
+
+bool PlayTool::cancel() {
+    if (!m_chargingSince) return false;
+    m_chargingSince.reset();
+    updateAim();
+    return true;
+}
+
+void PlayTool::throwCharged() {
+    const std::optional<double> charged = charge();
+    m_chargingSince.reset();
+    if (!charged || !m_isPointing) return;
+    m_controller.throwAlong(ray(), *charged);
+    if (!m_controller.isPlaying()) m_controller.play();
+    updateAim();
+}
+
+/// Not consumed: it may become a click.
+bool PlayTool::press(const QMouseEvent& event) {
+    const bool isGrab = event.button() == Qt::LeftButton && isPlain(event.modifiers());
+    if (m_controller.isInPlay() && isGrab) m_pressedAt = event.position();
+    return false;
+}
+
+bool PlayTool::move(const QMouseEvent& event) {
+    if (!m_controller.isInPlay()) return false;
+    m_pointer = event.position();
+    m_isPointing = true;
+    if (m_pressedAt) {
+        const QPoint displacement = (event.position() - *m_pressedAt).toPoint();
+        if (displacement.manhattanLength() < QApplication::startDragDistance()) return false;
+        m_controller.grabAlong(m_viewport.rayAt(*m_pressedAt));
+        m_pressedAt.reset();
+        m_isGrabbing = true;
+        updateAim();
+    }
+    if (m_isGrabbing) {
+        m_controller.dragAlong(ray());
+        return true;
+    }
+    updateAim();
+    return false;
+}
+
+bool PlayTool::release(const QMouseEvent& event) {
+    if (!m_controller.isInPlay() || event.button() != Qt::LeftButton) return false;
+    m_pressedAt.reset();
+    if (!m_isGrabbing) return false;
+    m_isGrabbing = false;
+    m_controller.release();
+    updateAim();
+    return true;
+}
+
+}  // namespace rubble

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/geometry/hull/Ray.h"
+#include "viewport/widget/ViewportTool.h"
+
+#include <QPointF>
+
+#include <optional>
+
+namespace rubble {
+
+class PlayController;
+class ViewportWidget;
+
+/// The tool of play: F throws at the pointer, harder if it is held; H hits with a hammer, X sets off an explosion,
+/// dragging with the left button grabs a body; P, . and R pause, step and reset; Escape stops. Inactive unless the
+/// controller is in play.
+class PlayTool : public ViewportTool {
+    Q_OBJECT
+public:
+    PlayTool(PlayController& controller, ViewportWidget& viewport);
+
+    /// Of a throw being charged, in (0, 1].
+    std::optional<double> charge() const;
+    /// Updates the aimed throw to the view and the charge.
+    void updateAim();
+
+    bool press(const QMouseEvent& event) override;
+    bool doubleClick(const QMouseEvent& /*event*/) override { return false; }
+    bool move(const QMouseEvent& event) override;
+    bool release(const QMouseEvent& event) override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool keyRelease(const QKeyEvent& event) override;
+    bool overridesShortcut(const QKeyEvent& event) const override;
+    void enter(QPointF position) override;
+    void leave() override;
+    void focusLost() override;
+    /// Cancels the charging of a throw.
+    bool cancel() override;
+    void paint(QPainter& /*painter*/, QSize /*size*/) const override {}  // see PlayHud
+
+private:
+    void throwCharged();
+    Ray ray() const;
+
+    PlayController& m_controller;
+    ViewportWidget& m_viewport;
+    QPointF m_pointer;
+    bool m_isPointing = false;              // the pointer is in the view
+    std::optional<double> m_chargingSince;  // clock time, s
+    std::optional<QPointF> m_pressedAt;     // by the left button, until it is released or starts to grab
+    bool m_isGrabbing = false;
+};
+
+}  // namespace rubble

@@ -1,0 +1,106 @@
+#include "editor/views/DockLayout.h"
+
+#include "editor/widgets/Icon.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QSettings>
+
+#include <span>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kStateKey = "window/state";
+constexpr int kStateVersion = 4;    // to be increased when docks are added, removed or renamed
+constexpr int kProjectWidth = 240;  // pixels in the default layout, as the next two
+constexpr int kInspectorWidth = 320;
+constexpr int kFragmentsHeight = 240;
+
+struct DockPlace {
+    const char* name;  // object name and icon name
+    Qt::DockWidgetArea area;
+};
+
+/// Indexed by DockId. Docks of an area lie in this order before they are tabbed.
+constexpr DockPlace kPlaces[kDockCount] = {
+    {"dock-project", Qt::LeftDockWidgetArea},     {"dock-history", Qt::LeftDockWidgetArea},
+    {"dock-inspector", Qt::RightDockWidgetArea},  {"dock-strength", Qt::RightDockWidgetArea},
+    {"dock-play-tools", Qt::RightDockWidgetArea}, {"dock-fragments", Qt::BottomDockWidgetArea},
+    {"dock-problems", Qt::BottomDockWidgetArea},  {"dock-messages", Qt::BottomDockWidgetArea},
+    {"dock-play", Qt::BottomDockWidgetArea},      {"dock-tests", Qt::BottomDockWidgetArea}};
+
+/// Docks behind one another in the default layout; the first one is in front.
+constexpr DockId kRightTabs[] = {DockId::Inspector, DockId::Strength, DockId::PlayTools};
+constexpr DockId kBottomTabs[] = {DockId::Fragments, DockId::Problems, DockId::Messages, DockId::Play, DockId::Tests};
+
+}  // namespace
+
+DockLayout::DockLayout(QMainWindow& window) : m_window(window) {}
+
+QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) {
+    const auto index = static_cast<std::size_t>(id);
+    auto* dock = new QDockWidget(title, &m_window);
+    dock->setObjectName(kPlaces[index].name);
+    dock->setWidget(content);
+    m_window.addDockWidget(kPlaces[index].area, dock);
+    m_docks[index] = dock;
+    addAction(*dock);
+    return *dock;
+}
+
+/// The action raises a dock that is hidden behind another one; it hides only a dock that is in front.
+void DockLayout::addAction(QDockWidget& dock) {
+    auto* action = new QAction(iconNamed(dock.objectName()), dock.windowTitle(), this);
+    action->setStatusTip(tr("Show or hide the %1 dock").arg(dock.windowTitle()));
+    action->setCheckable(true);
+    connect(&dock, &QDockWidget::visibilityChanged, action, [action, &dock] { action->setChecked(!dock.isHidden()); });
+    connect(action, &QAction::triggered, this, [action, &dock] {
+        const bool isInFront = dock.isVisible() && !dock.visibleRegion().isEmpty();
+        dock.setVisible(!isInFront);
+        if (!isInFront) dock.raise();
+        action->setChecked(!isInFront);
+    });
+    m_actions.append(action);
+}
+
+void DockLayout::reset() {
+    for (std::size_t index = 0; index < kDockCount; ++index) {
+        m_docks[index]->setFloating(false);
+        m_window.addDockWidget(kPlaces[index].area, m_docks[index]);
+        m_docks[index]->show();
+    }
+    m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    const auto tabify = [this](std::span<const DockId> tabs) {
+        for (std::size_t k = 1; k < tabs.size(); ++k) m_window.tabifyDockWidget(&dock(tabs[k - 1]), &dock(tabs[k]));
+        dock(tabs.front()).raise();
+    };
+    tabify(kBottomTabs);
+    tabify(kRightTabs);
+    QDockWidget *project = &dock(DockId::Project), *inspector = &dock(DockId::Inspector);
+    m_window.resizeDocks({project, inspector}, {kProjectWidth, kInspectorWidth}, Qt::Horizontal);
+    m_window.resizeDocks({project, &dock(DockId::History)}, {3, 1}, Qt::Vertical);
+    m_window.resizeDocks({&dock(DockId::Fragments)}, {kFragmentsHeight}, Qt::Vertical);
+}
+
+void DockLayout::hideAll() {
+    for (QDockWidget* dock : m_docks) dock->hide();
+}
+
+void DockLayout::toggle() {
+    QList<QDockWidget*> visible;
+    for (QDockWidget* dock : m_docks) {
+        if (!dock->isHidden()) visible.append(dock);
+    }
+    for (QDockWidget* dock : visible.isEmpty() ? m_toggled : visible) dock->setHidden(!visible.isEmpty());
+    m_toggled = visible;
+}
+
+void DockLayout::save() const { QSettings().setValue(kStateKey, m_window.saveState(kStateVersion)); }
+
+bool DockLayout::restore() { return m_window.restoreState(QSettings().value(kStateKey).toByteArray(), kStateVersion); }
+
+}  // namespace rubble

@@ -1,0 +1,286 @@
+#include "editor/views/Views.h"
+
+#include "editor/background/OverlapWatch.h"
+#include "editor/canvas/tools/OutlineTool.h"
+#include "editor/canvas/widget/PatternCanvas.h"
+#include "editor/commands/InstanceEdits.h"
+#include "editor/document/FragmentVisibility.h"
+#include "editor/panels/docks/FragmentTable.h"
+#include "editor/panels/docks/HistoryPanel.h"
+#include "editor/panels/docks/MessagesPanel.h"
+#include "editor/panels/docks/PlayPanel.h"
+#include "editor/panels/docks/PlayTestPanel.h"
+#include "editor/panels/docks/PlayToolsPanel.h"
+#include "editor/panels/docks/ProblemPanel.h"
+#include "editor/panels/docks/ProjectTree.h"
+#include "editor/panels/docks/StrengthPanel.h"
+#include "editor/panels/inspector/Inspector.h"
+#include "editor/view3d/SceneView.h"
+#include "editor/view3d/tools/PlacementTool.h"
+#include "editor/view3d/tools/SurfaceMeasureTool.h"
+#include "editor/view3d/tools/TransformTool.h"
+#include "editor/workspace/Workspace.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+#include <QSplitter>
+
+#include <initializer_list>
+#include <set>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kCollapsedKey = "window/folded";  // sections of the inspector
+constexpr double kBreakMargin = 1.5;                    // m shown around a break in each direction
+
+}  // namespace
+
+Views::Views(Workspace& workspace, QMainWindow& window)
+    : QObject(&window),
+      m_workspace(workspace),
+      m_window(window),
+      m_docks(window),
+      m_panes(new QSplitter(&window)),
+      m_canvas(new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes())),
+      m_scene(new SceneView(workspace)),
+      m_fragmentMenu(new QMenu(&window)) {
+    m_panes->addWidget(m_canvas);
+    m_panes->addWidget(m_scene);
+    m_panes->setStretchFactor(0, 1);
+    m_panes->setStretchFactor(1, 1);
+    m_panes->setChildrenCollapsible(false);
+    addDocks();
+    connectViews();
+    new OverlapWatch(workspace.document(), m_messages, this);
+    m_docks.reset();
+    m_docks.hideAll();
+}
+
+QWidget& Views::panes() { return *m_panes; }
+
+void Views::connectViews() {
+    connect(m_canvas, &PatternCanvas::statusMessage, this, &Views::statusMessage);
+    connect(m_canvas, &PatternCanvas::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->transformTool(), &TransformTool::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->measureTool(), &SurfaceMeasureTool::hintChanged, this, &Views::hintChanged);
+    connect(&m_scene->placementTool(), &PlacementTool::statusMessage, this, &Views::statusMessage);
+    connect(&m_scene->placementTool(), &PlacementTool::hintChanged, this, &Views::hintChanged);
+    connect(m_canvas, &PatternCanvas::pointerMoved, this, [this](double x, double y) {
+        const QLocale locale;
+        emit positionChanged(tr("%1, %2 m").arg(locale.toString(x, 'f', 3), locale.toString(y, 'f', 3)));
+    });
+    connect(m_canvas, &PatternCanvas::pointerLeft, this, [this] { emit positionChanged({}); });
+    connect(&m_workspace.bakes(), &Bakes::changed, this, &Views::updateBakeMessages);
+    connect(&m_workspace.play(), &PlayController::stateChanged, this, &Views::updatePlayState);
+}
+
+void Views::addDocks() {
+    Document& document = m_workspace.document();
+    Selection& selection = m_workspace.selection();
+    m_tree = new ProjectTree(document, selection);
+    m_inspector = new Inspector(document, selection);
+    m_fragments = new FragmentTable(document, selection, m_workspace.bakes());
+    auto* messages = new MessagesPanel(m_messages, document);
+    auto* play = new PlayPanel(m_workspace.play());
+    m_playTools = new PlayToolsPanel(document, m_workspace.play());
+    auto* tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
+    auto* strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
+    connect(m_tree, &ProjectTree::refused, this, &Views::statusMessage);
+    connect(m_inspector, &Inspector::refused, this, &Views::statusMessage);
+    connect(m_playTools, &PlayToolsPanel::refused, this, &Views::statusMessage);
+    connect(tests, &PlayTestPanel::refused, this, &Views::statusMessage);
+    connect(strength, &StrengthPanel::refused, this, &Views::statusMessage);
+    connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
+    connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
+    connect(play, &PlayPanel::jumpRequested, this, [this](const Vec3& place) {
+        m_scene->viewport().frame({place - Vec3(kBreakMargin), place + Vec3(kBreakMargin)});
+        m_scene->viewport().setFocus();
+    });
+    m_docks.add(DockId::Project, tr("Project"), m_tree);
+    m_docks.add(DockId::Inspector, tr("Inspector"), m_inspector);
+    m_docks.add(DockId::Fragments, tr("Fragments"), m_fragments);
+    m_docks.add(DockId::Messages, tr("Messages"), messages);
+    m_docks.add(DockId::History, tr("History"), new HistoryPanel(document.undoStack()));
+    m_docks.add(DockId::Play, tr("Play"), play);
+    m_docks.add(DockId::PlayTools, tr("Play Tools"), m_playTools);
+    m_docks.add(DockId::Tests, tr("Tests"), tests);
+    m_docks.add(DockId::Strength, tr("Strength"), strength);
+    addProblemDock();
+}
+
+/// The dock's title includes the count, so that problems are noticed while another dock is in front.
+void Views::addProblemDock() {
+    m_problems = new ProblemPanel(m_workspace.document(), m_workspace.selection(), m_workspace.problems());
+    m_fragments->setProblems(m_workspace.problems());
+    QDockWidget* dock = &m_docks.add(DockId::Problems, tr("Problems"), m_problems);
+    connect(m_problems, &ProblemPanel::countChanged, dock,
+            [dock](int count) { dock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%L1)").arg(count)); });
+    connect(m_problems, &ProblemPanel::statusMessage, this, &Views::statusMessage);
+    connect(m_problems, &ProblemPanel::jumpRequested, this, qOverload<const Diagnostic&>(&Views::reveal));
+}
+
+void Views::updateBakeMessages(Id asset) {
+    const auto baked = m_workspace.bakes().find(asset);
+    std::vector<Message> messages;
+    if (baked && baked->bake) messages = messagesOf(*baked->bake);
+    if (baked && baked->fault) {
+        const QString text = QString::fromStdString(baked->fault->message);
+        messages = {{.severity = Severity::Error, .text = text, .asset = asset}};
+    }
+    m_messages.setOfBake(asset, std::move(messages));
+}
+
+void Views::showProject() {
+    if (m_isProjectShown) return;
+    m_isProjectShown = true;
+    m_inspector->setCollapsedSections(QSettings().value(kCollapsedKey).toStringList());
+    emit projectShown();
+    if (!m_docks.restore()) resetLayout();
+    frameAsset();
+}
+
+void Views::saveLayout() const {
+    m_docks.save();
+    QSettings().setValue(kCollapsedKey, m_inspector->collapsedSections());
+}
+
+void Views::resetLayout() {
+    m_docks.reset();
+    m_inspector->setCollapsedSections({});
+    setCanvasVisible(true);
+    setSceneVisible(true);
+    m_panes->setSizes({1, 1});
+}
+
+/// While the simulation runs, the 3D view has the middle for itself and the Play dock is in front.
+void Views::updatePlayState() {
+    const bool isPlaying = m_workspace.play().isInPlay();
+    if (isPlaying == m_isPlaying) return;
+    m_isPlaying = isPlaying;
+    QDockWidget &fragments = m_docks.dock(DockId::Fragments), &play = m_docks.dock(DockId::Play);
+    if (isPlaying) {
+        m_wasCanvasVisible = !m_canvas->isHidden();
+        m_canvas->hide();
+        if (!play.isHidden()) play.raise();
+        emit hintChanged({});  // the 3D view shows the keys itself
+    } else {
+        m_canvas->setHidden(!m_wasCanvasVisible);
+        emit hintChanged(m_canvas->hint());
+        if (!fragments.isHidden()) fragments.raise();
+    }
+}
+
+void Views::setCanvasVisible(bool isVisible) { m_canvas->setVisible(isVisible); }
+
+void Views::setSceneVisible(bool isVisible) { m_scene->setVisible(isVisible); }
+
+void Views::frameAsset() {
+    m_canvas->fit();
+    m_scene->frameAll();
+}
+
+void Views::drawNewOutline() {
+    m_canvas->show();
+    m_canvas->setFocus();
+    m_canvas->setTool(CanvasToolKind::Outline);
+    m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
+}
+
+void Views::applyPreferences(const Preferences& preferences) {
+    const Units units{preferences.unit};
+    m_tree->setUnits(units);
+    m_inspector->setUnits(units);
+    m_fragments->setUnits(units);
+    m_problems->setUnits(units);
+    m_playTools->setUnits(units);
+}
+
+void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
+
+/// The canvas enters fragments under the pointer and selects by its tool; the table hides and shows its own rows.
+void Views::setFragmentActions(const FragmentActionGroups& groups) {
+    const auto addGroups = [](QMenu& menu, std::initializer_list<QList<QAction*>> actions) {
+        for (const QList<QAction*>& group : actions) {
+            menu.addSeparator();
+            menu.addActions(group);
+        }
+    };
+    auto* selectMenu = new QMenu(tr("Sele&ct"), m_fragmentMenu);
+    selectMenu->addActions(groups.selection);
+    m_fragmentMenu->setToolTipsVisible(true);
+    addGroups(*m_fragmentMenu, {groups.navigation, groups.editing, {selectMenu->menuAction()}, groups.visibility});
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    m_canvas->setFragmentActions(groups.editing + QList{separator} + groups.visibility);
+    m_fragments->setFragmentActions(groups.navigation + groups.editing + QList{selectMenu->menuAction()});
+}
+
+void Views::limitShortcutToViews(QAction& action) {
+    action.setShortcutContext(Qt::WidgetShortcut);
+    m_canvas->addAction(&action);
+    m_scene->viewport().addAction(&action);
+}
+
+void Views::setAddActions(const QList<QAction*>& actions) { m_tree->setAddActions(actions); }
+
+void Views::setMaterialActions(const QList<QAction*>& actions) {
+    m_tree->setMaterialActions(actions);
+    m_inspector->setMaterialActions(actions);
+}
+
+/// Selects and frames what a message is about.
+void Views::reveal(const Message& message) {
+    if (!message.instances.empty()) return reveal(message.instances);
+    if (!findAsset(m_workspace.project(), message.asset)) return;
+    Selection& selection = m_workspace.selection();
+    selection.setAsset(message.asset);
+    selection.setEnteredFragment({});
+    selection.setSeeds(message.seed ? Selection::Seeds{*message.seed} : Selection::Seeds{});
+    m_canvas->fit();
+    m_canvas->setFocus();
+}
+
+/// Selects what a problem is about, shows it if hidden, and frames it in canvas and 3D view. The focus stays in the
+/// list, so that the user can step through it.
+void Views::reveal(const Diagnostic& problem) {
+    const Asset* asset = findAsset(m_workspace.project(), problem.place.asset);
+    if (!asset) return;
+    Selection& selection = m_workspace.selection();
+    selection.setAsset(problem.place.asset);
+    if (problem.code == DiagnosticCode::UnknownStrength) return selection.setMaterial(asset->material);
+    selection.setEnteredFragment({});
+    const std::shared_ptr<const Bake> bake = m_workspace.problems().bakeOf(problem.place.asset);
+    if (bake && problem.place.fragment < bake->fragmentCount()) {
+        FragmentSet one(bake->fragmentCount(), false);
+        one[problem.place.fragment] = true;
+        selection.setFragments(selectionOf(one, *bake));
+        showSelected(selection, *bake);
+    } else {
+        const std::optional<SeedId> seed = seedOf(problem.place);
+        selection.setSeeds(seed ? Selection::Seeds{*seed} : Selection::Seeds{});
+    }
+    const std::optional<DiagnosticPlace::Point>& point = problem.place.point;
+    m_canvas->frameSelected(point ? std::optional(Vec2{point->x, point->y}) : std::nullopt);
+    m_scene->frameFragments();
+}
+
+void Views::reveal(const std::vector<Id>& instances) {
+    std::set<Id> existing;
+    for (const Id id : instances) {
+        if (findInstance(m_workspace.project(), id) != nullptr) existing.insert(id);
+    }
+    m_workspace.selection().setSeeds({});
+    m_workspace.selection().setInstances(m_workspace.project(), std::move(existing));
+    m_scene->show();
+    m_scene->frameSelected();
+    m_scene->setFocus();
+}
+
+}  // namespace rubble

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "core/asset/checks/Problems.h"
+#include "editor/document/Messages.h"
+#include "editor/views/DockLayout.h"
+#include "editor/workspace/Preferences.h"
+
+class QMenu;
+class QSplitter;
+
+namespace rubble {
+
+class FragmentTable;
+class Inspector;
+class PatternCanvas;
+class ProblemPanel;
+class ProjectTree;
+class SceneView;
+class PlayToolsPanel;
+class Workspace;
+
+/// The actions on selected fragments, grouped as in context menus.
+struct FragmentActionGroups {
+    QList<QAction*> navigation;  // enter and exit
+    QList<QAction*> editing;     // fracture, merge, split, …
+    QList<QAction*> selection;   // of neighbours, siblings, …
+    QList<QAction*> visibility;  // hide, isolate, show
+};
+
+/// The views of a workspace in its window: canvas and 3D view side by side in the middle, docks around them. Each view
+/// knows the workspace and none of the others; this class connects them. The window shows its start page until
+/// showProject().
+class Views : public QObject {
+    Q_OBJECT
+public:
+    Views(Workspace& workspace, QMainWindow& window);
+
+    Workspace& workspace() { return m_workspace; }
+    QMainWindow& window() { return m_window; }
+    /// The widget with canvas and 3D view.
+    QWidget& panes();
+    PatternCanvas& canvas() { return *m_canvas; }
+    SceneView& scene() { return *m_scene; }
+    Messages& messages() { return m_messages; }
+    DockLayout& docks() { return m_docks; }
+
+    /// Replaces the start page by the views, if that has not happened yet.
+    void showProject();
+    bool isProjectShown() const { return m_isProjectShown; }
+    /// Shows a sentence in the status bar for some seconds.
+    void showStatus(const QString& sentence) { emit statusMessage(sentence); }
+
+    void setCanvasVisible(bool isVisible);
+    void setSceneVisible(bool isVisible);
+    /// Restores the default layout of docks, inspector sections and panes.
+    void resetLayout();
+    void saveLayout() const;
+
+    /// Frames the active asset in canvas and 3D view.
+    void frameAsset();
+    /// Starts drawing the outline of a new asset in the canvas.
+    void drawNewOutline();
+    void applyPreferences(const Preferences& preferences);
+
+    /// Adds actions on the selected instances to the project tree's context menu.
+    void setInstanceActions(const QList<QAction*>& actions);
+    /// Adds actions on the selected fragments to the context menus of canvas, 3D view and fragment table.
+    void setFragmentActions(const FragmentActionGroups& groups);
+    /// Adds actions to the Add menu of the project tree.
+    void setAddActions(const QList<QAction*>& actions);
+    /// Adds actions on materials to project tree and inspector; the first one opens the library.
+    void setMaterialActions(const QList<QAction*>& actions);
+    /// The context menu of selected fragments in the 3D view.
+    QMenu& fragmentMenu() { return *m_fragmentMenu; }
+    /// Limits an action's shortcut to canvas and 3D view.
+    void limitShortcutToViews(QAction& action);
+
+signals:
+    /// The start page gave way to the views.
+    void projectShown();
+    /// What the active tool can do, for the status bar.
+    void hintChanged(const QString& hint);
+    /// The pointer's position on the canvas, as text; empty: it is elsewhere.
+    void positionChanged(const QString& position);
+    void statusMessage(const QString& sentence);
+
+private:
+    void addDocks();
+    void addProblemDock();
+    void connectViews();
+    void updateBakeMessages(Id asset);
+    void updatePlayState();
+    void reveal(const Message& message);
+    void reveal(const Diagnostic& problem);
+    void reveal(const std::vector<Id>& instances);
+
+    Workspace& m_workspace;
+    QMainWindow& m_window;
+    DockLayout m_docks;
+    Messages m_messages;
+    QSplitter* m_panes;
+    PatternCanvas* m_canvas;
+    SceneView* m_scene;
+    ProjectTree* m_tree = nullptr;
+    Inspector* m_inspector = nullptr;
+    FragmentTable* m_fragments = nullptr;
+    PlayToolsPanel* m_playTools = nullptr;
+    ProblemPanel* m_problems = nullptr;
+    QMenu* m_fragmentMenu;
+    bool m_isProjectShown = false;
+    bool m_isPlaying = false;
+    bool m_wasCanvasVisible = true;  // before the simulation started
+};
+
+}  // namespace rubble

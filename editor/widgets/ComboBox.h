@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+
+#include <QComboBox>
+
+#include <optional>
+#include <vector>
+
+namespace rubble {
+
+/// A combo box whose items are these texts.
+QComboBox* comboBox(const QStringList& texts, const QString& toolTip);
+
+/// An item whose data is an id.
+struct ComboItem {
+    Id id = 0;
+    QString text;
+    std::optional<Colour> colour;  // shown as a swatch
+};
+/// Replaces a box's items, unless they are the same already: an open list of items stays open.
+void setItems(QComboBox& box, const std::vector<ComboItem>& items);
+
+}  // namespace rubble

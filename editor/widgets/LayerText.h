@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/fracture/pattern/PatternKind.h"
+#include "editor/widgets/Units.h"
+
+#include <QLocale>
+
+namespace rubble {
+
+/// The translation of a text of PatternKind or LayerParameter.
+QString patternText(const char* text);
+/// The translated name of a layer's kind: "Blue noise".
+QString layerKindName(const LayerParameters& parameters);
+/// The same in title case for menus: "Blue Noise".
+QString inTitleCase(QString text);
+/// A layer in a few words: "Blue noise, 0.1 m apart". See PatternKind::summary.
+QString layerText(const PatternLayer& layer, const Units& units = {}, const QLocale& locale = {});
+
+}  // namespace rubble

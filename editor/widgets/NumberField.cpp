@@ -1,0 +1,212 @@
+#include "editor/widgets/NumberField.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QStyleOptionSpinBox>
+#include <QToolTip>
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kShownDigits = 5;                // significant, without focus
+constexpr qint64 kMaxPauseMilliseconds = 700;  // between steps of one group
+constexpr int kStepDigits = 12;                // significant, of sums of steps: 0.1 + 0.2 is 0.3
+
+constexpr int kCursorWidth = 6;  // pixels, with the line edit's margins
+
+double roundedTo(int digits, double value) { return QString::number(value, 'g', digits).toDouble(); }
+
+/// One in the value's second significant digit; towards zero, 1.0 steps as 0.9 does.
+double adaptiveStep(double value, bool isTowardsZero) {
+    const double size = std::abs(value) * (isTowardsZero ? 1.0 - 1e-9 : 1.0 + 1e-9);
+    return QString("1e%1").arg(static_cast<int>(std::floor(std::log10(size))) - 1).toDouble();
+}
+
+double stepOf(const FieldRange& range, double value, int direction) {
+    if (range.step > 0.0) return range.step;
+    const double step = value == 0.0 ? range.stepAtZero : adaptiveStep(value, (value > 0.0) == (direction < 0));
+    return range.isWhole ? std::max(step, 1.0) : step;
+}
+
+}  // namespace
+
+bool FieldRange::contains(double value) const {
+    return value >= min && value <= max && !(isMinExcluded && value == min) && !(isWhole && value != std::floor(value));
+}
+
+bool StepSequence::startsNew() {
+    const bool isNew = !m_last.isValid() || m_last.hasExpired(kMaxPauseMilliseconds);
+    m_last.start();
+    return isNew;
+}
+
+NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setKeyboardTracking(false);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    showValue();
+}
+
+void NumberField::setValue(double value) {
+    const bool isSame = !m_isMixed && m_value == value && std::signbit(m_value) == std::signbit(value);
+    if (isSame) return;  // keeps text that is being typed
+    m_isMixed = false;
+    m_value = value;
+    showValue();
+}
+
+void NumberField::setMixed() {
+    m_isMixed = true;
+    showValue();
+}
+
+void NumberField::setFormat(const NumberFormat& format) {
+    m_format = format;
+    updateGeometry();
+    showValue();
+}
+
+void NumberField::setRange(const FieldRange& range) { m_range = range; }
+
+void NumberField::setHint(const QString& hint) {
+    m_hint = hint;
+    setStatusTip(hint);
+    showValue();
+}
+
+/// Shows the number: exact with focus, rounded without.
+void NumberField::showValue() {
+    lineEdit()->setPlaceholderText(m_isMixed ? tr("Mixed") : QString());
+    const QString exact = exactText(m_value, m_format, locale());
+    const QString rounded = exactText(roundedTo(kShownDigits, m_value), m_format, locale());
+    const bool isLong = exact.size() > rounded.size();
+    const QString& shown = isLong && !hasFocus() ? rounded : exact;
+    setToolTip(isLong && !m_isMixed ? m_hint + (m_hint.isEmpty() ? "" : "\n") + withUnit(exact, m_format) : m_hint);
+    lineEdit()->setText(m_isMixed ? QString() : withUnit(shown, m_format));
+    lineEdit()->setModified(false);
+    if (!hasFocus()) lineEdit()->setCursorPosition(0);
+}
+
+QString NumberField::rangeSentence() const {
+    const auto text = [&](double value) { return withUnit(exactText(value, m_format, locale()), m_format); };
+    constexpr double kMost = std::numeric_limits<double>::max();
+    if (m_range.isMinExcluded && m_range.max == kMost) return tr("Enter a number above %1.").arg(text(m_range.min));
+    if (m_range.max == kMost) return tr("Enter a number of at least %1.").arg(text(m_range.min));
+    if (m_range.isWhole) return tr("Enter a whole number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
+    return tr("Enter a number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
+}
+
+void NumberField::refuse(const QString& sentence) {
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence, this);
+    emit refused(sentence);
+}
+
+bool NumberField::commit() {
+    if (!lineEdit()->isModified()) return true;
+    const QString text = lineEdit()->text();
+    if (m_isMixed && text.trimmed().isEmpty()) return true;
+    const std::optional<double> typed = parseNumber(text, m_format, locale());
+    if (!typed) {
+        refuse(tr("\"%1\" is not a number. Enter a number such as %2.").arg(text.trimmed(), locale().toString(12.5)));
+        return false;
+    }
+    if (!m_range.contains(*typed)) {
+        refuse(rangeSentence());
+        return false;
+    }
+    m_steps.end();
+    emit editingStarted();
+    enter(*typed);
+    return true;
+}
+
+void NumberField::enter(double value) {
+    const bool isChanged = m_isMixed || value != m_value;
+    m_isMixed = false;
+    m_value = value;
+    showValue();
+    if (isChanged) emit edited(value);
+}
+
+void NumberField::stepBy(int steps) {
+    if (m_isMixed || !commit()) return;
+    const int direction = steps > 0 ? 1 : -1;
+    double value = m_value;
+    for (int k = 0; k < std::abs(steps); ++k)
+        value = roundedTo(kStepDigits, value + direction * stepOf(m_range, value, direction));
+    value = std::clamp(value, m_range.min, m_range.max);
+    if (m_range.isMinExcluded && value <= m_range.min) return;
+    if (m_steps.startsNew()) emit editingStarted();
+    enter(value);
+    lineEdit()->selectAll();
+}
+
+QValidator::State NumberField::validate(QString&, int&) const { return QValidator::Acceptable; }
+
+QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
+    if (isReadOnly() || m_isMixed) return StepNone;
+    StepEnabled enabled = StepNone;
+    if (m_value < m_range.max) enabled |= StepUpEnabled;
+    if (m_value > m_range.min) enabled |= StepDownEnabled;
+    return enabled;
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (commit()) showValue();
+            lineEdit()->selectAll();
+            return;
+        case Qt::Key_Escape:
+            if (!lineEdit()->isModified()) return event->ignore();
+            showValue();
+            lineEdit()->selectAll();
+            return;
+        default: QAbstractSpinBox::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+    if (hasFocus()) return QAbstractSpinBox::wheelEvent(event);
+    event->ignore();
+}
+
+void NumberField::focusInEvent(QFocusEvent* event) {
+    QAbstractSpinBox::focusInEvent(event);
+    if (lineEdit()->isModified()) return;
+    showValue();
+    if (event->reason() != Qt::MouseFocusReason) lineEdit()->selectAll();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+    commit();
+    m_steps.end();
+    QAbstractSpinBox::focusOutEvent(event);
+    showValue();
+}
+
+void NumberField::changeEvent(QEvent* event) {
+    QAbstractSpinBox::changeEvent(event);
+    if (event->type() == QEvent::LocaleChange) showValue();
+}
+
+void NumberField::clear() { lineEdit()->clear(); }
+
+/// The size of a field with this number, its unit, frame and arrows.
+QSize NumberField::sizeFor(const QString& number) const {
+    ensurePolished();
+    const QSize text(fontMetrics().horizontalAdvance(withUnit(number, m_format)) + kCursorWidth,
+                     lineEdit()->sizeHint().height());
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
+}
+
+QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.000")); }
+QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("000.00")); }
+
+}  // namespace rubble

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "editor/widgets/Units.h"
+
+#include <QLocale>
+
+#include <optional>
+
+namespace rubble {
+
+/// Numbers as users read and type them. A change of unit shifts the decimal digits instead of multiplying, so that 0.07
+/// m is 7 cm, not 7.000000000000001 cm, and is read back as the same number.
+
+/// The shortest text, without the unit, that parseNumber() reads back as the same number.
+QString exactText(double value, const NumberFormat& format, const QLocale& locale);
+/// The number as roundedNumber() gives it, without the unit.
+QString roundedText(double value, const NumberFormat& format, const QLocale& locale = {});
+/// A text with the format's unit appended.
+QString withUnit(const QString& number, const NumberFormat& format);
+
+/// Reads a number in the locale's digits, with or without the unit. Lengths may have any unit of length: "12 mm" where
+/// metres are shown. Returns nothing if it is not a finite number; thousands separators are rejected, since one
+/// locale's separator is the decimal sign of another.
+std::optional<double> parseNumber(const QString& text, const NumberFormat& format, const QLocale& locale);
+
+}  // namespace rubble

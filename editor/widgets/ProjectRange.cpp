@@ -1,0 +1,21 @@
+#include "editor/widgets/ProjectRange.h"
+
+namespace rubble {
+
+FieldRange fieldRange(ProjectNumber number, double step) {
+    const NumberRange& range = rangeOf(number);
+    return {.min = range.min, .max = range.max, .isMinExcluded = range.isMinExcluded, .step = step};
+}
+
+FieldRange wholeFieldRange(ProjectNumber number) {
+    const NumberRange& range = rangeOf(number);
+    return FieldRange::whole(range.min, range.max);
+}
+
+FieldRange optionalFieldRange(ProjectNumber number) {
+    FieldRange range = fieldRange(number);
+    range.isMinExcluded = false;
+    return range;
+}
+
+}  // namespace rubble

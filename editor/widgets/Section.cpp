@@ -1,0 +1,109 @@
+#include "editor/widgets/Section.h"
+
+#include "editor/widgets/ColourButton.h"
+#include "editor/widgets/SliderField.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMinLabelCharacters = 13;  // aligns the controls of all sections
+
+/// Ignores the wheel over combo boxes without focus, so that the panel scrolls.
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
+        event->ignore();
+        return true;
+    }
+};
+
+}  // namespace
+
+Section::Section(const QString& name, const QString& title, QWidget* parent)
+    : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QFormLayout(m_body)) {
+    setObjectName(name);
+    setTitle(title);
+    m_head->setVisible(!title.isEmpty());
+    m_head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_head->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_head->setFocusPolicy(Qt::TabFocus);
+    m_head->setCheckable(true);
+    m_head->setAutoRaise(true);
+    QFont bold = m_head->font();
+    bold.setBold(true);
+    m_head->setFont(bold);
+
+    m_rows->setContentsMargins(title.isEmpty() ? QMargins() : QMargins(8, 4, 8, 10));
+    m_rows->setVerticalSpacing(6);
+    m_rows->setHorizontalSpacing(10);
+    m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_rows->setRowWrapPolicy(QFormLayout::DontWrapRows);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_head);
+    layout->addWidget(m_body);
+    connect(m_head, &QToolButton::toggled, this, [this](bool isOpen) { setCollapsed(!isOpen); });
+    m_head->setChecked(true);
+}
+
+void Section::setTitle(const QString& title) {
+    m_head->setText(title);
+    m_head->setToolTip(tr("Collapse or expand %1").arg(title));
+    m_head->setAccessibleName(title);
+}
+
+void Section::setCollapsed(bool isCollapsed) {
+    m_head->setChecked(!isCollapsed);
+    m_head->setArrowType(isCollapsed ? Qt::RightArrow : Qt::DownArrow);
+    m_body->setVisible(!isCollapsed);
+}
+
+void Section::setRowVisible(QWidget* control, bool isVisible) {
+    control->setVisible(isVisible);
+    if (QWidget* label = m_rows->labelForField(control)) label->setVisible(isVisible);
+}
+
+void Section::nameRow(const QString& label, QWidget* control, const QString& hint) {
+    QWidget* text = m_rows->labelForField(control);
+    text->setToolTip(hint);
+    text->setMinimumWidth(fontMetrics().averageCharWidth() * kMinLabelCharacters);
+    control->setAccessibleName(label);
+    if (auto* number = qobject_cast<NumberField*>(control)) return number->setHint(hint);
+    if (auto* slider = qobject_cast<SliderField*>(control)) {
+        slider->setName(label);
+        return slider->setHint(hint);
+    }
+    if (qobject_cast<QComboBox*>(control)) {
+        control->setFocusPolicy(Qt::StrongFocus);
+        control->installEventFilter(new WheelGuard(control));
+    }
+    QWidget* focused = control->focusProxy() ? control->focusProxy() : control;
+    focused->setAccessibleName(label);
+    for (QWidget* widget : {control, focused}) {
+        widget->setToolTip(hint);
+        widget->setStatusTip(hint);
+    }
+}
+
+QScrollArea* verticalScrollArea(QWidget* page) {
+    auto* area = new QScrollArea;
+    area->setWidget(page);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    return area;
+}
+
+}  // namespace rubble

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QFormLayout>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QWidget>
+
+namespace rubble {
+
+/// A collapsible, titled group of form rows. Without a title it is the rows only.
+class Section : public QWidget {
+    Q_OBJECT
+public:
+    /// `name` is the object name, which is not translated: "shape".
+    Section(const QString& name, const QString& title, QWidget* parent = nullptr);
+    /// A section without a title.
+    explicit Section(QWidget* parent) : Section({}, {}, parent) {}
+    void setTitle(const QString& title);
+
+    /// Adds a control with its label. The hint becomes the tooltip of both, the label the control's accessible name.
+    template <class Control>
+    Control* addRow(const QString& label, Control* control, const QString& hint) {
+        m_rows->addRow(label, control);
+        nameRow(label, control, hint);
+        return control;
+    }
+    /// Adds a control as wide as the section.
+    void addWide(QWidget* control) { m_rows->addRow(control); }
+    void setRowVisible(QWidget* control, bool isVisible);
+
+    void setCollapsed(bool isCollapsed);
+    bool isCollapsed() const { return !m_head->isChecked(); }
+
+private:
+    void nameRow(const QString& label, QWidget* control, const QString& hint);
+
+    QToolButton* m_head;
+    QWidget* m_body;
+    QFormLayout* m_rows;
+};
+
+/// A frameless scroll area that scrolls `page` vertically and fits it to its width.
+QScrollArea* verticalScrollArea(QWidget* page);
+
+}  // namespace rubble

@@ -1,0 +1,47 @@
+#include "editor/widgets/TaskDialog.h"
+
+#include <QEventLoop>
+#include <QThread>
+
+#include <algorithm>
+#include <memory>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kMinimumDurationMilliseconds = 300;  // shorter tasks show no dialog
+constexpr int kProgressSteps = 1000;
+
+}  // namespace
+
+TaskDialog::TaskDialog(const QString& label, QWidget* parent)
+    : QProgressDialog(label, tr("Cancel"), 0, kProgressSteps, parent) {
+    setWindowModality(Qt::WindowModal);
+    setMinimumDuration(kMinimumDurationMilliseconds);
+    setAutoReset(false);
+    setAutoClose(false);
+    setValue(0);
+}
+
+void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task) {
+    TaskContext context;
+    context.threads = std::max(1, QThread::idealThreadCount());
+    context.progress = [this](double fraction) {
+        QMetaObject::invokeMethod(this, [this, fraction] { setValue(static_cast<int>(fraction * kProgressSteps)); });
+    };
+    connect(this, &QProgressDialog::canceled, this, [this, cancel = context.cancel] {
+        cancel.cancel();
+        setLabelText(tr("Cancelling…"));
+        show();  // until the task has cleaned up
+    });
+    QEventLoop loop;
+    const std::unique_ptr<QThread> thread(QThread::create([&] { task(context); }));
+    connect(thread.get(), &QThread::finished, &loop, &QEventLoop::quit);
+    thread->start();
+    loop.exec();
+    thread->wait();
+    hide();
+}
+
+}  // namespace rubble

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/TaskContext.h"
+
+#include <QProgressDialog>
+#include <QString>
+
+#include <functional>
+#include <optional>
+
+namespace rubble {
+
+/// Runs a long task on its own thread and shows its progress with a Cancel button. The parent window keeps painting but
+/// accepts no input. Short tasks show no dialog.
+class TaskDialog : public QProgressDialog {
+    Q_OBJECT
+public:
+    TaskDialog(const QString& label, QWidget* parent);
+
+    /// Returns what `task` returns. Cancel is signalled to the task by its TaskContext.
+    template <class Outcome>
+    Outcome run(std::function<Outcome(const TaskContext&)> task) {
+        std::optional<Outcome> outcome;
+        runAndWait([&](const TaskContext& context) { outcome.emplace(task(context)); });
+        return std::move(*outcome);
+    }
+
+private:
+    void runAndWait(const std::function<void(const TaskContext&)>& task);
+};
+
+}  // namespace rubble

@@ -1,0 +1,292 @@
+#include "editor/window/MainWindow.h"
+
+#include "editor/actions/AssetActions.h"
+#include "editor/actions/EditActions.h"
+#include "editor/actions/FileActions.h"
+#include "editor/actions/FilmActions.h"
+#include "editor/actions/FragmentActions.h"
+#include "editor/actions/HelpActions.h"
+#include "editor/actions/InstanceActions.h"
+#include "editor/actions/MaterialActions.h"
+#include "editor/actions/PlayActions.h"
+#include "editor/actions/SelectActions.h"
+#include "editor/actions/ViewActions.h"
+#include "editor/dialogs/FileFilters.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/views/FirstSteps.h"
+#include "editor/views/Views.h"
+#include "editor/window/StartPage.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kGeometryKey = "window/geometry";
+constexpr int kStatusMilliseconds = 6000;
+constexpr QSize kDefaultSize{1440, 900};
+constexpr QSize kMinimumSize{800, 560};
+constexpr QSize kToolIconSize{20, 20};
+constexpr int kProgressWidth = 140;  // pixels
+
+/// Returns the path of a dropped project or mesh file; empty if there is none.
+QString droppedFile(const QMimeData* data) {
+    for (const QUrl& url : data->urls()) {
+        const QString path = url.toLocalFile();
+        if (path.endsWith(kProjectSuffix) || isMeshPath(path)) return path;
+    }
+    return {};
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Project project, PreferenceStore& preferences, RecentFiles& recentFiles)
+    : m_preferences(preferences),
+      m_recentFiles(recentFiles),
+      m_workspace(std::move(project), backupFolder()),
+      m_pages(new QStackedWidget),
+      m_views(new Views(m_workspace, *this)) {
+    addActions();
+    addStartPage();
+    m_pages->addWidget(&m_views->panes());
+    setCentralWidget(m_pages);
+    addToolBars();
+    addStatusBar();
+    setAcceptDrops(true);
+    restoreWindow();
+    connectWorkspace();
+    connect(m_views, &Views::projectShown, this, &MainWindow::showProject);
+    connect(&preferences, &PreferenceStore::changed, this, &MainWindow::applyPreferences);
+    applyPreferences();
+    updateTitle();
+    updateCounts();
+}
+
+MainWindow::~MainWindow() {
+    // The views use the workspace until they are destroyed.
+    delete m_pages;
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+}
+
+/// Creates the menus. Select comes after Instance, whose shortcuts it shares: its event filters see keys first.
+void MainWindow::addActions() {
+    m_fileActions = new FileActions(*m_views, m_preferences, m_recentFiles);
+    m_editActions = new EditActions(*m_views, m_preferences);
+    m_assetActions = new AssetActions(*m_views);
+    auto* materials = new MaterialActions(*m_views);
+    auto* fragments = new FragmentActions(*m_views);
+    auto* instances = new InstanceActions(*m_views);
+    auto* select = new SelectActions(*m_views, m_preferences);
+    m_viewActions = new ViewActions(*m_views);
+    m_filmActions = new FilmActions(*m_views);
+    m_playActions = new PlayActions(*m_views, *m_filmActions);
+    auto* help = new HelpActions(*this);
+    m_assetActions->menu()->addSeparator();
+    m_assetActions->menu()->addActions(materials->actions());
+    m_views->setMaterialActions(materials->actions());
+    m_views->setAddActions(m_assetActions->additions() +
+                           QList{m_assetActions->addInstanceAction(), materials->actions().front()});
+    m_views->setFragmentActions({.navigation = fragments->navigationActions(),
+                                 .editing = fragments->editingActions(),
+                                 .selection = select->relatedActions(),
+                                 .visibility = select->visibilityActions()});
+    new FirstSteps(m_workspace.document(), m_views->canvas(),
+                   m_assetActions->additions() + QList{m_fileActions->importAction()});
+    for (QMenu* menu :
+         {m_fileActions->menu(), m_editActions->menu(), select->menu(), m_viewActions->menu(), m_assetActions->menu(),
+          fragments->menu(), instances->menu(), m_playActions->menu(), help->menu()}) {
+        menuBar()->addMenu(menu);
+    }
+    connect(m_fileActions, &FileActions::newProjectRequested, this, [this] {
+        if (isPristine()) return m_views->showProject();
+        emit newProjectRequested();
+    });
+    connect(m_fileActions, &FileActions::openProjectRequested, this, &MainWindow::openProjectRequested);
+    connect(m_fileActions, &FileActions::quitRequested, this, &MainWindow::quitRequested);
+}
+
+void MainWindow::addStartPage() {
+    auto* page = new StartPage(m_recentFiles);
+    connect(page, &StartPage::newProjectRequested, m_views, &Views::showProject);
+    connect(page, &StartPage::openRequested, m_fileActions->openAction(), &QAction::trigger);
+    connect(page, &StartPage::importRequested, m_fileActions->importAction(), &QAction::trigger);
+    connect(page, &StartPage::recentRequested, m_fileActions, &FileActions::openFile);
+    connect(page, &StartPage::exampleRequested, this, &MainWindow::openCopyRequested);
+    m_pages->addWidget(page);
+}
+
+void MainWindow::addToolBars() {
+    const auto add = [this](const char* name, const QString& title, const QList<QAction*>& actions) {
+        QToolBar* bar = addToolBar(title);
+        bar->setObjectName(name);
+        bar->setIconSize(kToolIconSize);
+        bar->addActions(actions);
+        bar->hide();
+        m_toolBars.append(bar);
+        return bar;
+    };
+    add("bar-file", tr("File"), m_fileActions->toolbarActions());
+    add("bar-edit", tr("Edit"), m_editActions->toolbarActions());
+    add("bar-asset", tr("Asset"), m_assetActions->additions());
+    QToolBar* play = add("bar-play", tr("Play"), m_playActions->toolbarActions());
+    QToolBar* tools = add("bar-tools", tr("Tools"), m_viewActions->toolActions());
+    add("bar-canvas", tr("Canvas"), m_viewActions->canvasActions());
+    m_labelledToolBars = {play, tools};
+}
+
+void MainWindow::addStatusBar() {
+    m_hint = new QLabel;
+    m_hint->setObjectName("hint");
+    m_position = new QLabel;
+    m_counts = new QLabel;
+    m_bakeProgress = new QProgressBar;
+    m_bakeProgress->setMaximumWidth(kProgressWidth);
+    m_bakeProgress->setTextVisible(false);
+    m_bakeProgress->setAccessibleName(tr("Baking"));
+    m_cancelBake = new QToolButton;
+    m_cancelBake->setText(tr("Cancel"));
+    m_cancelBake->setToolTip(tr("Cancel baking and keep the last result"));
+    m_cancelBake->setAutoRaise(true);
+    connect(m_cancelBake, &QToolButton::clicked, this, [this] { m_workspace.baker().cancel(); });
+    statusBar()->addWidget(m_hint, 1);
+    for (QWidget* widget : QWidgetList{m_bakeProgress, m_cancelBake}) {
+        statusBar()->addPermanentWidget(widget);
+        widget->hide();
+    }
+    statusBar()->addPermanentWidget(m_position);
+    statusBar()->addPermanentWidget(m_counts);
+    connect(m_views, &Views::hintChanged, m_hint, &QLabel::setText);
+    connect(m_views, &Views::positionChanged, m_position, &QLabel::setText);
+    connect(m_views, &Views::statusMessage, this, &MainWindow::showStatus);
+}
+
+void MainWindow::restoreWindow() {
+    setMinimumSize(kMinimumSize);
+    resize(kDefaultSize);
+    restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
+}
+
+void MainWindow::connectWorkspace() {
+    connect(&m_workspace.document(), &Document::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &MainWindow::updateTitle);
+    connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &MainWindow::askAboutChangeOnDisk,
+            Qt::QueuedConnection);
+    connect(&m_workspace.autosave(), &Autosave::failed, this, &MainWindow::showStatus);
+    connect(&m_workspace.baker(), &Baker::progressed, this, &MainWindow::updateBakeProgress);
+    connect(&m_workspace.bakes(), &Bakes::changed, this, &MainWindow::updateCounts);
+    connect(&m_workspace.bakes(), &Bakes::patternChanged, this, [this] {
+        if (!m_workspace.selection().enteredFragment().empty()) updateCounts();
+    });
+    connect(&m_workspace.selection(), &Selection::assetChanged, this, &MainWindow::updateCounts);
+    connect(&m_workspace.selection(), &Selection::seedsChanged, this, &MainWindow::updateCounts);
+}
+
+bool MainWindow::isPristine() const { return !m_views->isProjectShown(); }
+
+void MainWindow::showProject() {
+    m_pages->setCurrentWidget(&m_views->panes());
+    for (QToolBar* bar : m_toolBars) bar->show();
+    updateToolButtonStyle();
+}
+
+void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_filmActions->confirmClose() || !m_fileActions->confirmClose()) return event->ignore();
+    QSettings().setValue(kGeometryKey, saveGeometry());
+    if (!isPristine()) m_views->saveLayout();
+    event->accept();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (!isPristine()) updateToolButtonStyle();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = droppedFile(event->mimeData());
+    event->acceptProposedAction();
+    QMetaObject::invokeMethod(
+        this, [this, path] { m_fileActions->openFile(path); }, Qt::QueuedConnection);
+}
+
+/// The most used tool buttons show texts if the window is wide enough.
+void MainWindow::updateToolButtonStyle() {
+    const auto setStyle = [this](Qt::ToolButtonStyle style) {
+        for (QToolBar* bar : m_labelledToolBars) bar->setToolButtonStyle(style);
+    };
+    if (m_labelledWidth == 0) {
+        setStyle(Qt::ToolButtonTextBesideIcon);
+        for (const QToolBar* bar : m_toolBars) m_labelledWidth += bar->sizeHint().width();
+    }
+    setStyle(width() >= m_labelledWidth ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void MainWindow::applyPreferences() {
+    const Preferences& preferences = m_preferences.preferences();
+    m_workspace.autosave().setInterval(std::chrono::seconds(preferences.autosaveSeconds));
+    m_views->applyPreferences(preferences);
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(m_workspace.file().name() + "[*] – " + QApplication::applicationDisplayName());
+    setWindowModified(m_workspace.document().isModified());
+    setWindowFilePath(m_workspace.file().path());
+}
+
+void MainWindow::updateCounts() {
+    const Selection& selection = m_workspace.selection();
+    const auto pattern = m_workspace.bakes().findPattern(selection.asset(), selection.enteredFragment());
+    const auto baked = m_workspace.bakes().find(selection.asset());
+    if (!pattern || !baked || !baked->bake) return m_counts->clear();
+    QStringList counts = {
+        tr("%Ln seed(s)", nullptr, static_cast<int>(pattern->seeds.positions.size())),
+        tr("%Ln fragment(s)", nullptr, static_cast<int>(baked->bake->fragmentCount())),
+    };
+    if (!selection.seeds().empty()) {
+        counts.append(tr("%L1 selected").arg(selection.seeds().size()));
+    }
+    m_counts->setText(counts.join(" · "));
+}
+
+void MainWindow::updateBakeProgress(Id asset, double fraction) {
+    const bool isBaking = asset != 0 && fraction > 0.0;
+    m_bakeProgress->setVisible(isBaking);
+    m_cancelBake->setVisible(isBaking);
+    m_bakeProgress->setValue(static_cast<int>(100.0 * fraction));
+    if (const Asset* baked = findAsset(m_workspace.project(), asset)) {
+        m_bakeProgress->setToolTip(tr("Baking %1").arg(QString::fromStdString(baked->name)));
+    }
+}
+
+void MainWindow::askAboutChangeOnDisk() {
+    const Question question{
+        .text = tr("%1 was changed by another program.").arg(m_workspace.file().name()),
+        .informativeText = m_workspace.document().isModified() ? tr("Reloading it discards your unsaved changes.")
+                                                               : tr("You have no unsaved changes."),
+        .answers = {{tr("Reload"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}}};
+    if (ask(this, question) != 0) return m_workspace.document().setUnsaved();
+    if (const Status reloaded = m_workspace.file().reload(); !reloaded) {
+        showError(this, reloaded.error());
+        m_workspace.document().setUnsaved();
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "editor/workspace/PreferenceStore.h"
+#include "editor/workspace/RecentFiles.h"
+#include "editor/workspace/Workspace.h"
+
+#include <QMainWindow>
+
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolBar;
+class QToolButton;
+
+namespace rubble {
+
+class AssetActions;
+class EditActions;
+class FileActions;
+class FilmActions;
+class PlayActions;
+class ViewActions;
+class Views;
+
+/// A window with one project: menus, toolbars, docks, canvas and 3D view; or the start page until there is a project.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// `preferences` and `recentFiles` are shared by all windows and outlive them.
+    MainWindow(Project project, PreferenceStore& preferences, RecentFiles& recentFiles);
+    ~MainWindow() override;
+
+    Workspace& workspace() { return m_workspace; }
+    Views& views() { return *m_views; }
+    FileActions& fileActions() { return *m_fileActions; }
+
+    /// Whether it still shows the start page: another project may be opened in it.
+    bool isPristine() const;
+
+signals:
+    void newProjectRequested();
+    void openProjectRequested(const QString& path);
+    /// To open a copy of a project: an example.
+    void openCopyRequested(const QString& path);
+    void quitRequested();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void addActions();
+    void addStartPage();
+    void addToolBars();
+    void addStatusBar();
+    void restoreWindow();
+    void connectWorkspace();
+    void showProject();
+    void updateToolButtonStyle();
+    void applyPreferences();
+    void updateTitle();
+    void updateCounts();
+    void updateBakeProgress(Id asset, double fraction);
+    void showStatus(const QString& sentence);
+    void askAboutChangeOnDisk();
+
+    PreferenceStore& m_preferences;
+    RecentFiles& m_recentFiles;
+    Workspace m_workspace;
+    QStackedWidget* m_pages = nullptr;  // start page and views
+    Views* m_views = nullptr;
+    FileActions* m_fileActions = nullptr;
+    EditActions* m_editActions = nullptr;
+    AssetActions* m_assetActions = nullptr;
+    ViewActions* m_viewActions = nullptr;
+    FilmActions* m_filmActions = nullptr;
+    PlayActions* m_playActions = nullptr;
+    QList<QToolBar*> m_toolBars;
+    QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
+    int m_labelledWidth = 0;              // pixels that all toolbars need with texts
+    QLabel* m_hint = nullptr;
+    QLabel* m_position = nullptr;
+    QLabel* m_counts = nullptr;
+    QProgressBar* m_bakeProgress = nullptr;
+    QToolButton* m_cancelBake = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "editor/document/Autosave.h"
+#include "editor/workspace/PreferenceStore.h"
+#include "editor/workspace/RecentFiles.h"
+
+#include <QObject>
+
+namespace rubble {
+
+class MainWindow;
+
+/// The windows of the program and what they share.
+class Program : public QObject {
+    Q_OBJECT
+public:
+    explicit Program(QObject* parent = nullptr);
+
+    PreferenceStore& preferences() { return m_preferences; }
+    RecentFiles& recentFiles() { return m_recentFiles; }
+
+    /// Opens one window per file, or one with the start page, and offers to restore backups that a crash left behind.
+    void start(const QStringList& files);
+    /// Opens a window that shows a project without a file.
+    MainWindow* showProject(Project project);
+    /// Opens a window with the start page.
+    MainWindow* showStartPage();
+    /// Opens a project file: in the window that has it already open, otherwise in `from` if that is pristine, otherwise
+    /// in a new one. Shows an error and returns null if the file cannot be opened.
+    MainWindow* open(const QString& path, MainWindow* from = nullptr);
+    /// Opens a copy of a project file: an example. The copy has no file yet.
+    MainWindow* openCopy(const QString& path, MainWindow* from = nullptr);
+    /// Closes all windows, until the user cancels.
+    void quit();
+
+private:
+    MainWindow* createWindow(Project project);
+    void applyPreferences();
+    void offerBackups();
+    void restoreBackup(const Backup& backup);
+    MainWindow* windowFor(MainWindow* from);
+    MainWindow* windowWith(const QString& path) const;
+    QList<MainWindow*> windows() const;
+
+    PreferenceStore m_preferences;
+    RecentFiles m_recentFiles;
+    ColourScheme m_theme;
+};
+
+}  // namespace rubble

@@ -1,0 +1,153 @@
+#include "editor/window/StartPage.h"
+
+#include "editor/widgets/Icon.h"
+#include "editor/workspace/InstalledData.h"
+#include "editor/workspace/RecentFiles.h"
+
+#include <QCommandLinkButton>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+/// Resources of a static library have to be initialised. Q_INIT_RESOURCE does not work inside a namespace.
+static void initExamplePictures() { Q_INIT_RESOURCE(examples); }
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize kPictureSize{220, 150};
+constexpr int kMaxRecent = 6;
+constexpr int kPageWidth = 760;         // pixels
+constexpr double kTitleScale = 2.2;     // font size relative to the window's
+constexpr double kHeadingScale = 1.15;  // the same
+
+QLabel* heading(const QString& text, double scale) {
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * scale);
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+/// Returns "Wall with openings" for "wall-with-openings.rubble".
+QString titleOf(const QString& path) {
+    QString title = QFileInfo(path).completeBaseName().replace('-', ' ');
+    title[0] = title[0].toUpper();
+    return title;
+}
+
+}  // namespace
+
+StartPage::StartPage(RecentFiles& recentFiles, QWidget* parent) : QWidget(parent), m_recentFiles(recentFiles) {
+    initExamplePictures();
+    auto* columns = new QHBoxLayout;
+    columns->addWidget(startColumn(), 1);
+    columns->addWidget(recentColumn(), 1);
+
+    auto* page = new QWidget;
+    page->setMaximumWidth(kPageWidth);
+    auto* rows = new QVBoxLayout(page);
+    rows->addWidget(heading(tr("Rubble"), kTitleScale));
+    rows->addWidget(new QLabel(tr("Author destructible assets and test how they break.")));
+    rows->addSpacing(16);
+    rows->addLayout(columns);
+    rows->addSpacing(16);
+    if (QWidget* examples = exampleRow()) {
+        rows->addWidget(heading(tr("Examples"), kHeadingScale));
+        rows->addWidget(examples);
+    }
+    auto* middle = new QHBoxLayout;
+    middle->addStretch(1);
+    middle->addWidget(page, 10);
+    middle->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addStretch(1);
+    layout->addLayout(middle);
+    layout->addStretch(2);
+    connect(&recentFiles, &RecentFiles::changed, this, &StartPage::fillRecent);
+    fillRecent();
+}
+
+QWidget* StartPage::startColumn() {
+    auto* column = new QWidget;
+    auto* rows = new QVBoxLayout(column);
+    rows->setContentsMargins({});
+    rows->addWidget(heading(tr("Start"), kHeadingScale));
+    const auto add = [&](const char* icon, const QString& text, const QString& tip, void (StartPage::*signal)()) {
+        auto* button = new QCommandLinkButton(text, tip);
+        button->setIcon(iconNamed(icon));
+        button->setToolTip(tip);
+        connect(button, &QCommandLinkButton::clicked, this, signal);
+        rows->addWidget(button);
+    };
+    add("file-new", tr("New Project"), tr("Create an empty project"), &StartPage::newProjectRequested);
+    add("file-open", tr("Open Project"), tr("Open an existing project"), &StartPage::openRequested);
+    add("file-import", tr("Import Mesh"), tr("Import an OBJ, glTF, GLB, FBX, STL or PLY file"),
+        &StartPage::importRequested);
+    rows->addStretch(1);
+    return column;
+}
+
+QWidget* StartPage::recentColumn() {
+    auto* column = new QWidget;
+    auto* rows = new QVBoxLayout(column);
+    rows->setContentsMargins({});
+    rows->addWidget(heading(tr("Recent"), kHeadingScale));
+    m_recentRows = new QVBoxLayout;
+    rows->addLayout(m_recentRows);
+    rows->addStretch(1);
+    return column;
+}
+
+/// Returns null if no examples are installed.
+QWidget* StartPage::exampleRow() {
+    const QStringList paths = exampleProjects();
+    if (paths.isEmpty()) return nullptr;
+    auto* row = new QWidget;
+    auto* cards = new QHBoxLayout(row);
+    cards->setContentsMargins(0, 0, 0, 0);
+    for (const QString& path : paths) {
+        auto* card = new QToolButton;
+        card->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        card->setAutoRaise(true);
+        card->setText(titleOf(path));
+        card->setToolTip(tr("Open a copy of this example"));
+        card->setIcon(QIcon(QString(":/examples/%1.png").arg(QFileInfo(path).completeBaseName())));
+        card->setIconSize(kPictureSize);
+        connect(card, &QToolButton::clicked, this, [this, path] { emit exampleRequested(path); });
+        cards->addWidget(card);
+    }
+    cards->addStretch(1);
+    return row;
+}
+
+void StartPage::fillRecent() {
+    while (QLayoutItem* item = m_recentRows->takeAt(0)) {
+        item->widget()->deleteLater();
+        delete item;
+    }
+    const QStringList paths = m_recentFiles.paths().mid(0, kMaxRecent);
+    if (paths.isEmpty()) {
+        auto* placeholder = new QLabel(tr("Projects that you open or save are listed here."));
+        placeholder->setWordWrap(true);
+        placeholder->setForegroundRole(QPalette::PlaceholderText);
+        m_recentRows->addWidget(placeholder);
+    }
+    for (const QString& path : paths) {
+        auto* button = new QToolButton;
+        button->setText(QFileInfo(path).fileName());
+        button->setIcon(iconNamed("file-project"));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setAutoRaise(true);
+        button->setToolTip(QDir::toNativeSeparators(path));
+        connect(button, &QToolButton::clicked, this, [this, path] { emit recentRequested(path); });
+        m_recentRows->addWidget(button);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace rubble {
+
+/// Returns the folder that contains `projects` and `docs`: share/rubble of an installed program, else the source tree.
+QString installedDataFolder();
+/// Returns the paths of the example projects.
+QStringList exampleProjects();
+
+}  // namespace rubble

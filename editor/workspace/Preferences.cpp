@@ -1,0 +1,67 @@
+#include "editor/workspace/Preferences.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kThemeKey = "preferences/theme";
+constexpr const char* kNavigationKey = "preferences/navigation";
+constexpr const char* kUnitKey = "preferences/lengthUnit";
+constexpr const char* kAutosaveKey = "preferences/autosaveSeconds";
+constexpr const char* kMsaaKey = "preferences/msaa";
+constexpr const char* kRefiningKey = "preferences/softLight";
+constexpr const char* kSmoothKey = "preferences/smoothCamera";
+
+// Stored names, in the order of the enumerators: settings stay valid when enumerators are added.
+constexpr std::array kThemeNames = {"system", "light", "dark"};
+constexpr std::array kNavigationNames = {"blender", "maya"};
+constexpr std::array kUnitNames = {"m", "cm", "mm"};
+constexpr std::array kRefiningNames = {"never", "with-card", "always"};
+constexpr std::array kMsaaSamples = {0, 1, 2, 4, 8};
+constexpr int kMaxAutosaveSeconds = 3600;
+
+/// Returns the enumerator whose stored name is set, or `fallback`.
+template <class Enum, std::size_t Count>
+Enum readEnum(const QSettings& settings, const char* key, const std::array<const char*, Count>& names, Enum fallback) {
+    const QString stored = settings.value(key).toString();
+    const auto name = std::ranges::find_if(names, [&](const char* candidate) { return stored == candidate; });
+    return name == names.end() ? fallback : static_cast<Enum>(name - names.begin());
+}
+
+int readInt(const QSettings& settings, const char* key, int fallback) {
+    bool isNumber = false;
+    const int number = settings.value(key).toInt(&isNumber);
+    return isNumber ? number : fallback;
+}
+
+}  // namespace
+
+Preferences readPreferences(const QSettings& settings) {
+    const Preferences defaults;
+    Preferences stored;
+    stored.theme = readEnum(settings, kThemeKey, kThemeNames, defaults.theme);
+    stored.navigation = readEnum(settings, kNavigationKey, kNavigationNames, defaults.navigation);
+    stored.unit = readEnum(settings, kUnitKey, kUnitNames, defaults.unit);
+    stored.autosaveSeconds =
+        std::clamp(readInt(settings, kAutosaveKey, defaults.autosaveSeconds), 0, kMaxAutosaveSeconds);
+    stored.msaa = readInt(settings, kMsaaKey, defaults.msaa);
+    if (std::ranges::find(kMsaaSamples, stored.msaa) == kMsaaSamples.end()) stored.msaa = defaults.msaa;
+    stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
+    stored.isSmooth = settings.value(kSmoothKey, defaults.isSmooth).toBool();
+    return stored;
+}
+
+void writePreferences(const Preferences& preferences, QSettings& settings) {
+    settings.setValue(kThemeKey, kThemeNames[static_cast<std::size_t>(preferences.theme)]);
+    settings.setValue(kNavigationKey, kNavigationNames[static_cast<std::size_t>(preferences.navigation)]);
+    settings.setValue(kUnitKey, kUnitNames[static_cast<std::size_t>(preferences.unit)]);
+    settings.setValue(kAutosaveKey, preferences.autosaveSeconds);
+    settings.setValue(kMsaaKey, preferences.msaa);
+    settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
+    settings.setValue(kSmoothKey, preferences.isSmooth);
+}
+
+}  // namespace rubble

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "editor/widgets/Theme.h"
+#include "editor/widgets/Units.h"
+#include "viewport/widget/Navigation.h"
+#include "viewport/widget/ProgressiveRendering.h"
+
+#include <QSettings>
+
+namespace rubble {
+
+/// The user's preferences, the same in all windows.
+struct Preferences {
+    ColourScheme theme = ColourScheme::System;
+    NavigationStyle navigation = NavigationStyle::Blender;
+    LengthUnit unit = LengthUnit::Metre;
+    int autosaveSeconds = 60;  // from a change to the backup; 0: no backups
+    int msaa = 0;              // samples per pixel of the 3D view: 1, 2, 4 or 8; 0: automatic
+    ProgressiveRendering refining = ProgressiveRendering::WithGpu;  // of the 3D view while nothing moves
+    bool isSmooth = true;                                           // the camera moves smoothly to a new view
+    bool operator==(const Preferences&) const = default;
+};
+
+/// Returns the stored preferences; a missing or invalid value gets its default.
+Preferences readPreferences(const QSettings& settings);
+void writePreferences(const Preferences& preferences, QSettings& settings);
+
+}  // namespace rubble

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "editor/background/Baker.h"
+#include "editor/background/FilmExporter.h"
+#include "editor/background/PlayTestRunner.h"
+#include "editor/background/ProblemWatch.h"
+#include "editor/background/SwapAuditRunner.h"
+#include "editor/document/Autosave.h"
+#include "editor/document/DocumentFile.h"
+#include "editor/play/PlayController.h"
+
+namespace rubble {
+
+/// The model behind one window: the document with its file and backup, the selection, the bakes and diagnostics, and
+/// the simulation.
+class Workspace : public QObject {
+    Q_OBJECT
+public:
+    /// Backups of the document are written to the folder `backups`.
+    Workspace(Project project, const QString& backups, QObject* parent = nullptr);
+
+    Document& document() { return m_document; }
+    const Project& project() const { return m_document.project(); }
+    DocumentFile& file() { return m_file; }
+    Autosave& autosave() { return m_autosave; }
+    Selection& selection() { return m_selection; }
+    Bakes& bakes() { return m_bakes; }
+    ProblemWatch& problems() { return m_problems; }
+    Baker& baker() { return m_baker; }
+    PlayController& play() { return m_play; }
+    PlayTestRunner& playTests() { return m_playTests; }
+    FilmExporter& films() { return m_films; }
+    SwapAuditRunner& swapAudits() { return m_swapAudits; }
+
+    /// Returns the active asset, or null if there is none.
+    const Asset* asset() const { return findAsset(project(), m_selection.asset()); }
+
+private:
+    Document m_document;
+    DocumentFile m_file;
+    Autosave m_autosave;
+    Selection m_selection;
+    Bakes m_bakes;
+    ProblemWatch m_problems;
+    Baker m_baker;
+    PlayController m_play;
+    PlayTestRunner m_playTests;
+    SwapAuditRunner m_swapAudits;
+    FilmExporter m_films;
+};
+
+}  // namespace rubble

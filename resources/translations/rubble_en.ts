@@ -1,0 +1,325 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>ContactSheet</name>
+    <message numerus="yes">
+        <source>%Ln fragment(s)</source>
+        <translation>
+            <numerusform>%Ln fragment</numerusform>
+            <numerusform>%Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message numerus="yes">
+        <source>%n asset(s) could not be exported. The details say why.</source>
+        <translation>
+            <numerusform>%n asset could not be exported. The details say why.</numerusform>
+            <numerusform>%n assets could not be exported. The details say why.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n asset(s) to %1</source>
+        <translation>
+            <numerusform>Exported %n asset to %1</numerusform>
+            <numerusform>Exported %n assets to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HighlightPainting</name>
+    <message numerus="yes">
+        <source>%Ln neighbour(s)</source>
+        <translation>
+            <numerusform>%Ln neighbour</numerusform>
+            <numerusform>%Ln neighbours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>InstanceEdits</name>
+    <message numerus="yes">
+        <source>Hide %n Instance(s)</source>
+        <translation>
+            <numerusform>Hide Instance</numerusform>
+            <numerusform>Hide %n Instances</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Lock %n Instance(s)</source>
+        <translation>
+            <numerusform>Lock Instance</numerusform>
+            <numerusform>Lock %n Instances</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ProjectEdits</name>
+    <message numerus="yes">
+        <source>Delete %n Asset(s)</source>
+        <translation>
+            <numerusform>Delete Asset</numerusform>
+            <numerusform>Delete %n Assets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n Instance(s)</source>
+        <translation>
+            <numerusform>Duplicate Instance</numerusform>
+            <numerusform>Duplicate %n Instances</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n Instance(s)</source>
+        <translation>
+            <numerusform>Delete Instance</numerusform>
+            <numerusform>Delete %n Instances</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SelectedSeedEdits</name>
+    <message numerus="yes">
+        <source>Delete %n Seed(s)</source>
+        <translation>
+            <numerusform>Delete Seed</numerusform>
+            <numerusform>Delete %n Seeds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::AssetPage</name>
+    <message numerus="yes">
+        <source>%Ln point(s)</source>
+        <translation>
+            <numerusform>%Ln point</numerusform>
+            <numerusform>%Ln points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation>
+            <numerusform>%Ln hole</numerusform>
+            <numerusform>%Ln holes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ContactSheetWindow</name>
+    <message numerus="yes">
+        <source>%Ln seed(s) locked in all new variants.</source>
+        <translation>
+            <numerusform>%Ln seed locked in all new variants.</numerusform>
+            <numerusform>%Ln seeds locked in all new variants.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%L1 of %Ln variant(s)</source>
+        <translation>
+            <numerusform>%L1 of %Ln variant</numerusform>
+            <numerusform>%L1 of %Ln variants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln variant(s)</source>
+        <translation>
+            <numerusform>%Ln variant</numerusform>
+            <numerusform>%Ln variants</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ExportDialog</name>
+    <message numerus="yes">
+        <source>Writes %n folder(s) with %1: %2</source>
+        <translation>
+            <numerusform>Writes %n folder with %1: %2</numerusform>
+            <numerusform>Writes %n folders with %1: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::FilmActions</name>
+    <message numerus="yes">
+        <source>Exported %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>Exported %n frame to %1.</numerusform>
+            <numerusform>Exported %n frames to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::FilmDialog</name>
+    <message numerus="yes">
+        <source>%Ln frame(s), %1 s, of %2 s of simulation.</source>
+        <translation>
+            <numerusform>%Ln frame, %1 s, of %2 s of simulation.</numerusform>
+            <numerusform>%Ln frames, %1 s, of %2 s of simulation.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ImportDialog</name>
+    <message numerus="yes">
+        <source>%Ln object(s)</source>
+        <translation>
+            <numerusform>%Ln object</numerusform>
+            <numerusform>%Ln objects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::MainWindow</name>
+    <message numerus="yes">
+        <source>%Ln seed(s)</source>
+        <translation>
+            <numerusform>%Ln seed</numerusform>
+            <numerusform>%Ln seeds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fragment(s)</source>
+        <translation>
+            <numerusform>%Ln fragment</numerusform>
+            <numerusform>%Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::MeshSeedsDialog</name>
+    <message numerus="yes">
+        <source>%Ln seed(s).</source>
+        <translation>
+            <numerusform>%Ln seed.</numerusform>
+            <numerusform>%Ln seeds.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::OutlineModel</name>
+    <message numerus="yes">
+        <source>Delete %n Point(s)</source>
+        <translation>
+            <numerusform>Delete Point</numerusform>
+            <numerusform>Delete %n Points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::PlayView</name>
+    <message numerus="yes">
+        <source>%Ln break(s), last swap %1 ms</source>
+        <translation>
+            <numerusform>%Ln break, last swap %1 ms</numerusform>
+            <numerusform>%Ln breaks, last swap %1 ms</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ProblemModel</name>
+    <message numerus="yes">
+        <source>%Ln hull(s)</source>
+        <translation>
+            <numerusform>%Ln hull</numerusform>
+            <numerusform>%Ln hulls</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln seed(s)</source>
+        <translation>
+            <numerusform>%Ln seed</numerusform>
+            <numerusform>%Ln seeds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ProblemPanel</name>
+    <message numerus="yes">
+        <source>%L1 of %Ln problem(s) selected</source>
+        <translation>
+            <numerusform>%L1 of %Ln problem selected</numerusform>
+            <numerusform>%L1 of %Ln problems selected</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln problem(s)</source>
+        <translation>
+            <numerusform>%Ln problem</numerusform>
+            <numerusform>%Ln problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SeedTool</name>
+    <message numerus="yes">
+        <source>Move %n Seed(s)</source>
+        <translation>
+            <numerusform>Move Seed</numerusform>
+            <numerusform>Move %n Seeds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln seed(s) selected</source>
+        <translation>
+            <numerusform>%Ln seed selected</numerusform>
+            <numerusform>%Ln seeds selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SelectActions</name>
+    <message numerus="yes">
+        <source>Level &amp;%1: %n fragment(s)</source>
+        <translation>
+            <numerusform>Level &amp;%1: %n fragment</numerusform>
+            <numerusform>Level &amp;%1: %n fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::StrengthPanel</name>
+    <message numerus="yes">
+        <source>%Ln fragment(s), touching pairs: %L1, deepest overlap: %2</source>
+        <translation>
+            <numerusform>%Ln fragment, touching pairs: %L1, deepest overlap: %2</numerusform>
+            <numerusform>%Ln fragments, touching pairs: %L1, deepest overlap: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VolumeHistogram</name>
+    <message numerus="yes">
+        <source>%Ln fragment(s) from %1 to %2</source>
+        <translation>
+            <numerusform>%Ln fragment from %1 to %2</numerusform>
+            <numerusform>%Ln fragments from %1 to %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %Ln fragment(s)</source>
+        <translation>
+            <numerusform>%1 to %2: %Ln fragment</numerusform>
+            <numerusform>%1 to %2: %Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VolumeRangeDialog</name>
+    <message numerus="yes">
+        <source>%L1 of %Ln fragment(s)</source>
+        <translation>
+            <numerusform>%L1 of %Ln fragment</numerusform>
+            <numerusform>%L1 of %Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,214 @@
+// Tests core/asset/checks/VerifyProject.cpp, ValueFaults.cpp and PlayFaults.cpp.
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/Project.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <functional>
+#include <limits>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// One of everything, ids 1 to 8, all in order.
+Project smallProject() {
+    Project project;
+    project.nextId = 9;
+    project.materials = {{.id = 1, .name = "brick"}};
+    Asset wall{.id = 2, .name = "wall", .material = 1};
+    wall.prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    wall.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 5}}};
+    wall.levels = {{.pattern = {{{.id = 4, .parameters = BlueNoise{}}}}, .minimumVolume = 0.1}};
+    wall.surface = std::make_shared<Surface>(Surface{.materials = {"plaster"}, .triangles = {SurfaceTriangle{}}});
+    project.assets = {wall};
+    project.instances = {{.id = 5, .name = "left", .asset = 2}, {.id = 6, .name = "right", .asset = 2}};
+    project.shots = {{.id = 7, .name = "box", .action = Throw{}}};
+    project.playTests = {{.id = 8, .name = "stands", .shots = {7}, .expectations = {{.instance = 5}}}};
+    return project;
+}
+
+std::shared_ptr<Surface> copyOfSurface(const Project& project) {
+    return std::make_shared<Surface>(*project.assets[0].surface);
+}
+
+using Change = std::function<void(Project&)>;
+
+}  // namespace
+Q_DECLARE_METATYPE(Change)
+
+class VerifyProjectTest : public QObject {
+    Q_OBJECT
+
+    static void row(const char* sentence, const Change& change) { QTest::newRow(sentence) << change; }
+
+private slots:
+    void validProjectsHaveNoFault() {
+        QVERIFY(!verifyProject(Project{}));
+        const std::optional<std::string> fault = verifyProject(smallProject());
+        QVERIFY2(!fault, fault.value_or("").c_str());
+    }
+
+    void patternsOfFragmentsCanShareLayers() {
+        Project project = smallProject();
+        Asset& wall = project.assets[0];
+        wall.leaves = {{"3.0", wall.levels[0]}, {"3.1", wall.levels[0]}};
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+        wall.levels.clear();
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+    }
+
+    void endsOfRangesAreAccepted() {
+        Project project = smallProject();
+        project.debris = {.lifetime = 1e-9, .fade = 0.0, .maxPieces = 1};
+        for (const std::uint32_t pieces : {2u, 1000u}) {
+            project.assets[0].cutAtImpact = {.pieces = pieces, .falloffRadius = 1e-9};
+            QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+        }
+    }
+
+    void faultsOfIdsAndNamesAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Asset 0 \"wall\" has the id 0, which names nothing.", [](Project& p) { p.assets[0].id = 0; });
+        row("Play-test 8 \"stands\" has an id that is not below the project's next id, 8.",
+            [](Project& p) { p.nextId = 8; });
+        row("Material 2 \"brick\" and Asset 2 \"wall\" have the same id.", [](Project& p) { p.materials[0].id = 2; });
+        row("Layer 5 of asset 2 \"wall\" and Instance 5 \"left\" have the same id.",
+            [](Project& p) { p.assets[0].pattern.layers[0].id = 5; });
+        row("Layer 3 of asset 2 \"wall\" and Layer 3 of asset 2 \"wall\" have the same id.",
+            [](Project& p) { p.assets[0].levels[0].pattern.layers[0].id = 3; });
+        row("Layer 4 of asset 2 \"wall\" and Layer 4 of asset 2 \"wall\" have the same id.", [](Project& p) {
+            auto& layers = p.assets[0].levels[0].pattern.layers;
+            layers.push_back(layers.front());
+        });
+        row("Layer 4 of asset 2 \"wall\" and Instance 4 \"left\" have the same id.", [](Project& p) {
+            p.assets[0].leaves = {{"3.0", p.assets[0].levels[0]}};
+            p.instances[0].id = 4;
+        });
+        row("Instance 5 \"left\" comes after the one with id 6; ids must ascend.",
+            [](Project& p) { std::swap(p.instances[0], p.instances[1]); });
+        row("Material 1 has no name.", [](Project& p) { p.materials[0].name.clear(); });
+        row("Material 1 has a name that is not text in UTF-8.", [](Project& p) { p.materials[0].name = "br\xfc"; });
+        row("Instance 6 \"left\" has a name that is already taken.", [](Project& p) { p.instances[1].name = "left"; });
+    }
+    void faultsOfIdsAndNamesAreNamed() { changeIsReported(); }
+
+    void missingReferencesAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Asset 2 \"wall\" refers to material 9, which does not exist.",
+            [](Project& p) { p.assets[0].material = 9; });
+        row("Instance 5 \"left\" refers to asset 1, which does not exist.",
+            [](Project& p) { p.instances[0].asset = 1; });
+        row("Shot 7 \"box\" refers to asset 4, which does not exist.",
+            [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Asset, .asset = 4}; });
+        row("Play-test 8 \"stands\" refers to shot 6, which does not exist.", [](Project& p) {
+            p.playTests[0].shots = {7, 6};
+        });
+        row("Play-test 8 \"stands\" refers to instance 2, which does not exist.",
+            [](Project& p) { p.playTests[0].expectations[0].instance = 2; });
+    }
+    void missingReferencesAreNamed() { changeIsReported(); }
+
+    void numbersOutOfRangeAreNamed_data() {
+        QTest::addColumn<Change>("change");
+        row("Material 1 \"brick\": the density is 0, but it must be finite and above zero.",
+            [](Project& p) { p.materials[0].density = 0.0; });
+        row("Material 1 \"brick\": the friction is -0.1, but it must be finite and not below zero.",
+            [](Project& p) { p.materials[0].friction = -0.1; });
+        row("Material 1 \"brick\": the restitution is 1.5, but it must be from 0 to 1.",
+            [](Project& p) { p.materials[0].restitution = 1.5; });
+        row("Material 1 \"brick\": the colour's green is nan, but it must be from 0 to 1.",
+            [](Project& p) { p.materials[0].inside.green = kNan; });
+        row("Asset 2 \"wall\": the threshold is inf, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].threshold = std::numeric_limits<double>::infinity(); });
+        row("Asset 2 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.assets[0].levels[0].minimumVolume = -1.0; });
+        row("Asset 2 \"wall\": Layer 4: \"Distance\" is 0 m, but must be finite and above zero.",
+            [](Project& p) { p.assets[0].levels[0].pattern.layers[0].parameters = BlueNoise{.minimumDistance = 0.0}; });
+        row("Asset 2 \"wall\": triangle 0 of the surface has a coordinate that is not finite.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->triangles[0].corners[1].z = kNan;
+            p.assets[0].surface = surface;
+        });
+        row("Asset 2 \"wall\": a material of the surface has a name that is not text in UTF-8.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->materials[0] = "\xc0\xaf";
+            p.assets[0].surface = surface;
+        });
+        row("Asset 2 \"wall\": the surface's back cap refers to a material that does not exist.", [](Project& p) {
+            const auto surface = copyOfSurface(p);
+            surface->back.material = 1;
+            p.assets[0].surface = surface;
+        });
+        row("Asset 2 \"wall\": the fracture at the impact has 1 pieces, but there must be 2 to 1000.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1}; });
+        row("Asset 2 \"wall\": the fracture at the impact has 1001 pieces, but there must be 2 to 1000.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1001}; });
+        row("Asset 2 \"wall\": the falloff radius of the fracture at the impact is 0, but it must be finite and above "
+            "zero.",
+            [](Project& p) { p.assets[0].cutAtImpact = {.falloffRadius = 0.0}; });
+        row("Asset 2 \"wall\": requirement 1: the height is -1, but it must be finite and above zero.", [](Project& p) {
+            p.assets[0].requirements = {{}, {.event = DropRequirement{-1.0}}};
+        });
+        row("Asset 2 \"wall\": requirement 0: the mass is 0, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].requirements = {{.event = HitRequirement{.mass = 0.0}}}; });
+        row("Asset 2 \"wall\": requirement 0: the speed is nan, but it must be finite and above zero.",
+            [](Project& p) { p.assets[0].requirements = {{.event = HitRequirement{.speed = kNan}}}; });
+        row("Instance 5 \"left\": the position is (nan, 0, 0), but it must be finite.",
+            [](Project& p) { p.instances[0].pose.position.x = kNan; });
+        row("Instance 5 \"left\": the orientation has the length 2, but it must be 1.", [](Project& p) {
+            p.instances[0].pose.orientation = Quat{2.0, 0.0, 0.0, 0.0};
+        });
+        row("Instance 6 \"right\": the threshold is 0, but it must be finite and above zero.",
+            [](Project& p) { p.instances[1].threshold = 0.0; });
+        row("The ground: the restitution is 2, but it must be from 0 to 1.",
+            [](Project& p) { p.ground.restitution = 2.0; });
+        row("The project: the gravity is (0, nan, 0), but it must be finite.", [](Project& p) { p.gravity.y = kNan; });
+        row("The project: the thesis threshold is 0, but it must be finite and above zero.",
+            [](Project& p) { p.damage.thesisThreshold = 0.0; });
+        row("The debris: the lifetime is 0, but it must be finite and above zero.",
+            [](Project& p) { p.debris.lifetime = 0.0; });
+        row("The debris: the fade is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.debris.fade = -1.0; });
+        row("The debris: the maximum number of pieces is 0, but it must be at least 1.",
+            [](Project& p) { p.debris.maxPieces = 0; });
+        row("Shot 7 \"box\": the time is -1, but it must be finite and not below zero.",
+            [](Project& p) { p.shots[0].time = -1.0; });
+        row("Shot 7 \"box\": the size in y is 0, but it must be finite and above zero.", [](Project& p) {
+            p.shots[0].action = Throw{.size = {1.0, 0.0, 1.0}};
+        });
+        row("Shot 7 \"box\": it starts where it aims, so that it has no direction.", [](Project& p) {
+            p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}};
+        });
+        row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be finite.", [](Project& p) {
+            p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
+        });
+        row("Shot 7 \"box\": the radius is 0, but it must be finite and above zero.",
+            [](Project& p) { p.shots[0].action = Explosion{.radius = 0.0}; });
+        row("Play-test 8 \"stands\": the duration is 0, but it must be finite and above zero.",
+            [](Project& p) { p.playTests[0].duration = 0.0; });
+    }
+    void numbersOutOfRangeAreNamed() { changeIsReported(); }
+
+    void prismsThatCannotBeFracturedAreNamed() {
+        Project project = smallProject();
+        project.assets[0].prism.depth = -1.0;
+        const std::optional<std::string> fault = verifyProject(project);
+        QVERIFY(fault.has_value());
+        QVERIFY2(fault->starts_with("Asset 2 \"wall\": ") && fault->find("-1") != std::string::npos, fault->c_str());
+    }
+
+private:
+    void changeIsReported() {
+        QFETCH(Change, change);
+        Project project = smallProject();
+        change(project);
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string(QTest::currentDataTag()));
+    }
+};
+
+RUBBLE_TEST(VerifyProjectTest)
+#include "VerifyProjectTest.moc"

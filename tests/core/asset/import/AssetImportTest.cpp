@@ -1,0 +1,165 @@
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/import/AssetImport.h"
+#include "tests/support/Outlines.h"
+#include "tests/support/Solids.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+SourceObject objectOf(const std::string& name, const TriangleMesh& mesh, std::uint32_t material = 0) {
+    SourceObject object{.name = name, .points = mesh.points};
+    for (const auto& triangle : mesh.triangles) object.triangles.push_back({triangle, {}, material});
+    return object;
+}
+
+TriangleMesh wallMesh() { return placed(prismSolid({rectangle({0, 0}, {2, 1}), {}}, 0.5), {{10, 0, 0}}); }
+TriangleMesh gableMesh() { return prismSolid({{{-1, 0}, {1, 0}, {0, 1}}, {}}, 0.5); }
+
+SourceScene sceneOf(std::vector<SourceObject> objects) {
+    return {0.0, {{"Brick", {0.5, 0.2, 0.1}}, {"Slate", {0.1, 0.1, 0.1}}, {}}, std::move(objects)};
+}
+
+ImportOutcome imported(Project project, const SourceScene& scene, const ImportOptions& options = {}) {
+    Result<ImportOutcome> outcome = importedInto(std::move(project), scene, "file", options, {});
+    if (!outcome) qFatal("%s", outcome.error().message.c_str());
+    if (verifyProject(outcome->project)) qFatal("%s", verifyProject(outcome->project)->c_str());
+    return std::move(*outcome);
+}
+
+QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
+    const Result<ImportOutcome> outcome = importedInto({}, scene, "file", options, {});
+    if (!outcome) return QString::fromStdString(outcome.error().message);
+    if (outcome->refused.empty() || outcome->project != Project{}) return "";
+    return QString::fromStdString(outcome->refused[0].message);
+}
+
+}  // namespace
+
+class AssetImportTest : public QObject {
+    Q_OBJECT
+private slots:
+    void objectsBecomeAssetsAtTheirPositions() {
+        const Project project =
+            imported({}, sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh(), 1)})).project;
+        QCOMPARE(project.assets.size(), std::size_t{2});
+        QVERIFY((project.assets[0].prism == Prism{{rectangle({-1, -0.5}, {1, 0.5}), {}}, 0.5}));
+        QVERIFY(project.instances[0].pose.position == Vec3(11.0, 0.5, 0.0));
+        QCOMPARE(project.instances[1].asset, project.assets[1].id);
+        QCOMPARE(project.materials[1].name, std::string("Slate"));
+        QCOMPARE(project.assets[1].material, project.materials[1].id);
+        QCOMPARE(project.materials[0].outside.red, 0.5);
+    }
+    void existingMaterialsAreReused() {
+        Project project{.nextId = 3,
+                        .materials = {{.id = 1, .name = "Slate"}, {.id = 2, .name = "Brick", .density = 1800}}};
+        project = imported(project, sceneOf({objectOf("a", wallMesh(), 0), objectOf("b", wallMesh(), 2)})).project;
+        QCOMPARE(project.materials.size(), std::size_t{2});
+        QCOMPARE(project.assets[0].material, 2u);
+        QCOMPARE(project.assets[1].material, 1u);  // without a name: the project's first
+    }
+    /// Assets that differ in capitals only could not be exported side by side.
+    void namesAreComparedWithoutCase() {
+        const SourceScene scene = sceneOf({objectOf("wall", wallMesh()), objectOf("Wall", wallMesh())});
+        const ImportOutcome outcome = imported({}, scene);
+        QCOMPARE(outcome.project.assets[1].name, std::string("Wall 2"));
+        QCOMPARE(outcome.project.instances[1].name, std::string("Wall 2"));
+    }
+    void takenNamesAreNumberedAndNoted() {
+        const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Wall", wallMesh())});
+        const ImportOutcome outcome = imported({}, scene);
+        QCOMPARE(outcome.project.assets[1].name, std::string("Wall 2"));
+        QCOMPARE(outcome.assets[1].notes.back(),
+                 std::string("The name \"Wall\" is taken; the asset is named \"Wall 2\"."));
+        QCOMPARE(imported({}, sceneOf({objectOf("", wallMesh())})).project.assets[0].name, std::string("file"));
+    }
+    void reimportReplacesPrismAndSurfaceOnly() {
+        const SourceScene scene = sceneOf({objectOf("Wall", wallMesh())});
+        Project before = imported({}, scene).project;
+        before.assets[0].threshold = 7.0;
+        before.assets[0].levels.push_back({});
+        const ImportOutcome again = imported(before, sceneOf({objectOf("New", gableMesh(), 1)}), {.asset = "Wall"});
+        QVERIFY(again.assets[0].isReplaced);
+        Project expected = before;
+        expected.assets[0].prism = again.project.assets[0].prism;
+        QVERIFY(again.project == expected);
+        QCOMPARE(again.project.assets[0].prism.outline.outer.size(), std::size_t{3});
+    }
+    void unitAndUpAxisAreApplied() {
+        const ImportOptions options{.metresPerUnit = 0.001, .up = UpAxis::Z};
+        const ImportOutcome outcome = imported({}, sceneOf({objectOf("Wall", wallMesh())}), options);
+        QCOMPARE(outcome.assets[0].prism.depth, 0.0005);
+        QVERIFY(glm::distance(outcome.project.instances[0].pose.position, Vec3(0.011, 0.0, -0.0005)) < 1e-9);
+        QCOMPARE(axisText(outcome.assets[0].prism.axis), std::string("y"));
+        SourceScene inches = sceneOf({objectOf("Wall", wallMesh())});
+        inches.metresPerUnit = 0.0254;
+        QVERIFY(std::abs(imported({}, inches).assets[0].prism.depth - 0.0127) < 1e-9);
+    }
+    void unconnectedPartsBecomeSeparateAssets() {
+        const TriangleMesh both = joined(wallMesh(), gableMesh());
+        const ImportOutcome outcome = imported({}, sceneOf({objectOf("Set", both)}));
+        QCOMPARE(outcome.project.assets.size(), std::size_t{2});
+        QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts; each becomes an asset."));
+        QCOMPARE(faultOf(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
+                 QString("\"Set\" would have 2 unconnected parts; an asset has one."));
+    }
+    void cavityIsRejected() {
+        TriangleMesh hollow = prismSolid({rectangle({0, 0}, {1, 1}), {}}, 1.0);
+        for (Vec3& point : hollow.points) point = 0.5 * point + Vec3(10.5, 0.25, 0.0);
+        for (auto& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
+        TriangleMesh around = placed(prismSolid({rectangle({0, 0}, {2, 1}), {}}, 2.0), {{10, 0, 0}});
+        QCOMPARE(faultOf(sceneOf({objectOf("Box", joined(around, hollow))})),
+                 QString("\"Box\": The mesh has a cavity: one of its 2 parts is inverted and lies within another."));
+    }
+    void nonPrismIsRejectedOrReplacedByItsFallback() {
+        TriangleMesh mesh = prismSolid(lShape(), 0.5);
+        for (std::size_t i = 6; i < 12; ++i) mesh.points[i] += Vec3(0.0032, 0, 0);
+        const SourceScene scene = sceneOf({objectOf("Bent", mesh)});
+        const QString shifted = "The top cap is shifted by 3.2 mm relative to the bottom, seen along the z axis.";
+        QCOMPARE(faultOf(scene), "\"Bent\": " + shifted);
+        const ImportOutcome cap = imported({}, scene, {.fallback = PrismFallback::TopCap});
+        QVERIFY(cap.assets[0].usesFallback);
+        QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "Its top cap along z replaces it: " + shifted);
+        QCOMPARE(area(cap.project.assets[0].prism.outline), 3.0);
+        const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
+        QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
+    }
+    void rejectedObjectsDoNotBlockOthers() {
+        TriangleMesh open = gableMesh();
+        open.triangles.pop_back();
+        const SourceObject wall = objectOf("Wall", wallMesh()), gable = objectOf("Gable", gableMesh(), 1);
+        const ImportOutcome outcome = imported({}, sceneOf({wall, objectOf("Open", open), gable}));
+        QVERIFY(outcome.project == imported({}, sceneOf({wall, gable})).project);
+        QCOMPARE(outcome.assets.size(), std::size_t{2});
+        QCOMPARE(outcome.refused.size(), std::size_t{1});
+        QCOMPARE(outcome.refused[0].message,
+                 std::string("\"Open\": The mesh is not closed: 3 edges have one face only."));
+        const ImportOutcome parts = imported({}, sceneOf({objectOf("Set", joined(open, wallMesh()))}));
+        QCOMPARE(parts.assets.size(), std::size_t{1});
+        QCOMPARE(parts.refused[0].code, ErrorCode::Degenerate);
+    }
+    void otherErrorsAreNamed() {
+        const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});
+        QCOMPARE(faultOf(scene, {.asset = "Roof"}),
+                 QString("The file has several objects and none named \"Roof\"; it has \"Wall\", \"Gable\"."));
+        QCOMPARE(faultOf(scene, {.metresPerUnit = 0.0}),
+                 QString("The unit is 0 m; it must be finite and greater than zero."));
+        const TaskContext context;
+        context.cancel.cancel();
+        QVERIFY(importedInto({}, scene, "file", {}, context).error().code == ErrorCode::Cancelled);
+    }
+    void invertedTrianglesAreFlippedAndNoted() {
+        TriangleMesh mesh = gableMesh();
+        std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
+        const ImportOutcome outcome = imported({}, sceneOf({objectOf("Gable", mesh)}));
+        QCOMPARE(outcome.assets[0].notes[0], std::string("The orientation of 1 inverted triangle was corrected."));
+    }
+};
+
+RUBBLE_TEST(AssetImportTest)
+#include "AssetImportTest.moc"

@@ -1,0 +1,62 @@
+#include "core/base/ThreadPool.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+
+using namespace rubble;
+
+class ThreadPoolTest : public QObject {
+    Q_OBJECT
+private slots:
+    void chunksCoverEveryItemOnce() {
+        ThreadPool pool(4);
+        for (int round = 0; round < 1000; ++round) {
+            std::vector<int> times(97, 0);
+            pool.forEachChunk(times.size(), 7, [&](IndexRange range, std::size_t) {
+                for (std::size_t i = range.begin; i < range.end; ++i) ++times[i];
+            });
+            QCOMPARE(std::count(times.begin(), times.end(), 1), std::ptrdiff_t{97});
+        }
+    }
+    void stagesSeeResultsOfEarlierStages_data() {
+        QTest::addColumn<int>("threads");
+        for (const int threads : {1, 2, 3, 8}) QTest::addRow("%d threads", threads) << threads;
+    }
+    void stagesSeeResultsOfEarlierStages() {
+        QFETCH(int, threads);
+        constexpr std::size_t kStages = 40;
+        ThreadPool pool(threads);
+        const auto parts = static_cast<std::size_t>(threads);
+        for (int round = 0; round < 50; ++round) {
+            // Each part of a stage sums the results of all parts of the stage before: 1, n, n^2, ... modulo a prime.
+            std::vector<std::vector<std::uint64_t>> sums(kStages, std::vector<std::uint64_t>(parts, 1));
+            pool.runStages(kStages, parts, [&](std::size_t stage, std::size_t part) {
+                if (stage == 0) return;
+                std::uint64_t sum = 0;
+                for (std::uint64_t before : sums[stage - 1]) sum += before;
+                sums[stage][part] = sum % 1000003;
+            });
+            std::uint64_t expected = 1;
+            for (const std::vector<std::uint64_t>& stage : sums) {
+                for (std::uint64_t sum : stage) QCOMPARE(sum, expected);
+                expected = expected * parts % 1000003;
+            }
+        }
+    }
+    void lateWorkersRunNothingTwice() {
+        ThreadPool pool(3);
+        for (int round = 0; round < 2000; ++round) {
+            std::array<std::array<std::atomic<int>, 3>, 2> times{};
+            pool.runStages(2, 3, [&](std::size_t stage, std::size_t part) { ++times[stage][part]; });
+            for (const auto& stage : times) {
+                for (const std::atomic<int>& count : stage) QCOMPARE(count.load(), 1);
+            }
+        }
+    }
+};
+
+RUBBLE_TEST(ThreadPoolTest)
+#include "ThreadPoolTest.moc"

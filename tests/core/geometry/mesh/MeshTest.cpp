@@ -1,0 +1,82 @@
+#include "core/geometry/mesh/Mesh.h"
+#include "tests/support/Meshes.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+std::string faultOf(const Mesh& mesh) { return verifyMesh(mesh, 8.0).value_or(""); }
+
+}  // namespace
+
+class MeshTest : public QObject {
+    Q_OBJECT
+private slots:
+    void boxIsClosed() {
+        QCOMPARE(volumeOf(boxMesh()), 8.0);
+        QCOMPARE(faultOf(boxMesh()), "");
+        QCOMPARE(volumeOf(Mesh{}), 0.0);
+    }
+    void capsBecomeFansAndSidesAreSplit() {
+        const Mesh triangles = triangulated(boxMesh());
+        QCOMPARE(triangles.faces.size(), std::size_t{2 * 4 + 4 * 2});
+        QCOMPARE(triangles.positions.size(), std::size_t{10});
+        QVERIFY(triangles.positions[8] == Vec3(0.0, 0.0, 1.0));
+        QVERIFY(triangles.positions[9] == Vec3(0.0, 0.0, -1.0));
+        QVERIFY(triangles.uvs[8] == Vec2(0.0, 0.0));
+        for (const MeshFace& face : triangles.faces) QCOMPARE(face.cornerCount, 3u);
+        QCOMPARE(faultOf(triangles), "");
+        QVERIFY(triangles.faces[11].side == FaceSide::Outside && triangles.faces[12].side == FaceSide::Inside);
+    }
+    void trianglesAreUnchanged() {
+        const Mesh triangles = triangulated(boxMesh());
+        QCOMPARE(triangulated(triangles).positions.size(), triangles.positions.size());
+        QCOMPARE(triangulated(triangles).faces.size(), triangles.faces.size());
+    }
+    void everyFaultIsReported_data() {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<QString>("message");
+        const char* messages[] = {
+            "Face 2 has fewer than three corners.",
+            "Face 5 lacks corners.",
+            "Face 4 has no normal.",
+            "Face 0 has a corner without a position.",
+            "Face 0 has a corner without texture coordinates.",
+            "Face 3 has a normal not of length 1.",
+            "Face 3 is not counter-clockwise about its normal.",
+            "Face 0 is not counter-clockwise about its normal.",
+            "Face 5 is an outside face after an inside one.",
+            "Edge 0-4 is open.",
+            "Edge 0-1 is used twice in the same direction.",
+            "The volume is 8 instead of 7.5.",
+        };
+        for (int i = 0; i < 12; ++i) QTest::addRow("%d", i) << i << QString(messages[i]);
+    }
+    void everyFaultIsReported() {
+        QFETCH(int, fault);
+        QFETCH(QString, message);
+        Mesh box = boxMesh();
+        switch (fault) {
+            case 0: box.faces[2].cornerCount = 2; break;
+            case 1: box.faces[5].cornerCount = 5; break;
+            case 2: box.faces[4].normal = 6; break;
+            case 3: box.corners[1].position = 8; break;
+            case 4: box.corners[1].uv = 8; break;
+            case 5: box.normals[3] *= 0.5; break;
+            case 6: box.normals[3] = {0.0, 0.0, 1.0}; break;
+            case 7: std::swap(box.corners[1], box.corners[3]); break;
+            case 8: box.faces[5].side = FaceSide::Outside; break;
+            case 9: box.faces.pop_back(); break;
+            case 10: box.faces.insert(box.faces.begin(), box.faces[0]); break;
+            default: break;
+        }
+        const double expectedVolume = fault == 11 ? 7.5 : 8.0;
+        QCOMPARE(QString::fromStdString(verifyMesh(box, expectedVolume).value_or("")), message);
+    }
+};
+
+RUBBLE_TEST(MeshTest)
+#include "MeshTest.moc"

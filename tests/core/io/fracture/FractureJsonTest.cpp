@@ -1,0 +1,119 @@
+#include "core/io/fracture/FractureJson.h"
+
+#include "tests/support/JsonCases.h"
+#include "tests/support/Outlines.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr const char* kSquare = R"("outline":[[0,0],[1,0],[1,1],[0,1]],"depth":0.5)";
+
+std::string inputJson(const std::string& members) { return std::string("{") + kSquare + "," + members + "}"; }
+
+QJsonObject fractured(const FractureInput& input, FractureMethod method = FractureMethod::Exact) {
+    const Result<std::string> json = fractureJson(input, method);
+    return json ? QJsonDocument::fromJson(QByteArray::fromStdString(*json)).object() : QJsonObject();
+}
+
+std::string faultOf(const std::string& json) {
+    const Result<FractureInput> input = readFractureInput(json);
+    return input ? "none" : input.error().message;
+}
+
+ErrorCode codeOf(const std::string& json) { return readFractureInput(json).error().code; }
+
+std::vector<std::uint32_t> indicesOf(const QJsonValue& array) {
+    std::vector<std::uint32_t> indices;
+    for (const QJsonValue index : array.toArray()) indices.push_back(static_cast<std::uint32_t>(index.toInt()));
+    return indices;
+}
+
+}  // namespace
+
+class FractureJsonTest : public QObject {
+    Q_OBJECT
+private slots:
+    void inputIsReadAndCanonicalized() {
+        const Result<FractureInput> input =
+            readFractureInput(R"({"seeds":[[0.5,0.25]],"depth":2,"outline":[[0,0],[0,4],[4,4],[4,0]],)"
+                              R"("holes":[[[1,1],[3,1],[3,3],[1,3]]]})");
+        QVERIFY(input.hasValue());
+        QVERIFY(signedArea(input->prism.outline.outer) > 0.0 && signedArea(input->prism.outline.holes[0]) < 0.0);
+        QCOMPARE(area(input->prism.outline), 12.0);
+        QCOMPARE(input->prism.depth, 2.0);
+        QCOMPARE(input->seeds, (std::vector<Vec2>{{0.5, 0.25}}));
+    }
+    void holesAreOptional() { QVERIFY(readFractureInput(inputJson(R"("seeds":[])"))->prism.outline.holes.empty()); }
+    void faultsNameTheirPlace() {
+        QCOMPARE(faultOf(inputJson(R"("seeds":[[0,0],[1]])")),
+                 std::string("seeds[1]: expected an array of 2 numbers, found an array of 1."));
+        QCOMPARE(faultOf(inputJson(R"("holes":[[[0.2,0.2],"x"]],"seeds":[])")),
+                 std::string("holes[0][1]: expected an array of 2 numbers, found \"x\"."));
+        QCOMPARE(codeOf(inputJson(R"("seeds":{})")), ErrorCode::BadInput);
+        QCOMPARE(codeOf("{"), ErrorCode::BadInput);
+        QCOMPARE(codeOf(R"({"outline":[[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"), ErrorCode::Crossing);
+    }
+
+    void counterexamplesOfTheThesisAreCorrect_data() {
+        QTest::addColumn<int>("number");
+        int number = 0;
+        for (const test::Counterexample& example : test::counterexamples())
+            QTest::newRow(example.name.c_str()) << number++;
+        QCOMPARE(number, 18);
+    }
+    void counterexamplesOfTheThesisAreCorrect() {
+        QFETCH(int, number);
+        const test::Counterexample example = test::counterexamples()[static_cast<std::size_t>(number)];
+        const QJsonObject output = fractured({{example.outline, 1.0}, example.seeds});
+        const QJsonArray cells = output["cells"].toArray();
+        double sum = 0.0;
+        for (const QJsonValue cell : cells) {
+            const auto seed = static_cast<std::size_t>(cell["seed"].toInt());
+            const double exact = example.areas[seed];
+            QVERIFY(std::abs(cell["area"].toDouble() - exact) <= 1e-12 * area(example.outline));
+            QCOMPARE(indicesOf(cell["neighbours"]), example.neighbours[seed]);
+            sum += exact;
+        }
+        QVERIFY(std::abs(sum - area(example.outline)) <= 1e-12 * area(example.outline));
+    }
+    void thesisMethodReproducesItsErrors() {
+        const test::Counterexample example = test::counterexamples()[0];  // R1_origin_square3
+        const QJsonObject output = fractured({{example.outline, 1.0}, example.seeds}, FractureMethod::Thesis);
+        QVERIFY(std::abs(output["cells"][0]["area"].toDouble() - 0.370606061) < 1e-9);
+        QVERIFY(std::abs(example.areas[0] - 0.2956060606060606) < 1e-15);
+    }
+
+    void trianglesStartWithTheSmallestIndexAndAreSorted() {
+        const std::vector<Vec2> seeds = {{0.75, 0.75}, {0.25, 0.25}, {0.8, 0.2}, {0.2, 0.9}};
+        const QJsonArray triangles = fractured({{unitSquare(), 1.0}, seeds})["triangles"].toArray();
+        QCOMPARE(triangles.size(), 2);
+        QCOMPARE(indicesOf(triangles[0]), (std::vector<std::uint32_t>{0, 1, 2}));
+        QCOMPARE(indicesOf(triangles[1]), (std::vector<std::uint32_t>{0, 3, 1}));
+    }
+    void reportsHaveCodeSeedsAndMessage() {
+        const QJsonArray report = fractured({{unitSquare(), 1.0}, {{0.5, 0.5}, {0.5, 0.5}}})["report"].toArray();
+        QCOMPARE(report.size(), 1);
+        QCOMPARE(report[0]["code"].toString(), QString("DuplicateSeed"));
+        QCOMPARE(report[0]["seed"].toInt(), 1);
+        QCOMPARE(report[0]["of"].toInt(-1), 0);
+        QVERIFY(report[0]["message"].toString().endsWith('.'));
+    }
+    void outputIsOneLine() {
+        const Result<std::string> json = fractureJson({{unitSquare(), 1.0}, {{0.5, 0.5}}}, FractureMethod::Exact);
+        QCOMPARE(json->find('\n'), json->size() - 1);
+    }
+    void cancellationStopsIt() {
+        TaskContext task;
+        task.cancel.cancel();
+        const std::vector<Vec2> seeds = {{0.25, 0.5}, {0.75, 0.5}};
+        QCOMPARE(fractureJson({{unitSquare(), 1.0}, seeds}, FractureMethod::Exact, task).error().code,
+                 ErrorCode::Cancelled);
+    }
+};
+
+RUBBLE_TEST(FractureJsonTest)
+#include "FractureJsonTest.moc"

@@ -1,0 +1,117 @@
+#include "core/geometry/mesh/MeshWelding.h"
+#include "core/io/mesh/MeshImport.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+const std::filesystem::path kMeshes = RUBBLE_SOURCE_DIR "/tests/data/meshes";
+
+Result<SourceScene> imported(const std::filesystem::path& file) { return importMesh(file, RUBBLE_IMPORTER, {}); }
+
+/// A program instead of the importer.
+class FakeImporter {
+public:
+    explicit FakeImporter(const char* script) : m_path(m_folder.filePath("importer").toStdString()) {
+        std::ofstream(m_path) << "#!/bin/sh\n" << script << '\n';
+        std::filesystem::permissions(m_path, std::filesystem::perms::owner_all);
+    }
+    QString fault() const {
+        return QString::fromStdString(importMesh(kMeshes / "wall.ply", m_path, {}).error().message);
+    }
+
+private:
+    QTemporaryDir m_folder;
+    std::filesystem::path m_path;
+};
+
+}  // namespace
+
+class MeshImportTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyFormatGivesTheSameWall_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<double>("metresPerUnit");
+        QTest::newRow("glb") << "glb" << 1.0;
+        QTest::newRow("gltf") << "gltf" << 1.0;
+        QTest::newRow("obj") << "obj" << 0.0;
+        QTest::newRow("fbx") << "fbx" << 0.01;
+        QTest::newRow("stl") << "stl" << 0.0;
+        QTest::newRow("ply") << "ply" << 0.0;
+    }
+    void everyFormatGivesTheSameWall() {
+        QFETCH(QString, ending);
+        QFETCH(double, metresPerUnit);
+        const Result<SourceScene> scene = imported(kMeshes / ("wall." + ending.toStdString()));
+        QVERIFY2(scene.hasValue(), scene ? "" : scene.error().message.c_str());
+        QCOMPARE(scene->metresPerUnit, metresPerUnit);
+        QCOMPARE(scene->objects.size(), std::size_t{1});
+        QCOMPARE(scene->objects[0].triangles.size(), std::size_t{12});
+        const Box3 box = boundsOf(TriangleMesh{scene->objects[0].points, {}});
+        const double unit = metresPerUnit > 0.0 ? metresPerUnit : 1.0;
+        QVERIFY(std::abs(box.diagonal() * unit - 1.5) < 1e-6);
+    }
+    void objectsMaterialsAndTexturesAreRead() {
+        const Result<SourceScene> scene = imported(kMeshes / "textured.glb");
+        QCOMPARE(scene->objects[0].name, std::string("Wall"));
+        QVERIFY(scene->objects[0].hasUvs);
+        QCOMPARE(scene->materials[0].name, std::string("Plaster"));
+        QCOMPARE(scene->materials[1].name, std::string("Brick"));
+        QVERIFY(glm::distance(scene->materials[0].colour, Vec3(0.955, 0.906, 0.584)) < 1e-12);
+        QCOMPARE(imported(kMeshes / "pair.fbx")->objects.size(), std::size_t{2});
+    }
+    void contentIsRecognizedDespiteAWrongSuffix() {
+        QTemporaryDir folder;
+        const std::filesystem::path wrong = folder.filePath("wall.dat").toStdString();
+        std::filesystem::copy(kMeshes / "wall.ply", wrong);
+        QVERIFY(imported(wrong).hasValue());
+    }
+    void otherFilesAreRejected() {
+        QTemporaryDir folder;
+        const std::filesystem::path text = folder.filePath("text.ply").toStdString();
+        std::ofstream(text) << "nothing of the kind\n";
+        QVERIFY(imported(text).error().code == ErrorCode::Unsupported);
+        QVERIFY(
+            imported(text).error().message.starts_with("\"text.ply\" cannot be read as OBJ, glTF, FBX, STL or PLY: "));
+        QCOMPARE(imported("none.obj").error().message,
+                 std::string("Cannot read \"none.obj\": No such file or directory."));
+        QVERIFY(imported(kMeshes).error().message.ends_with("Is a directory."));
+    }
+    void damagedFilesAreRejected() {
+        QTemporaryDir folder;
+        const auto fault = [&](const char* points, const char* face) {
+            const std::filesystem::path file = folder.filePath("bad.ply").toStdString();
+            std::ofstream(file) << "ply\nformat ascii 1.0\nelement vertex " << points
+                                << "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+                                << face << '\n';
+            return QString::fromStdString(imported(file).error().message);
+        };
+        QCOMPARE(fault("3", "3 0 1 77777777"), "\"bad.ply\" has a face that refers to point 77777777 of 3.");
+        QCOMPARE(fault("4000000000", "3 0 1 2"),
+                 "\"bad.ply\" needs more than 1 GiB of memory; it is too large or damaged.");
+    }
+    void failureOfTheImporterIsAnError() {
+        QCOMPARE(FakeImporter("kill -SEGV $$").fault(), "\"wall.ply\" crashed the mesh reader; the file is damaged.");
+        QCOMPARE(FakeImporter("exit 3").fault(),
+                 "\"wall.ply\" needs more than 1 GiB of memory; it is too large or damaged.");
+        QCOMPARE(FakeImporter("echo 'It is blue.' >&2; exit 1").fault(), "It is blue.");
+        QCOMPARE(FakeImporter("exit 1").fault(),
+                 "\"wall.ply\" cannot be read: the mesh reader failed with exit status 1.");
+        QCOMPARE(FakeImporter("echo rubble mesh 1").fault(),
+                 "\"wall.ply\" cannot be read: the mesh reader returned invalid data.");
+        QCOMPARE(FakeImporter("kill -XCPU $$").fault(),
+                 "\"wall.ply\" takes longer than 10 s to read; it is too large or damaged.");
+    }
+};
+
+RUBBLE_TEST(MeshImportTest)
+#include "MeshImportTest.moc"

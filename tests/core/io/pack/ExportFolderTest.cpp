@@ -1,0 +1,170 @@
+#include "core/io/pack/ExportFolder.h"
+
+#include "core/io/system/AtomicFile.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <vector>
+
+using namespace rubble;
+namespace fs = std::filesystem;
+
+namespace {
+
+const ContentHash kFirst = contentHash("first");
+const ContentHash kSecond = contentHash("second");
+const std::vector<ExportFile> kFiles = {{"wall.obj", "v 0 0 0\n"}, {"wall.mtl", "newmtl a\n"}};
+
+/// The names of all entries of a folder, including hidden ones.
+std::vector<std::string> namesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+    std::ranges::sort(names);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+class ExportFolderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_temporary = std::make_unique<QTemporaryDir>();
+        m_place = m_temporary->path().toStdString();
+        m_pack = m_place / "packs" / "wall";
+    }
+
+    void everyFileIsWrittenWithTheManifest() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QCOMPARE(namesIn(m_pack), (Names{"manifest.json", "wall.mtl", "wall.obj"}));
+        QCOMPARE(*readFile(m_pack / "wall.obj"), std::string("v 0 0 0\n"));
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+
+    void unmodifiedExportIsRecognizedByItsSource() {
+        QVERIFY(!isExportOf(m_pack, kFirst));
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(isExportOf(m_pack, kFirst));
+        QVERIFY(!isExportOf(m_pack, kSecond));
+    }
+
+    void errorsOfAnExportAreReported() {
+        const auto fault = [&] { return verifyExportFolder(m_pack).value_or(""); };
+        const std::string folder = m_pack.string();
+        QCOMPARE(fault(), "The folder \"" + folder + "\" has no readable manifest.json.");
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QCOMPARE(fault(), std::string());
+        QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
+        QCOMPARE(fault(), "The folder \"" + folder + "\" holds \"notes.txt\", which is not part of the export.");
+        QVERIFY(writeFileAtomically(m_pack / "wall.mtl", "newmtl b\n"));
+        QCOMPARE(fault(), "\"" + folder + "/wall.mtl\" was modified after the export.");
+        fs::remove(m_pack / "wall.obj");
+        QCOMPARE(fault(), "Cannot read \"" + folder + "/wall.obj\": No such file or directory.");
+    }
+
+    void modifiedMissingAndUnreadableFilesAreDetected() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeFileAtomically(m_pack / "wall.obj", "v 0 0 1\n"));
+        QVERIFY(!isExportOf(m_pack, kFirst));
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        fs::remove(m_pack / "wall.mtl");
+        QVERIFY(!isExportOf(m_pack, kFirst));
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        fs::resize_file(m_pack / kManifestName, 40);
+        QVERIFY(!isExportOf(m_pack, kFirst));
+    }
+
+    void exportReplacesAnEarlierOne() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeExportFolder(m_pack, kSecond, std::vector<ExportFile>{{"wall.glb", "glTF"}}));
+        QCOMPARE(namesIn(m_pack), (Names{"manifest.json", "wall.glb"}));
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+        QVERIFY(isExportOf(m_pack, kSecond));
+    }
+
+    void unexpectedFilesAreNeverReplaced() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
+        const Status status = writeExportFolder(m_pack, kSecond, kFiles);
+        QCOMPARE(status.error().code, ErrorCode::BadInput);
+        QCOMPARE(status.error().message, "The folder \"" + m_pack.string() +
+                                             "\" holds \"notes.txt\", which is not part of an export; move it first or "
+                                             "export elsewhere.");
+        QCOMPARE(*readFile(m_pack / "notes.txt"), std::string("mine"));
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+
+    void emptyFolderIsReplacedAndFileIsNot() {
+        fs::create_directories(m_pack);
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        const fs::path file = m_place / "file";
+        QVERIFY(writeFileAtomically(file, "mine"));
+        QCOMPARE(writeExportFolder(file, kFirst, kFiles).error().code, ErrorCode::BadInput);
+        QCOMPARE(writeExportFolder(file / "below", kFirst, kFiles).error().code, ErrorCode::Io);
+    }
+
+    void cancellingKeepsTheEarlierExport() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        TaskContext task;
+        task.cancel.cancel();
+        QCOMPARE(writeExportFolder(m_pack, kSecond, kFiles, task).error().code, ErrorCode::Cancelled);
+        QVERIFY(isExportOf(m_pack, kFirst));
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+
+    void cancellingRemovesCreatedFolders() {
+        TaskContext task;
+        task.cancel.cancel();
+        fs::create_directory(m_place / "there");
+        QVERIFY(!writeExportFolder(m_place / "there" / "deep" / "packs" / "wall", kFirst, kFiles, task));
+        QCOMPARE(namesIn(m_place), Names{"there"});
+        QCOMPARE(namesIn(m_place / "there"), Names{});
+    }
+
+    void fullDiskKeepsTheEarlierExport() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+        const rlimit small{4096, before.rlim_max};
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+        const Status status =
+            writeExportFolder(m_pack, kSecond, std::vector<ExportFile>{{"wall.obj", std::string(5000, 'v')}});
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+        QCOMPARE(status.error().code, ErrorCode::Io);
+        QVERIFY(status.error().message.ends_with("wall.obj\": File too large."));
+        QVERIFY(isExportOf(m_pack, kFirst));
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+
+    void readOnlyFolderIsAnError() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QCOMPARE(chmod(m_place.c_str(), 0755), 0);
+        QCOMPARE(chmod(m_pack.parent_path().c_str(), 0555), 0);
+        const uid_t user = geteuid();
+        if (user == 0) QCOMPARE(seteuid(65534), 0);  // root may write anywhere; become nobody
+        const Status status = writeExportFolder(m_pack, kSecond, kFiles);
+        if (user == 0) QCOMPARE(seteuid(user), 0);
+        QCOMPARE(chmod(m_pack.parent_path().c_str(), 0755), 0);
+        QCOMPARE(status.error().message,
+                 "Cannot write into \"" + m_pack.parent_path().string() + "\": Permission denied.");
+        QVERIFY(isExportOf(m_pack, kFirst));
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_temporary;
+    fs::path m_place;
+    fs::path m_pack;
+};
+
+RUBBLE_TEST(ExportFolderTest)
+#include "ExportFolderTest.moc"

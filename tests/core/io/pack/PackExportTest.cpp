@@ -1,0 +1,215 @@
+#include "core/io/pack/PackExport.h"
+
+#include "core/io/system/AtomicFile.h"
+#include "tests/support/Fragments.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+using namespace rubble;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Assets with the given names and ids 11, 12, ...: squares of 1 m with 6 fragments each.
+Project projectOf(const std::vector<std::string>& names) {
+    Project project;
+    project.materials = {{.id = 1, .name = "brick"}};
+    Id id = 10;
+    for (const std::string& name : names) {
+        Asset asset = assetOf(unitSquare(), 0.5);
+        asset.id = ++id;
+        asset.name = name;
+        asset.material = 1;
+        asset.pattern = scatterOf(6, 100 + id);
+        project.assets.push_back(asset);
+    }
+    project.nextId = 1000;
+    return project;
+}
+
+std::vector<Id> allAssets(const Project& project) {
+    std::vector<Id> ids;
+    for (const Asset& asset : project.assets) ids.push_back(asset.id);
+    return ids;
+}
+
+/// All files below a folder with their bytes.
+std::map<std::string, std::string> treeOf(const fs::path& folder) {
+    std::map<std::string, std::string> tree;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) tree[fs::relative(entry.path(), folder)] = readFile(entry.path()).value();
+    }
+    return tree;
+}
+
+}  // namespace
+
+class PackExportTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_temporary = std::make_unique<QTemporaryDir>();
+        m_out = m_temporary->path().toStdString() + "/packs";
+    }
+
+    void everyAssetGetsAFolder() {
+        const Project project = projectOf({"wall", "old roof"});
+        const auto assets = exportPacks(project, allAssets(project), m_out, {});
+        QVERIFY(assets);
+        QCOMPARE(assets->size(), std::size_t{2});
+        QVERIFY((*assets)[1].status);
+        QCOMPARE((*assets)[1].folder, m_out / "old roof");
+        QCOMPARE((*assets)[1].fragmentCount, std::size_t{6});
+        QCOMPARE((*assets)[1].volume, 0.5);
+        for (const char* file : {"wall/pack.json", "wall/manifest.json", "wall/wall.obj", "wall/wall.mtl",
+                                 "wall/wall.glb", "wall/wall-whole.obj", "old roof/old_roof.glb"}) {
+            QVERIFY2(fs::exists(m_out / file), file);
+        }
+    }
+    void bytesDoNotDependOnThreads() {
+        const Project project = projectOf({"a", "b", "c", "d", "e"});
+        TaskContext task;
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, task));
+        task.threads = 4;
+        QVERIFY(exportPacks(project, allAssets(project), m_out / "again", {}, task));
+        const auto again = treeOf(m_out / "again");
+        fs::remove_all(m_out / "again");
+        QVERIFY(!again.empty() && treeOf(m_out) == again);
+    }
+    void unchangedExportIsNotRewritten() {
+        Project project = projectOf({"a", "b"});
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
+        const auto written = fs::last_write_time(m_out / "a" / "pack.json");
+        project.assets[1].threshold = 7.0;
+        const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
+        QVERIFY(assets[0].isUnchanged && !assets[1].isUnchanged);
+        QVERIFY(fs::last_write_time(m_out / "a" / "pack.json") == written);
+    }
+    void modifiedOrMissingFilesAreRewritten() {
+        const Project project = projectOf({"a"});
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
+        const auto whole = treeOf(m_out);
+        QVERIFY(writeFileAtomically(m_out / "a" / "a.obj", "o nothing\n"));
+        QVERIFY(!exportPacks(project, allAssets(project), m_out, {}).value()[0].isUnchanged);
+        QVERIFY(treeOf(m_out) == whole);
+        fs::remove(m_out / "a" / "a.glb");
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
+        QVERIFY(treeOf(m_out) == whole);
+    }
+    void sourceHashDependsOnAllInputs() {
+        const Project project = projectOf({"a"});
+        const Asset& asset = project.assets[0];
+        const ContentHash source = packSourceHash(project, asset, {});
+        const auto differs = [&](const auto& change) {
+            Project other = project;
+            change(other, other.assets[0]);
+            return packSourceHash(other, other.assets[0], {}) != source;
+        };
+        QVERIFY(differs([](Project&, Asset& a) { a.prism.depth = 0.25; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.insideUvScale = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.threshold = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.shaping.roughness.amplitude = 0.01; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.shaping.gap = 0.01; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.insideMaterial = a.material; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.name = "b"; }));
+        QVERIFY(differs([](Project&, Asset& a) {
+            a.surface = std::make_shared<const Surface>(Surface{{"paint"}, {}, {}, {}});
+        }));
+        QVERIFY(differs([](Project& p, Asset&) { p.materials[0].density = 2.0; }));
+        QVERIFY(differs([](Project& p, Asset&) { p.materials[0].inside.red = 0.1; }));
+        QVERIFY(differs([](Project& p, Asset& a) {
+            p.materials[0].tensileStrength = 1e6;
+            a.contactTime = 1e-3;
+        }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].tensileStrength = 1e6; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].fractureToughness = 1e6; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.nextId = 2000; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));
+        QVERIFY(!differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
+        QVERIFY(!differs([](Project&, Asset& a) { a.requirements.resize(1); }));
+        for (const MeshOptions& options :
+             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
+              MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {
+            QVERIFY(packSourceHash(project, asset, options) != source);
+        }
+    }
+    void errorOfOneAssetDoesNotStopOthers() {
+        const Project project = projectOf({"a", "b", "c"});
+        fs::create_directories(m_out / "b");
+        QVERIFY(writeFileAtomically(m_out / "b" / "mine.txt", "mine"));
+        const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
+        QVERIFY(assets[0].status && assets[2].status);
+        QCOMPARE(assets[1].status.error().code, ErrorCode::BadInput);
+        QVERIFY(fs::exists(m_out / "a" / "pack.json") && fs::exists(m_out / "c" / "pack.json"));
+        QCOMPARE(treeOf(m_out / "b").size(), std::size_t{1});
+    }
+    void assetsWithTheSameFolderAreRejected() {
+        const Project project = projectOf({"a/b", "a:B"});
+        const auto refused = exportPacks(project, std::vector<Id>{11}, m_out, {});
+        QCOMPARE(refused.error().code, ErrorCode::BadInput);
+        QCOMPARE(refused.error().message,
+                 std::string("The assets \"a/b\" and \"a:B\" would both be exported to the folder "
+                             "\"a_B\"; rename one of them."));
+        QVERIFY(!fs::exists(m_out));
+    }
+    void unknownAssetIsRejected() {
+        const auto refused = exportPacks(projectOf({"a"}), std::vector<Id>{5}, m_out, {});
+        QCOMPARE(refused.error().code, ErrorCode::NotFound);
+        QCOMPARE(refused.error().message, std::string("The project has no asset with the id 5."));
+    }
+    void cancellingLeavesOnlyCompleteFolders() {
+        const Project project = projectOf({"a", "b", "c", "d"});
+        TaskContext task;
+        task.threads = 2;
+        double last = 0.0;
+        task.progress = [&](double fraction) {
+            if (fraction >= 0.4) task.cancel.cancel();
+            last = fraction;
+        };
+        QCOMPARE(exportPacks(project, allAssets(project), m_out, {}, task).error().code, ErrorCode::Cancelled);
+        QVERIFY(last >= 0.4);
+        fs::create_directories(m_out);
+        for (const fs::directory_entry& entry : fs::directory_iterator(m_out)) {
+            const Asset& asset = *findAsset(project, entry.path().filename().string());
+            QVERIFY(isExportOf(entry.path(), packSourceHash(project, asset, {})));
+        }
+    }
+    void cancellingLateLeavesNoEmptyFolder() {
+        // After the files of one are generated, before its folder is written.
+        for (const int threads : {1, 2}) {
+            TaskContext task;
+            task.threads = threads;
+            task.progress = [&](double fraction) {
+                if (fraction >= 0.89 / threads) task.cancel.cancel();
+            };
+            const Project project =
+                projectOf(threads == 1 ? std::vector<std::string>{"a"} : std::vector<std::string>{"a", "b"});
+            QCOMPARE(exportPacks(project, allAssets(project), m_out / "deep", {}, task).error().code,
+                     ErrorCode::Cancelled);
+            QVERIFY(!fs::exists(m_out));
+        }
+    }
+    void progressGrowsToTheEnd() {
+        const Project project = projectOf({"a", "b", "c"});
+        TaskContext task;
+        std::vector<double> told;
+        task.progress = [&](double fraction) { told.push_back(fraction); };
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, task));
+        QVERIFY(std::ranges::is_sorted(told));
+        QVERIFY(told.back() > 1.0 - 1e-9);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_temporary;
+    fs::path m_out;
+};
+
+RUBBLE_TEST(PackExportTest)
+#include "PackExportTest.moc"

@@ -1,0 +1,66 @@
+// Tests core/io/pack/PackFile.cpp and PackBodyJson.cpp.
+#include "core/io/pack/PackFile.h"
+#include "tests/support/Packs.h"
+#include "tests/support/Schemas.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <nlohmann/json.hpp>
+
+using namespace rubble;
+
+class PackFileTest : public QObject {
+    Q_OBJECT
+private slots:
+    void writtenPacksMatchTheSchema() {
+        const test::Schema schema("pack.schema.json");
+        for (const Asset& asset :
+             {boxAsset(3, 4, UniformScatter{.count = 9}), twoLevelRing(), boxAsset(3, 4, PlacedSeeds{})}) {
+            const std::string json = packOf(asset);
+            QCOMPARE(schema.fault(nlohmann::json::parse(json)), std::string());
+        }
+    }
+    void threadsDoNotChangeTheBytes() {
+        const Asset asset = boxAsset(3, 4, UniformScatter{.count = 300});
+        QCOMPARE(packOf(asset, 4), packOf(asset, 1));
+    }
+    void boxMatchesAComputationByHand() {
+        const nlohmann::json whole = nlohmann::json::parse(packOf(boxAsset(3, 4, PlacedSeeds{})))["whole"];
+        QVERIFY(whole["id"] == "3");
+        QVERIFY(whole["name"] == "box");
+        QVERIFY(whole["parent"].is_null());
+        QVERIFY(whole["offset"] == nlohmann::json({0.5, 0.5, 0.0}));
+        QVERIFY(whole["volume"] == 0.5);
+        QVERIFY(whole["mass"] == 0.5 * 1800.0);
+        QVERIFY(whole["inertia"][2][2] == 0.5 * 1800.0 * (1.0 + 1.0) / 12.0);
+        QCOMPARE(whole["hulls"].size(), std::size_t{1});
+        QVERIFY(whole["hulls"][0]["planes"][0] == nlohmann::json({0.0, 0.0, 1.0, 0.25}));
+        QVERIFY(whole["hulls"][0]["signedEdges"][1] == nlohmann::json::parse("[[6,-1],[5,-1],[4,-1],[7,-1]]"));
+    }
+    void hashDependsOnAllInputs() {
+        const Asset asset = twoLevelRing();
+        const ContentHash hash = packHash(asset, heavyBrick(), packMeshes());
+        QCOMPARE(packHash(twoLevelRing(), heavyBrick(), packMeshes()), hash);
+        Asset stronger = asset;
+        stronger.threshold += 1.0;
+        QVERIFY(packHash(stronger, heavyBrick(), packMeshes()) != hash);
+        Material strong = heavyBrick();
+        strong.tensileStrength = 1e6;
+        QCOMPARE(packHash(asset, strong, packMeshes()), hash);  // the threshold does not depend on it
+        Asset derived = asset;
+        derived.contactTime = 1e-3;
+        QCOMPARE(packHash(derived, heavyBrick(), packMeshes()), hash);
+        QVERIFY(packHash(derived, strong, packMeshes()) != hash);
+        Asset deeper = asset;
+        deeper.prism.depth += 1.0;
+        QVERIFY(packHash(deeper, heavyBrick(), packMeshes()) != hash);
+        Material heavier = heavyBrick();
+        heavier.density += 1.0;
+        QVERIFY(packHash(asset, heavier, packMeshes()) != hash);
+        QVERIFY(packHash(asset, heavyBrick(), {}) != hash);
+    }
+};
+
+RUBBLE_TEST(PackFileTest)
+#include "PackFileTest.moc"

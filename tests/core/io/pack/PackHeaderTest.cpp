@@ -1,0 +1,188 @@
+// Tests docs/formats/rubble_pack.hpp and pack_example.cpp.
+#include "docs/formats/rubble_pack.hpp"
+#include "tests/support/JsonMutations.h"
+#include "tests/support/Packs.h"
+#include "tests/support/TestProgram.h"
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+std::string faultOf(std::string_view json) {
+    rubble_pack::Pack pack;
+    std::string fault;
+    return rubble_pack::parse(json, pack, fault) ? "" : fault;
+}
+
+bool isSame(const rubble_pack::Vec3& read, const Vec3& ours) {
+    return read.x == ours.x && read.y == ours.y && read.z == ours.z;
+}
+
+bool isSame(const rubble_pack::Hull& read, const PackHull& ours) {
+    bool same = read.edges == ours.polytope.edges && read.faces == ours.polytope.faces;
+    for (std::size_t k = 0; same && k < ours.polytope.vertices.size(); ++k)
+        same = isSame(read.vertices.at(k), ours.polytope.vertices[k]);
+    for (std::size_t f = 0; same && f < ours.signedEdges.size(); ++f) {
+        same = isSame(read.planes.at(f).normal, ours.polytope.planes[f].normal) &&
+               read.planes[f].offset == ours.polytope.planes[f].offset;
+        for (std::size_t k = 0; same && k < ours.signedEdges[f].size(); ++k)
+            same = read.signedEdges.at(f).at(k).edge == ours.signedEdges[f][k].edge &&
+                   read.signedEdges[f][k].sign == ours.signedEdges[f][k].sign;
+    }
+    return same;
+}
+
+bool isSame(const rubble_pack::Body& read, const PackBody& ours) {
+    bool same = read.id == ours.id && read.name == ours.name && read.parent == ours.parent &&
+                isSame(read.offset, ours.offset) && read.volume == ours.volume && read.mass == ours.mass &&
+                isSame(read.centreOfMass, ours.centreOfMass) && read.neighbours.size() == ours.neighbours.size() &&
+                read.hulls.size() == ours.hulls.size();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            same = same && read.inertia[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] ==
+                               ours.inertia[column][row];
+    for (std::size_t k = 0; same && k < ours.neighbours.size(); ++k)
+        same = read.neighbours[k].fragment == ours.neighbours[k].fragment &&
+               read.neighbours[k].area == ours.neighbours[k].area;
+    for (std::size_t k = 0; same && k < ours.hulls.size(); ++k) same = isSame(read.hulls[k], ours.hulls[k]);
+    return same;
+}
+
+}  // namespace
+
+/// Compares the reader in docs/formats/rubble_pack.hpp with core/io.
+class PackHeaderTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    /// Runs the example program on a pack.
+    QProcess* example(const std::string& json) {
+        const QString path = m_folder.filePath("pack.json");
+        std::ofstream(path.toStdString(), std::ios::binary) << json;
+        auto* program = new QProcess(this);
+        program->start(RUBBLE_PACK_EXAMPLE, {path});
+        program->waitForFinished();
+        return program;
+    }
+
+private slots:
+    void headerAndLibraryReadTheSame() {
+        const std::string json = packOf(twoLevelRing());
+        const Pack ours = *readPack(json);
+        rubble_pack::Pack pack;
+        std::string fault;
+        QVERIFY2(rubble_pack::parse(json, pack, fault), fault.c_str());
+        QCOMPARE(pack.asset, ours.asset);
+        QCOMPARE(pack.name, ours.name);
+        QCOMPARE(pack.hash, ours.hash);
+        QCOMPARE(pack.threshold, ours.threshold);
+        QCOMPARE(pack.material.name, ours.material.name);
+        QCOMPARE(pack.material.density, ours.material.density);
+        QCOMPARE(pack.material.friction, ours.material.friction);
+        QCOMPARE(pack.material.outside[0], ours.material.outside.red);
+        QCOMPARE(pack.meshes.size(), std::size_t{2});
+        QCOMPARE(pack.meshes[1].file, std::string("box0.obj"));
+        QVERIFY(pack.meshes[1].bodies == rubble_pack::MeshBodies::Fragment);
+        QCOMPARE(pack.meshes[1].fragment, 0u);
+        QVERIFY(isSame(pack.whole, ours.whole));
+        QCOMPARE(pack.fragments.size(), ours.fragments.size());
+        for (std::size_t k = 0; k < ours.fragments.size(); ++k) QVERIFY(isSame(pack.fragments[k], ours.fragments[k]));
+        QCOMPARE(pack.piecesOf(rubble_pack::kNone).size() + pack.piecesOf(0).size() > 5, true);
+    }
+    void allEscapesAreRead() {
+        nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));
+        const std::string name = "a\"\\/\b\f\n\r\t\x01\xc3\xa9\xe2\x82\xac\xf0\x9f\xa7\xb1";
+        json["asset"]["name"] = name;
+        for (const bool isAscii : {false, true}) {  // as UTF-8, and as \u with surrogates
+            rubble_pack::Pack pack;
+            std::string fault;
+            QVERIFY2(rubble_pack::parse(json.dump(1, ' ', isAscii), pack, fault), fault.c_str());
+            QCOMPARE(pack.name, name);
+        }
+    }
+    void everyWrongTypeIsReportedWithItsPath() {
+        const Asset halves = boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.75}}}});
+        const auto isLink = [](const std::string& place, const nlohmann::json& value) {
+            return value.is_null() && (place.ends_with(".parent") || place.starts_with("meshes["));
+        };
+        for (const test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink)) {
+            if (mutation.name.ends_with("one more key")) continue;  // unknown keys are ignored
+            const std::string fault = faultOf(mutation.document.dump());
+            const std::string place = fault.substr(0, fault.find(": "));  // or the path of its container
+            QVERIFY2(!fault.empty() && mutation.place.starts_with(place), (mutation.name + " gives: " + fault).c_str());
+        }
+    }
+    void indicesOutOfRangeAreRejected_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("value");
+        const auto row = [](const char* fault, const char* place, const char* value) {
+            QTest::newRow(fault) << QString(place) << QString(value);
+        };
+        row("version: this header reads version 1.", "/version", "2");
+        row("units.length: \"cm\" is not known to this reader.", "/units/length", "\"cm\"");
+        row("meshes[1].fragment: expected a whole number below 20.", "/meshes/1/fragment", "20");
+        row("fragments[0].parent: expected a whole number below 0.", "/fragments/0/parent", "0");
+        row("fragments[9].parent: expected a whole number below 9.", "/fragments/9/parent", "1.5");
+        row("fragments[0].neighbours[0].fragment: expected a whole number below 20.",
+            "/fragments/0/neighbours/0/fragment", "20");
+        row("fragments[0].hulls[0].edges[0][1]: expected a whole number below 10.", "/fragments/0/hulls/0/edges/0/1",
+            "10");
+        row("fragments[0].hulls[0].faces[1][0]: expected a whole number below 10.", "/fragments/0/hulls/0/faces/1/0",
+            "-1");
+        row("fragments[0].hulls[0].signedEdges[1][0]: expected an edge that is there.",
+            "/fragments/0/hulls/0/signedEdges/1/0/0", "99");
+        row("fragments[0].hulls[0].signedEdges[1][0]: expected an edge, then 1 or -1.",
+            "/fragments/0/hulls/0/signedEdges/1/0/1", "0");
+        row("fragments[0].hulls[0]: faces, signed edges and planes do not agree.", "/fragments/0/hulls/0/planes", "[]");
+        row("fragments[0]: expected at least one hull.", "/fragments/0/hulls", "[]");
+    }
+    void indicesOutOfRangeAreRejected() {
+        QFETCH(QString, place);
+        QFETCH(QString, value);
+        const nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));
+        QCOMPARE(faultOf(test::changedText(json, place.toStdString(), value.toStdString())),
+                 std::string(QTest::currentDataTag()));
+    }
+    void invalidJsonIsRejected() {
+        const std::string json = packOf(boxAsset(3, 4, PlacedSeeds{}));
+        for (std::size_t size = 0; size + 2 < json.size(); ++size)
+            QVERIFY(faultOf(std::string_view(json).substr(0, size)).starts_with("The text is not JSON at byte "));
+        for (const char* text : {"", "{\"a\" 1}", "[1,]", "{,}", "[01]", "[1.]", "[1e]", "[+1]", "[\"\\x\"]",
+                                 "[\"\\ud800\"]", "[\"\n\"]", "nul", "[1] 2", "[1e999]", "[\"\\u12\"]"})
+            QVERIFY2(faultOf(text).starts_with("The text is not JSON at byte "), text);
+        QVERIFY(faultOf(std::string(100000, '[')).ends_with("expected fewer levels."));
+    }
+    void errorDoesNotChangeThePack() {
+        rubble_pack::Pack pack;
+        pack.name = "kept";
+        std::string fault;
+        QVERIFY(!rubble_pack::parse("{}", pack, fault));
+        QCOMPARE(pack.name, std::string("kept"));
+        QVERIFY(!rubble_pack::load("none/pack.json", pack, fault));
+        QCOMPARE(fault, std::string("Cannot read \"none/pack.json\"."));
+    }
+    void examplePrintsThePack() {
+        QProcess* program = example(packOf(boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}})));
+        QCOMPARE(program->exitCode(), 0);
+        QCOMPARE(program->readAllStandardOutput(),
+                 QByteArray("box, made of brick, breaks at 100 N·s\n"
+                            "box: 900 kg at (0.5, 0.5, 0), hulls 1, vertices 8, neighbours 0\n"
+                            "  box0: 450 kg at (0.25, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"
+                            "  box1: 450 kg at (0.75, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"));
+    }
+    void examplePrintsErrors() {
+        QProcess* program = example("{\"format\": \"rubble-project\"}");
+        QCOMPARE(program->exitCode(), 1);
+        QVERIFY(program->readAllStandardError().endsWith(
+            "pack.json\": format: \"rubble-project\" is not known to this reader.\n"));
+    }
+};
+
+RUBBLE_TEST_WITH(PackHeaderTest, QCoreApplication)
+#include "PackHeaderTest.moc"

@@ -1,0 +1,152 @@
+#include "core/io/pack/PackMeshes.h"
+#include "tests/support/Fragments.h"
+#include "tests/support/GlbReading.h"
+#include "tests/support/ObjReading.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+const Material kBrick{.id = 1, .name = "brick"};
+
+Asset wallAsset() {
+    Asset asset = assetOf(unitSquare(), 0.5);
+    asset.name = "wall";
+    asset.pattern = scatterOf(2, 4);
+    return asset;
+}
+
+std::vector<ExportFile> filesOf(const Asset& asset, const MeshOptions& options) {
+    return packMeshes(bake(asset).value(), asset, kBrick, options).value().files;
+}
+
+std::vector<std::string> namesOf(const std::vector<ExportFile>& files) {
+    std::vector<std::string> names;
+    for (const ExportFile& file : files) names.push_back(file.name);
+    return names;
+}
+
+std::string bytesOf(const std::vector<ExportFile>& files, const std::string& name) {
+    const auto file = std::ranges::find(files, name, &ExportFile::name);
+    return file == files.end() ? std::string() : file->bytes;
+}
+
+/// The volume of all objects of a file; NaN if one is not closed and oriented outwards.
+double volumeOfObj(const std::string& bytes) {
+    double volume = 0.0;
+    for (const ObjObject& object : readObj(bytes)) {
+        const double own = volumeOf(object.mesh);
+        const std::optional<std::string> fault = verifyMesh(object.mesh, own);
+        if (fault) qWarning("%s: %s", object.name.c_str(), fault->c_str());
+        if (fault || own <= 0.0) return std::nan("");
+        volume += own;
+    }
+    return volume;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+class PackMeshesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void singleFileHoldsAllFragments() {
+        const std::vector<ExportFile> files = filesOf(wallAsset(), {});
+        QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall-whole.glb", "wall.obj", "wall.glb", "wall.mtl"}));
+        const std::vector<ObjObject> objects = readObj(bytesOf(files, "wall.obj"));
+        QCOMPARE(objects.size(), std::size_t{2});
+        QCOMPARE(objects[1].name, std::string("wall1"));
+        QVERIFY(bytesOf(files, "wall.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
+    }
+    void perFragmentFilesHoldOneFragmentEach() {
+        const MeshOptions options{.glb = false, .split = FileSplit::PerFragment};
+        const std::vector<ExportFile> files = filesOf(wallAsset(), options);
+        QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall0.obj", "wall1.obj", "wall.mtl"}));
+        QCOMPARE(readObj(bytesOf(files, "wall1.obj"))[0].name, std::string("wall1"));
+    }
+    void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
+    void glbAloneHasNoMaterialFile() {
+        QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-whole.glb", "wall.glb"}));
+    }
+    void everyMeshIsListedForThePack() {
+        const Asset asset = wallAsset();
+        const Bake baked = bake(asset).value();
+        const PackMeshes single = packMeshes(baked, asset, kBrick, {.glb = false}).value();
+        const std::vector<PackMeshFile> expected{{"wall-whole.obj", PackMeshBodies::Whole},
+                                                 {"wall.obj", PackMeshBodies::Fragments}};
+        QVERIFY(single.list == expected);
+        const MeshOptions options{.obj = false, .split = FileSplit::PerFragment, .place = PartPlacement::Centred};
+        const PackMeshes each = packMeshes(baked, asset, kBrick, options).value();
+        const PackMeshFile last{"wall1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
+        QVERIFY(each.list.back() == last);
+    }
+    void namesInFilesHaveNoSpaces() {
+        const std::vector<ExportFile> files = filesOf(ringAsset(), {.glb = false});
+        QCOMPARE(namesOf(files), (Names{"old_ring-whole.obj", "old_ring.obj", "old_ring-level0.obj", "old_ring.mtl"}));
+    }
+    void fragmentsOfAFileDoNotOverlap() {
+        const Asset asset = ringAsset();
+        const Bake baked = bake(asset).value();
+        std::size_t broken = 0;
+        double brokenVolume = 0.0;
+        for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
+            const BakedFragment fragment = baked.fragment(k);
+            if (fragment.childCount == 0) continue;
+            ++broken;
+            brokenVolume += fragment.solid.volume();
+        }
+        QVERIFY(broken > 0 && broken < 12);
+        const std::vector<ExportFile> files = filesOf(asset, {});
+        QCOMPARE(readObj(bytesOf(files, "old_ring-level0.obj")).size(), broken);
+        QCOMPARE(readObj(bytesOf(files, "old_ring.obj")).size(), baked.fragmentCount() - broken);
+        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring.obj")) - 5.98) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring-level0.obj")) - brokenVolume) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring-whole.obj")) - 5.98) < 6e-9);
+    }
+    void allOptionsGiveClosedFragmentsWithTheWholesVolume() {
+        for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
+            for (const FaceShape faces : {FaceShape::Polygons, FaceShape::Triangles}) {
+                const std::vector<ExportFile> files = filesOf(ringAsset(), {.place = place, .faces = faces});
+                QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring.obj")) - 5.98) < 6e-9);
+                Glb glb;
+                QCOMPARE(openGlb(bytesOf(files, "old_ring.glb"), glb), std::string());
+                double volume = 0.0;
+                for (const nlohmann::json& node : glb.json["nodes"]) volume += volumeOf(meshOfNode(glb, node));
+                QVERIFY(std::abs(volume - 5.98) < 6e-6);  // float32
+            }
+        }
+    }
+    void assembledFragmentsAreInPlaceAndCentredOnesAtTheOrigin() {
+        const auto highest = [](PartPlacement place) {
+            double height = 0.0;
+            for (const ObjObject& object : readObj(bytesOf(filesOf(ringAsset(), {.place = place}), "old_ring.obj"))) {
+                for (const Vec3 position : object.mesh.positions) height = std::max(height, position.y);
+            }
+            return height;
+        };
+        QCOMPARE(highest(PartPlacement::Assembled), 4.0);
+        QVERIFY(highest(PartPlacement::Centred) < 2.0);
+    }
+    void facesOfGlbDoNotDependOnThoseOfObj() {
+        const auto glb = [](FaceShape faces) {
+            return bytesOf(filesOf(ringAsset(), {.faces = faces}), "old_ring.glb");
+        };
+        QVERIFY(glb(FaceShape::Polygons) == glb(FaceShape::Triangles));
+    }
+    void cancellationStops() {
+        const Asset asset = wallAsset();
+        TaskContext task;
+        task.cancel.cancel();
+        QCOMPARE(packMeshes(bake(asset).value(), asset, kBrick, {}, task).error().code, ErrorCode::Cancelled);
+    }
+};
+
+RUBBLE_TEST(PackMeshesTest)
+#include "PackMeshesTest.moc"

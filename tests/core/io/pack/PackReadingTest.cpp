@@ -1,0 +1,185 @@
+// Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and VerifyPackBody.cpp.
+#include "core/base/Random.h"
+#include "tests/support/JsonMutations.h"
+#include "tests/support/Packs.h"
+#include "tests/support/Schemas.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace rubble;
+
+namespace {
+
+std::string faultOf(std::string_view json) {
+    const Result<Pack> pack = readPack(json);
+    return pack ? "" : pack.error().message;
+}
+
+/// A box of two triangular fragments: small enough to mutate every value.
+Asset halvedBox() { return boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.75}}}}); }
+
+/// Paths at which another type is valid, too: optional indices.
+bool fits(const std::string& place, const nlohmann::json& value) {
+    return (place.ends_with(".parent") || place.ends_with("].fragment")) && !place.ends_with("s].fragment") &&
+           value.is_null() && place.find("neighbours") == std::string::npos;
+}
+
+Pack ringPack() { return *readPack(packOf(twoLevelRing())); }
+
+using Change = std::function<void(Pack&)>;
+
+}  // namespace
+Q_DECLARE_METATYPE(Change)
+
+class PackReadingTest : public QObject {
+    Q_OBJECT
+
+    static void row(const char* sentence, const Change& change) { QTest::newRow(sentence) << change; }
+
+private slots:
+    void everythingRoundTrips() {
+        const Asset asset = twoLevelRing();
+        const Bake baked = *bake(asset);
+        const Pack pack = ringPack();
+        QCOMPARE(pack.asset, 3u);
+        QCOMPARE(pack.name, std::string("box"));
+        QCOMPARE(pack.hash, packHash(asset, heavyBrick(), packMeshes()).hex());
+        QCOMPARE(pack.threshold, asset.threshold);
+        Material material = heavyBrick();
+        material.id = 0;
+        QVERIFY(pack.material == material);
+        QVERIFY(pack.meshes == packMeshes());
+        QCOMPARE(pack.whole.hulls.size(), baked.wholeHulls.size());
+        QCOMPARE(pack.fragments.size(), std::size_t{baked.fragmentCount()});
+        for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
+            const PackBody& read = pack.fragments[k];
+            const BakedFragment written = baked.fragment(k);
+            QCOMPARE(read.id, baked.fragmentId(k));
+            QCOMPARE(read.name, "box" + std::to_string(k));
+            QCOMPARE(read.parent, written.parent);
+            QVERIFY(read.offset == written.solid.offset());
+            QCOMPARE(read.volume, written.solid.volume());
+            QVERIFY(read.inertia == 1800.0 * written.solid.mass().inertia);
+            const std::vector<Polytope> hulls = written.solid.hulls();
+            QCOMPARE(read.hulls.size(), hulls.size());
+            QVERIFY(read.hulls[0].polytope.vertices == hulls[0].vertices);
+            QVERIFY(read.hulls[0].polytope.planes == hulls[0].planes);
+            QCOMPARE(read.neighbours.size(), written.solid.bonds().size());
+        }
+    }
+    void writtenPacksPassVerification() {
+        const std::uint64_t seed = 20261121;
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        for (int round = 0; round < 24; ++round) {
+            Asset asset = round % 2 == 0 ? twoLevelRing() : boxAsset(3, 4, UniformScatter{});
+            asset.pattern.layers[0].randomSeed = random.next();
+            std::get<UniformScatter>(asset.pattern.layers[0].parameters).count = 1u << random.below(8);
+            asset.prism.depth = random.between(1e-3, 10.0);
+            const std::optional<std::string> fault = verifyPack(*readPack(packOf(asset)));
+            QVERIFY2(!fault, fault.value_or("").c_str());
+        }
+    }
+    void everyWrongTypeIsReportedWithItsPath() {
+        const test::Schema schema("pack.schema.json");
+        const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
+        QCOMPARE(test::untoldMutation(json, schema, fits, faultOf), std::string());
+    }
+    void wrongValuesAreReported_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("value");
+        const auto value = [](const char* sentence, const char* place, const char* text) {
+            QTest::newRow(sentence) << QString(place) << QString(text);
+        };
+        value("format: expected \"rubble-pack\", found \"rubble-project\".", "/format", "\"rubble-project\"");
+        value("The pack has version 7, but this program reads versions up to 1; open it with a newer one.", "/version",
+              "7");
+        value("units.length: expected \"m\", found \"cm\".", "/units/length", "\"cm\"");
+        value("axes.up: expected \"y\", found \"z\".", "/axes/up", "\"z\"");
+        value("threshold: expected a number above 0, found 0.", "/threshold", "0");
+        value("material.restitution: expected a number from 0 to 1, found 1.1.", "/material/restitution", "1.1");
+        value("meshes[0].bodies: expected \"whole\", \"fragments\" or \"fragment\", found \"all\".", "/meshes/0/bodies",
+              "\"all\"");
+        value("fragments[1].volume: expected a number above 0, found -1.", "/fragments/1/volume", "-1");
+        value("fragments[0].inertia: expected an array of 3 rows.", "/fragments/0/inertia", "[[1, 0, 0]]");
+        value("fragments[0].hulls[0].edges[2]: expected an array of 2 vertices.", "/fragments/0/hulls/0/edges/2",
+              "[1, 2, 3]");
+        value("fragments[0].hulls[0].signedEdges[1][2]: expected an array of an edge and a sign.",
+              "/fragments/0/hulls/0/signedEdges/1/2", "[1]");
+        value("fragments[0].hulls[0].signedEdges[1][2][1]: expected 1 or -1.", "/fragments/0/hulls/0/signedEdges/1/2",
+              "[1, 0]");
+        value("fragments[0].hulls[0].faces[1][0]: expected a whole number from 0 to 4294967295, found -3.",
+              "/fragments/0/hulls/0/faces/1/0", "-3");
+    }
+    void wrongValuesAreReported() {
+        QFETCH(QString, place);
+        QFETCH(QString, value);
+        const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
+        QCOMPARE(faultOf(test::changedText(json, place.toStdString(), value.toStdString())),
+                 std::string(QTest::currentDataTag()));
+    }
+    void verificationReportsErrors_data() {
+        QTest::addColumn<Change>("change");
+        row("The hash \"\" is not 32 hexadecimal digits.", [](Pack& p) { p.hash.clear(); });
+        row("The asset has no name.", [](Pack& p) { p.name.clear(); });
+        row("The mesh \"../box.obj\" is not a file of the pack.", [](Pack& p) { p.meshes[0].name = "../box.obj"; });
+        row("The mesh \"box0.obj\" refers to fragment 999, which does not exist.",
+            [](Pack& p) { p.meshes[1].fragment = 999; });
+        row("The mesh \"box0.obj\" must name a fragment if it holds exactly one, and only then.",
+            [](Pack& p) { p.meshes[1].fragment = kNone; });
+        row("Fragment 2 \"3/4.0\": the id \"3/4.0\" is used twice.",
+            [](Pack& p) { p.fragments[0].id = p.fragments[2].id = "3/4.0"; });
+        row("the name \"box\" is used twice.", [](Pack& p) { p.fragments[1].name = "box"; });
+        row("The id of the whole is \"4\" instead of the asset's.", [](Pack& p) { p.whole.id = "4"; });
+        row("The whole has a parent.", [](Pack& p) { p.whole.parent = 0; });
+        row("The whole has neighbours.", [](Pack& p) { p.whole.neighbours = {{0, 1.0}}; });
+        row("its parent 1 does not precede it.", [](Pack& p) { p.fragments[1].parent = 1; });
+        row("its id does not start with its parent's \"3\".", [](Pack& p) { p.fragments[0].id = "4/9.9"; });
+        row("its neighbour 9999 does not exist.", [](Pack& p) { p.fragments[0].neighbours[0].fragment = 9999; });
+        row("its neighbour 0 is itself.", [](Pack& p) { p.fragments[0].neighbours[0].fragment = 0; });
+        row("states a different shared area.", [](Pack& p) { p.fragments[0].neighbours[0].area *= 1.001; });
+        row("does not list it as a neighbour.", [](Pack& p) { p.fragments[0].neighbours.pop_back(); });
+        row("its neighbour 19 has another parent.", [](Pack& p) { p.fragments[0].neighbours.push_back({19, 1.0}); });
+        row("its mass is", [](Pack& p) { p.fragments[0].mass *= 1.001; });
+        row("its hulls have", [](Pack& p) {
+            p.fragments[0].volume *= 1.001;
+            p.fragments[0].mass *= 1.001;
+        });
+        row("The whole: its children have", [](Pack& p) {
+            p.whole.volume *= 1.0 + 1e-7;
+            p.whole.mass *= 1.0 + 1e-7;
+        });
+        row("its inertia is not symmetric.", [](Pack& p) { p.fragments[0].inertia[1][0] += 0.001; });
+        row("its inertia is impossible for a solid.", [](Pack& p) { p.fragments[0].inertia[2][2] *= 3.0; });
+        row("its hulls have a different inertia.", [](Pack& p) { p.fragments[0].inertia *= 1.001; });
+        row("its hulls have a different centre of mass.", [](Pack& p) { p.fragments[0].centreOfMass.x += 0.01; });
+        row("it has no hull.", [](Pack& p) { p.fragments[0].hulls.pop_back(); });
+        row("hull 0: Face 0 is not planar: vertex 0 is off its plane.",
+            [](Pack& p) { p.fragments[0].hulls[0].polytope.vertices[0] *= 1.01; });
+        row("hull 0: Face 2 is not planar: vertex 0 is off its plane.",
+            [](Pack& p) { p.fragments[0].hulls[0].polytope.planes[2].offset *= 1.01; });
+        row("hull 0: 7 faces have 6 loops of signed edges.",
+            [](Pack& p) { p.fragments[0].hulls[0].signedEdges.pop_back(); });
+        row("hull 0: face 1: 4 signed edges for 5 vertices.",
+            [](Pack& p) { p.fragments[0].hulls[0].signedEdges[1].pop_back(); });
+        row("signed edge 1 does not run from vertex 8 to vertex 7.",
+            [](Pack& p) { p.fragments[0].hulls[0].signedEdges[1][1].sign *= -1; });
+        row("signed edge 1 refers to edge 999, which does not exist.",
+            [](Pack& p) { p.fragments[0].hulls[0].signedEdges[1][1].edge = 999; });
+        row("its neighbour 19 does not exist.", [](Pack& p) { p.fragments.pop_back(); });
+    }
+    void verificationReportsErrors() {
+        QFETCH(Change, change);
+        Pack pack = ringPack();
+        change(pack);
+        const std::optional<std::string> fault = verifyPack(pack);
+        QVERIFY(fault);
+        QVERIFY2(fault->find(QTest::currentDataTag()) != std::string::npos, fault->c_str());
+    }
+};
+
+RUBBLE_TEST(PackReadingTest)
+#include "PackReadingTest.moc"

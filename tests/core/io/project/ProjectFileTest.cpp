@@ -1,0 +1,435 @@
+// Tests core/io/project/ProjectFile.cpp and the readers and writers of its parts.
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
+#include "tests/support/FileLimits.h"
+#include "tests/support/JsonMutations.h"
+#include "tests/support/Projects.h"
+#include "tests/support/Schemas.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEmptyProject = R"({
+  "format": "rubble-project",
+  "version": 5,
+  "nextId": 2,
+  "materials": [
+    {
+      "id": 1,
+      "name": "brick",
+      "density": 1000,
+      "friction": 0.6,
+      "restitution": 0,
+      "tensileStrength": null,
+      "fractureToughness": null,
+      "outside": [0.8, 0.8, 0.8],
+      "inside": [0.8, 0.8, 0.8]
+    }
+  ],
+  "assets": [],
+  "instances": [],
+  "ground": {
+    "on": true,
+    "height": 0,
+    "friction": 0.6,
+    "restitution": 0
+  },
+  "gravity": [0, -9.81, 0],
+  "damage": {
+    "rule": "impact",
+    "thesis": false,
+    "thesisThreshold": 1000
+  },
+  "debris": {
+    "lifetime": null,
+    "fade": 1,
+    "mostPieces": null
+  },
+  "shots": [],
+  "playTests": []
+}
+)";
+
+std::string faultOf(std::string_view json) {
+    const Result<Project> project = readProjectText(json);
+    return project ? "" : project.error().message;
+}
+
+nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject())); }
+
+/// A project with all features of version 1.
+nlohmann::json version1Json() {
+    return nlohmann::json::parse(*readFile(RUBBLE_SOURCE_DIR "/tests/corpus/Project/version-1.rubble"));
+}
+
+/// In version 2, without variants.
+nlohmann::json version2Json() {
+    nlohmann::json json = version1Json();
+    json["version"] = 2;
+    json["debris"] = {{"lifetime", nullptr}, {"fade", 1}, {"mostPieces", nullptr}};
+    for (nlohmann::json& asset : json["assets"]) {
+        asset["cutAtImpact"] = nullptr;
+        asset["intents"] = nlohmann::json::array();
+    }
+    return json;
+}
+
+/// In version 3, without shaping.
+nlohmann::json version3Json() {
+    nlohmann::json json = version2Json();
+    json["version"] = 3;
+    for (nlohmann::json& instance : json["instances"]) {
+        instance["variant"] = 0;
+        instance["hidden"] = instance["locked"] = false;
+    }
+    return json;
+}
+
+/// In version 4, without strength.
+nlohmann::json version4Json() {
+    nlohmann::json json = version3Json();
+    json["version"] = 4;
+    for (nlohmann::json& asset : json["assets"]) {
+        asset["insideMaterial"] = nullptr;
+        asset["shaping"] = {{"smallPieces", {{"rule", "keep"}, {"measure", "partOfMean"}, {"limit", 0.1}}},
+                            {"gap", 0},
+                            {"roughness", {{"amplitude", 0}, {"frequency", 10}, {"octaves", 3}, {"randomSeed", 0}}}};
+        asset["leaves"] = asset["edits"] = nlohmann::json::array();
+    }
+    return json;
+}
+
+/// In version 5.
+nlohmann::json version5Json() {
+    nlohmann::json json = version4Json();
+    json["version"] = 5;
+    for (nlohmann::json& material : json["materials"]) {
+        material["tensileStrength"] = material["fractureToughness"] = nullptr;
+    }
+    for (nlohmann::json& asset : json["assets"]) asset["contactTime"] = nullptr;
+    return json;
+}
+
+/// Paths at which another type is valid, too: optional values.
+bool fits(const std::string& place, const nlohmann::json& value) {
+    if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
+    if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
+    if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
+    if (place.ends_with(".image") || place.ends_with(".opacity")) return value.is_null();
+    if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
+    const bool isStrength =
+        place.ends_with("ensileStrength") || place.ends_with("fractureToughness") || place.ends_with("].contactTime");
+    if (isStrength) return value.is_null() || value.is_number();
+    const bool isOwnThreshold = place.starts_with("instances") && place.ends_with(".threshold");
+    return isOwnThreshold && (value.is_null() || value.is_number());
+}
+
+}  // namespace
+
+class ProjectFileTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    fs::path inFolder(const char* name) const { return fs::path(m_folder.path().toStdString()) / name; }
+
+private slots:
+    void layoutIsReadable() {
+        Project project;
+        project.nextId = 2;
+        project.materials = {{.id = 1, .name = "brick"}};
+        QCOMPARE(projectText(project), std::string(kEmptyProject));
+    }
+    void countsAreOnOneLineAndPicturesOnOneLineARow() {
+        const std::string text = projectText(fullProject());
+        const char* const count = R"(
+                "count": {"perSquareMetre": 8},
+)";
+        QVERIFY(text.find(count) != std::string::npos);
+        const char* const picture = R"(
+                "dense": "bright",
+                "image": {
+                  "width": 2,
+                  "height": 2,
+                  "bits": 8,
+                  "grey": [
+                    "007f",
+                    "ffff"
+                  ],
+                  "opacity": [
+                    "ffff",
+                    "ff80"
+                  ]
+                }
+)";
+        QVERIFY(text.find(picture) != std::string::npos);
+    }
+    void picturesOf16BitsRoundTrip() {
+        Project project = fullProject();
+        auto& layer = std::get<DensityImage>(project.assets[0].levels[1].pattern.layers[6].parameters);
+        layer.image =
+            std::make_shared<GreyImage>(GreyImage{.width = 3, .height = 1, .bits = 16, .grey = {0, 0x12ab, 0xffff}});
+        QVERIFY(projectText(project).find("\"000012abffff\"") != std::string::npos);
+        QVERIFY(*readProjectText(projectText(project)) == project);
+    }
+    void cutsAndRequirementsAreOnOneLineEach() {
+        const char* const lines = R"(
+      "cutAtImpact": {"pieces": 17, "reach": 0.45},
+      "intents": [
+        {"outcome": "breaks", "kind": "hit", "mass": 2.5, "speed": 0.3333333333333333},
+        {"outcome": "survives", "kind": "drop", "height": 1.75}
+      ],
+)";
+        QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
+    }
+    void shapingIsOnOneLineEach() {
+        const char* const lines = R"(
+      "edits": [
+        {"kind": "merge", "into": "4.2", "merged": ["6.5", "4.6"]},
+        {"kind": "split", "fragment": "4.2/8.1", "point": [0.1, -2.5], "direction": [1, 0.3333333333333333]}
+      ],
+)";
+        QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
+    }
+    void everythingRoundTripsBitForBit() {
+        const std::string text = projectText(fullProject());
+        const Result<Project> read = readProjectText(text);
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QVERIFY(*read == fullProject());
+        QCOMPARE(projectText(*read), text);
+        QCOMPARE(read->assets[0].pattern.layers[0].randomSeed, ~std::uint64_t{0});
+        QCOMPARE(read->assets[0].pattern.layers[2].randomSeed, std::uint64_t{9007199254740993u});
+        QVERIFY(std::signbit(read->instances[1].pose.orientation.x));
+    }
+    void keysAreReadInAnyOrder() {
+        QVERIFY(*readProjectText(fullJson().dump()) == fullProject());  // sorted there
+    }
+    void writtenProjectsMatchTheSchema() {
+        const test::Schema schema("project.schema.json");
+        QCOMPARE(schema.fault(fullJson()), std::string());
+        QCOMPARE(schema.fault(nlohmann::json::parse(projectText(Project{}))), std::string());
+    }
+    void everyWrongTypeIsReportedWithItsPath() {
+        const test::Schema schema("project.schema.json");
+        QCOMPARE(test::untoldMutation(fullJson(), schema, fits, faultOf), std::string());
+    }
+    void wrongValuesAreReported_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("value");
+        const auto row = [](const char* sentence, const char* place, const char* value) {
+            QTest::newRow(sentence) << QString(place) << QString(value);
+        };
+        row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
+        row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
+        row("The project has version 6, but this program reads versions up to 5; open it with a newer one.", "/version",
+            "6");
+        row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
+        row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
+        row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
+        row("assets[0].prism.depth: expected a number, found \"two\".", "/assets/0/prism/depth", "\"two\"");
+        row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
+            "/assets/0/prism/outline/2", "[1, 2, 3]");
+        row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
+            "\"clusters\", \"radial\", \"impact\", \"densityImage\", \"bricks\", \"slices\", \"strokes\", \"grain\" or "
+            "\"weightedLloyd\", found \"tiles\".",
+            "/assets/0/pattern/0/kind", "\"tiles\"");
+        row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
+        row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
+            "{\"each\": 5}");
+        row("assets[0].pattern[0].parameters.count: unknown key \"perSquareMetre\".",
+            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": 5, \"pieceSize\": 1}");
+        row("Asset 3 \"wall\": Layer 4: \"Count\" is -5 a square metre, but must be finite and above zero.",
+            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": -5}");
+        row("assets[0].levels[1].pattern[6].parameters.image.bits: expected 8 or 16.",
+            "/assets/0/levels/1/pattern/6/parameters/image/bits", "12");
+        row("assets[0].levels[1].pattern[6].parameters.image.grey[1]: expected 4 hexadecimal digits, 0 to f.",
+            "/assets/0/levels/1/pattern/6/parameters/image/grey/1", "\"ffFF\"");
+        row("assets[0].levels[1].pattern[6].parameters.image.opacity: expected 2 rows.",
+            "/assets/0/levels/1/pattern/6/parameters/image/opacity", "[\"ffff\"]");
+        row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
+            "[[0, 1], [1, 0]]");
+        row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
+        row("Asset 3 \"wall\" refers to material 9, which does not exist.", "/assets/0/insideMaterial", "9");
+        row("assets[0].shaping.smallPieces.rule: expected \"keep\", \"merge\" or \"dropSeeds\", found \"eat\".",
+            "/assets/0/shaping/smallPieces/rule", "\"eat\"");
+        row("Asset 3 \"wall\": The size of the smallest piece is 2, but it must be above 0 and at most 1.",
+            "/assets/0/shaping/smallPieces/limit", "2");
+        row("Asset 3 \"wall\": The shape of pieces: the gap is -1, but it must be finite and not below zero.",
+            "/assets/0/shaping/gap", "-1");
+        row("Asset 3 \"wall\": The roughness has 9 octaves, but it must have from 1 to 8.",
+            "/assets/0/shaping/roughness/octaves", "9");
+        row("Asset 3 \"wall\": \"4.x\" is not a fragment path.", "/assets/0/leaves/0/fragment", "\"4.x\"");
+        row("Asset 3 \"wall\": the settings of fragment 6.0 come after those of 6.0; paths must ascend.",
+            "/assets/0/leaves/0/fragment", "\"6.0\"");
+        row("Asset 3 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+            "/assets/0/leaves/1/level/minimumVolume", "-1");
+        row("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not siblings.",
+            "/assets/0/edits/0/merged/0", "\"6.5/8.0\"");
+        row("assets[0].edits[0]: unknown key \"into\".", "/assets/0/edits/0/kind", "\"split\"");
+        row("Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
+            "/assets/0/edits/1/direction", "[0, 0]");
+        row("Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be finite and above zero.",
+            "/materials/1/tensileStrength", "0");
+        row("materials[1].fractureToughness: expected a number, found \"high\".", "/materials/1/fractureToughness",
+            "\"high\"");
+        row("Asset 3 \"wall\": the contact time is -1, but it must be finite and above zero.", "/assets/0/contactTime",
+            "-1");
+        row("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact", "{\"pieces\": 5}");
+        row("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
+            "/assets/0/cutAtImpact/pieces", "2.5");
+        row("assets[0].intents[0]: unknown key \"mass\".", "/assets/0/intents/0/kind", "\"drop\"");
+        row("assets[0].intents[1]: the key \"mass\" is missing.", "/assets/0/intents/1",
+            "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
+        row("assets[0].intents[0].kind: expected \"drop\" or \"hit\", found \"push\".", "/assets/0/intents/0/kind",
+            "\"push\"");
+        row("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
+            "/assets/0/intents/1/outcome", "\"falls\"");
+        row("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.", "/debris/mostPieces", "-1");
+        row("The debris: the fade is -1, but it must be finite and not below zero.", "/debris/fade", "-1");
+        row("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule", "\"thesis\"");
+        row("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
+        row("Instance 21 \"right\" refers to asset 8, which does not exist.", "/instances/1/asset", "8");
+    }
+    void wrongValuesAreReported() {
+        QFETCH(QString, place);
+        QFETCH(QString, value);
+        QCOMPARE(faultOf(test::changedText(fullJson(), place.toStdString(), value.toStdString())),
+                 std::string(QTest::currentDataTag()));
+    }
+    void newerVersionsAreRejected() {
+        nlohmann::json json = fullJson();
+        json["version"] = kProjectVersion + 1;
+        json["a key of tomorrow"] = 1;  // the rest is not read
+        QCOMPARE(readProjectText(json.dump()).error().code, ErrorCode::Unsupported);
+    }
+    void version1IsReadWithDefaults() {
+        const Result<Project> project = readProjectText(version1Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        QVERIFY(project->debris == Debris{});
+        for (const Asset& asset : project->assets) QVERIFY(!asset.cutAtImpact && asset.requirements.empty());
+    }
+    void version2IsReadWithDefaults() {
+        const Result<Project> project = readProjectText(version2Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        QVERIFY(!project->instances.empty());
+        for (const Instance& instance : project->instances) {
+            QVERIFY(instance.variant == 0 && !instance.isHidden && !instance.isLocked);
+        }
+    }
+    void version3IsReadWithDefaults() {
+        const Result<Project> project = readProjectText(version3Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        for (const Asset& asset : project->assets) {
+            QVERIFY(asset.shaping == Shaping{} && asset.leaves.empty() && asset.edits.empty());
+            QCOMPARE(asset.insideMaterial, Id{0});
+        }
+    }
+    void version4IsReadWithDefaults() {
+        const Result<Project> project = readProjectText(version4Json().dump());
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        for (const Material& material : project->materials) {
+            QVERIFY(!material.tensileStrength && !material.fractureToughness);
+        }
+        for (const Asset& asset : project->assets) QVERIFY(!asset.contactTime);
+    }
+    void olderVersionsAreSavedAsVersion5() {
+        const nlohmann::json expected = version5Json();
+        for (const nlohmann::json& old : {version1Json(), version2Json(), version3Json(), version4Json()}) {
+            QVERIFY(writeFileAtomically(inFolder("old.rubble"), old.dump()));
+            const Result<Project> project = loadProject(inFolder("old.rubble"));
+            QVERIFY(project && saveProject(inFolder("old.rubble"), *project));
+            QVERIFY(nlohmann::json::parse(*readFile(inFolder("old.rubble"))) == expected);
+            QVERIFY(*loadProject(inFolder("old.rubble")) == *project);
+        }
+    }
+    void versionsAcceptOnlyTheirOwnKeys() {
+        nlohmann::json json = version1Json();
+        json["debris"] = fullJson()["debris"];
+        QCOMPARE(faultOf(json.dump()), std::string("The document: unknown key \"debris\"."));
+        json = version1Json();
+        json["assets"][0]["intents"] = nlohmann::json::array();
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"intents\"."));
+        json = version1Json();
+        json["version"] = 2;
+        QCOMPARE(faultOf(json.dump()), std::string("The document: the key \"debris\" is missing."));
+        json = version2Json();
+        json["instances"][0]["variant"] = 1;
+        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: unknown key \"variant\"."));
+        json = version2Json();
+        json["version"] = 3;
+        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: the key \"variant\" is missing."));
+        json = version3Json();
+        json["assets"][0]["leaves"] = nlohmann::json::array();
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"leaves\"."));
+        json = version3Json();
+        json["version"] = 4;
+        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: the key \"insideMaterial\" is missing."));
+        json = version4Json();
+        json["materials"][0]["tensileStrength"] = 1e6;
+        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: unknown key \"tensileStrength\"."));
+        json = version4Json();
+        json["version"] = 5;
+        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: the key \"tensileStrength\" is missing."));
+    }
+    void truncatedTextIsRejected() {
+        const std::string text = projectText(fullProject());
+        for (std::size_t size = 0; size + 2 < text.size(); size += 7) {
+            const std::string fault = faultOf(std::string_view(text).substr(0, size));
+            QVERIFY2(fault.starts_with("The text is not JSON at line "), fault.c_str());
+        }
+    }
+    void filesRoundTrip() {
+        QVERIFY(saveProject(inFolder("full.rubble"), fullProject()));
+        const Result<Project> project = loadProject(inFolder("full.rubble"));
+        QVERIFY(project && *project == fullProject());
+    }
+    void errorsNameTheFile() {
+        QCOMPARE(loadProject(inFolder("none.rubble")).error().code, ErrorCode::NotFound);
+        QVERIFY(writeFileAtomically(inFolder("cut.rubble"), std::string_view(kEmptyProject).substr(0, 40)));
+        const std::string fault = loadProject(inFolder("cut.rubble")).error().message;
+        const std::string file = "Cannot read \"" + inFolder("cut.rubble").string() + "\": ";
+        QVERIFY2(fault.starts_with(file + "The text is not JSON at line 3, column "), fault.c_str());
+    }
+    void invalidProjectIsNotSaved() {
+        QVERIFY(saveProject(inFolder("old.rubble"), fullProject()));
+        Project project = fullProject();
+        project.materials[0].density = -1.0;
+        const Status saved = saveProject(inFolder("old.rubble"), project);
+        QCOMPARE(saved.error().message, "Cannot write \"" + inFolder("old.rubble").string() +
+                                            "\": Material 1 \"brick\": the density is -1, but it must be finite and "
+                                            "above zero.");
+        QVERIFY(*loadProject(inFolder("old.rubble")) == fullProject());
+    }
+    void fullDiskKeepsTheOldFile() {
+        QVERIFY(saveProject(inFolder("disk.rubble"), Project{}));
+        {
+            const FileSizeLimit limit(1000);
+            QCOMPARE(saveProject(inFolder("disk.rubble"), fullProject()).error().code, ErrorCode::Io);
+        }
+        QVERIFY(*loadProject(inFolder("disk.rubble")) == Project{});
+        QCOMPARE(saveProject("/dev/full", Project{}).error().message,
+                 std::string("Cannot write \"/dev/full\": No space left on device."));
+    }
+    void readOnlyFolderKeepsTheOldFile() {
+        fs::permissions(inFolder(""), fs::perms(0755));
+        fs::create_directory(inFolder("locked"));
+        QVERIFY(saveProject(inFolder("locked/old.rubble"), Project{}));
+        fs::permissions(inFolder("locked/old.rubble"), fs::perms(0666));
+        fs::permissions(inFolder("locked"), fs::perms(0555));
+        {
+            const AsNobody nobody;
+            QCOMPARE(saveProject(inFolder("locked/old.rubble"), fullProject()).error().code, ErrorCode::Io);
+            QVERIFY(*loadProject(inFolder("locked/old.rubble")) == Project{});
+        }
+        fs::permissions(inFolder("locked"), fs::perms(0755));
+    }
+};
+
+RUBBLE_TEST(ProjectFileTest)
+#include "ProjectFileTest.moc"

@@ -1,0 +1,72 @@
+#include "core/base/Random.h"
+#include "core/physics/broadphase/DynamicBoxTree.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+Box randomBox(Random& random) {
+    const auto coordinate = [&] { return static_cast<float>(random.between(-10.0, 10.0)); };
+    const Vec3f low(coordinate(), coordinate(), coordinate());
+    return {low, low + Vec3f(1.0f, 0.5f, 2.0f)};
+}
+
+std::vector<std::uint32_t> found(const DynamicBoxTree& tree, const Box& box) {
+    std::vector<std::uint32_t> numbers;
+    tree.visitOverlapping(box, [&](std::uint32_t number, const Box&) { numbers.push_back(number); });
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+}  // namespace
+
+class DynamicBoxTreeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void emptyTreeFindsNothing() { QVERIFY(found({}, {Vec3f(-1e9f), Vec3f(1e9f)}).empty()); }
+    void findsTheSameAsBruteForce() {
+        Random random(7);
+        DynamicBoxTree tree;
+        std::vector<std::pair<std::uint32_t, Box>> kept;  // leaf and box, by number
+        for (int round = 0; round < 4000; ++round) {
+            const auto choice = random.below(10);
+            if (choice < 4 || kept.empty()) {
+                const Box box = randomBox(random);
+                kept.push_back({tree.insert(box, static_cast<std::uint32_t>(kept.size())), box});
+            } else if (choice < 7) {
+                auto& [leaf, box] = kept[random.below(kept.size())];
+                if (leaf == kNone) continue;
+                box = choice == 4 ? joined(box, randomBox(random)) : randomBox(random);
+                tree.move(leaf, box);
+            } else if (choice == 7) {
+                auto& leaf = kept[random.below(kept.size())].first;
+                if (leaf != kNone) tree.remove(leaf);
+                leaf = kNone;
+            } else if (choice == 8) {
+                tree.update();
+            }
+            const Box window = randomBox(random);
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < kept.size(); ++i) {
+                if (kept[i].first != kNone && kept[i].second.overlaps(window)) expected.push_back(i);
+            }
+            QVERIFY(found(tree, window) == expected);
+        }
+    }
+    void rowOfBoxesIsVisitedCompletely() {
+        DynamicBoxTree tree;
+        for (std::uint32_t i = 0; i < 5000; ++i) {
+            const Vec3f low(static_cast<float>(i), 0.0f, 0.0f);
+            tree.insert({low, low + Vec3f(0.5f)}, i);
+        }
+        QCOMPARE(found(tree, {Vec3f(-1.0f), Vec3f(1e6f)}).size(), std::size_t{5000});
+    }
+};
+
+RUBBLE_TEST(DynamicBoxTreeTest)
+#include "DynamicBoxTreeTest.moc"

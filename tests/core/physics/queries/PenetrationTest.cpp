@@ -1,0 +1,61 @@
+#include "core/physics/queries/Penetration.h"
+
+#include "tests/support/TestProgram.h"
+#include "tests/support/scenes/SceneParts.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+/// Boxes of 1 m at these positions along x.
+BodyScene rowOfBoxes(std::initializer_list<double> places) {
+    BodyScene scene;
+    const std::uint32_t box = test::addShape(scene, {test::boxOf({1.0, 1.0, 1.0})});
+    for (const double x : places) {
+        test::addFreeBody(scene, std::to_string(x), box, {.position = {x, 0.0, 0.0}});
+    }
+    return scene;
+}
+
+Penetration penetrationAsPlaced(const BodyScene& scene) {
+    std::vector<Pose> poses;
+    for (const SceneBody& body : scene.bodies) poses.push_back(body.pose);
+    return penetrationOf(scene, poses);
+}
+
+}  // namespace
+
+class PenetrationTest : public QObject {
+    Q_OBJECT
+private slots:
+    void overlapIsTheDeepestOfEachPair() {
+        const Penetration found = penetrationAsPlaced(rowOfBoxes({0.0, 0.75, 5.0, 5.875, 8.0}));
+        QCOMPARE(found.pairs, std::size_t{2});
+        QCOMPARE(found.largest, 0.25);
+        QCOMPARE(found.mean, 0.1875);
+    }
+    void touchingAndSeparatedBodiesDoNotOverlap() {
+        const Penetration found = penetrationAsPlaced(rowOfBoxes({0.0, 1.0, 2.5}));
+        QCOMPARE(found.pairs, std::size_t{0});
+        QCOMPARE(found.largest, 0.0);
+        QCOMPARE(found.mean, 0.0);
+    }
+    void overlapOfFixedBodiesIsIgnored() {
+        BodyScene scene = rowOfBoxes({0.0, 0.5, 1.25});
+        scene.bodies[0].kind = BodyKind::Static;
+        scene.bodies[1].kind = BodyKind::Static;
+        QCOMPARE(penetrationAsPlaced(scene).largest, 0.25);
+    }
+    void bodyOfSeveralHullsCountsOnceByItsDeepest() {
+        BodyScene scene = rowOfBoxes({0.0, 0.75});
+        scene.shapes[0].push_back(translated(test::boxOf({1.0, 1.0, 1.0}), {0.125, 0.0, 0.0}));
+        const Penetration found = penetrationAsPlaced(scene);
+        QCOMPARE(found.pairs, std::size_t{1});
+        QCOMPARE(found.largest, 0.375);
+    }
+};
+
+RUBBLE_TEST(PenetrationTest)
+#include "PenetrationTest.moc"

@@ -1,0 +1,63 @@
+// Tests core/physics/world/World.cpp.
+#include "core/physics/math/Lanes.h"
+#include "tests/support/Simulated.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/scenes/Scenes.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kSeconds = 2.0;
+
+std::string hashAfter(double seconds, const BodyScene& scene, int threads = 1, SimdWidth lanes = widestSimd()) {
+    SceneWorld moved = test::worldOf(scene, {.threads = threads, .lanes = lanes});
+    test::simulate(moved.world, seconds);
+    return moved.world.hash().hex();
+}
+
+}  // namespace
+
+/// Hashes are identical for any number of threads, SIMD width and compiler.
+class DeterminismTest : public QObject {
+    Q_OBJECT
+private slots:
+    void hashesAreFixed_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("expected");
+        // Any change of the solver, or for the cut house of the fracture, may change them; another compiler or machine
+        // must not.
+        QTest::newRow("cut house") << "cut-house"
+                                   << "644ff66ca63b9b75c872a678a1acac0f";
+        QTest::newRow("heap") << "heap-200"
+                              << "b08e4912da4ef3d27e1e1583167c1829";
+        QTest::newRow("house") << "house"
+                               << "d073010851090849023bb8e9c38555e2";
+    }
+    void hashesAreFixed() {
+        QFETCH(QString, name);
+        QFETCH(QString, expected);
+        QCOMPARE(QString::fromStdString(hashAfter(kSeconds, test::sceneNamed(name.toStdString()))), expected);
+    }
+    void hashIsIndependentOfThreadsLanesAndRuns_data() {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("cut house") << "cut-house";
+        QTest::newRow("heap") << "heap-200";
+    }
+    void hashIsIndependentOfThreadsLanesAndRuns() {
+        QFETCH(QString, name);
+        const BodyScene scene = test::sceneNamed(name.toStdString());
+        const std::string expected = hashAfter(kSeconds, scene);
+        for (int run = 0; run < 2; ++run) QCOMPARE(hashAfter(kSeconds, scene), expected);
+        for (const int threads : {2, 3}) QCOMPARE(hashAfter(kSeconds, scene, threads), expected);
+        for (const SimdWidth lanes : availableSimdWidths()) QCOMPARE(hashAfter(kSeconds, scene, 1, lanes), expected);
+        // More threads than processors wait for each other.
+        const double few = test::isLongRun() ? kSeconds : 0.5;
+        QCOMPARE(hashAfter(few, scene, 16), hashAfter(few, scene));
+    }
+};
+
+RUBBLE_TEST(DeterminismTest)
+#include "DeterminismTest.moc"

@@ -1,0 +1,209 @@
+// Tests core/play/analysis/StrengthRequirement.cpp and RequirementImpulse.cpp.
+#include "core/play/analysis/StrengthRequirement.h"
+
+#include "core/play/analysis/RequirementImpulse.h"
+#include "tests/support/RandomAssets.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+using test::floatingBlock;
+
+namespace {
+
+constexpr auto kSurvives = RequirementOutcome::Survives;
+constexpr auto kBreaks = RequirementOutcome::Breaks;
+
+/// A block of 500 kg, falling down and free to be hit.
+Project block() {
+    Project project = floatingBlock();
+    project.gravity = {0.0, -9.81, 0.0};
+    return project;
+}
+
+const PlayAsset& onlyAsset(const PlayScene& scene) { return *scene.assets.begin()->second; }
+
+double impulseOf(const Project& project, const StrengthRequirement& requirement) {
+    const Result<double> impulse = requirementImpulse(project, onlyAsset(*test::playSceneOf(project)), requirement);
+    if (!impulse) qFatal("%s", impulse.error().message.c_str());
+    return *impulse;
+}
+
+std::string faultOf(const Project& project, const StrengthRequirement& requirement) {
+    const Result<double> impulse = requirementImpulse(project, onlyAsset(*test::playSceneOf(project)), requirement);
+    return impulse ? std::string() : impulse.error().message;
+}
+
+bool isAbout(double value, double expected) { return std::abs(value - expected) <= 1e-4 * std::abs(expected); }
+
+/// What a real drop from a height, or a throw from near by, does to the only asset.
+struct Trial {
+    double damage = 0.0;
+    bool isBroken = false;
+};
+
+Trial tried(Project project, const StrengthRequirement& requirement, double threshold, double dt) {
+    Asset& asset = project.assets[0];
+    asset.threshold = threshold;
+    double lowest = 0.0;
+    for (const Vec2& corner : asset.prism.outline.outer) lowest = std::min(lowest, corner.y);
+    const DropRequirement* drop = std::get_if<DropRequirement>(&requirement.event);
+    const Vec3 place(0.0, drop != nullptr ? drop->height - lowest : 10.0, 0.0);
+    test::addInstance(project, asset.id, "asset", {.position = place});
+    Session session = test::sessionOf(project, {.dt = dt});
+    if (drop == nullptr) {
+        const auto& hit = std::get<HitRequirement>(requirement.event);
+        Throw thrown = hitThrow(project, onlyAsset(session.scene()), hit);
+        thrown.from += place + Vec3(0.0, 0.0, 0.3);
+        thrown.to += place;
+        test::addInput(session, ShotInput{"cube", thrown});
+    }
+    for (double time = 0.0; time < 2.0 && session.events().impacts.empty(); time += dt) session.step();
+    if (session.events().impacts.empty()) return {};
+    return {session.events().impacts[0].damage, !session.events().breaks.empty()};
+}
+
+StrengthRequirement randomIntent(Random& random) {
+    const RequirementOutcome outcome = random.below(2) == 0 ? kSurvives : kBreaks;
+    if (random.below(2) == 0) return {outcome, DropRequirement{random.between(0.3, 3.0)}};
+    return {outcome, HitRequirement{random.between(0.5, 200.0), random.between(1.5, 30.0)}};
+}
+
+}  // namespace
+
+class StrengthRequirementTest : public QObject {
+    Q_OBJECT
+private slots:
+    void dropStopsTheWholeMass() {
+        QVERIFY(isAbout(impulseOf(block(), {kSurvives, DropRequirement{1.0}}), 500.0 * std::sqrt(2.0 * 9.81)));
+    }
+    void hitUsesBothMasses() {
+        QVERIFY(isAbout(impulseOf(block(), {kBreaks, HitRequirement{5.0, 12.0}}), 12.0 / (1.0 / 5.0 + 1.0 / 500.0)));
+    }
+    void largerRestitutionIsUsed() {
+        Project project = block();
+        project.materials[0].restitution = 0.2;
+        project.ground.restitution = 0.5;
+        QVERIFY(isAbout(impulseOf(project, {kSurvives, DropRequirement{1.0}}), 1.5 * 500.0 * std::sqrt(2.0 * 9.81)));
+        QVERIFY(isAbout(impulseOf(project, {kSurvives, HitRequirement{500.0, 2.0}}), 1.2 * 500.0));
+        QVERIFY(isAbout(impulseOf(project, {kSurvives, HitRequirement{500.0, 0.9}}), 225.0));  // too slow for it
+    }
+    void slowContactHasNoImpulse() {
+        QCOMPARE(impulseOf(block(), {kSurvives, DropRequirement{0.01}}), 0.0);
+        QCOMPARE(impulseOf(block(), {kSurvives, HitRequirement{5.0, 0.4}}), 0.0);
+    }
+    /// A frame of 4 x 4 m with a window of 2 x 2 m is hit at the window's rim, 1 m beside its centre, by a cube of 0.2
+    /// m of which one half finds something to hit: at 1.05 m. There the frame turns away.
+    void hitUsesTheNearestPointOfAnOpenMiddle() {
+        Project project = block();
+        project.assets[0].prism = {squareRing(), 0.5};
+        const double mass = 1000.0 * 12.0 * 0.5, inertia = mass * ((16.0 * 4.0 - 4.0) / 12.0 / 12.0 + 0.25 / 12.0);
+        const double cube = 20.0, cubeInertia = cube * 0.04 / 6.0;
+        const Throw thrown = hitThrow(project, onlyAsset(*test::playSceneOf(project)), {cube, 10.0});
+        QVERIFY(std::abs(glm::distance(Vec2(thrown.from), Vec2(2.0, 2.0)) - 1.0) < 1e-6);
+        const double inverseEffectiveMass = 1.0 / mass + 1.05 * 1.05 / inertia + 1.0 / cube + 0.05 * 0.05 / cubeInertia;
+        const double impulse = impulseOf(project, {kBreaks, HitRequirement{cube, 10.0}});
+        QVERIFY2(std::abs(impulse - 10.0 / inverseEffectiveMass) < 0.01 * impulse,
+                 QByteArray::number(impulse * inverseEffectiveMass / 10.0));
+    }
+    void damageRuleOfTheProjectIsUsed() {
+        Project project = block();
+        project.damage.rule = DamageRule::Momentum;
+        QVERIFY(isAbout(impulseOf(project, {kBreaks, HitRequirement{5.0, 12.0}}), 60.0));
+    }
+    void invalidRequirementsAreRejected() {
+        Project project = block();
+        QCOMPARE(faultOf(project, {kBreaks, HitRequirement{1e20, 1.0}}),
+                 std::string("The projectile is too light or too heavy to be simulated."));
+        QCOMPARE(faultOf(project, {kBreaks, HitRequirement{1.0, 1e5}}),
+                 std::string("The velocity of a body must be below 10 km/s."));
+        for (const Vec3 gravity : {Vec3(0.0), Vec3(1.0, -9.0, 0.0), Vec3(0.0, 9.81, 0.0)}) {
+            project.gravity = gravity;
+            QCOMPARE(faultOf(project, {kBreaks, DropRequirement{1.0}}),
+                     std::string("A drop needs gravity that points straight down, along -y."));
+            QCOMPARE(faultOf(project, {kBreaks, HitRequirement{1.0, 1.0}}), std::string());
+        }
+    }
+
+    void requirementsGiveAnInterval() {
+        Project project = block();
+        project.assets[0].requirements = {{kSurvives, HitRequirement{5.0, 12.0}},
+                                          {kSurvives, DropRequirement{0.2}},
+                                          {kBreaks, DropRequirement{1.0}},
+                                          {kBreaks, HitRequirement{400.0, 50.0}}};
+        const Result<ThresholdInterval> interval = thresholdInterval(project, onlyAsset(*test::playSceneOf(project)));
+        QVERIFY(interval.hasValue() && interval->impulses.size() == 4);
+        QCOMPARE(interval->lowRequirement, 1u);
+        QCOMPARE(interval->highRequirement, 2u);
+        QVERIFY(isAbout(interval->low, 500.0 * std::sqrt(0.4 * 9.81)));
+        QVERIFY(isAbout(interval->high, 500.0 * std::sqrt(2.0 * 9.81)));
+        QVERIFY(interval->contains(interval->high) && !interval->contains(interval->low));
+        QVERIFY(interval->contains(*interval->suggested()));
+        QCOMPARE(intervalText(*interval), std::string("above 990.5 N·s and at most 2215 N·s"));
+        QCOMPARE(conflictText(project.assets[0], *interval).value_or(""), std::string());
+    }
+    void conflictingRequirementsAreNamed() {
+        Project project = block();
+        project.assets[0].requirements = {{kSurvives, DropRequirement{1.0}}, {kBreaks, HitRequirement{5.0, 12.0}}};
+        const Result<ThresholdInterval> interval = thresholdInterval(project, onlyAsset(*test::playSceneOf(project)));
+        QVERIFY(interval.hasValue() && interval->isEmpty() && !interval->suggested());
+        QCOMPARE(
+            conflictText(project.assets[0], *interval).value_or(""),
+            std::string("\"survives a drop of 1 m\" needs a threshold above 2215 N·s, \"breaks when hit by 5 kg at "
+                        "12 m/s\" one of at most 59.41 N·s: they are 2155 N·s (3628 %) apart."));
+        project.assets[0].requirements = {{kBreaks, DropRequirement{0.01}}};
+        const Result<ThresholdInterval> none = thresholdInterval(project, onlyAsset(*test::playSceneOf(project)));
+        QVERIFY(none.hasValue() && none->isEmpty());
+        QCOMPARE(conflictText(project.assets[0], *none).value_or(""),
+                 std::string("\"breaks in a drop of 0.01 m\" cannot be met: such a slow contact does no damage."));
+    }
+    void suggestionWithOneOrNoBound() {
+        Project project = block();
+        const auto interval = [&] { return *thresholdInterval(project, onlyAsset(*test::playSceneOf(project))); };
+        QVERIFY(!interval().suggested() && intervalText(interval()) == "any");
+        project.assets[0].requirements = {{kSurvives, DropRequirement{1.0}}};
+        QVERIFY(interval().contains(*interval().suggested()) && *interval().suggested() > 1.2 * interval().low);
+        project.assets[0].requirements = {{kBreaks, DropRequirement{1.0}}};
+        QVERIFY(interval().contains(*interval().suggested()) && *interval().suggested() < 0.9 * interval().high);
+    }
+    void faultsNameTheAsset() {
+        Project project = block();
+        project.gravity = Vec3(0.0);
+        project.assets[0].requirements = {{kSurvives, DropRequirement{1.0}}};
+        const Result<ThresholdInterval> interval = thresholdInterval(project, onlyAsset(*test::playSceneOf(project)));
+        QVERIFY(!interval);
+        QCOMPARE(interval.error().message, std::string("Asset \"block\": A drop needs gravity that "
+                                                       "points straight down, along -y."));
+    }
+
+    /// Real falls and throws keep to both ends of the interval to 1 %: 1.01 times the impulse survives, 0.99 times
+    /// breaks. At 1/60 s a fall is slower than it should be: after n sub-steps v^2 = 2 g h n / (n + 1), which is 0.8 %
+    /// of the impulse from 0.3 m and 0.3 % from 3 m.
+    void fiftyRequirementsHoldInSessions_data() {
+        QTest::addColumn<int>("stepsASecond");
+        QTest::newRow("1/60 s") << 60;
+        QTest::newRow("1/240 s") << 240;
+    }
+    void fiftyRequirementsHoldInSessions() {
+        QFETCH(int, stepsASecond);
+        constexpr std::uint64_t kSeed = 20;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        double worst = 0.0;
+        for (int sentence = 0; sentence < 50; ++sentence) {
+            const Project project = test::randomAsset(random, sentence);
+            const StrengthRequirement requirement = randomIntent(random);
+            const double impulse = impulseOf(project, requirement);
+            const Trial above = tried(project, requirement, 1.01 * impulse, 1.0 / stepsASecond);
+            const Trial below = tried(project, requirement, 0.99 * impulse, 1.0 / stepsASecond);
+            worst = std::max(worst, std::abs(above.damage / impulse - 1.0));
+            const std::string event = std::to_string(sentence) + ": " + requirementText(requirement) + ", " +
+                                      impulseText(impulse) + " against " + impulseText(above.damage);
+            QVERIFY2(!above.isBroken && below.isBroken, event.c_str());
+        }
+        qInfo("worst impulse: off by %.3f %%", 100.0 * worst);
+    }
+};
+
+RUBBLE_TEST_WITH(StrengthRequirementTest, QCoreApplication)
+#include "StrengthRequirementTest.moc"

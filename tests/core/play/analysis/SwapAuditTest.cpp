@@ -1,0 +1,205 @@
+#include "core/play/analysis/SwapAudit.h"
+
+#include "tests/support/House.h"
+#include "tests/support/Hulls.h"
+#include "tests/support/Pane.h"
+#include "tests/support/RandomAssets.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/WallWithOpenings.h"
+
+using namespace rubble;
+
+namespace {
+
+std::vector<SwapAudit> auditsOf(const Project& project) {
+    std::vector<SwapAudit> audits;
+    const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
+    for (const auto& [id, asset] : scene->assets) {
+        Result<SwapAudit> audit = swapAudit(project, asset);
+        if (!audit) qFatal("%s", audit.error().message.c_str());
+        audits.push_back(std::move(*audit));
+    }
+    return audits;
+}
+
+void tell(const SwapAudit& audit) {
+    qInfo(
+        "%u pieces, %d contacts, overlap %.2g mm; resting %.3g mm/s (%s), %.2g J; lying %.3g mm/s (%s); drift %.1e "
+        "%.1e "
+        "%.1e, energy %.1e",
+        audit.pieces, audit.contacts, 1e3 * audit.deepestOverlap, 1e3 * audit.resting.speed,
+        audit.resting.piece.c_str(), audit.restingEnergy, 1e3 * audit.lying.speed, audit.lying.piece.c_str(),
+        audit.massDrift, audit.momentumDrift, audit.angularDrift, audit.energyGain);
+}
+
+/// A floating block in a piece of 0.6 m and one of 0.4 m.
+Project twoPieces() {
+    Project project = test::floatingBlock();
+    project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.2, 0.0}}, {1, {0.4, 0.0}}}}});
+    return project;
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + '\n';
+    return text;
+}
+
+/// The diagnostic of a fragment, given its id, that collides with a simplified shape.
+Diagnostic simplified(const std::string& id) {
+    return diagnostic(DiagnosticCode::SimplifiedShape, {.fragment = 0, .path = pathOfId(id)},
+                      "Piece " + id + ": It collides as a box.");
+}
+
+}  // namespace
+
+class SwapAuditTest : public QObject {
+    Q_OBJECT
+private slots:
+    void demoProjectsSwapCleanly_data() {
+        QTest::addColumn<Project>("project");
+        QTest::newRow("house") << test::house();
+        QTest::newRow("pane") << test::pane();
+        QTest::newRow("wall with openings") << test::wallWithOpenings();
+    }
+    void demoProjectsSwapCleanly() {
+        QFETCH(Project, project);
+        for (const SwapAudit& audit : auditsOf(project)) {
+            tell(audit);
+            QVERIFY2(audit.isClean(), joined(audit.faults).c_str());
+        }
+    }
+    void allPatternsSwapCleanly() {
+        constexpr std::uint64_t kSeed = 5;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        for (int round = 0; round < 18; ++round) {
+            Project project = test::randomAsset(random, round);
+            project.assets[0].pattern =
+                test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(40))}});
+            const SwapAudit audit = auditsOf(project)[0];
+            tell(audit);
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+        }
+    }
+    void shapedPiecesSwapCleanly() {
+        constexpr std::uint64_t kSeed = 6;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        for (int round = 0; round < 12; ++round) {
+            Project project = test::randomAsset(random, round);
+            Asset& asset = project.assets[0];
+            asset.pattern =
+                test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(30))}});
+            asset.shaping.smallPieces = {SmallPieceRule::Merge, PieceMeasure::FractionOfMean, random.between(0.1, 0.7)};
+            asset.shaping.gap = round % 2 == 0 ? 0.0 : random.between(0.002, 0.02);
+            asset.shaping.roughness.amplitude = 0.05;
+            const SwapAudit audit = auditsOf(project)[0];
+            tell(audit);
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+            QCOMPARE(audit.gapFraction > 0.0, asset.shaping.gap > 0.0);
+        }
+    }
+    void gapVolumeIsReported() {
+        Project project = twoPieces();
+        project.assets[0].shaping.gap = 0.02;  // of a block of 1 m in two
+        const SwapAudit audit = auditsOf(project)[0];
+        QVERIFY2(std::abs(audit.gapFraction - 0.02) < 1e-9, QByteArray::number(audit.gapFraction));
+        QCOMPARE(joined(audit.notices),
+                 std::string("The gap between pieces takes 2 % of the mass and of its momenta.\n"));
+        QVERIFY(std::abs(audit.massDrift - 0.02) < 1e-6);
+    }
+    void contactsAreCounted() {
+        Project project = test::floatingBlock();
+        project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.3, 0.0}}, {1, {0.3, 0.0}}}}});
+        const SwapAudit audit = auditsOf(project)[0];
+        QCOMPARE(audit.pieces, 2u);
+        QCOMPARE(audit.contacts, 1);
+        QCOMPARE(audit.contactPoints, 4);
+    }
+    void deeperLevelsAreSwapped() {
+        Project project = test::floatingBlock(3);
+        project.assets[0].levels = {{test::patternOf(project, {UniformScatter{.count = 4}}), 0.0}};
+        const SwapAudit audit = auditsOf(project)[0];
+        const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
+        QVERIFY(scene->assets.begin()->second->pieces.size() > 3 + 3 * 2);
+        QCOMPARE(std::size_t{audit.pieces}, scene->assets.begin()->second->pieces.size());
+        const int contacts = audit.contacts;
+        project.assets[0].levels.clear();
+        QCOMPARE(contacts, auditsOf(project)[0].contacts);  // of the whole's swap alone
+    }
+    /// A piece that is put in 1 cm beside its place.
+    void overlappingPiecesAreReported() {
+        const Project project = twoPieces();
+        PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
+        damaged.pieces[0].offset.x += 0.01;
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
+        QVERIFY(audit.hasValue());
+        const std::string faults = joined(audit->faults);
+        QVERIFY2(std::abs(audit->deepestOverlap - 0.01) < 1e-4, QByteArray::number(audit->deepestOverlap));
+        QVERIFY2(faults.find("Two pieces overlap by 10 mm when they are swapped in.") != std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the momentum by ") != std::string::npos, faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the angular momentum by ") != std::string::npos,
+                 faults.c_str());
+    }
+    /// A fragment with a collision box 2 cm wider than itself: both are pushed, the lighter one faster.
+    void fastestPieceIsNamed() {
+        const Project project = twoPieces();
+        PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
+        damaged.pieces[0].shape = *makeShape(std::vector{test::boxOf({0.62, 1.0, 0.5})}, damaged.pieces[0].shape->mass);
+        for (PlayContact& pair : damaged.fractures[0].neighbours) pair.manifolds.clear();
+        const std::string lighter = damaged.bake->fragmentId(1), wider = damaged.bake->fragmentId(0);
+        damaged.diagnostics = {simplified(wider)};
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
+        QVERIFY(audit.hasValue());
+        tell(*audit);
+        const std::string faults = joined(audit->faults);
+        QCOMPARE(audit->resting.piece, lighter);
+        QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
+        QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos, faults.c_str());
+        QVERIFY(!audit->lying.piece.empty());
+        QVERIFY2(faults.find("In flight the swap adds to the kinetic energy by ") != std::string::npos, faults.c_str());
+        // The advice is about the lighter one if its own shape is simplified.
+        damaged.diagnostics = {simplified(lighter)};
+        const Result<SwapAudit> other = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
+        damaged.diagnostics.clear();
+        const Result<SwapAudit> third = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
+        QVERIFY2(joined(third->faults).find("is clean. Move its seed away from its neighbours', or delete it.") !=
+                     std::string::npos,
+                 joined(third->faults).c_str());
+        QVERIFY2(joined(other->faults).find("Its collision shape is simplified: move its seed") != std::string::npos,
+                 joined(other->faults).c_str());
+    }
+    /// A fragment with the shape and mass of the whole.
+    void faultsSayWhatToChange() {
+        const Project project = test::floatingBlock(6);
+        PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
+        damaged.pieces[0].shape = damaged.whole.shape;
+        damaged.diagnostics = {simplified("2/3.0")};
+        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
+        QVERIFY(audit.hasValue() && !audit->isClean());
+        const std::string faults = joined(audit->faults);
+        QVERIFY2(faults.find(" mm/s 30 steps after the swap without any force; at most 1 mm/s is clean.") !=
+                     std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos ||
+                     faults.find("Its collision shape is simplified: move its seed") != std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find(" mm/s 30 steps after the swap lying flat on the ground; at most 10 mm/s is clean.") !=
+                     std::string::npos,
+                 faults.c_str());
+        QVERIFY2(faults.find("In flight the swap changes the mass by ") != std::string::npos, faults.c_str());
+    }
+    void assetWithoutFragmentsIsRejected() {
+        const Project project = test::floatingBlock(1);
+        const Result<SwapAudit> audit = swapAudit(project, test::playSceneOf(project)->assets.begin()->second);
+        QVERIFY(!audit && audit.error().code == ErrorCode::NotFound);
+        QCOMPARE(audit.error().message,
+                 std::string("Asset \"block\": It has no fragments, so there is no swap to audit."));
+    }
+};
+
+RUBBLE_TEST_WITH(SwapAuditTest, QCoreApplication)
+#include "SwapAuditTest.moc"

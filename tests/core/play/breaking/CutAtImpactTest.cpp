@@ -1,0 +1,111 @@
+#include "core/play/breaking/CutAtImpact.h"
+
+#include "core/base/Random.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+
+namespace {
+
+Project cutWhereHit(std::uint32_t pieces = 40) {
+    Project project = test::floatingBlock();
+    project.assets[0].cutAtImpact = CutAtImpact{.pieces = pieces, .falloffRadius = 0.15};
+    return project;
+}
+
+}  // namespace
+
+class CutAtImpactTest : public QObject {
+    Q_OBJECT
+private slots:
+    void piecesAreSmallerAtTheImpact() {
+        const Asset asset = cutWhereHit().assets[0];
+        Random random(3);
+        for (int round = 0; round < 50; ++round) {
+            const Vec2 point{random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
+            const auto cut = cutAtImpact(asset, point, static_cast<std::uint64_t>(round));
+            QVERIFY(cut.hasValue());
+            const Bake& bake = *(*cut)->bake;
+            QCOMPARE(bake.fragmentCount(), 40u);
+            double near = 0.0, far = 0.0, total = 0.0;
+            int nearCount = 0, farCount = 0;
+            for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
+                const Fragment piece = bake.fragment(k).solid;
+                const bool isNear = glm::distance(Vec2(piece.offset()), point) < 0.15;
+                (isNear ? near : far) += piece.volume();
+                ++(isNear ? nearCount : farCount);
+                total += piece.volume();
+            }
+            QVERIFY(std::abs(total - 0.5) < 1e-9);
+            QVERIFY(nearCount >= 10);
+            QVERIFY2(near / nearCount < 0.4 * far / farCount, QByteArray::number(round));
+        }
+    }
+    /// What was done by hand to pieces of the pattern means others here, though the names may be the same.
+    void editsOfThePatternAreIgnored() {
+        Asset asset = cutWhereHit(12).assets[0];
+        const auto plain = cutAtImpact(asset, {0.1, 0.1}, 5);
+        asset.leaves = {{.fragment = "2.0", .level = Level{.pattern = asset.pattern}}};
+        asset.edits = {FragmentMerge{.into = "2.0", .merged = {"2.1", "2.2", "2.3", "2.4", "2.5"}}};
+        const auto cut = cutAtImpact(asset, {0.1, 0.1}, 5);
+        QVERIFY(cut.hasValue());
+        QCOMPARE((*cut)->bake->fragmentCount(), 12u);
+        QCOMPARE((*cut)->bake->fractures[0].seeds.positions, (*plain)->bake->fractures[0].seeds.positions);
+        QVERIFY((*cut)->bake->fractures[0].seeds.diagnostics.empty());
+    }
+    void halfOfTheSeedsLieAtTheImpact() {
+        const auto cut = cutAtImpact(cutWhereHit().assets[0], {0.1, 0.1}, 5);
+        const std::vector<SeedId>& seeds = (*cut)->bake->fractures[0].seeds.ids;
+        QCOMPARE(std::ranges::count(seeds, 1u, &SeedId::layer), std::ptrdiff_t{20});
+        QCOMPARE(std::ranges::count(seeds, 2u, &SeedId::layer), std::ptrdiff_t{20});
+    }
+    void cutDependsOnTheAsset() {
+        Asset asset = cutWhereHit().assets[0];
+        const auto one = cutAtImpact(asset, {0.1, 0.1}, 5);
+        asset.id += 1;
+        const auto other = cutAtImpact(asset, {0.1, 0.1}, 5);
+        QVERIFY((*one)->bake->fractures[0].seeds.positions != (*other)->bake->fractures[0].seeds.positions);
+    }
+    void sameNumberGivesTheSameCut() {
+        const Asset asset = cutWhereHit().assets[0];
+        const auto areasOf = [&](std::uint64_t number) {
+            std::vector<double> volumes;
+            const auto cut = cutAtImpact(asset, {0.1, 0.1}, number);
+            for (std::uint32_t k = 0; k < (*cut)->bake->fragmentCount(); ++k) {
+                volumes.push_back((*cut)->bake->fragment(k).solid.volume());
+            }
+            return volumes;
+        };
+        QCOMPARE(areasOf(5), areasOf(5));
+        QVERIFY(areasOf(5) != areasOf(6));
+    }
+    void sessionCutsWithinTheStep() {
+        const Project project = cutWhereHit();
+        Session session = test::sessionOf(project);
+        Throw thrown = test::throwAtBlock(50.0, 12.0);
+        thrown.from = {0.3, 5.3, 1.0};
+        thrown.to = {0.3, 5.3, 0.0};
+        test::addInput(session, ShotInput{"box", thrown});
+        const std::vector<PlayBreak> broken = test::breaksWithin(session, 30);
+        QCOMPARE(broken.size(), 1u);
+        QCOMPARE(broken[0].pieces, 40u);
+        QVERIFY(glm::distance(Vec2(broken[0].point), Vec2(0.3, 5.3)) < 0.02);
+    }
+    void twoBodiesOfAnAssetAreCutDifferently() {
+        Project project = cutWhereHit(10);
+        test::addInstance(project, project.assets[0].id, "other", {.position = {3.0, 5.0, 0.0}});
+        Session session = test::sessionOf(project);
+        test::addInput(session, BreakInput{session.bodies()[1].number});
+        test::addInput(session, BreakInput{session.bodies()[2].number});
+        session.step();
+        QCOMPARE(session.events().breaks.size(), 2u);
+        const auto volumeOf = [&](std::uint32_t number) {
+            return session.world().shape(session.body(number)->body).mass.volume;
+        };
+        QVERIFY(volumeOf(session.events().breaks[0].firstPiece) != volumeOf(session.events().breaks[1].firstPiece));
+    }
+};
+
+RUBBLE_TEST(CutAtImpactTest)
+#include "CutAtImpactTest.moc"

@@ -1,0 +1,85 @@
+// Tests core/play/breaking/Damage.cpp, BreakImpulse.cpp and MovingMass.cpp.
+#include "core/play/breaking/Damage.h"
+
+#include "core/play/breaking/BreakImpulse.h"
+#include "tests/support/Simulated.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/scenes/SceneParts.h"
+
+using namespace rubble;
+
+namespace {
+
+/// Two boxes of 1 m, 1000 kg, about to meet along x, the first at 3 m/s with restitution 0.5, the second at -1 m/s.
+SceneWorld boxesAboutToMeet() {
+    BodyScene scene;
+    scene.gravity = Vec3(0.0);
+    const std::uint32_t box = test::addShape(scene, {test::boxOf(Vec3(1.0))});
+    test::addFreeBody(scene, "first", box, {.position = {0.0, 0.0, 0.0}});
+    test::addFreeBody(scene, "second", box, {.position = {1.02, 0.0, 0.0}});
+    scene.bodies[0].velocity = {3.0, 0.0, 0.0};
+    scene.bodies[0].restitution = 0.5;
+    scene.bodies[1].velocity = {-1.0, 0.0, 0.0};
+    SceneWorld made = test::worldOf(scene);
+    made.world.collide(test::kStep);
+    return made;
+}
+
+}  // namespace
+
+class DamageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void impactRuleUsesTheImpact() {
+        SceneWorld made = boxesAboutToMeet();
+        const std::vector<Impact> impacts = made.world.impacts();
+        const std::vector<DamageDone> damage = damageOf(impacts, made.world, DamageRule::Impact);
+        QCOMPARE(damage.size(), 2u);
+        for (const DamageDone& one : damage) QVERIFY(std::abs(one.amount - 1.5 * 4.0 * 500.0) < 0.1);
+    }
+    void momentumRuleUsesTheLargerMomentum() {
+        SceneWorld made = boxesAboutToMeet();
+        const std::vector<DamageDone> damage = damageOf(made.world.impacts(), made.world, DamageRule::Momentum);
+        QVERIFY(std::abs(damage[0].amount - 1500.0) < 0.1);  // its own 3000 (1 - 0.5), the other's 1000
+        QVERIFY(std::abs(damage[1].amount - 3000.0) < 0.1);  // the other's 3000, its own 1000
+    }
+    void largestImpactCounts() {
+        SceneWorld made = boxesAboutToMeet();
+        Impact impact = made.world.impacts()[0];
+        Impact weaker = impact, stronger = impact;
+        weaker.approachSpeed = 1.0;
+        stronger.approachSpeed = 9.0;
+        const std::vector<Impact> impacts{weaker, stronger, impact};
+        const std::vector<DamageDone> damage = damageOf(impacts, made.world, DamageRule::Impact);
+        QCOMPARE(damage.size(), 2u);
+        QCOMPARE(damage[0].impact, 1u);
+    }
+    void breakImpulseIsLimitedToTheStoppingImpulse() {
+        for (const double threshold : {100.0, 1e6}) {
+            SceneWorld made = boxesAboutToMeet();
+            PendingBreak broken;
+            broken.event.body.body = made.bodies[1];
+            broken.event.threshold = threshold;
+            broken.event.impactor = made.bodies[0];
+            broken.event.point = {0.51, 0.0, 0.0};
+            broken.event.normal = {1.0, 0.0, 0.0};
+            broken.mass = movingMass(made.world, made.bodies[1]);
+            const double before = made.world.momenta().linear.x;
+            applyBreakImpulses(made.world, {&broken, 1});
+            const double impulse = std::min(threshold, 4.0 * 500.0);
+            QVERIFY(std::abs(made.world.state(made.bodies[0]).velocity.x - (3.0 - impulse / 1000.0)) < 1e-5);
+            QVERIFY(std::abs(broken.mass.velocity.x - (-1.0 + impulse / 1000.0)) < 1e-5);
+            const double after = 1000.0 * (made.world.state(made.bodies[0]).velocity.x + broken.mass.velocity.x);
+            QVERIFY(std::abs(after - before) < 1e-2);
+        }
+    }
+    void separatingBodiesExchangeNoBreakImpulse() {
+        SceneWorld made = boxesAboutToMeet();
+        const MovingMass first = movingMass(made.world, made.bodies[0]),
+                         second = movingMass(made.world, made.bodies[1]);
+        QCOMPARE(stoppingImpulse(first, second, {0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0.0), 0.0);
+    }
+};
+
+RUBBLE_TEST(DamageTest)
+#include "DamageTest.moc"

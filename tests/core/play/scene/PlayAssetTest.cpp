@@ -1,0 +1,74 @@
+// Tests core/play/scene/PlayAsset.cpp, PlayScene.cpp and BodyShape.cpp.
+#include "core/play/scene/PlayAsset.h"
+
+#include "core/base/Roots.h"
+#include "core/base/Trigonometry.h"
+#include "core/play/scene/BodyShape.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+#include <numbers>
+
+using namespace rubble;
+
+class PlayAssetTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyFragmentHasAShapeWithItsMass() {
+        const auto scene = test::playSceneOf(test::floatingBlock(9));
+        const PlayAsset& asset = *scene->assets.begin()->second;
+        QCOMPARE(asset.pieces.size(), 9u);
+        double volume = 0.0;
+        for (const PlayPiece& piece : asset.pieces) {
+            volume += piece.shape->mass.volume;
+            const double share = piece.shape->mass.volume / 0.5;
+            QVERIFY(std::abs(piece.thresholdScale - std::pow(share, 2.0 / 3.0)) < 1e-12);
+        }
+        QVERIFY(std::abs(volume - asset.whole.shape->mass.volume) < 1e-12);
+        QCOMPARE(asset.fractureOf(kNone)->count, 9u);
+        QVERIFY(asset.fractureOf(kNone)->neighbours.size() >= 8);
+        QVERIFY(asset.fractureOf(0) == nullptr);
+        QVERIFY(scene->notices.empty());
+    }
+    void oneSeedGivesNoFracture() {
+        const auto scene = test::playSceneOf(test::floatingBlock(1));
+        QVERIFY(scene->assets.begin()->second->fractureOf(kNone) == nullptr);
+    }
+    void columnWithManyCornersIsSimplified() {
+        Project project = test::floatingBlock();
+        Ring& ring = project.assets[0].prism.outline.outer;
+        ring.clear();
+        for (int k = 0; k < 400; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / 400.0;
+            ring.push_back({0.5 * cosine(angle), 0.5 * sine(angle)});
+        }
+        const auto scene = test::playSceneOf(project);
+        QVERIFY(!scene->notices.empty());
+        QVERIFY2(scene->notices[0].starts_with("Asset 2 \"block\": The whole: It collides as a hull of"),
+                 scene->notices[0].c_str());
+        const Shape& shape = *scene->assets.begin()->second->whole.shape;
+        QVERIFY(std::abs(shape.mass.volume - scene->assets.begin()->second->bake->whole.volume) < 1e-12);
+    }
+    void flatSolidCollidesAsABox() {
+        const std::vector<Vec2> ring{{0.0, 0.0}, {1.0, 0.0}, {0.5, 1e-5}};
+        const Polytope flat = extruded(ring, -0.25, 0.25);
+        const Result<BodyShape> shape = bodyShape({&flat, 1}, massOf(flat));
+        QVERIFY(shape.hasValue());
+        QVERIFY(shape->simplified.has_value() || shape->shape->hulls[0].minWidth > 0.0f);
+    }
+    void noHullsAreRejected() { QVERIFY(!bodyShape({}, {})); }
+    void thresholdScaleIsTheTwoThirdsPower() {
+        for (const double number : {1e-300, 1e-9, 0.001, 0.3, 1.0, 2.0, 27.0, 12345.678, 1e300}) {
+            QVERIFY(std::abs(cubeRoot(number) - std::cbrt(number)) <= 3e-16 * std::cbrt(number));
+        }
+    }
+    void instanceWithoutABakeIsRejected() {
+        const Project project = test::floatingBlock();
+        const auto scene = playScene(project, AssetBakes{});
+        QVERIFY(!scene);
+        QCOMPARE(scene.error().message, std::string("Instance 4 \"block\" is of asset 2, which is not baked yet."));
+    }
+};
+
+RUBBLE_TEST(PlayAssetTest)
+#include "PlayAssetTest.moc"

@@ -1,0 +1,142 @@
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+
+namespace {
+
+/// A block that breaks into ten when it is told to, over a ground.
+Session brokenBlock(const Debris& debris, double height = 0.5) {
+    Project project = test::floatingBlock(10);
+    project.instances[0].pose.position.y = height;
+    project.gravity = {0.0, -9.81, 0.0};
+    project.debris = debris;
+    Session session = test::sessionOf(project);
+    test::addInput(session, BreakInput{session.bodies()[1].number});
+    session.step();
+    return session;
+}
+
+}  // namespace
+
+class DebrisRemovalTest : public QObject {
+    Q_OBJECT
+private slots:
+    void debrisStaysByDefault() {
+        Session session = brokenBlock({});
+        for (int step = 0; step < 600; ++step) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+    }
+    void debrisFadesOutAndIsRemoved() {
+        Session session = brokenBlock({.lifetime = 1.0, .fade = 0.5});
+        const auto fade = [&] { return session.fadeOf(session.bodies().back()); };
+        while (session.stepsDone() < 30) session.step();
+        QCOMPARE(fade(), 0.0);
+        while (session.stepsDone() < 45) session.step();
+        QVERIFY(std::abs(fade() - 0.5) < 1e-9);
+        while (session.stepsDone() < 59) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+        QCOMPARE(session.events().removed.size(), 10u);
+    }
+    void fadeLongerThanTheLifetimeStartsAtBirth() {
+        Session session = brokenBlock({.lifetime = 1.0, .fade = 9.0});
+        const double fade = session.fadeOf(session.bodies().back());
+        QVERIFY2(fade < 0.05, QByteArray::number(fade));
+    }
+    void smallestDebrisIsRemovedFirst() {
+        Session session = brokenBlock({.maxPieces = 4});
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 4u);
+        double largestGone = 0.0, smallestLeft = 1e9;
+        for (const PlayBody& body : session.events().removed) {
+            largestGone = std::max(largestGone, body.asset->piece(body.fragment).shape->mass.volume);
+        }
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role != PlayRole::Piece) continue;
+            smallestLeft = std::min(smallestLeft, session.world().shape(body.body).mass.volume);
+        }
+        QVERIFY(largestGone <= smallestLeft);
+    }
+    void sleepingDebrisIsRemovedBeforeMoving() {
+        Session session = brokenBlock({.maxPieces = 10});
+        while (session.stepsDone() < 300) session.step();  // all asleep
+        test::addInput(session, ShotInput{"pebble", Throw{.size = Vec3(0.02),
+                                                          .mass = 0.01,
+                                                          .from = {0.0, 40.0, 0.0},
+                                                          .to = {9.0, 41.0, 0.0},
+                                                          .speed = 5.0}});
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 9u);
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 1u);  // smaller than all, but awake
+    }
+    void oldestOfEqualDebrisIsRemoved() {
+        Project project = test::floatingBlock();
+        project.debris = {.maxPieces = 2};
+        Session session = test::sessionOf(project);
+        Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {0.0, 41.0, 0.0}};
+        for (int shot = 0; shot < 4; ++shot) {
+            thrown.from.x = thrown.to.x = 3.0 * shot;
+            test::addInput(session, ShotInput{"box", thrown});
+        }
+        session.step();
+        std::vector<std::uint32_t> gone, left;
+        for (const PlayBody& body : session.events().removed) gone.push_back(body.number);
+        for (const PlayBody& body : session.bodies()) {
+            if (body.role == PlayRole::Projectile) left.push_back(body.number);
+        }
+        QCOMPARE(gone.size(), std::size_t{2});
+        QCOMPARE(left.size(), std::size_t{2});
+        QVERIFY(std::ranges::is_sorted(gone));
+        QVERIFY(gone.back() < left.front());
+    }
+    void removedBodiesAreReportedByNumber() {
+        Session session = brokenBlock({.maxPieces = 4});
+        QVERIFY(std::ranges::is_sorted(session.events().removed, {}, &PlayBody::number));
+        for (const PlayBody& body : session.events().removed) QVERIFY(session.body(body.number) == nullptr);
+    }
+    /// The time of a piece runs from when it came, not from the start.
+    void lifetimeStartsAtBirth() {
+        Project project = test::floatingBlock(10);
+        project.debris = {.lifetime = 1.0, .fade = 0.5};
+        Session session = test::sessionOf(project);
+        while (session.stepsDone() < 90) session.step();
+        test::addInput(session, BreakInput{session.bodies()[1].number});
+        while (session.stepsDone() < 149) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+    }
+    /// What has faded counts no more among those that are too many.
+    void fadedDebrisIsNotCounted() {
+        Session session = brokenBlock({.lifetime = 1.0, .maxPieces = 10});
+        while (session.stepsDone() < 59) session.step();
+        const Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {9.0, 41.0, 0.0}};
+        test::addInput(session, ShotInput{"box", thrown});
+        session.step();
+        QCOMPARE(session.events().removed.size(), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 1u);
+    }
+    void farBodiesAreRemoved() {
+        Session session = test::sessionOf(test::floatingBlock());
+        const Throw thrown{
+            .size = Vec3(0.2), .mass = 10.0, .from = {0.0, 9.0, 9.0}, .to = {9.0, 9.0, 9.0}, .speed = 500.0};
+        test::addInput(session, ShotInput{"box", thrown});
+        for (int step = 0; step < 200; ++step) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 1u);
+        for (int step = 0; step < 100; ++step) session.step();  // 2 km after 4 s
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 0u);
+        QCOMPARE(test::countOf(session, PlayRole::Instance), 1u);
+    }
+    void fallenBodiesAreRemoved() {
+        Project project = test::floatingBlock();
+        project.gravity = {0.0, -9.81, 0.0};
+        project.ground.isOn = false;
+        Session session = test::sessionOf(project);
+        for (int step = 0; step < 600; ++step) session.step();
+        QVERIFY(session.bodies().empty());
+    }
+};
+
+RUBBLE_TEST(DebrisRemovalTest)
+#include "DebrisRemovalTest.moc"

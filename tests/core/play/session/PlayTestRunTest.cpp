@@ -1,0 +1,101 @@
+#include "core/play/session/PlayTestRun.h"
+
+#include "tests/support/House.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+
+namespace {
+
+/// A test of the house with one shot, and with one expectation of an instance by name.
+struct Case {
+    std::string shot;  // empty: none
+    ExpectationKind kind = ExpectationKind::Breaks;
+    std::string instance;  // empty: any
+    double value = 0.0;
+    double duration = 3.0;
+};
+
+ExpectationOutcome outcomeOf(const Case& one) {
+    static const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::house());
+    const Project& project = scene->project;
+    PlayTest test{.id = 1, .name = "test", .duration = one.duration};
+    for (const Shot& shot : project.shots) {
+        if (shot.name == one.shot) test.shots.push_back(shot.id);
+    }
+    Expectation expectation{.kind = one.kind, .value = one.value};
+    for (const Instance& instance : project.instances) {
+        if (instance.name == one.instance) expectation.instance = instance.id;
+    }
+    test.expectations = {expectation};
+    Result<PlayTestOutcome> outcome = runPlayTest(scene, test);
+    if (!outcome) qFatal("%s", outcome.error().message.c_str());
+    if (outcome->isPassed() != outcome->expectations[0].isMet) qFatal("a test passes when all is met");
+    return outcome->expectations[0];
+}
+
+const std::string kDoor = "box at the door", kRoof = "block under the roof", kBall = "ball at the gable";
+
+}  // namespace
+
+class PlayTestRunTest : public QObject {
+    Q_OBJECT
+private slots:
+    void expectations_data() {
+        using enum ExpectationKind;
+        QTest::addColumn<int>("number");
+        QTest::addColumn<bool>("isMet");
+        QTest::addColumn<QString>("seen");
+        const auto add = [&](const char* name, const Case& one, bool isMet, const char* seen) {
+            QTest::newRow(name) << static_cast<int>(m_cases.size()) << isMet << QString(seen);
+            m_cases.push_back(one);
+        };
+        add("stands", {"", StandsUntouched, "", 3.0}, true, "it stood");
+        add("rattles", {kBall, StandsUntouched, "roof back left", 3.0}, true, "it stood");
+        add("does not stand", {kRoof, StandsUntouched, "", 2.0}, false, "\"left 3.2\" broke at step 38 (0.6333 s)");
+        add("stands until then", {kRoof, StandsUntouched, "", 0.6}, true, "it stood");
+        add("too short", {"", StandsUntouched, "", 9.0, 1.0}, false, "the test is over before");
+        add("breaks", {kDoor, Breaks, "front 4.1"}, true, "\"front 4.1\" broke at step 47 (0.7833 s)");
+        add("any breaks", {kDoor, Breaks}, true, "\"front 4.1\" broke at step 47 (0.7833 s)");
+        add("another breaks", {kDoor, Breaks, "back 1.1"}, false, "nothing of it broke");
+        add("does not break", {kDoor, DoesNotBreak, "back 1.1"}, true, "it stayed whole");
+        add("nothing breaks", {kBall, DoesNotBreak}, true, "it stayed whole");
+        add("something breaks", {kDoor, DoesNotBreak}, false, "\"front 4.1\" broke at step 47 (0.7833 s)");
+        add("into four", {kDoor, BreaksIntoAtLeast, "front 4.1", 4.0}, true, "it was in 4 pieces");
+        add("into five", {kDoor, BreaksIntoAtLeast, "front 4.1", 5.0}, false, "it was in 4 pieces");
+        add("into any", {kDoor, BreaksIntoAtLeast, "back 1.1", 2.0}, false, "it stayed whole");
+        add("high", {"", NothingAbove, "", 5.0}, false, "");
+        add("not so high", {"", NothingAbove, "", 6.0}, true, "");
+        add("at rest", {"", NothingFaster, "", 0.01}, true, "");
+        add("in flight", {kDoor, NothingFaster, "", 1.0, 0.6}, false, "");
+    }
+    void expectations() {
+        QFETCH(int, number);
+        QFETCH(bool, isMet);
+        QFETCH(QString, seen);
+        const ExpectationOutcome outcome = outcomeOf(m_cases[static_cast<std::size_t>(number)]);
+        QVERIFY2(outcome.isMet == isMet, (outcome.expected + ": " + outcome.seen).c_str());
+        if (!seen.isEmpty()) QCOMPARE(QString::fromStdString(outcome.seen), seen);
+    }
+
+    void outcomeDescribesExpectedAndObserved() {
+        const ExpectationOutcome outcome = outcomeOf({kDoor, ExpectationKind::NothingAbove, "front gable", 4.5});
+        QCOMPARE(outcome.expected, std::string("nothing of \"front gable\" is higher than 4.5 m at the end"));
+        QVERIFY2(outcome.seen.starts_with("\"front gable\" reached up to 5.4"), outcome.seen.c_str());
+        QCOMPARE(outcome.step, 180u);
+    }
+
+    void cancellationStops() {
+        const CancelToken cancel;
+        cancel.cancel();
+        const auto outcome = runPlayTest(test::playSceneOf(test::floatingBlock()), {}, {}, {.cancel = cancel});
+        QCOMPARE(outcome.error().code, ErrorCode::Cancelled);
+    }
+
+private:
+    std::vector<Case> m_cases;
+};
+
+RUBBLE_TEST(PlayTestRunTest)
+#include "PlayTestRunTest.moc"

@@ -1,0 +1,119 @@
+#include "core/play/session/Replay.h"
+
+#include "tests/support/House.h"
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kSteps = 150;
+
+/// The house hit by two shots, of which the second comes while the first is under way.
+Replay recorded(const std::shared_ptr<const PlayScene>& scene) {
+    Result<Session> session = Session::start(scene);
+    for (const Shot& shot : scene->project.shots) {
+        if (!session->add(shot)) qFatal("a shot cannot be fired");
+    }
+    ReplayRecorder recorder(*session, "1", {1, 2});
+    for (int step = 0; step < kSteps; ++step) {
+        if (step == 50) test::addInput(*session, GravityInput{{0.0, -5.0, 0.0}});
+        session->step();
+        recorder.add(*session);
+    }
+    return recorder.replay();
+}
+
+ReplayPlayer playerOf(const std::shared_ptr<const PlayScene>& scene, const Replay& replay, int threads = 1) {
+    Result<ReplayPlayer> player = ReplayPlayer::start(scene, replay, {.threads = threads});
+    if (!player) qFatal("%s", player.error().message.c_str());
+    return std::move(*player);
+}
+
+}  // namespace
+
+class ReplayTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_scene = test::playSceneOf(test::house());
+        m_replay = recorded(m_scene);
+    }
+
+    void replayHoldsInputsHashesAndKeyframes() {
+        QCOMPARE(m_replay.inputs.size(), 4u);
+        QCOMPARE(m_replay.inputs[0].step, 30u);  // half a second
+        QCOMPARE(m_replay.inputs[3].step, 50u);
+        QCOMPARE(m_replay.steps.size(), std::size_t{kSteps});
+        QCOMPARE(m_replay.keyframes.size(), 2u);
+        QVERIFY(m_replay.steps[0].moved.size() == 77);  // the house settles
+        QVERIFY(m_replay.steps[60].moved.size() > 10);
+    }
+
+    void playbackReachesTheLastStep() {
+        for (const int threads : {1, 2, 16}) {
+            ReplayPlayer player = playerOf(m_scene, m_replay, threads);
+            QVERIFY(player.seek(kSteps).hasValue());
+            QVERIFY(!player.divergence());
+            QCOMPARE(player.session().hash().low, m_replay.steps.back().hash);
+        }
+    }
+
+    void recordingItsInputsAgainGivesTheSameReplay() {
+        const Result<Replay> again = rubble::recordReplay(m_scene, {}, m_replay.inputs, kSteps, "1", {1, 2});
+        QVERIFY(again.hasValue());
+        QVERIFY(*again == m_replay);
+    }
+
+    void seeksForwardsAndBackwards() {
+        ReplayPlayer player = playerOf(m_scene, m_replay);
+        for (const std::uint64_t step : {100, 40, 41, 149, 0, 60, 59, 150, 149, 1, 1000}) {
+            QVERIFY(player.seek(step).hasValue());
+            const std::uint64_t at = std::min<std::uint64_t>(step, kSteps);
+            QCOMPARE(player.session().stepsDone(), at);
+            if (at > 0) QCOMPARE(player.session().hash().low, m_replay.steps[at - 1].hash);
+        }
+        QVERIFY(!player.divergence());
+    }
+
+    void namesTheFirstStepAndBodyThatDiverge() {
+        Project altered = test::house();
+        altered.assets[0].threshold = 1300.0;  // what breaks costs more
+        ReplayPlayer player = playerOf(test::playSceneOf(altered), m_replay);
+        QVERIFY(player.seek(kSteps).hasValue());
+        QVERIFY(player.divergence().has_value());
+        const std::uint64_t step = player.divergence()->step;
+        ReplayPlayer same = playerOf(m_scene, m_replay);
+        QVERIFY(same.seek(step - 1).hasValue());
+        ReplayPlayer other = playerOf(test::playSceneOf(altered), m_replay);
+        QVERIFY(other.seek(step - 1).hasValue());
+        QVERIFY(same.session().hash() == other.session().hash());  // until then nothing differed
+        QVERIFY2(player.divergence()->sentence().starts_with("At step 38 "), player.divergence()->sentence().c_str());
+        QVERIFY(player.divergence()->distance.has_value());
+        QCOMPARE(player.divergence()->distance->step, 60u);
+    }
+
+    void oneAlteredInputIsNamed() {
+        Replay altered = m_replay;
+        std::get<Throw>(std::get<ShotInput>(altered.inputs[0].input).action).speed += 1e-3;
+        ReplayPlayer player = playerOf(m_scene, altered);
+        QVERIFY(player.seek(kSteps).hasValue());
+        QVERIFY(player.divergence().has_value());
+        QVERIFY2(player.divergence()->step >= 31, player.divergence()->sentence().c_str());
+    }
+
+    void cancellationStops() {
+        ReplayPlayer player = playerOf(m_scene, m_replay);
+        const CancelToken cancel;
+        cancel.cancel();
+        QCOMPARE(player.seek(9, {.cancel = cancel}).error().code, ErrorCode::Cancelled);
+    }
+
+private:
+    std::shared_ptr<const PlayScene> m_scene;
+    Replay m_replay;
+};
+
+RUBBLE_TEST(ReplayTest)
+#include "ReplayTest.moc"

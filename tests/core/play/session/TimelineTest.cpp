@@ -1,0 +1,142 @@
+#include "core/play/session/Timeline.h"
+
+#include "tests/support/Sessions.h"
+#include "tests/support/TestProgram.h"
+
+#include <map>
+#include <random>
+
+using namespace rubble;
+
+namespace {
+
+Timeline timelineOf(const Project& project) { return Timeline(test::sessionOf(project)); }
+
+void play(Timeline& timeline, int steps) {
+    for (int k = 0; k < steps; ++k) {
+        if (const Status played = timeline.step(); !played) qFatal("%s", played.error().message.c_str());
+    }
+}
+
+void seek(Timeline& timeline, std::uint64_t step) {
+    if (const Status gone = timeline.seek(step); !gone) qFatal("%s", gone.error().message.c_str());
+}
+
+ShotInput throwIt(double speed) { return {"throw", test::throwAtBlock(3.0, speed)}; }
+
+}  // namespace
+
+class TimelineTest : public QObject {
+    Q_OBJECT
+private slots:
+    void seeksBackToEveryStep() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        std::vector<ContentHash> hashes{timeline.session().hash()};
+        for (int step = 0; step < 200; ++step) {
+            if (step % 50 == 10) QVERIFY(timeline.add(throwIt(20.0 + step)).hasValue());
+            play(timeline, 1);
+            hashes.push_back(timeline.session().hash());
+        }
+        std::mt19937 random(7);
+        qInfo("seed 7");
+        for (int k = 0; k < 60; ++k) {
+            const std::uint64_t step = random() % 201;
+            seek(timeline, step);
+            QCOMPARE(timeline.session().stepsDone(), step);
+            QCOMPARE(timeline.session().hash(), hashes[step]);
+            QCOMPARE(timeline.length(), 200u);
+        }
+    }
+    void playsRecordedAndNewSteps() {
+        Timeline straight = timelineOf(test::floatingBlock()), scrubbed = timelineOf(test::floatingBlock());
+        for (Timeline* timeline : {&straight, &scrubbed}) {
+            play(*timeline, 30);
+            QVERIFY(timeline->add(throwIt(30.0)).hasValue());
+        }
+        seek(scrubbed, 5);  // the throw was told, and never came to pass
+        QVERIFY(!scrubbed.isAtEnd());
+        QCOMPARE(scrubbed.length(), 30u);
+        play(straight, 60);
+        play(scrubbed, 85);
+        QCOMPARE(scrubbed.session().hash(), straight.session().hash());
+        QCOMPARE(scrubbed.inputs(), straight.inputs());
+        QVERIFY(scrubbed.isAtEnd());
+    }
+    void inputInThePastDiscardsTheFuture() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 100);
+        QVERIFY(timeline.add(throwIt(30.0)).hasValue());
+        play(timeline, 50);
+        seek(timeline, 80);
+        QVERIFY(timeline.add(throwIt(40.0)).hasValue());
+        QCOMPARE(timeline.length(), 80u);
+        QVERIFY(timeline.isAtEnd());
+        QCOMPARE(timeline.inputs(), (std::vector<TimedInput>{{80, throwIt(40.0)}}));
+        play(timeline, 40);
+        Timeline other = timelineOf(test::floatingBlock());
+        play(other, 80);
+        QVERIFY(other.add(throwIt(40.0)).hasValue());
+        play(other, 40);
+        QCOMPARE(timeline.session().hash(), other.session().hash());
+    }
+    void rejectedInputDiscardsNothing() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 20);
+        seek(timeline, 10);
+        const Status added = timeline.add(ThresholdInput{.asset = 1, .threshold = -1.0});
+        QCOMPARE(added.error().message, "A threshold must be positive.");
+        QCOMPARE(timeline.length(), 20u);
+        QVERIFY(timeline.inputs().empty());
+    }
+    void futureInputsAreApplied() {
+        Timeline timeline(test::sessionOf(test::floatingBlock()), {{12, throwIt(60.0)}}, 40);
+        QCOMPARE(timeline.length(), 40u);
+        seek(timeline, 1000);
+        QCOMPARE(timeline.session().stepsDone(), 40u);
+        QVERIFY(test::countOf(timeline.session(), PlayRole::Piece) > 0);
+        Timeline wrong(test::sessionOf(test::floatingBlock()), {{12, ThresholdInput{.threshold = -1.0}}}, 40);
+        QCOMPARE(wrong.seek(40).error().message, "A threshold must be positive.");
+        QCOMPARE(wrong.session().stepsDone(), 12u);
+    }
+    void cancellationStops() {
+        Timeline timeline(test::sessionOf(test::floatingBlock()), {}, 40);
+        CancelToken cancel;
+        cancel.cancel();
+        QCOMPARE(timeline.seek(40, {.cancel = cancel}).error().code, ErrorCode::Cancelled);
+        QCOMPARE(timeline.session().stepsDone(), 0u);
+    }
+    void numberOfSnapshotsIsBounded() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 20000);
+        int played = 0;
+        const auto count = [&] { ++played; };
+        QVERIFY(timeline.seek(19900, {}, count).hasValue());  // the last seconds are dense
+        QVERIFY2(played < 60, qPrintable(QString::number(played)));
+        for (const std::uint64_t step : {9999, 4999, 14999, 1}) {
+            played = 0;
+            QVERIFY(timeline.seek(step, {}, count).hasValue());
+            QVERIFY2(played <= 1500, qPrintable(QString::number(played)));
+            QCOMPARE(timeline.session().stepsDone(), step);
+        }
+    }
+    void memoryOfSnapshotsIsBounded() {
+        Timeline reference(test::sessionOf(test::floatingBlock()), {{100, throwIt(60.0)}}, 6000);
+        std::map<std::uint64_t, ContentHash> hashes;
+        while (!reference.isAtEnd()) {
+            QVERIFY(reference.step().hasValue());
+            hashes[reference.session().stepsDone()] = reference.session().hash();
+        }
+        const std::size_t limit = reference.snapshotBytes() / 8;  // a few snapshots of the fragments
+        Timeline timeline(test::sessionOf(test::floatingBlock()), {{100, throwIt(60.0)}}, 6000, limit);
+        seek(timeline, 6000);
+        QVERIFY(timeline.snapshotBytes() <= limit);
+        for (const std::uint64_t step : {5999, 1, 4000, 119, 5999, 2001}) {
+            seek(timeline, step);
+            QVERIFY(timeline.session().hash() == hashes[step]);
+            QVERIFY(timeline.snapshotBytes() <= limit);
+        }
+    }
+};
+
+RUBBLE_TEST_WITH(TimelineTest, QCoreApplication)
+#include "TimelineTest.moc"

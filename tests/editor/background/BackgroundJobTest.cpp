@@ -1,0 +1,151 @@
+#include "editor/background/BackgroundJob.h"
+
+#include "tests/support/TestProgram.h"
+
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+using namespace rubble;
+
+namespace {
+
+/// Runs until it is cancelled.
+int untilCancelled(const TaskContext& task) {
+    while (!task.isCancelled()) QThread::yieldCurrentThread();
+    return 0;
+}
+
+}  // namespace
+
+class BackgroundJobTest : public QObject {
+    Q_OBJECT
+private slots:
+    void runsInTheBackgroundAndDeliversInItsThread() {
+        BackgroundJob job;
+        const QThread* worker = nullptr;
+        const QThread* receiver = nullptr;
+        job.start([&worker](const TaskContext&) { return worker = QThread::currentThread(), 42; },
+                  [&](int result) {
+                      receiver = QThread::currentThread();
+                      QCOMPARE(result, 42);
+                      QVERIFY(!job.isRunning());
+                  });
+        QVERIFY(job.isRunning());
+        QTRY_VERIFY(!job.isRunning());
+        QVERIFY(worker != nullptr && worker != QThread::currentThread());
+        QCOMPARE(receiver, QThread::currentThread());
+    }
+    void onlyTheNewestResultIsDelivered() {
+        BackgroundJob job;
+        std::vector<int> results;
+        const auto add = [&](int result) { results.push_back(result); };
+        job.start(untilCancelled, add);
+        for (int k = 1; k <= 3; ++k) job.start([k](const TaskContext&) { return k; }, add);
+        QTRY_VERIFY(!job.isRunning());
+        QTest::qWait(20);
+        QCOMPARE(results, std::vector{3});
+    }
+    void aResultThatIsQueuedAlreadyIsDroppedWhenReplaced() {
+        BackgroundJob job;
+        QSemaphore isDone;
+        std::vector<int> results;
+        const auto add = [&](int result) { results.push_back(result); };
+        job.start([&](const TaskContext&) { return isDone.release(), 1; }, add);
+        isDone.acquire();
+        QThread::msleep(20);  // its event is queued now
+        job.start([](const TaskContext&) { return 2; }, add);
+        QTRY_VERIFY(!job.isRunning());
+        QCOMPARE(results, std::vector{2});
+    }
+    void nothingIsDeliveredAfterCancel() {
+        BackgroundJob job;
+        QSignalSpy progress(&job, &BackgroundJob::progressed);
+        bool isDelivered = false;
+        job.start(
+            [&](const TaskContext& task, const BackgroundJob::Post& post) {
+                untilCancelled(task);
+                task.report(0.5);
+                post([&isDelivered] { isDelivered = true; });
+                return 0;
+            },
+            [&isDelivered](int) { isDelivered = true; });
+        job.cancel();
+        QVERIFY(!job.isRunning());
+        QTest::qWait(20);
+        QVERIFY(!isDelivered && progress.isEmpty());
+        job.start([](const TaskContext&) { return 1; }, [&isDelivered](int) { isDelivered = true; });
+        QTRY_VERIFY(isDelivered);
+    }
+    void destructionCancelsAndWaits() {
+        std::atomic<bool> isReturned = false;
+        bool isDelivered = false;
+        {
+            BackgroundJob job;
+            QSemaphore isStarted;
+            job.start(
+                [&](const TaskContext& task) {
+                    isStarted.release();
+                    untilCancelled(task);
+                    isReturned = true;
+                    return 0;
+                },
+                [&isDelivered](int) { isDelivered = true; });
+            isStarted.acquire();
+        }
+        QVERIFY(isReturned);
+        QTest::qWait(1);
+        QVERIFY(!isDelivered);
+    }
+    void partialResultsArriveInOrderBeforeTheLast() {
+        BackgroundJob job;
+        std::vector<int> results;
+        job.start(
+            [&results](const TaskContext&, const BackgroundJob::Post& post) {
+                for (int k = 0; k < 5; ++k) post([&results, k] { results.push_back(k); });
+                return 5;
+            },
+            [&results](int result) { results.push_back(result); });
+        QTRY_VERIFY(!job.isRunning());
+        QCOMPARE(results, (std::vector{0, 1, 2, 3, 4, 5}));
+    }
+    void progressIsDelivered() {
+        BackgroundJob job;
+        QSignalSpy progress(&job, &BackgroundJob::progressed);
+        job.start(
+            [](const TaskContext& task) {
+                for (int k = 0; k <= 100; ++k) task.report(k / 100.0);
+                return 0;
+            },
+            [](int) {});
+        QTRY_VERIFY(!job.isRunning());
+        QVERIFY(!progress.isEmpty());
+        QCOMPARE(progress.last()[0].toDouble(), 1.0);
+    }
+    void aResultMayStartTheNextFunction() {
+        BackgroundJob job;
+        std::vector<int> results;
+        std::function<void(int)> deliver = [&](int result) {
+            results.push_back(result);
+            if (result < 3) job.start([result](const TaskContext&) { return result + 1; }, deliver);
+        };
+        job.start([](const TaskContext&) { return 1; }, deliver);
+        QTRY_COMPARE(results, (std::vector{1, 2, 3}));
+        QVERIFY(!job.isRunning());
+    }
+    void resultsNeedNotBeCopyable() {
+        BackgroundJob job;
+        int value = 0;
+        job.start([](const TaskContext&) { return std::make_unique<int>(7); },
+                  [&value](std::unique_ptr<int> result) { value = *result; });
+        QTRY_COMPARE(value, 7);
+    }
+};
+
+RUBBLE_TEST_WITH(BackgroundJobTest, QCoreApplication)
+#include "BackgroundJobTest.moc"

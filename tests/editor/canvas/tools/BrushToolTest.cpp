@@ -1,0 +1,58 @@
+#include "editor/canvas/tools/BrushTool.h"
+#include "tests/support/Canvas.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+struct BrushBench : CanvasBench {
+    explicit BrushBench(LayerParameters parameters) : CanvasBench(projectOf(unitSquare(), std::move(parameters))) {
+        canvas.setTool(CanvasToolKind::Brush);
+        canvas.brushTool().setStrength(1.0);
+    }
+    const GreyImage* picture() const {
+        return std::get<DensityImage>(asset().pattern.layers.back().parameters).image.get();
+    }
+};
+
+}  // namespace
+
+class BrushToolTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void dragIsOneUndoStepAndMovesSeeds() {
+        BrushBench bench(DensityImage{.count = 50});
+        bench.drag({0.1, 0.75}, {0.9, 0.75});
+        QVERIFY(bench.picture());
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        QCOMPARE(bench.canvas.displayedPattern()->seeds().positions.size(), std::size_t{50});
+        for (std::size_t seed = 0; seed < 50; ++seed) QVERIFY(bench.seedAt(seed).y > 0.5);
+        bench.document.undoStack().undo();
+        bench.settle();
+        QVERIFY(!bench.picture());
+    }
+    void shiftErases() {
+        BrushBench bench(DensityImage{.count = 50});
+        bench.drag({0.1, 0.75}, {0.9, 0.75});
+        bench.canvas.brushTool().setRadiusPixels(200.0);
+        bench.drag({0.1, 0.75}, {0.9, 0.75}, Qt::ShiftModifier);
+        QVERIFY(std::ranges::all_of(bench.picture()->grey, [](std::uint16_t grey) { return grey == 255; }));
+    }
+    void addsALayerIfThereIsNone() {
+        BrushBench bench(PlacedSeeds{});
+        bench.drag({0.2, 0.2}, {0.4, 0.2});
+        QCOMPARE(bench.asset().pattern.layers.size(), std::size_t{2});
+        QVERIFY(bench.picture());
+        QCOMPARE(bench.document.undoStack().count(), 1);
+    }
+};
+
+RUBBLE_TEST_WITH(BrushToolTest, QApplication)
+#include "BrushToolTest.moc"

@@ -1,0 +1,183 @@
+#include "core/asset/checks/VerifyProject.h"
+#include "core/base/Random.h"
+#include "core/io/project/ProjectFile.h"
+#include "tests/support/Canvas.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+PlacedSeeds fourSeeds() { return {{{0, {0.25, 0.25}}, {1, {0.75, 0.25}}, {2, {0.75, 0.75}}, {3, {0.25, 0.75}}}}; }
+
+const std::vector<PlacedSeeds::Seed>& placedSeeds(const CanvasBench& bench, std::size_t layer = 0) {
+    return std::get<PlacedSeeds>(bench.asset().pattern.layers[layer].parameters).seeds;
+}
+
+}  // namespace
+
+class SeedToolTest : public QObject {
+    Q_OBJECT
+private slots:
+    void clickPlacesASeed() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.click({0.5, 0.5});
+        QCOMPARE(placedSeeds(bench).size(), std::size_t{5});
+        QVERIFY(placedSeeds(bench)[4] == (PlacedSeeds::Seed{4, bench.metres({0.5, 0.5})}));
+        QCOMPARE(bench.canvas.displayedPattern()->partition().pieceCount(), 5u);
+    }
+    void clickAddsALayerInTheSameStep() {
+        CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 2}));
+        const Project before = bench.document.project();
+        Vec2 at{0.5, 0.5};
+        while (bench.canvas.displayedPattern()->nearestSeed(at, 0.1) != kNone) at = 0.9 * at;
+        bench.click(at);
+        QCOMPARE(bench.asset().pattern.layers.size(), std::size_t{2});
+        QVERIFY(placedSeeds(bench, 1) == (std::vector<PlacedSeeds::Seed>{{0, bench.metres(at)}}));
+        QVERIFY(!verifyProject(bench.document.project()));
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        bench.document.undoStack().undo();
+        QVERIFY(bench.document.project() == before);
+    }
+    void seedDragIsOneUndoStep() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.drag({0.25, 0.25}, {0.4, 0.35});
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        const Vec2 by = bench.metres({0.4, 0.35}) - bench.metres({0.25, 0.25});
+        const Vec2 off = placedSeeds(bench)[0].position - (Vec2(0.25, 0.25) + by);
+        QVERIFY(std::abs(off.x) < 1e-12 && std::abs(off.y) < 1e-12);
+        bench.document.undoStack().undo();
+        QVERIFY(placedSeeds(bench) == fourSeeds().seeds);
+    }
+    void layerCentreDragIsOneUndoStep() {
+        CanvasBench bench(projectOf(unitSquare(), RadialPattern{.centre = {0.5, 0.5}, .radius = 0.6}));
+        const Project before = bench.document.project();
+        const auto centre = [&] { return std::get<RadialPattern>(bench.asset().pattern.layers[0].parameters).centre; };
+        bench.drag({0.5, 0.5}, {0.3, 0.4});
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        QVERIFY(centre() == bench.metres({0.3, 0.4}));
+        QVERIFY(bench.selection.seeds().empty());
+        QVERIFY(bench.seedAt(0) == centre());  // the centre's seed moves along: the layer was scattered again
+        bench.press({0.3, 0.4});
+        QVERIFY(bench.canvas.hint().contains("Esc"));
+        bench.moveTo({0.7, 0.7});
+        bench.key(Qt::Key_Escape);
+        bench.release({0.7, 0.7});
+        QVERIFY(centre() == bench.metres({0.3, 0.4}));
+        while (bench.document.undoStack().canUndo()) bench.document.undoStack().undo();
+        QVERIFY(bench.document.project() == before);
+    }
+    void clickOnALayerCentreDoesNothing() {
+        CanvasBench bench(projectOf(unitSquare(), ImpactScatter{.centre = {0.5, 0.5}, .count = 5}));
+        const Project before = bench.document.project();
+        bench.click({0.5, 0.5});
+        QVERIFY(bench.document.project() == before);
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void undoEndsADrag() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        const Project before = bench.document.project();
+        bench.press({0.25, 0.25});
+        bench.moveTo({0.4, 0.35});
+        QVERIFY(bench.document.project() != before);
+        bench.document.undoStack().undo();
+        bench.moveTo({0.5, 0.5});
+        bench.release({0.5, 0.5});
+        QVERIFY(bench.document.project() == before);
+        QVERIFY(bench.document.undoStack().canRedo());
+    }
+    void escapeCancelsADrag() {
+        CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 5}));
+        const Vec2 seed = bench.seedAt(2);
+        bench.press(seed);
+        bench.moveTo(seed + Vec2(0.1, 0.1));
+        QVERIFY(!bench.asset().pattern.layers[0].overrides.empty());
+        bench.key(Qt::Key_Escape);
+        bench.moveTo(seed + Vec2(0.2, 0.1));
+        bench.release(seed);
+        QVERIFY(bench.asset().pattern.layers[0].overrides.empty());
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void boxSelectsAndDeleteDeletes() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.drag({0.1, 0.9}, {0.9, 0.6});
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 2}, {3, 3}}));
+        bench.key(Qt::Key_Delete);
+        QCOMPARE(placedSeeds(bench).size(), std::size_t{2});
+        QVERIFY(bench.selection.seeds().empty());
+        QCOMPARE(bench.document.undoStack().count(), 1);
+    }
+    void lassoSelectsSeedsInside() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.press({0.05, 0.05}, Qt::AltModifier);
+        for (const Vec2 corner : {Vec2{0.95, 0.05}, Vec2{0.9, 0.95}}) bench.moveTo(corner, Qt::AltModifier);
+        bench.release({0.05, 0.05}, Qt::AltModifier);
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 2}}));
+    }
+    void controlClickTogglesSelection() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.click({0.25, 0.25});
+        bench.click({0.75, 0.25}, Qt::ControlModifier);
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}, {3, 1}}));
+        bench.click({0.25, 0.25}, Qt::ControlModifier);
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 1}}));
+        bench.click({0.5, 0.5});  // a click elsewhere clears the selection
+        QVERIFY(bench.selection.seeds().empty());
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void arrowKeysMoveTheSelection() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(bench.selection.seeds().size(), std::size_t{4});
+        bench.key(Qt::Key_Right);
+        const double pixel = 1.0 / bench.canvas.view().scale;
+        QCOMPARE(placedSeeds(bench)[0].position.x, 0.25 + pixel);
+        bench.key(Qt::Key_Up, Qt::ShiftModifier);
+        QCOMPARE(placedSeeds(bench)[3].position.y, 0.75 + 10.0 * pixel);
+        QCOMPARE(bench.document.undoStack().count(), 2);
+    }
+    void selectsNeighboursAndInverts() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.selection.setSeeds({{3, 0}});
+        bench.canvas.seedTool().selectNeighbours();
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 3}}));
+        bench.canvas.seedTool().invertSelection();
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 2}}));
+    }
+    void restoresAMovedSeed() {
+        CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 5}));
+        const Vec2 seed = bench.seedAt(2);
+        bench.drag(seed, {0.5, 0.5});
+        QVERIFY(bench.seedAt(2) != seed);
+        bench.canvas.seedTool().restoreSelected();
+        bench.settle();
+        QVERIFY(bench.seedAt(2) == seed);
+        QVERIFY(bench.asset().pattern.layers[0].overrides.empty());
+    }
+    void randomDragsUndoExactly() {
+        for (std::uint64_t number = 1; number <= 5; ++number) {
+            Random random(number);
+            CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 12}));
+            const std::string before = projectText(bench.document.project());
+            for (int step = 0; step < 10; ++step) {
+                const std::size_t seeds = bench.canvas.displayedPattern()->seeds().positions.size();
+                const Vec2 to{random.unit(), random.unit()};
+                switch (random.below(4)) {
+                    case 0: bench.click(to); break;
+                    case 1: bench.drag({-0.05, -0.05}, to); break;
+                    case 2: bench.key(random.below(2) == 0 ? Qt::Key_Delete : Qt::Key_Left); break;
+                    default:
+                        if (seeds > 0) bench.drag(bench.seedAt(random.below(seeds)), to);
+                }
+                QVERIFY2(!verifyProject(bench.document.project()), qPrintable(QString("seed %1").arg(number)));
+            }
+            while (bench.document.undoStack().canUndo()) bench.document.undoStack().undo();
+            QVERIFY2(projectText(bench.document.project()) == before, qPrintable(QString("seed %1").arg(number)));
+        }
+    }
+};
+
+RUBBLE_TEST_WITH(SeedToolTest, QApplication)
+#include "SeedToolTest.moc"

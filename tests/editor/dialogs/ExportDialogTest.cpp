@@ -1,0 +1,141 @@
+#include "editor/dialogs/ExportDialog.h"
+
+#include "core/asset/project/StarterProject.h"
+#include "core/geometry/polygon/OutlineShapes.h"
+#include "editor/commands/InstanceEdits.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/TestSettings.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+QPushButton& exportButton(const QDialog& dialog) {
+    for (auto* button : dialog.findChildren<QPushButton*>()) {
+        if (button->text() == "Export") return *button;
+    }
+    qFatal("Export button not found.");
+}
+
+}  // namespace
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::keepSettingsIn(m_folder->path());
+        m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
+        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
+        addPrism("gable");
+    }
+
+    void allAssetsIncludeLaterOnes() {
+        exportBy([](QListWidget&) {});
+        QCOMPARE(folders(), (QStringList{"gable", "wall"}));
+        addPrism("column");
+        exportAgain();
+        QCOMPARE(folders(), (QStringList{"column", "gable", "wall"}));
+    }
+    void selectedAssetsAreRemembered() {
+        exportBy([](QListWidget& assets) { uncheck(assets, "wall"); });
+        QCOMPARE(folders(), QStringList{"gable"});
+        addPrism("column");
+        exportAgain();
+        QCOMPARE(folders(), QStringList{"gable"});
+        ExportDialog dialog(*m_workspace, nullptr);
+        const auto* assets = dialog.findChild<QListWidget*>();
+        QCOMPARE(assets->findItems("wall", Qt::MatchExactly).first()->checkState(), Qt::Unchecked);
+        QCOMPARE(assets->findItems("gable", Qt::MatchExactly).first()->checkState(), Qt::Checked);
+    }
+    void deletedAssetsAreNotExported() {
+        exportBy([](QListWidget& assets) { uncheck(assets, "wall"); });
+        const Id gable = m_workspace->project().assets.back().id;
+        m_workspace->document().push(removeAssets(m_workspace->project(), std::vector{gable}));
+        QVERIFY(lastExportOptions(*m_workspace)->assets->empty());
+    }
+    void variantsAreExportedWithTheirAsset() {
+        const Id wall = m_workspace->project().assets.front().id;
+        std::vector<Id> walls;
+        for (int k = 0; k < 3; ++k) {
+            Addition added = placeInstance(m_workspace->project(), wall, {.position = {3.0 * k, 0.0, 5.0}});
+            walls.push_back(added.id);
+            m_workspace->document().push(std::move(added.edit));
+        }
+        m_workspace->document().push(assignDistinctVariants(m_workspace->project(), walls));
+        exportBy([](QListWidget& assets) { uncheck(assets, "gable"); });
+        QStringList expected{"wall"};
+        for (const Instance& instance : m_workspace->project().instances) {
+            if (instance.variant != 0) expected.append(QString("wall_%1").arg(instance.variant));
+        }
+        expected.removeDuplicates();
+        QVERIFY(expected.size() >= 3);
+        QCOMPARE(folders(), expected);
+        QVERIFY(packOf("wall") != packOf(expected[1]) && packOf(expected[1]) != packOf(expected[2]));
+    }
+    void exportNeedsASelectedAsset() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        auto& assets = *dialog.findChild<QListWidget*>();
+        for (const char* name : {"wall", "gable"}) uncheck(assets, name);
+        QVERIFY(!exportButton(dialog).isEnabled());
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QVERIFY(dialog.isVisible());
+    }
+    void meshOptionsAreRememberedPerProject() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        for (auto* box : dialog.findChildren<QCheckBox*>()) {
+            if (box->text().contains("GLB") != box->isChecked()) QTest::mouseClick(box, Qt::LeftButton, {}, {10, 8});
+        }
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        QVERIFY(!lastExportOptions(*m_workspace)->meshes.obj);
+        QVERIFY(lastExportOptions(*m_workspace)->meshes.glb);
+        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
+        QVERIFY(!lastExportOptions(*m_workspace));
+    }
+
+private:
+    void addPrism(const char* name) {
+        m_workspace->document().push(
+            addAsset(m_workspace->project(), name, {isoscelesTriangleOutline(2.0, 1.0), 0.5}).edit);
+    }
+    /// Clicks the check box before the name.
+    static void uncheck(QListWidget& assets, const char* name) {
+        const QRect row = assets.visualItemRect(assets.findItems(name, Qt::MatchExactly).first());
+        QTest::mouseClick(assets.viewport(), Qt::LeftButton, {}, {row.left() + 10, row.center().y()});
+    }
+    template <class Select>
+    void exportBy(Select select) {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        select(*dialog.findChild<QListWidget*>());
+        QTest::mouseClick(&exportButton(dialog), Qt::LeftButton);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+    }
+    void exportAgain() { exportProject(*m_workspace, *lastExportOptions(*m_workspace), m_messages, nullptr); }
+    QStringList folders() const {
+        return QDir(m_folder->filePath("packs")).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    }
+
+    QByteArray packOf(const QString& folder) const {
+        QFile file(m_folder->filePath("packs/" + folder + "/pack.json"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Workspace> m_workspace;
+    Messages m_messages;
+};
+
+RUBBLE_TEST_WITH(ExportDialogTest, QApplication)
+#include "ExportDialogTest.moc"

@@ -1,0 +1,55 @@
+#include "editor/dialogs/MessageBoxes.h"
+
+#include "tests/support/Dialogs.h"
+#include "tests/support/TestProgram.h"
+
+using namespace rubble;
+
+class MessageBoxesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void errorIsShown() {
+        QString shown;
+        answer(shown, Qt::Key_Return);
+        showIfError(nullptr, Error{ErrorCode::Io, "The disk is full."});
+        QCOMPARE(shown, QString("The disk is full."));
+    }
+    void successShowsNothing() {
+        showIfError(nullptr, success());
+        QVERIFY(!QApplication::activeModalWidget());
+    }
+    void enterGivesTheDefaultAnswer() {
+        QString shown;
+        answer(shown, Qt::Key_Return);
+        QCOMPARE(ask(nullptr, saveQuestion()), std::size_t{0});
+        QCOMPARE(shown, QString("Save?"));
+    }
+    void escapeGivesTheRejectingAnswer() {
+        QString shown;
+        answer(shown, Qt::Key_Escape);
+        QCOMPARE(ask(nullptr, saveQuestion()), std::size_t{2});
+    }
+    void enterDoesNotConfirmALoss() {
+        QString shown;
+        answer(shown, Qt::Key_Return);
+        QVERIFY(!confirmLoss(nullptr, "Discard all changes?", "Discard", "Cancel"));
+    }
+
+private:
+    static Question saveQuestion() {
+        return {.text = "Save?",
+                .answers = {{"Save", QMessageBox::AcceptRole},
+                            {"Discard", QMessageBox::DestructiveRole},
+                            {"Cancel", QMessageBox::RejectRole}}};
+    }
+    /// Stores the text of the next message box and presses a key in it.
+    static void answer(QString& shown, Qt::Key key) {
+        test::onNextDialog<QMessageBox>([&shown, key](QMessageBox& box) {
+            shown = box.text();
+            QTest::keyClick(&box, key);
+        });
+    }
+};
+
+RUBBLE_TEST_WITH(MessageBoxesTest, QApplication)
+#include "MessageBoxesTest.moc"

@@ -1,0 +1,67 @@
+#include "editor/document/Edit.h"
+#include "tests/support/Projects.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+Material named(Id id, const char* name) { return {.id = id, .name = name}; }
+
+Project twoMaterials() {
+    Project project;
+    project.nextId = 5;
+    project.materials = {named(1, "stone"), named(3, "brick")};
+    return project;
+}
+
+}  // namespace
+
+class EditTest : public QObject {
+    Q_OBJECT
+private slots:
+    void swappingTwiceRestoresTheProject() {
+        Project project = twoMaterials();
+        Edit edit{.swaps = {Swap<Material>{1, std::nullopt}, Swap<Material>{2, named(2, "glass")},
+                            Swap<Material>{3, named(3, "tile")}}};
+        const Changes changes = swapInto(project, edit);
+        QCOMPARE(project.materials, (std::vector{named(2, "glass"), named(3, "tile")}));
+        QVERIFY((changes.list == std::vector<Change>{{Part::Material, 1, ChangeKind::Removed},
+                                                     {Part::Material, 2, ChangeKind::Added},
+                                                     {Part::Material, 3, ChangeKind::Modified}}));
+        QVERIFY(changes.touches(Part::Material, 2) && !changes.touches(Part::Material, 4));
+        swapInto(project, edit);
+        QVERIFY(project == twoMaterials());
+    }
+    void allocatedIdsAreConsecutiveAndRestored() {
+        Project project = twoMaterials();
+        Edit edit;
+        QCOMPARE(edit.allocateId(project), Id{5});
+        QCOMPARE(edit.allocateId(project), Id{6});
+        swapInto(project, edit);
+        QCOMPARE(project.nextId, Id{7});
+        swapInto(project, edit);
+        QCOMPARE(project.nextId, Id{5});
+    }
+    void mergedEditKeepsTheOldestValue() {
+        Project project = twoMaterials();
+        Edit first{.swaps = {Swap<Material>{1, named(1, "slate")}}};
+        Edit second{.swaps = {Swap<Material>{1, named(1, "marble")}, Swap<Material>{3, named(3, "tile")}}};
+        swapInto(project, first);
+        swapInto(project, second);
+        merge(first, std::move(second));
+        swapInto(project, first);
+        QVERIFY(project == twoMaterials());
+    }
+    void equalValuesAreNoChange() {
+        QVERIFY(isNoChange(twoMaterials(), {.swaps = {Swap<Material>{1, named(1, "stone")}}}));
+        QVERIFY(isNoChange(twoMaterials(), {.swaps = {Swap<Material>{2, std::nullopt}}}));
+        QVERIFY(!isNoChange(twoMaterials(), {.swaps = {Swap<Material>{1, std::nullopt}}}));
+        QVERIFY(!isNoChange(twoMaterials(), {.swaps = {}, .nextId = Id{6}}));
+    }
+};
+
+RUBBLE_TEST(EditTest)
+#include "EditTest.moc"

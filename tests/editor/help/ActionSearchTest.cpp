@@ -1,0 +1,55 @@
+#include "editor/help/ActionSearch.h"
+#include "tests/support/TestProgram.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QTest>
+
+using namespace rubble;
+
+class ActionSearchTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        add(m_edit, "Re&store Seeds", "Restore the scattered seeds");
+        add(m_edit, "&Escape", "Leave");
+        add(m_asset, "Du&plicate Asset", "Duplicate the asset");
+        add(m_asset, "Grid &Scale…", "Wider or narrower");
+        add(m_asset, "Scatter A&gain", "Set a new random seed");
+    }
+    void namesMatchBeforeTips() {
+        QCOMPARE(found("sca"), QStringList({"Scatter A&gain", "Grid &Scale…", "&Escape", "Re&store Seeds"}));
+    }
+    void allWordsMustMatch() {
+        QCOMPARE(found("seed again"), QStringList({"Scatter A&gain"}));
+        QCOMPARE(found("asset  DUP"), QStringList({"Du&plicate Asset"}));
+        QCOMPARE(found("again never"), QStringList());
+    }
+    void menuNamesMatch() {
+        QCOMPARE(found("edit"), QStringList({"Re&store Seeds", "&Escape"}));
+        QCOMPARE(found("asset")[0], "Du&plicate Asset");
+    }
+    void emptyQueryMatchesAllActions() { QCOMPARE(found("").size(), 5); }
+    void disabledActionsAreLeftOut() {
+        m_actions.back()->setEnabled(false);
+        QVERIFY(!found("sca").contains("Scatter A&gain"));
+        m_actions.back()->setEnabled(true);
+    }
+
+private:
+    void add(QMenu& menu, const QString& text, const QString& tip) {
+        m_actions.append(menu.addAction(text));
+        m_actions.back()->setStatusTip(tip);
+    }
+    QStringList found(const QString& query) const {
+        QStringList texts;
+        for (const QAction* action : matchingActions(query, m_actions)) texts.append(action->text());
+        return texts;
+    }
+
+    QMenu m_edit{"&Edit"}, m_asset{"&Asset"};
+    QList<QAction*> m_actions;
+};
+
+RUBBLE_TEST_WITH(ActionSearchTest, QApplication)
+#include "ActionSearchTest.moc"

@@ -1,0 +1,60 @@
+#include "editor/panels/docks/ProblemPanel.h"
+
+#include "tests/support/Combs.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kTimeout = 60000;  // ms, for baking on a busy machine
+
+}  // namespace
+
+class ProblemPanelTest : public QObject {
+    Q_OBJECT
+private slots:
+    void cancelButtonStopsALongFix() {
+        Document document(test::combProject());
+        Selection selection;
+        Bakes bakes;
+        const ProblemWatch watch(document, bakes);
+        ProblemPanel panel(document, selection, watch);
+        const auto asset = std::make_shared<const Asset>(document.project().assets[0]);
+        bakes.set(2, std::make_shared<const BakedAsset>(
+                         BakedAsset{.asset = asset, .bake = std::make_shared<const Bake>(*bake(*asset))}));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.view().model()->rowCount() > 0, kTimeout);
+        panel.show();
+        panel.view().selectAll();
+        auto* cancel = panel.findChild<QToolButton*>("fix-cancel");
+        QVERIFY(cancel->isHidden());
+        QToolButton* split = buttonNamed(panel, "Split Fragment");
+        QVERIFY(split->isVisible());
+
+        QTest::mouseClick(split, Qt::LeftButton);
+        QVERIFY(cancel->isVisible() && split->isHidden());
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QVERIFY(cancel->isHidden() && split->isVisible());
+        QCOMPARE(document.undoStack().count(), 0);
+
+        QTest::mouseClick(split, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(cancel->isHidden(), kTimeout);
+        QCOMPARE(document.undoStack().count(), 1);
+        QCOMPARE(document.undoStack().text(0), QString("Split Fragment"));
+    }
+
+private:
+    static QToolButton* buttonNamed(ProblemPanel& panel, const QString& text) {
+        for (QToolButton* button : panel.findChildren<QToolButton*>()) {
+            if (button->text() == text) return button;
+        }
+        return nullptr;
+    }
+};
+
+RUBBLE_TEST_WITH(ProblemPanelTest, QApplication)
+#include "ProblemPanelTest.moc"

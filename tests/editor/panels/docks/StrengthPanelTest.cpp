@@ -1,0 +1,97 @@
+#include "editor/panels/docks/StrengthPanel.h"
+
+#include "editor/widgets/NumberField.h"
+#include "tests/support/PlayStage.h"
+#include "tests/support/TestProgram.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+/// A block that must survive an impact, and the panel.
+class Desk {
+public:
+    Desk() : m_project(withRequirement()), stage(m_project), audits(stage.document, stage.bakes) {
+        selection.setAsset(m_project.assets[0].id);
+        panel = std::make_unique<StrengthPanel>(stage.document, selection, stage.bakes, audits);
+        panel->resize(320, 600);
+        panel->show();
+    }
+    const Asset& asset() const { return stage.document.project().assets[0]; }
+    QPushButton& button(const char* name) { return *panel->findChild<QPushButton*>(name); }
+    bool says(const QString& text) const {
+        const QList<QLabel*> labels = panel->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](QLabel* label) { return label->text().contains(text); });
+    }
+
+private:
+    static Project withRequirement() {
+        Project project = test::floatingBlock();
+        project.gravity = Vec3(0.0, -9.81, 0.0);
+        project.assets[0].requirements = {{RequirementOutcome::Survives, HitRequirement{.mass = 40.0, .speed = 14.0}}};
+        return project;
+    }
+    Project m_project;
+
+public:
+    test::Stage stage;
+    Selection selection;
+    SwapAuditRunner audits;
+    std::unique_ptr<StrengthPanel> panel;
+};
+
+}  // namespace
+
+class StrengthPanelTest : public QObject {
+    Q_OBJECT
+private slots:
+    void suggestedThresholdIsApplied() {
+        Desk desk;
+        QVERIFY(desk.says("not valid"));  // 100 N·s
+        QTest::mouseClick(&desk.button("set-threshold"), Qt::LeftButton);
+        QVERIFY(desk.asset().threshold > 500.0);
+        QVERIFY(desk.says("The threshold is valid"));
+        desk.stage.document.undoStack().undo();
+        QCOMPARE(desk.asset().threshold, 100.0);
+    }
+    void typingChangesARequirement() {
+        Desk desk;
+        auto fields = desk.panel->findChildren<NumberField*>();
+        QCOMPARE(fields.size(), 2);
+        fields[1]->setFocus();
+        fields[1]->selectAll();
+        QTest::keyClicks(fields[1], "7");
+        QTest::keyClick(fields[1], Qt::Key_Return);
+        QTRY_COMPARE(std::get<HitRequirement>(desk.asset().requirements[0].event).speed, 7.0);
+    }
+    void conflictingRequirementsAreReported() {
+        Desk desk;
+        auto* outcome = desk.panel->findChild<QComboBox*>();
+        Asset asset = desk.asset();
+        asset.requirements.push_back({RequirementOutcome::Breaks, HitRequirement{.mass = 4.0, .speed = 14.0}});
+        desk.stage.document.push({.text = "Add Requirement", .swaps = {Swap<Asset>{asset.id, asset}}});
+        QVERIFY(outcome != nullptr);
+        QVERIFY(desk.button("set-threshold").isHidden());
+        QVERIFY(desk.says("survives"));
+    }
+    void swapAuditFollowsTheAsset() {
+        Desk desk;
+        QVERIFY(desk.says("Not audited"));
+        QTest::mouseClick(&desk.button("audit-swap"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), 20000);
+        QVERIFY(desk.button("fix-swap").isHidden());
+        Asset asset = desk.asset();
+        asset.prism.depth = 0.3;
+        desk.stage.document.push({.text = "Resize", .swaps = {Swap<Asset>{asset.id, asset}}});
+        QVERIFY(desk.says("Not audited"));
+    }
+};
+
+RUBBLE_TEST_WITH(StrengthPanelTest, QApplication)
+#include "StrengthPanelTest.moc"

@@ -1,0 +1,255 @@
+#include "editor/widgets/SliderField.h"
+#include "tests/support/TestProgram.h"
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+using namespace rubble;
+
+namespace {
+
+const NumberFormat kMetres{"m", 0};
+const NumberFormat kCentimetres{"cm", 2};
+const QLocale kGerman(QLocale::German, QLocale::Germany);
+const QString kNbsp(QChar(QChar::Nbsp));
+
+/// A field in a window whose focus is on another widget.
+struct Window : QWidget {
+    NumberField field{this};
+    QLineEdit other{this};
+    QSignalSpy edits{&field, &NumberField::edited};
+    QSignalSpy starts{&field, &NumberField::editingStarted};
+    QSignalSpy refusals{&field, &NumberField::refused};
+
+    Window() {
+        field.move(0, 40);
+        show();
+        activateWindow();
+        if (!QTest::qWaitForWindowActive(this)) qFatal("The window does not become active.");
+        other.setFocus();
+    }
+    void type(const QString& text) {
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+    QLineEdit& line() { return *field.findChild<QLineEdit*>(); }
+};
+
+void wheel(QWidget& widget, int steps) {
+    const QPointF middle = QRectF(widget.rect()).center();
+    QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, 120 * steps}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+class NumberFieldTest : public QObject {
+    Q_OBJECT
+private slots:
+    void exactTextsReadBackBitForBit_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("metres");
+        QTest::addColumn<QString>("centimetres");
+        QTest::newRow("zero") << 0.0 << "0"
+                              << "0";
+        QTest::newRow("no rounding by the change of unit") << 0.07 << "0.07"
+                                                           << "7";
+        QTest::newRow("all digits") << 0.1 + 0.2 << "0.30000000000000004"
+                                    << "30.000000000000004";
+        QTest::newRow("negative") << -12.5 << "-12.5"
+                                  << "-1250";
+        QTest::newRow("tiny") << 1.5e-10 << "1.5e-10"
+                              << "1.5e-8";
+        QTest::newRow("huge") << 3e22 << "3e22"
+                              << "3e24";
+        QTest::newRow("large") << 123456789.0 << "123456789"
+                               << "12345678900";
+    }
+    void exactTextsReadBackBitForBit() {
+        QFETCH(double, value);
+        QFETCH(QString, metres);
+        QFETCH(QString, centimetres);
+        QCOMPARE(exactText(value, kMetres, QLocale::c()), metres);
+        QCOMPARE(exactText(value, kCentimetres, QLocale::c()), centimetres);
+        for (const NumberFormat& format : {kMetres, kCentimetres}) {
+            for (const QLocale& locale : {QLocale::c(), kGerman, QLocale(QLocale::Arabic, QLocale::Egypt)}) {
+                const std::optional<double> back = parseNumber(exactText(value, format, locale), format, locale);
+                QVERIFY(back && *back == value);
+            }
+        }
+    }
+    void unitsMayBeTyped() {
+        QCOMPARE(parseNumber("12 mm", kMetres, QLocale::c()).value(), 0.012);
+        QCOMPARE(parseNumber(" 7cm", kMetres, QLocale::c()).value(), 0.07);
+        QCOMPARE(parseNumber("2 m", kCentimetres, QLocale::c()).value(), 2.0);
+        QCOMPARE(parseNumber("5 kg", {"kg", 0}, QLocale::c()).value(), 5.0);
+        QVERIFY(!parseNumber("5 kg", kMetres, QLocale::c()));
+        QVERIFY(!parseNumber("5 m", {"kg", 0}, QLocale::c()));
+    }
+    void malformedNumbersAreRejected() {
+        for (const char* text : {"", "m", "1.2.3", "1,5", "nan", "inf", "1e999", "0x10", "--1", "1 2", "e5"}) {
+            QVERIFY2(!parseNumber(text, kMetres, QLocale::c()), text);
+        }
+        QCOMPARE(parseNumber("1,5", kMetres, kGerman).value(), 1.5);
+        QVERIFY(!parseNumber("1.5", kMetres, kGerman));  // a thousands separator in German
+    }
+    void typingEmitsEditedOnce() {
+        Window window;
+        window.field.setLocale(kGerman);
+        window.field.setFormat(kCentimetres);
+        window.type("12,5");
+        QCOMPARE(window.edits.count(), 1);
+        QCOMPARE(window.starts.count(), 1);
+        QCOMPARE(window.field.value(), 0.125);
+        QCOMPARE(window.line().text(), "12,5" + kNbsp + "cm");
+        window.type("12,5");
+        QCOMPARE(window.edits.count(), 1);  // unchanged
+    }
+    void focusOutAppliesTheTypedNumber() {
+        Window window;
+        window.field.setFocus();
+        window.field.selectAll();
+        QTest::keyClicks(&window.field, "3");
+        QCOMPARE(window.edits.count(), 0);
+        QTest::keyClick(&window.field, Qt::Key_Tab);
+        QCOMPARE(window.field.value(), 3.0);
+        QCOMPARE(window.edits.count(), 1);
+    }
+    void showingANumberKeepsAllItsDigits() {
+        Window window;
+        window.field.setFormat(kMetres);
+        window.field.setValue(1.0 / 3.0);
+        QCOMPARE(window.line().text(), "0.33333" + kNbsp + "m");
+        QVERIFY(window.field.toolTip().contains("0.3333333333333333"));
+        window.field.setFocus();
+        QCOMPARE(window.line().text(), "0.3333333333333333" + kNbsp + "m");
+        QTest::keyClick(&window.field, Qt::Key_Return);
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 1.0 / 3.0);
+        QCOMPARE(window.edits.count(), 0);
+    }
+    void invalidInputIsRefusedWithAMessage() {
+        Window window;
+        window.field.setValue(2.0);
+        window.field.setRange(FieldRange::aboveZero());
+        for (const char* text : {"abc", "0", "-1", "1e999"}) window.type(text);
+        QCOMPARE(window.edits.count(), 0);
+        QCOMPARE(window.refusals.count(), 4);
+        QCOMPARE(window.refusals[0][0], "\"abc\" is not a number. Enter a number such as 12.5.");
+        QCOMPARE(window.refusals[1][0], "Enter a number above 0.");
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 2.0);
+        QCOMPARE(window.line().text(), "2");
+        window.field.setRange(FieldRange::whole(1, 10));
+        window.type("2.5");
+        QCOMPARE(window.refusals.last()[0], "Enter a whole number from 1 to 10.");
+    }
+    void escapeDiscardsTyping() {
+        Window window;
+        window.field.setValue(2.0);
+        window.field.setFocus();
+        QTest::keyClicks(&window.field, "77");
+        QTest::keyClick(&window.field, Qt::Key_Escape);
+        window.other.setFocus();
+        QCOMPARE(window.field.value(), 2.0);
+        QCOMPARE(window.edits.count(), 0);
+    }
+    void arrowStepsChangeTheSecondDigitAndMerge() {
+        Window window;
+        window.field.setValue(1.0);
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.field.value(), 1.1);
+        QTest::keyClick(&window.field, Qt::Key_Down);
+        QTest::keyClick(&window.field, Qt::Key_Down);
+        QCOMPARE(window.field.value(), 0.99);
+        QCOMPARE(window.edits.count(), 3);
+        QCOMPARE(window.starts.count(), 1);
+        window.other.setFocus();
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.starts.count(), 2);
+    }
+    void stepsStayInRange() {
+        Window window;
+        window.field.setRange(FieldRange::whole(1, 3));
+        window.field.setValue(2.0);
+        window.field.setFocus();
+        for (int k = 0; k < 3; ++k) QTest::keyClick(&window.field, Qt::Key_Up);
+        QCOMPARE(window.field.value(), 3.0);
+        for (int k = 0; k < 5; ++k) QTest::keyClick(&window.field, Qt::Key_Down);
+        QCOMPARE(window.field.value(), 1.0);
+    }
+    void wheelChangesTheValueOnlyWithFocus() {
+        Window window;
+        window.field.setValue(1.0);
+        wheel(window.field, 1);
+        QCOMPARE(window.field.value(), 1.0);
+        window.field.setFocus();
+        wheel(window.field, 1);
+        QCOMPARE(window.field.value(), 1.1);
+    }
+    void mixedFieldIsEmptyUntilTyped() {
+        Window window;
+        window.field.setMixed();
+        QCOMPARE(window.line().text(), "");
+        window.field.setFocus();
+        QTest::keyClick(&window.field, Qt::Key_Up);
+        window.other.setFocus();
+        QCOMPARE(window.edits.count(), 0);
+        window.type("0");
+        QCOMPARE(window.edits.count(), 1);  // though the value was 0 before
+        QVERIFY(!window.field.isMixed());
+    }
+    void sliderDragMergesIntoOneEdit() {
+        SliderField slider(FieldRange::zeroOrAbove(), 0.0, 10.0);
+        slider.resize(400, 30);
+        slider.show();
+        slider.setValue(0.0);
+        QSignalSpy starts(&slider, &SliderField::editingStarted);
+        QSignalSpy edits(&slider, &SliderField::edited);
+        const int middle = slider.slider().height() / 2;
+        QTest::mousePress(&slider.slider(), Qt::LeftButton, {}, {6, middle});
+        for (const int x : {40, 80, 120}) QTest::mouseMove(&slider.slider(), {x, middle});
+        QTest::mouseRelease(&slider.slider(), Qt::LeftButton, {}, {120, middle});
+        QCOMPARE(starts.count(), 1);
+        QVERIFY(edits.count() >= 3);
+        QVERIFY(slider.value() > 1.0 && slider.value() < 10.0);
+        QCOMPARE(slider.field().value(), slider.value());
+    }
+    void settingAnotherValueEndsTheDrag() {
+        SliderField slider(FieldRange::zeroOrAbove(), 0.0, 10.0);
+        slider.resize(400, 30);
+        slider.show();
+        const int middle = slider.slider().height() / 2;
+        QTest::mousePress(&slider.slider(), Qt::LeftButton, {}, {6, middle});
+        QTest::mouseMove(&slider.slider(), {80, middle});
+        QVERIFY(slider.value() > 1.0);
+        slider.setValue(0.0);  // as if the drag was undone before it ends
+        QSignalSpy edits(&slider, &SliderField::edited);
+        QTest::mouseMove(&slider.slider(), {120, middle});
+        QTest::mouseRelease(&slider.slider(), Qt::LeftButton, {}, {120, middle});
+        QCOMPARE(edits.count(), 0);
+        QCOMPARE(slider.value(), 0.0);
+        QCOMPARE(slider.slider().value(), 0);
+    }
+    void sliderNeverChangesTheValueItShows() {
+        SliderField slider(FieldRange::aboveZero(), 0.01, 100.0, SliderScale::Logarithmic);
+        QSignalSpy edits(&slider, &SliderField::edited);
+        for (const double value : {1.0 / 3.0, 12345.678, 1e-9}) {
+            slider.setValue(value);
+            QCOMPARE(slider.value(), value);
+        }
+        QCOMPARE(edits.count(), 0);
+        slider.setValue(1.0);
+        QCOMPARE(slider.slider().value(), slider.slider().maximum() / 2);
+    }
+};
+
+RUBBLE_TEST_WITH(NumberFieldTest, QApplication)
+#include "NumberFieldTest.moc"

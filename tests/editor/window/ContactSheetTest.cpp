@@ -1,0 +1,246 @@
+// Tests editor/dialogs/ContactSheetWindow.cpp and editor/actions/CompareActions.cpp.
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
+#include "editor/actions/CompareActions.h"
+#include "editor/canvas/widget/PatternCanvas.h"
+#include "editor/dialogs/ContactSheetWindow.h"
+#include "editor/dialogs/VariationTree.h"
+#include "editor/panels/docks/ChangesPanel.h"
+#include "editor/views/Views.h"
+#include "editor/window/MainWindow.h"
+#include "editor/window/Program.h"
+#include "tests/support/Dialogs.h"
+#include "tests/support/Projects.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/TestSettings.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
+
+/// A box of 1 m on the ground, and a shot that throws a box at it.
+Project pane() {
+    Project project;
+    project.nextId = 100;
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {boxAsset(2, 3, UniformScatter{8})};
+    project.instances = {{.id = 10, .name = "wall", .asset = 2}};
+    project.shots = {
+        {.id = 11, .name = "stone", .action = Throw{.mass = 50.0, .from = {0.5, 0.5, 3.0}, .to = {0.5, 0.5, 0.0}}}};
+    return project;
+}
+
+}  // namespace
+
+/// Contact sheet and comparison, by mouse and keys: generating, sorting and crossing variants, applying one, and
+/// comparing the result with the saved state.
+class ContactSheetTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_folder.path());
+        QApplication::setQuitOnLastWindowClosed(false);
+        m_path = m_folder.filePath("pane.rubble");
+        QVERIFY(saveProject(m_path.toStdString(), pane()).hasValue());
+        m_program = std::make_unique<Program>();
+        m_window = m_program->showProject(pane());
+        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+        QVERIFY(m_window->workspace().file().open(m_path).hasValue());
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        m_window->workspace().selection().setAsset(2);
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
+    }
+    void cleanupTestCase() { delete m_window; }
+
+    void shortcutOpensContactSheet() {
+        QTest::keyClick(m_window, Qt::Key_T, Qt::ControlModifier);
+        QTRY_VERIFY(sheet() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        QCOMPARE(sheet()->list().count(), 12);
+        QVERIFY(sheet()->list().item(0)->text().startsWith("Current · 8 fragments"));
+        QVERIFY(!sheet()->list().item(5)->icon().isNull());
+        QVERIFY(!sheet()->findChild<QPushButton*>()->text().isEmpty());
+        QCOMPARE(stack().count(), 0);  // generating is no edit
+    }
+    void sortByReordersVariants() {
+        auto* sort = sheet()->findChild<QComboBox*>("sheet-sort");
+        sort->setFocus();
+        QTest::keyClick(sort, Qt::Key_Down);
+        QTest::keyClick(sort, Qt::Key_Down);
+        QCOMPARE(sort->currentText(), QString("Smallest fragment"));
+        std::vector<std::uint32_t> numbers = sheet()->shownNumbers();
+        QVERIFY(!std::ranges::is_sorted(numbers));
+        std::ranges::sort(numbers);
+        QCOMPARE(numbers.size(), std::size_t{12});
+        QVERIFY(std::ranges::adjacent_find(numbers) == numbers.end());
+    }
+    void checkedParameterVaries() {
+        auto& variations = *sheet()->findChild<VariationTree*>();
+        QTreeWidgetItem* count = variations.topLevelItem(0)->child(0);
+        QCOMPARE(count->text(0), QString("Count"));
+        const QRect row = variations.visualItemRect(count);
+        QTest::mouseClick(variations.viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(10, row.height() / 2));
+        QCOMPARE(variations.varied(), (std::vector<VariedParameter>{{3, "count", 4.0, 12.0}}));
+        click("Reseed");
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        QStringList texts;
+        for (int k = 0; k < sheet()->list().count(); ++k) texts += sheet()->list().item(k)->text().section('\n', 0, 0);
+        QVERIFY2(std::ranges::count_if(texts, [](const QString& text) { return text.contains("· 8 fragments"); }) < 12,
+                 qPrintable(texts.join(" / ")));
+    }
+    void crossOverKeepsLockedSeedsAndSimulatesShot() {
+        m_window->workspace().selection().setSeeds({{3, 1}, {3, 4}});
+        click("Lock Selected Seeds");
+        QCOMPARE(sheet()->locked().size(), std::size_t{2});
+        auto* shot = sheet()->findChild<QComboBox*>("sheet-shot");
+        shot->setFocus();
+        QTest::keyClick(shot, Qt::Key_Down);
+        QCOMPARE(shot->currentText(), QString("stone"));
+        QListWidget& list = sheet()->list();
+        for (const int k : {2, 3}) {
+            QTest::mouseClick(list.viewport(), Qt::LeftButton, k == 2 ? Qt::NoModifier : Qt::ControlModifier,
+                              list.visualItemRect(list.item(k)).center());
+        }
+        QCOMPARE(list.selectedItems().size(), 2);
+        click("Cross Over");
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        QCOMPARE(list.count(), 12);
+        QVERIFY2(list.item(0)->text().contains("broke at"), qPrintable(list.item(0)->text()));
+    }
+    void enterAppliesVariantAsOneStep() {
+        QListWidget& list = sheet()->list();
+        const std::vector<std::uint32_t> numbers = sheet()->shownNumbers();
+        const auto child = std::ranges::find_if(numbers, [](std::uint32_t number) { return number > 1; });
+        const int row = static_cast<int>(child - numbers.begin());
+        list.scrollToItem(list.item(row));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(row)).center());
+        const Asset before = asset();
+        QTest::keyClick(&list, Qt::Key_Return);
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(asset().pattern != before.pattern && asset().prism == before.prism);
+        for (const LockedSeed& seed : sheet()->locked()) {
+            const auto& overrides = asset().pattern.layers[0].overrides;
+            const auto held = std::ranges::find(overrides, seed.id.index, &SeedOverride::index);
+            QVERIFY(held != overrides.end() && held->position == seed.position);
+        }
+    }
+    void escapeClosesTheSheet() {
+        QPointer<ContactSheetWindow> open = sheet();
+        QTest::keyClick(&sheet()->list(), Qt::Key_Escape);
+        QTRY_VERIFY(!open);
+    }
+    void compareWithSavedStateListsChanges() {
+        m_window->activateWindow();
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
+        QTest::keyClick(m_window, Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+        CompareActions& compare = compareActions();
+        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().asset() != nullptr, kPatience);
+        QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+        QStringList rows;
+        QListWidget& list = compare.panel().list();
+        for (int k = 0; k < list.count(); ++k) rows += list.item(k)->text();
+        QVERIFY2(rows.filter("seeds changed by hand: 2, was 0").size() == 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter("moved").size() > 1, qPrintable(rows.join('\n')));
+    }
+    void comparisonFollowsUndo() {
+        CompareActions& compare = compareActions();
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().asset()->isEmpty(), kPatience);
+        QVERIFY(compare.panel().list().item(0)->text().startsWith("No changes"));
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!compare.comparison().asset()->isEmpty(), kPatience);
+    }
+    void enterRevealsFragment() {
+        CompareActions& compare = compareActions();
+        QListWidget& list = compare.panel().list();
+        list.setCurrentRow(list.count() - 1);
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Return);
+        const PieceDifference& last = compare.comparison().asset()->pieces.pieces.back();
+        if (last.after != kNone) QCOMPARE(m_window->workspace().selection().seeds().size(), std::size_t{1});
+    }
+    void escapeEndsComparison() {
+        PatternCanvas& canvas = m_window->views().canvas();
+        canvas.setFocus();
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+        QVERIFY(!m_window->findChild<CompareActions*>()->comparison().isOn());
+        QVERIFY(!m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+    }
+    void compareWithFileListsChanges() {
+        Project older = pane();
+        older.assets[0].pattern.layers[0].parameters = UniformScatter{11};
+        const QString path = m_folder.filePath("older.rubble");
+        QVERIFY(saveProject(path.toStdString(), older).hasValue());
+        compareWith(path);
+        QTRY_VERIFY_WITH_TIMEOUT(compareActions().comparison().asset() != nullptr, kPatience);
+        QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+        QCOMPARE(compareActions().comparison().name(), QString("older.rubble"));
+        QCOMPARE(compareActions().comparison().asset()->before->fragmentCount(), 11u);
+        QStringList rows;
+        for (int k = 0; k < compareActions().panel().list().count(); ++k)
+            rows += compareActions().panel().list().item(k)->text();
+        QVERIFY2(rows.filter("were 11").size() >= 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter("gone").size() >= 1, qPrintable(rows.join('\n')));
+        m_window->findChild<QDockWidget*>("dock-changes")->close();
+        QVERIFY(!compareActions().comparison().isOn());
+    }
+    void unreadableFileIsReported() {
+        const QString path = m_folder.filePath("torn.rubble");
+        QVERIFY(writeFileAtomically(path.toStdString(), "{\"format\": "));
+        QString error;
+        test::onNextDialog<QFileDialog>([&error, path](QFileDialog& dialog) {
+            test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
+                error = box.text();
+                QTest::keyClick(&box, Qt::Key_Escape);
+            });
+            test::acceptFile(dialog, path);
+        });
+        compareActions().actions()[1]->trigger();
+        QVERIFY2(error.contains("torn.rubble") && error.contains("not JSON"), qPrintable(error));
+        QVERIFY(!compareActions().comparison().isOn());
+        QVERIFY(!m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
+    }
+
+private:
+    CompareActions& compareActions() const { return *m_window->findChild<CompareActions*>(); }
+    void compareWith(const QString& path) {
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        compareActions().actions()[1]->trigger();
+    }
+    ContactSheetWindow* sheet() const { return m_window->findChild<ContactSheetWindow*>(); }
+    const Asset& asset() const { return m_window->workspace().project().assets[0]; }
+    QUndoStack& stack() const { return m_window->workspace().document().undoStack(); }
+    bool isBaked() const { return m_window->workspace().bakes().areCurrent(m_window->workspace().project()); }
+    void click(const QString& text) {
+        for (auto* button : sheet()->findChildren<QPushButton*>()) {
+            if (button->text().remove('&').startsWith(text)) return QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QFAIL(qPrintable(text));
+    }
+
+    QTemporaryDir m_folder;
+    QString m_path;
+    std::unique_ptr<Program> m_program;
+    MainWindow* m_window = nullptr;
+};
+
+RUBBLE_TEST_WITH(ContactSheetTest, QApplication)
+#include "ContactSheetTest.moc"

@@ -1,0 +1,182 @@
+// Tests editor/actions/PlayActions.cpp.
+#include "core/io/play/ReplayFile.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/view3d/PlayView.h"
+#include "editor/view3d/TimelineBar.h"
+#include "tests/support/Dialogs.h"
+#include "tests/support/EditorStory.h"
+#include "tests/support/Pictures.h"
+#include "tests/support/TestProgram.h"
+
+#include <QLabel>
+#include <QProcess>
+#include <QTreeView>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+const Vec3 kBesideTheDoor{1.5, 1.5, 3.0};
+
+}  // namespace
+
+/// A simulation by mouse and keys, on a clock that the test advances: the house stands, a wall breaks, the timeline
+/// seeks, a replay is saved and played, and a higher threshold prevents the break.
+class PlayStoryTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QVERIFY(QFile::copy(RUBBLE_SOURCE_DIR "/projects/house.rubble", pathOf("house.rubble")));
+        openFile(pathOf("house.rubble"));
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        play().thread().useSteppedClock();
+        m_bytes = bytesOf("house.rubble");
+    }
+
+    void houseStands() {
+        QTest::keyClick(&window(), Qt::Key_P, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        const QImage before = picture();
+        advance(60);
+        QCOMPARE(play().frame()->step, 60u);
+        QVERIFY(play().breaks().empty());
+        QVERIFY(test::meanDifference(before.copy(around()), picture().copy(around())) < 0.5);
+        QVERIFY(!canvas().isVisible());  // the 3D view has the middle for itself
+        QCOMPARE(hint(), QString());     // the 3D view shows the keys
+    }
+    void thrownBodyIsVisibleWithinTwoFrames() {
+        m_unbroken = picture();
+        QTest::mouseMove(&viewport(), target());
+        QTest::keyPress(&viewport(), Qt::Key_F);
+        advance(60);  // a full charge
+        const QImage charged = picture();
+        QTest::keyRelease(&viewport(), Qt::Key_F);
+        advance(2);
+        QVERIFY(play().lastShot().has_value());
+        QVERIFY(test::meanDifference(charged, picture()) > 1.0);  // it starts near the camera
+    }
+    void wallBreaksInViewAndList() {
+        advance(90);
+        QVERIFY(!play().breaks().empty());
+        QVERIFY(play().breaks().front().ratio() >= 1.0);
+        QTRY_COMPARE(breaks().model()->rowCount(), static_cast<int>(play().breaks().size()));
+        const QImage now = picture();
+        QVERIFY(test::meanDifference(m_unbroken.copy(around()), now.copy(around())) > 3.0);
+        m_hash = hash();
+        m_steps = play().frame()->length;
+    }
+    void timelineSeeks() {
+        QTest::keyClick(&timeline(), Qt::Key_Home);
+        QTRY_COMPARE(play().frame()->step, 0u);
+        QCOMPARE(play().state(), PlayState::Paused);
+        QTest::keyClick(&timeline(), Qt::Key_Right);
+        QTRY_COMPARE(play().frame()->step, 1u);
+        QTest::mouseClick(&timeline(), Qt::LeftButton, {}, timeline().rect().center());
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps / 2, kPatience);
+        QTest::keyClick(&timeline(), Qt::Key_End);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+        QCOMPARE(hash(), m_hash);
+    }
+    void enterInTheListSeeksToABreak() {
+        const QModelIndex first = breaks().model()->index(0, 0);
+        breaks().scrollTo(first);
+        QTest::mouseClick(breaks().viewport(), Qt::LeftButton, {}, breaks().visualRect(first).center());
+        QTest::keyClick(&breaks(), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().breaks().front().step, kPatience);
+        QVERIFY(glm::distance(viewport().camera().target, play().breaks().front().point) < 0.1);
+        QTest::keyClick(&timeline(), Qt::Key_End);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+    }
+    void commandLineReproducesSavedReplay() {
+        const QString path = pathOf("shot.replay");
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        action("play-save-replay")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
+        QProcess cli;
+        cli.start(RUBBLE_CLI, {"replay", path, pathOf("house.rubble")});
+        QVERIFY(cli.waitForFinished(kPatience));
+        const QByteArray out = cli.readAllStandardOutput();
+        QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError());
+        QVERIFY2(out.contains(m_hash.hex().c_str()), out);
+        QVERIFY(out.contains("\"matches\": true"));
+    }
+    void openedReplayReproducesTheSession() {
+        const Result<Replay> replay = loadReplay(pathOf("shot.replay").toStdString());
+        QVERIFY(replay.hasValue());
+        play().replay(scriptOf(*replay));
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        advance(static_cast<int>(m_steps));
+        QCOMPARE(hash(), m_hash);
+    }
+    void higherThresholdPreventsTheBreak() {
+        QTest::keyClick(&viewport(), Qt::Key_R);
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying() && play().frame()->step == 0, kPatience);
+        Asset wall = project().assets[0];
+        wall.threshold = 1e7;
+        window().workspace().document().push(modify("Set Threshold", wall));
+        viewport().frameAll();
+        QTest::qWait(400);
+        QTest::mouseMove(&viewport(), target() + QPoint(30, 20));  // it was at the target before
+        QTest::mouseMove(&viewport(), target());
+        QTest::keyPress(&viewport(), Qt::Key_F);
+        advance(60);
+        QTest::keyRelease(&viewport(), Qt::Key_F);
+        advance(90);
+        QVERIFY(play().lastShot().has_value());
+        QVERIFY(play().breaks().empty());
+        stack().undo();
+        QVERIFY(play().isPlaying());
+    }
+    void lastThrowIsAddedToTheShots() {
+        QApplication::setActiveWindow(&window());
+        viewport().setFocus();
+        QTRY_VERIFY(action("play-save-shot")->isEnabled());
+        QTest::keyClick(&viewport(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_COMPARE(QString::fromStdString(project().shots.back().name), QString("throw"));
+        stack().undo();
+    }
+    void stoppingLeavesTheProjectUnchanged() {
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QCOMPARE(play().state(), PlayState::Stopped);
+        QVERIFY(canvas().isVisible());
+        QCOMPARE(hint(), canvas().hint());
+        QVERIFY(!window().workspace().document().isModified());
+        QCOMPARE(bytesOf("house.rubble"), m_bytes);
+    }
+    void cleanupTestCase() { close(); }
+
+private:
+    QString hint() { return window().findChild<QLabel*>("hint")->text(); }
+    PlayController& play() { return window().workspace().play(); }
+    TimelineBar& timeline() { return *window().findChild<TimelineBar*>("timeline"); }
+    QTreeView& breaks() { return *window().findChild<QTreeView*>("breaks"); }
+    QPoint target() { return viewport().pointOf(kBesideTheDoor)->toPoint(); }
+    QRect around() { return QRect(target() - QPoint(40, 40), QSize(80, 80)); }
+    void advance(int steps) {
+        for (int k = 0; k < steps; ++k) play().thread().advance(kStep);
+        play().applyUpdate();
+    }
+    QImage picture() {
+        window().views().scene().playView().refresh();
+        return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
+    }
+    ContentHash hash() {
+        ContentHash hash;
+        play().thread().post([&](PlayEngine& engine) { hash = engine.session().hash(); });
+        play().thread().settle();
+        return hash;
+    }
+    QByteArray bytesOf(const QString& name) {
+        QFile file(pathOf(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    QByteArray m_bytes;
+    QImage m_unbroken;
+    ContentHash m_hash;
+    std::uint64_t m_steps = 0;
+};
+
+RUBBLE_TEST_WITH(PlayStoryTest, QApplication)
+#include "PlayStoryTest.moc"

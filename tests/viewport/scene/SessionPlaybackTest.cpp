@@ -1,0 +1,72 @@
+#include "tests/support/TestProgram.h"
+#include "viewport/scene/SessionPlayback.h"
+
+#include "tests/support/Sessions.h"
+
+using namespace rubble;
+
+namespace {
+
+const ShotInput kThrow{"throw", test::throwAtBlock(3.0, 80.0)};
+
+SessionPlayback playbackOf(std::vector<TimedInput> inputs) {
+    const auto scene = test::playSceneOf(test::floatingBlock());
+    return SessionPlayback(scene, Session::start(scene).value(), std::move(inputs));
+}
+
+}  // namespace
+
+class SessionPlaybackTest : public QObject {
+    Q_OBJECT
+private slots:
+    void playsToRequestedSteps() {
+        SessionPlayback playback = playbackOf({{3, kThrow}});
+        QVERIFY(playback.sceneAtStep(3).hasValue());
+        QCOMPARE(test::countOf(playback.session(), PlayRole::Projectile), 0u);
+        QVERIFY(playback.sceneAtStep(4).hasValue());
+        QCOMPARE(test::countOf(playback.session(), PlayRole::Projectile), 1u);
+        QVERIFY(playback.sceneAtStep(200).hasValue());
+        QCOMPARE(playback.session().stepsDone(), 200u);
+        QVERIFY(test::countOf(playback.session(), PlayRole::Piece) > 1);
+    }
+    void inputsApplyAtTheirSteps() {
+        SessionPlayback playback = playbackOf({{0, kThrow}, {7, GravityInput{{0.0, -9.0, 0.0}}}});
+        QVERIFY(playback.sceneAtStep(40).hasValue());
+        Session session = test::sessionOf(test::floatingBlock());
+        test::addInput(session, kThrow);
+        for (int step = 0; step < 40; ++step) {
+            if (step == 7) test::addInput(session, GravityInput{{0.0, -9.0, 0.0}});
+            session.step();
+        }
+        QCOMPARE(playback.session().hash(), session.hash());
+    }
+    void sceneHasPreviousPoses() {
+        SessionPlayback playback = playbackOf({{0, kThrow}});
+        for (const std::uint64_t step : {5u, 80u}) {
+            const auto moment = playback.sceneAtStep(step);
+            QCOMPARE((*moment)->previousPoses.size(), (*moment)->poses.size());
+        }
+    }
+    void sameStepCanBeRequestedAgain() {
+        SessionPlayback playback = playbackOf({});
+        const auto first = playback.sceneAtStep(5);
+        QCOMPARE((*playback.sceneAtStep(5))->poses, (*first)->poses);
+    }
+    void invalidInputBecomesANotice() {
+        SessionPlayback playback = playbackOf({{2, GrabInput{.body = 77, .force = 1.0}}, {3, kThrow}});
+        QVERIFY(playback.sceneAtStep(5).hasValue());
+        QCOMPARE(playback.takeNotices(), std::vector<std::string>{"Cannot grab: there is no body 77."});
+        QVERIFY(playback.takeNotices().empty());
+        QCOMPARE(test::countOf(playback.session(), PlayRole::Projectile), 1u);
+    }
+    void canBeCancelled() {
+        SessionPlayback playback = playbackOf({});
+        TaskContext task;
+        task.cancel.cancel();
+        QCOMPARE(playback.sceneAtStep(5, task).error().code, ErrorCode::Cancelled);
+        QCOMPARE(playback.session().stepsDone(), 0u);
+    }
+};
+
+RUBBLE_TEST(SessionPlaybackTest)
+#include "SessionPlaybackTest.moc"

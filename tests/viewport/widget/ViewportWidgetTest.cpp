@@ -1,0 +1,262 @@
+#include "core/asset/project/StarterProject.h"
+#include "tests/support/TestProgram.h"
+#include "viewport/scene/SceneBuilder.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QLabel>
+#include <QOpenGLWidget>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <numbers>
+
+using namespace rubble;
+
+namespace {
+
+constexpr QSize kSize(480, 360);
+const QPoint kMiddle(240, 180), kCorner(5, 5);
+
+std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
+    const Project project = starterProject();
+    AssetBakes bakes;
+    bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
+    return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
+}
+
+/// The wall from the front, in its own window, without animation.
+std::unique_ptr<ViewportWidget> shownWall() {
+    auto viewport = std::make_unique<ViewportWidget>();
+    viewport->setCameraAnimation(false);
+    viewport->resize(kSize);
+    viewport->show();
+    if (!QTest::qWaitForWindowExposed(viewport.get())) return nullptr;
+    viewport->setScene(wallScene());
+    viewport->alignTo(StandardView::Front);
+    viewport->frameAll();
+    viewport->setFocus();
+    return viewport;
+}
+
+void drag(QWidget& widget, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint from, QPoint to) {
+    QTest::mousePress(&widget, button, modifiers, from);
+    for (const QPoint point : {(from + to) / 2, to}) {
+        QMouseEvent move(QEvent::MouseMove, point, widget.mapToGlobal(point), Qt::NoButton, button, modifiers);
+        QCoreApplication::sendEvent(&widget, &move);
+    }
+    QTest::mouseRelease(&widget, button, modifiers, to);
+}
+
+void turnWheel(QWidget& widget, QPointF at, int eighths) {
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+/// The saturation of a pixel: the background is grey.
+int colourfulness(const QImage& picture, QPoint at) {
+    const QColor colour = picture.pixelColor(at);
+    return std::max({colour.red(), colour.green(), colour.blue()}) -
+           std::min({colour.red(), colour.green(), colour.blue()});
+}
+
+}  // namespace
+
+class ViewportWidgetTest : public QObject {
+    Q_OBJECT
+private slots:
+    void firstSceneIsFramed() {
+        ViewportWidget viewport;
+        viewport.resize(kSize);
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        QCOMPARE(viewport.errorText(), QString());
+        viewport.setScene(std::make_shared<RenderScene>());
+        const Camera before = viewport.camera();
+        viewport.setScene(wallScene());
+        QVERIFY(glm::length(viewport.camera().target - boundsOf(viewport.scene()).centre()) < 1e-9);
+        QVERIFY(viewport.camera().distance != before.distance);
+        const Camera framed = viewport.camera();
+        viewport.setScene(wallScene({.selected = {{2, 0, 3}}}));
+        QVERIFY(viewport.camera() == framed);
+    }
+    void middleButtonOrbitsPansAndZooms() {
+        const auto viewport = shownWall();
+        const Camera front = viewport->camera();
+        drag(*viewport, Qt::MiddleButton, {}, kMiddle, kMiddle + QPoint(-90, 45));
+        QVERIFY(std::abs(viewport->camera().azimuth - std::numbers::pi / 4.0) < 1e-12);
+        QVERIFY(std::abs(viewport->camera().elevation - std::numbers::pi / 8.0) < 1e-12);
+        QVERIFY(viewport->camera().target == front.target);
+        viewport->setCamera(front);
+        drag(*viewport, Qt::MiddleButton, Qt::ShiftModifier, kMiddle, kMiddle + QPoint(50, 0));
+        const double metres = 50.0 * metresPerPixel(front, {kSize.width(), kSize.height()});
+        QVERIFY(std::abs(viewport->camera().target.x - (front.target.x - metres)) < 1e-12);
+        viewport->setCamera(front);
+        drag(*viewport, Qt::MiddleButton, Qt::ControlModifier, kMiddle, kMiddle + QPoint(0, -50));
+        QVERIFY(viewport->camera().distance < front.distance);
+    }
+    void leftButtonNavigatesInMayaStyleOnly() {
+        const auto viewport = shownWall();
+        const Camera front = viewport->camera();
+        QSignalSpy picks(viewport.get(), &ViewportWidget::picked);
+        drag(*viewport, Qt::LeftButton, {}, kMiddle, kMiddle + QPoint(60, 0));
+        QVERIFY(viewport->camera() == front);
+        QCOMPARE(picks.count(), 0);
+        viewport->setNavigation(NavigationStyle::Maya);
+        drag(*viewport, Qt::LeftButton, Qt::AltModifier, kMiddle, kMiddle + QPoint(60, 0));
+        QVERIFY(viewport->camera().azimuth < 0.0);
+    }
+    void wheelZoomsTowardsThePointer() {
+        const auto viewport = shownWall();
+        const Camera front = viewport->camera();
+        turnWheel(*viewport, QPointF(360.0, 180.0), 120);
+        QVERIFY(std::abs(viewport->camera().distance * 1.2 - front.distance) < 1e-12);
+        QVERIFY(viewport->camera().target.x > front.target.x);
+        QVERIFY(std::abs(viewport->camera().target.y - front.target.y) < 1e-12);
+    }
+    void keysAlignViewsAndToggleProjection() {
+        const auto viewport = shownWall();
+        QTest::keyClick(viewport.get(), Qt::Key_3);
+        QCOMPARE(viewport->camera().azimuth, std::numbers::pi / 2.0);
+        QTest::keyClick(viewport.get(), Qt::Key_7, Qt::ControlModifier | Qt::KeypadModifier);
+        QCOMPARE(viewport->camera().elevation, -std::numbers::pi / 2.0);
+        QTest::keyClick(viewport.get(), Qt::Key_5);
+        QVERIFY(viewport->camera().projection == Projection::Orthographic);
+        QTest::keyClick(viewport.get(), Qt::Key_Right);
+        QVERIFY(std::abs(viewport->camera().azimuth - std::numbers::pi / 12.0) < 1e-12);
+    }
+    void fFramesSelectionAndHomeFramesAll() {
+        const auto viewport = shownWall();
+        const Camera all = viewport->camera();
+        viewport->setScene(wallScene({.selected = {viewport->scene().picks[4]}}));
+        QTest::keyClick(viewport.get(), Qt::Key_F);
+        QVERIFY(viewport->camera().distance < all.distance);
+        QVERIFY(glm::length(viewport->camera().target - boundsOf(viewport->scene(), kSelected).centre()) < 1e-9);
+        QTest::keyClick(viewport.get(), Qt::Key_Home);
+        QVERIFY(glm::length(viewport->camera().target - all.target) < 1e-9);
+    }
+    void clickPicksTheBody() {
+        const auto viewport = shownWall();
+        QSignalSpy picks(viewport.get(), &ViewportWidget::picked);
+        QTest::mouseClick(viewport.get(), Qt::LeftButton, Qt::ShiftModifier, kMiddle);
+        QTest::mouseClick(viewport.get(), Qt::LeftButton, {}, kCorner);
+        QCOMPARE(picks.count(), 2);
+        const auto pick = picks[0][0].value<std::optional<PickId>>();
+        QVERIFY(pick && pick->asset == starterProject().assets[0].id && pick->fragment < 20);
+        QCOMPARE(picks[0][1].value<Qt::KeyboardModifiers>(), Qt::ShiftModifier);
+        QVERIFY(!picks[1][0].value<std::optional<PickId>>());
+    }
+    void hoveredBodyIsBrighter() {
+        const auto viewport = shownWall();
+        QTest::mouseMove(viewport.get(), kCorner);
+        QSignalSpy hovers(viewport.get(), &ViewportWidget::hovered);
+        const QImage before = viewport->grab().toImage();
+        QTest::mouseMove(viewport.get(), kMiddle);
+        QTRY_COMPARE(hovers.count(), 1);
+        QVERIFY(viewport->grab().toImage().pixelColor(kMiddle) != before.pixelColor(kMiddle));
+        QTest::mouseMove(viewport.get(), kCorner);
+        QTRY_COMPARE(hovers.count(), 2);
+        QCOMPARE(viewport->grab().toImage().pixelColor(kMiddle), before.pixelColor(kMiddle));
+    }
+    void drawsTheWallAndItsSelection() {
+        const auto viewport = shownWall();
+        const QImage before = viewport->grab().toImage();
+        QVERIFY(before.pixelColor(kMiddle) != before.pixelColor(kMiddle.x(), 2));
+        const auto pick = viewport->scene().picks;
+        viewport->setScene(wallScene({.selected = {{pick[0].asset, 0, kNone}}}));
+        const QImage after = viewport->grab().toImage();
+        QVERIFY(colourfulness(after, kMiddle) > colourfulness(before, kMiddle) + 30);
+    }
+    void repaintsOnlyAfterChanges() {
+        const auto viewport = shownWall();
+        auto* canvas = viewport->findChild<QOpenGLWidget*>();
+        QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
+        QTest::qWait(100);
+        frames.clear();
+        QTest::qWait(300);
+        viewport->setCamera(viewport->camera());
+        QTest::qWait(100);
+        QCOMPARE(frames.count(), 0);
+        viewport->setCamera(orbited(viewport->camera(), 0.1, 0.0));
+        QTRY_COMPARE(frames.count(), 1);
+    }
+    void animationReachesTheViewExactly() {
+        const auto viewport = shownWall();
+        viewport->setCameraAnimation(true);
+        QSignalSpy frames(viewport->findChild<QOpenGLWidget*>(), &QOpenGLWidget::frameSwapped);
+        viewport->alignTo(StandardView::Top);
+        QVERIFY(viewport->camera() == alignedTo(viewport->camera(), StandardView::Top));
+        QTRY_VERIFY(frames.count() >= 3);
+        const QPoint top(kMiddle);
+        QSignalSpy picks(viewport.get(), &ViewportWidget::picked);
+        QTest::qWait(400);
+        QTest::mouseClick(viewport.get(), Qt::LeftButton, {}, top);
+        QVERIFY(picks[0][0].value<std::optional<PickId>>());
+    }
+    void boxSelectsBodiesByTheirCentres() {
+        const auto viewport = shownWall();
+        QSignalSpy boxes(viewport.get(), &ViewportWidget::boxSelected), picks(viewport.get(), &ViewportWidget::picked);
+        drag(*viewport, Qt::LeftButton, Qt::ShiftModifier, {2, 2}, {478, 358});
+        QCOMPARE(boxes.count(), 1);
+        QCOMPARE(boxes[0][0].value<std::vector<PickId>>(), viewport->scene().picks);
+        QCOMPARE(boxes[0][1].value<Qt::KeyboardModifiers>(), Qt::ShiftModifier);
+        drag(*viewport, Qt::LeftButton, {}, {2, 2}, kMiddle);
+        const auto upperLeft = boxes[1][0].value<std::vector<PickId>>();
+        QVERIFY(!upperLeft.empty() && upperLeft.size() < viewport->scene().picks.size() / 2);
+        const Vec3 centre = boundsOf(viewport->scene()).centre();
+        RenderScene only = viewport->scene();
+        for (BodyAppearance& look : only.appearances) look.marks = 0;
+        setMarks(only, {.selected = upperLeft});
+        const Vec3 middle = boundsOf(only, kSelected).centre();
+        QVERIFY(middle.x < centre.x && middle.y > centre.y);
+        drag(*viewport, Qt::LeftButton, {}, {2, 2}, {20, 20});
+        QVERIFY(boxes[2][0].value<std::vector<PickId>>().empty());
+        QCOMPARE(picks.count(), 0);
+    }
+    void escapeCancelsBoxSelection() {
+        const auto viewport = shownWall();
+        QSignalSpy boxes(viewport.get(), &ViewportWidget::boxSelected);
+        QTest::mousePress(viewport.get(), Qt::LeftButton, {}, kCorner);
+        QMouseEvent move(QEvent::MouseMove, QPointF(kMiddle), viewport->mapToGlobal(QPointF(kMiddle)), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QCoreApplication::sendEvent(viewport.get(), &move);
+        QTest::keyClick(viewport.get(), Qt::Key_Escape);
+        QTest::mouseRelease(viewport.get(), Qt::LeftButton, {}, kMiddle);
+        QCOMPARE(boxes.count(), 0);
+    }
+    void progressiveRenderingEnds() {
+        const auto viewport = shownWall();
+        viewport->resize(160, 120);
+        const QImage before = viewport->grab().toImage();
+        auto* canvas = viewport->findChild<QOpenGLWidget*>();
+        auto* timer = canvas->findChild<QTimer*>();
+        viewport->setProgressiveRendering(ProgressiveRendering::Always);
+        QTRY_VERIFY(timer->isActive());
+        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), 60000);
+        QTest::qWait(100);
+        QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
+        QTest::qWait(300);
+        QCOMPARE(frames.count(), 0);
+        QVERIFY(viewport->grab().toImage() != before);
+    }
+    void survivesAMoveToAnotherWindow() {
+        auto viewport = shownWall();
+        QWidget other;
+        auto* layout = new QVBoxLayout(&other);
+        layout->addWidget(viewport.release());
+        other.resize(600, 500);
+        other.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&other));
+        auto* moved = other.findChild<ViewportWidget*>();
+        moved->frameAll();
+        const QImage picture = moved->grab().toImage();
+        const QPoint middle = moved->rect().center();
+        QVERIFY(picture.pixelColor(middle) != picture.pixelColor(middle.x(), 2));
+    }
+};
+
+RUBBLE_TEST_WITH(ViewportWidgetTest, QApplication)
+#include "ViewportWidgetTest.moc"

@@ -1,0 +1,264 @@
+#include "viewport/render/RenderPasses.h"
+
+#include "viewport/render/ScaleBar.h"
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+
+namespace rubble {
+
+/// Parameters of a pass that draws edges over a faint fill.
+struct EdgePass {
+    glm::vec4 line{0.0f};
+    glm::vec4 fill{0.0f};
+    float width = 1.0f;
+    std::uint32_t onlyMarks = 0;
+    std::uint32_t depthFunction = GL_LEQUAL;  // GL_ALWAYS: not occluded
+    SceneBuffers::Part part = SceneBuffers::Part::Bodies;
+};
+
+namespace {
+
+void setCapability(std::uint32_t capability, bool isOn) { isOn ? glEnable(capability) : glDisable(capability); }
+
+glm::vec4 withOpacity(glm::vec4 colour, float opacity) { return {glm::vec3(colour), opacity}; }
+
+}  // namespace
+
+void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
+    summary = summaryOf(*made);
+    shadowStepFraction.reset();
+    sceneLines.write(std::span(made->lines));
+    sceneBoxes.write(std::span(made->boxes));
+    puffs.write(std::span(made->puffs));
+    scene.upload(std::move(made));
+}
+
+void RenderPasses::setFrame(const FrameBlock& block) {
+    frame = block;
+    glBindBuffer(GL_UNIFORM_BUFFER, frameUniforms.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frameUniforms.id());
+}
+
+void RenderPasses::drawFullscreen() const {
+    glBindVertexArray(emptyArray.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Fills the bound framebuffer with a target's colours times a weight.
+void RenderPasses::drawScaled(const RenderTarget& source, float weight) const {
+    glDisable(GL_DEPTH_TEST);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Source));
+    glBindTexture(GL_TEXTURE_2D, source.colourTexture());
+    programs.mean.use();
+    programs.mean.set("weight", weight);
+    drawFullscreen();
+}
+
+void RenderPasses::drawShadows(const RenderView& view, const std::optional<LightSample>& lightSample) {
+    light = Light::Plain;
+    if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || summary.bounds.isEmpty()) return;
+    light = lightSample ? Light::Sampled : Light::Shadowed;
+    const double stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction;
+    if (!lightSample && shadowStepFraction == stepFraction) return;
+    setFrame(frame);  // its explode factor and step fraction are used
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), summary.bounds);
+    if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, summary.bounds);
+    shadowStepFraction = lightSample ? std::nullopt : std::optional(stepFraction);
+}
+
+const ShaderProgram& RenderPasses::lit(const LitPrograms& variants) const {
+    return light == Light::Plain ? variants.plain : light == Light::Shadowed ? variants.shadowed : variants.sampled;
+}
+
+void RenderPasses::drawBackground() {
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    programs.sky.use();
+    drawFullscreen();
+    glDepthMask(GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void RenderPasses::drawSolid() {
+    glEnable(GL_CULL_FACE);
+    glDepthFunc(GL_LESS);
+    lit(scene.scene()->heats.empty() ? programs.solid : programs.heated).use();
+    scene.draw(SceneBuffers::Part::Bodies);
+    glDisable(GL_CULL_FACE);
+}
+
+void RenderPasses::drawEdges(const EdgePass& pass) {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(pass.depthFunction);
+    setCapability(GL_POLYGON_OFFSET_FILL, pass.depthFunction == GL_LEQUAL);
+    glPolygonOffset(-1.0f, -2.0f);
+    programs.wires.use();
+    programs.wires.set("lineColour", pass.line);
+    programs.wires.set("fillColour", pass.fill);
+    programs.wires.set("lineWidth", pass.width * frame.viewport.w);
+    programs.wires.set("onlyMarks", pass.onlyMarks);
+    scene.draw(pass.part);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void RenderPasses::drawWireframe(const RenderView& view) {
+    const glm::vec4 colour = environmentOf(view.settings.theme).wires;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    programs.depth.use();
+    programs.depth.set("clipFromSceneOfLight", frame.clipFromScene);
+    glDepthFunc(GL_LESS);
+    scene.draw(SceneBuffers::Part::Bodies);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    drawEdges({.line = withOpacity(colour, 0.16f), .width = 0.6f, .depthFunction = GL_ALWAYS});
+    drawEdges({.line = withOpacity(colour, 0.85f), .fill = withOpacity(colour, 0.03f), .width = 0.7f});
+}
+
+void RenderPasses::drawHulls(const RenderView& view) {
+    const glm::vec4 colour = environmentOf(view.settings.theme).hulls;
+    const auto part = SceneBuffers::Part::Hulls;
+    drawEdges({.line = withOpacity(colour, 0.2f), .width = 0.7f, .depthFunction = GL_ALWAYS, .part = part});
+    drawEdges({.line = withOpacity(colour, 1.0f), .fill = withOpacity(colour, 0.14f), .width = 1.3f, .part = part});
+}
+
+void RenderPasses::drawGround(const RenderView& view) {
+    if (!scene.scene()->hasGround) return;
+    glEnable(GL_BLEND);
+    glEnable(GL_DEPTH_CLAMP);  // the depth range is fitted to the bodies, and the ground is larger
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    glBindVertexArray(emptyArray.id());
+    if (light != Light::Plain && !summary.bounds.isEmpty()) {
+        lit(programs.groundShadow).use();
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    if (view.settings.hasGrid) {
+        programs.grid.use();
+        programs.grid.set("worldOrigin", gridOrigin(frame, *scene.scene()));
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_BLEND);
+}
+
+void RenderPasses::drawSceneLines() {
+    if (sceneLines.count() + sceneBoxes.count() == 0) return;
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_DEPTH_CLAMP);  // the depth range is fitted to the bodies
+    programs.sceneLines.use();
+    const auto drawAs = [&](GLenum depthFunction, float strength) {
+        glDepthFunc(depthFunction);
+        programs.sceneLines.set("strength", strength);
+        programs.sceneLines.set("ofBoxes", 1.0f);
+        sceneBoxes.draw(72);
+        programs.sceneLines.set("ofBoxes", 0.0f);
+        sceneLines.draw(18);
+    };
+    drawAs(GL_GREATER, 0.25f);
+    drawAs(GL_LEQUAL, 1.0f);
+    glDisable(GL_DEPTH_CLAMP);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void RenderPasses::drawDust(const RenderView& view) {
+    if (puffs.count() == 0) return;
+    solidDepths.copyBound(view.size);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Depths));
+    glBindTexture(GL_TEXTURE_2D, solidDepths.texture());
+    glEnable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);  // the shader compares with the copy
+    glEnable(GL_DEPTH_CLAMP);
+    programs.dust.use();
+    puffs.draw(6);
+    glDisable(GL_DEPTH_CLAMP);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+}
+
+void RenderPasses::drawAxes(const RenderView& view) {
+    if (view.settings.hasAxes) drawScreenLines(axesIndicator(view.camera, view.settings.scale));
+    if (!view.settings.hasGrid || !scene.scene()->isOutdoors) return;
+    const bool isDark = view.settings.theme == Theme::Dark;
+    const glm::vec3 ink(isDark ? 0.92f : 0.12f), paper(isDark ? 0.05f : 1.0f);
+    drawScreenLines(scaleBar(view.camera, view.size, view.settings.scale, ink, paper));
+}
+
+void RenderPasses::drawScreenLines(const std::vector<ScreenLine>& lines) {
+    glBindVertexArray(lineArray.id());
+    glBindBuffer(GL_ARRAY_BUFFER, lineBuffer.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size() * sizeof(ScreenLine)), lines.data(),
+                 GL_STREAM_DRAW);
+    const auto describe = [](GLuint attribute, GLint count, std::size_t offset) {
+        glVertexAttribPointer(attribute, count, GL_FLOAT, GL_FALSE, sizeof(ScreenLine),
+                              reinterpret_cast<const void*>(offset));
+        glVertexAttribDivisor(attribute, 1);
+        glEnableVertexAttribArray(attribute);
+    };
+    describe(0, 4, offsetof(ScreenLine, ends));
+    describe(1, 4, offsetof(ScreenLine, colour));
+    describe(2, 1, offsetof(ScreenLine, radius));
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    programs.screenLines.use();
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines.size()));
+    glDisable(GL_BLEND);
+}
+
+void RenderPasses::drawImage(const RenderView& view) {
+    keyShadow.bind(TextureUnit::KeyShadow);
+    skyShadow.bind(TextureUnit::SkyShadow);
+    frame.keyFromScene = keyShadow.textureFromScene();
+    frame.skyFromScene = skyShadow.textureFromScene();
+    setFrame(frame);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    drawBackground();
+    const bool isSolid = view.settings.shading == Shading::Faces;
+    if (isSolid)
+        drawSolid();
+    else
+        drawWireframe(view);
+    drawGround(view);
+    drawHulls(view);
+    if (summary.hasSelected && isSolid) {
+        drawEdges({.line = withOpacity(frame.accent, 0.45f),
+                   .fill = withOpacity(frame.accent, 0.06f),
+                   .width = 1.2f,
+                   .onlyMarks = kSelected,
+                   .depthFunction = GL_GREATER});
+    }
+    drawSceneLines();
+    if (isSolid) drawDust(view);
+    drawAxes(view);
+}
+
+void RenderPasses::drawBodies(const RenderView& view, const PixelBox& part) {
+    setFrame(frameBlock(view, *scene.scene(), summary.bounds, {}));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x, part.y, part.width, part.height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    constexpr std::uint32_t kNothing[4] = {0, 0, 0, 0};
+    glClearBufferuiv(GL_COLOR, 0, kNothing);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    programs.pick.use();
+    scene.draw(SceneBuffers::Part::Bodies);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace rubble

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/play/session/Session.h"
+#include "viewport/scene/PlayOverlays.h"
+#include "viewport/scene/RenderScene.h"
+
+#include <span>
+
+namespace rubble {
+
+/// The heat colour of an impact ÷ threshold: from dark blue at 0 over green to yellow just below 1, with rising
+/// lightness; at 1 and above a signal red that the ramp does not contain.
+Colour heatColour(double value);
+
+/// What tintBodies() has to know of a body.
+struct BodyTint {
+    std::uint32_t body = 0;    // in the scene
+    std::uint32_t number = 0;  // in the session
+    BodyId id;
+    bool isAsleep = false;
+};
+
+/// Colours the bodies of a scene by island or heat, and sleeping ones blue, as the overlays say. `heat`: by ascending
+/// number; missing bodies have none. Without islands and heat, awake bodies keep their colours.
+void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
+                const PlayOverlays& overlays, std::span<const BodyHeat> heat);
+
+}  // namespace rubble

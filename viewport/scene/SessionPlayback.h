@@ -1,0 +1,36 @@
+#pragma once
+
+#include "viewport/scene/SessionSceneBuilder.h"
+
+namespace rubble {
+
+/// Plays a session and builds its render scenes at requested steps, in ascending order.
+class SessionPlayback {
+public:
+    /// `session`: of `scene`, not started. `inputs`: by ascending step, in addition to those that the session already
+    /// has. Of the options, only colouring and hulls apply.
+    SessionPlayback(std::shared_ptr<const PlayScene> scene, Session session, std::vector<TimedInput> inputs = {},
+                    const SceneOptions& options = {}, const PlayOverlays& overlays = {});
+
+    const Session& session() const { return m_session; }
+    /// The scene at the current step.
+    std::shared_ptr<const RenderScene> scene() { return m_builder->sceneOf(m_session); }
+    /// Plays on to a step and returns its scene. Builds every scene of the last second before it, since heat cools down
+    /// from step to step and an image may lie between the last two. Invalid inputs are skipped with a notice.
+    ///
+    /// Errors: Cancelled.
+    Result<std::shared_ptr<const RenderScene>> sceneAtStep(std::uint64_t step, const TaskContext& task = {});
+    /// The notices since the last call.
+    std::vector<std::string> takeNotices();
+
+private:
+    void step();
+
+    Session m_session;
+    std::vector<TimedInput> m_inputs;
+    std::size_t m_nextInput = 0;
+    std::unique_ptr<SessionSceneBuilder> m_builder;
+    std::vector<std::string> m_notices;
+};
+
+}  // namespace rubble

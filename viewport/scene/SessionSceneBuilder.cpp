@@ -1,0 +1,329 @@
+#include "viewport/scene/SessionSceneBuilder.h"
+
+#include "core/base/Assert.h"
+#include "core/geometry/hull/MassProperties.h"
+#include "viewport/scene/BodyColours.h"
+#include "viewport/scene/ContactLines.h"
+#include "viewport/scene/Dust.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t kPoolSize = 4;  // one on screen, one about to be, the previous one, one being written
+constexpr double kCoolingRate = 3.0;  // 1/s, of the heat of impacts
+constexpr double kCoolestShown = 0.02;
+constexpr Colour kProjectileColour{0.30, 0.34, 0.40};
+
+AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
+    AssetModel model;
+    const auto geometry = std::make_shared<SceneGeometry>();
+    addPiece(*geometry, {&hull, 1});
+    model.geometry = geometry;
+    if (options.hasHulls) model.hulls = geometry;
+    model.pieces = {{.volume = massOf(hull).volume, .colour = kProjectileColour}};
+    return model;
+}
+
+/// The pose of a body, shrunk by `fade` in [0, 1].
+RenderPose poseOf(const BodyState& state, double fade, Vec3 origin) {
+    if (fade <= 0.0) return renderPose(state.pose, origin);
+    const Vec3 position = glm::mix(state.pose.position, state.centre, fade);
+    RenderPose pose = renderPose({position, state.pose.orientation}, origin);
+    pose.position.w = static_cast<float>(fade);
+    return pose;
+}
+
+}  // namespace
+
+struct SessionSceneBuilder::Model {
+    std::shared_ptr<const PlayAsset> asset;
+    std::shared_ptr<const Polytope> hull;  // if there is no asset
+    AssetModel drawn;
+};
+
+SessionSceneBuilder::SessionSceneBuilder(std::shared_ptr<const PlayScene> scene, const SceneOptions& options)
+    : m_scene(std::move(scene)), m_options(options), m_arrowScale(arrowScale(*m_scene)) {
+    m_overlays.hasHulls = options.hasHulls;
+    makeModels();
+}
+
+SessionSceneBuilder::~SessionSceneBuilder() = default;
+
+void SessionSceneBuilder::makeModels() {
+    m_models.clear();
+    m_slots.clear();
+    m_pool.clear();
+    m_previous.reset();
+    for (const auto& [id, asset] : m_scene->assets) modelOf({.asset = asset});
+    m_layout = emptyLayout();
+}
+
+void SessionSceneBuilder::setOverlays(const PlayOverlays& overlays) {
+    if (overlays == m_overlays) return;
+    m_overlays = overlays;
+    m_pool.clear();  // their colours may differ
+    if (overlays.hasHulls == m_options.hasHulls) return;
+    m_options.hasHulls = overlays.hasHulls;
+    makeModels();
+}
+
+void SessionSceneBuilder::setForecast(std::optional<std::vector<BodyForecast>> bodies) {
+    m_forecast.reset();
+    m_surfaceForecasts.clear();
+    if (!bodies) return;
+    m_surfaceForecasts = std::move(*bodies);
+    std::erase_if(m_surfaceForecasts, [](const BodyForecast& body) { return !std::isfinite(body.threshold); });
+    std::ranges::sort(m_surfaceForecasts, {}, &BodyForecast::body);
+    m_forecast.emplace();
+    for (const BodyForecast& body : m_surfaceForecasts) m_forecast->push_back({body.body, body.largest});
+}
+
+/// An empty batch for each asset of the scene.
+RenderScene SessionSceneBuilder::emptyLayout() const {
+    const Project& project = m_scene->project;
+    RenderScene layout{.isOutdoors = true, .hasGround = project.ground.isOn, .groundHeight = project.ground.height};
+    if (!project.instances.empty()) layout.origin = project.instances.front().pose.position;
+    for (std::size_t k = 0; k < m_scene->assets.size(); ++k) {
+        layout.batches.push_back({m_models[k].drawn.geometry, m_models[k].drawn.hulls, {}});
+    }
+    return layout;
+}
+
+/// The index of a slot's model, made if missing; equal hulls share one.
+std::size_t SessionSceneBuilder::modelOf(const Slot& slot) {
+    const auto isIt = [&](const Model& model) {
+        return model.asset == slot.asset && (model.asset != nullptr || *model.hull == *slot.hull);
+    };
+    const auto known = std::ranges::find_if(m_models, isIt);
+    if (known != m_models.end()) return static_cast<std::size_t>(known - m_models.begin());
+    Model made{slot.asset, slot.hull, {}};
+    if (slot.asset != nullptr) {
+        const std::shared_ptr<const Bake>& bake = slot.asset->bake;
+        made.drawn = playModelOf(*findAsset(m_scene->project, bake->asset), bake, m_options);
+    } else {
+        made.drawn = projectileModel(*slot.hull, m_options);
+    }
+    m_models.push_back(std::move(made));
+    return m_models.size() - 1;
+}
+
+std::uint32_t SessionSceneBuilder::sceneIndexOf(const PlayBody& body) const {
+    if (body.origin >= m_slots.size()) return kNone;
+    for (const Slot& slot : m_slots[body.origin]) {
+        const bool isSame = slot.asset == body.asset && slot.hull == body.hull && slot.first != kNone;
+        if (isSame) return body.fragment == kNone ? slot.first : slot.first + body.fragment + 1;
+    }
+    return kNone;
+}
+
+/// Writes the bodies' poses; false if a body has no slot yet.
+bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene) const {
+    for (BodyAppearance& appearance : scene.appearances) {
+        appearance.marks = kHidden;
+        appearance.heat = 0;
+    }
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground) continue;
+        const std::uint32_t slot = sceneIndexOf(body);
+        if (slot == kNone) return false;
+        scene.poses[slot] = poseOf(session.world().state(body.body), session.fadeOf(body), scene.origin);
+        scene.appearances[slot].marks = 0;
+    }
+    return true;
+}
+
+/// Writes the poses one step earlier, or none if they are unknown.
+void SessionSceneBuilder::writePreviousPoses(std::uint64_t step, RenderScene& scene) const {
+    scene.previousPoses.clear();
+    if (m_previous == nullptr) return;
+    if (step == m_previousStep && scene.poses == m_previous->poses) scene.previousPoses = m_previous->previousPoses;
+    if (step != m_previousStep + 1) return;
+    scene.previousPoses = m_previous->poses;
+    for (std::size_t k = 0; k < scene.appearances.size(); ++k) {
+        if ((m_previous->appearances[k].marks & kHidden) != 0) scene.previousPoses[k] = scene.poses[k];
+    }
+}
+
+/// Caches the bounds; those of the previous poses are known from the previous scene.
+void SessionSceneBuilder::writeSummary(std::uint64_t step, RenderScene& scene) {
+    scene.summary.reset();
+    const Box3 now = boundsAt(scene, scene.poses);
+    SceneSummary summary{.bounds = step == m_previousStep ? boundsOf(scene) : now};
+    if (step == m_previousStep + 1 && !scene.previousPoses.empty()) summary.bounds.include(m_previousBounds);
+    scene.summary = summary;
+    m_previousBounds = now;
+}
+
+std::vector<BodyTint> SessionSceneBuilder::tintsOf(const Session& session) const {
+    std::vector<BodyTint> tints;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground) continue;
+        tints.push_back({sceneIndexOf(body), body.number, body.body, session.world().state(body.body).asleep});
+    }
+    return tints;
+}
+
+/// Cools down earlier impacts and adds those of this step.
+void SessionSceneBuilder::recordImpacts(const Session& session) {
+    if (session.stepsDone() == m_previousStep && m_previous != nullptr) return;
+    const double kept = session.stepsDone() == m_previousStep + 1 ? 1.0 - kCoolingRate * session.stepLength() : 0.0;
+    for (BodyHeat& heat : m_impacts) heat.value *= kept;
+    std::erase_if(m_impacts, [](const BodyHeat& heat) { return heat.value < kCoolestShown; });
+    for (const PlayImpact& impact : session.events().impacts) {
+        const auto hottest = std::ranges::lower_bound(m_impacts, impact.body, {}, &BodyHeat::body);
+        const double value = impact.damage / impact.threshold;
+        if (hottest == m_impacts.end() || hottest->body != impact.body)
+            m_impacts.insert(hottest, {impact.body, value});
+        else
+            hottest->value = std::max(hottest->value, value);
+    }
+}
+
+void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene) {
+    scene.lines.clear();
+    scene.boxes.clear();
+    scene.puffs.clear();
+    scene.heats.clear();
+    addDust(scene, session);
+    recordImpacts(session);
+    if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
+        addContactLines(scene, session, m_overlays, m_arrowScale);
+    }
+    if (!m_overlays.hasBoxes && !m_overlays.hasIslands && !m_overlays.hasSleep && !m_overlays.hasHeat) return;
+    const std::vector<BodyTint> tints = tintsOf(session);
+    if (m_overlays.hasBoxes) {
+        for (const BodyTint& body : tints) addBodyBox(scene, session.world().box(body.id), body.body);
+    }
+    for (const BodyTint& body : tints) {
+        scene.appearances[body.body].outside = m_layout.appearances[body.body].outside;
+        scene.appearances[body.body].inside = m_layout.appearances[body.body].inside;
+    }
+    tintBodies(scene, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts);
+    if (m_overlays.hasHeat) addSurfaceHeats(tints, scene);
+}
+
+/// Adds rows for bodies that can break only, which keeps the many small pieces free.
+void SessionSceneBuilder::addSurfaceHeats(std::span<const BodyTint> bodies, RenderScene& scene) const {
+    if (m_surfaceForecasts.empty()) return;
+    scene.heatSource = heatSource(m_surfaceForecasts.front().projectile, scene.origin);
+    for (const BodyTint& body : bodies) {
+        const auto found = std::ranges::lower_bound(m_surfaceForecasts, body.number, {}, &BodyForecast::body);
+        if (found == m_surfaceForecasts.end() || found->body != body.number) continue;
+        scene.heats.push_back(surfaceHeat(*found, scene.origin));
+        scene.appearances[body.body].heat = static_cast<std::uint32_t>(scene.heats.size());
+    }
+}
+
+/// Copies the previous scene into the new layout: the bodies that have a slot in both.
+void SessionSceneBuilder::relayPrevious(const std::vector<Slots>& previousSlots) {
+    if (m_previous == nullptr) return;
+    const auto kept = std::make_shared<RenderScene>(m_layout);
+    if (!m_previous->previousPoses.empty()) kept->previousPoses = m_layout.poses;
+    for (std::size_t origin = 0; origin < std::min(previousSlots.size(), m_slots.size()); ++origin) {
+        for (const Slot& then : previousSlots[origin]) {
+            const auto isSame = [&](const Slot& slot) { return slot.asset == then.asset && slot.hull == then.hull; };
+            const auto now = std::ranges::find_if(m_slots[origin], isSame);
+            if (then.first == kNone || now == m_slots[origin].end() || now->first == kNone) continue;
+            const std::size_t pieces = then.asset != nullptr ? 1 + then.asset->bake->fragmentCount() : 1;
+            const auto copy = [&](const auto& from, auto& to) {
+                std::copy_n(from.begin() + then.first, pieces, to.begin() + now->first);
+            };
+            copy(m_previous->poses, kept->poses);
+            copy(m_previous->appearances, kept->appearances);
+            if (!m_previous->previousPoses.empty()) copy(m_previous->previousPoses, kept->previousPoses);
+        }
+    }
+    m_previous = kept;
+}
+
+/// Reserves a slot for one more model of an origin.
+void SessionSceneBuilder::addSlot(const Session& session, std::uint32_t origin, const Slot& added) {
+    Slots& originSlots = m_slots[origin];
+    const auto free = std::ranges::find(originSlots, kNone, &Slot::first);
+    RUBBLE_ASSERT(free != originSlots.end());  // a whole is cut at most once
+    *free = added;
+    free->first = static_cast<std::uint32_t>(m_layout.picks.size());
+    const std::size_t model = modelOf(added);
+    const AssetModel& drawn = m_models[model].drawn;
+    if (model == m_layout.batches.size()) m_layout.batches.push_back({drawn.geometry, drawn.hulls, {}});
+    m_layout.batches[model].firstBodies.push_back(free->first);
+    for (const ModelPiece& piece : drawn.pieces) {
+        m_layout.picks.push_back({drawn.asset.id, session.origins()[origin].instance, piece.fragment, origin});
+    }
+}
+
+/// Reserves slots for all instances with all their fragments and for all other bodies; drops those of removed
+/// projectiles and cuts.
+void SessionSceneBuilder::layOut(const Session& session) {
+    m_pool.clear();
+    m_models.resize(m_scene->assets.size());
+    m_layout = emptyLayout();
+    const std::vector<Slots> previousSlots = std::exchange(m_slots, std::vector<Slots>(session.origins().size()));
+    for (std::uint32_t origin = 0; origin < m_slots.size(); ++origin) {
+        const PlayOrigin& playOrigin = session.origins()[origin];
+        if (playOrigin.instance != 0)
+            addSlot(session, origin, {.asset = m_scene->assets.at({playOrigin.asset, playOrigin.variant})});
+    }
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role == PlayRole::Ground || sceneIndexOf(body) != kNone) continue;
+        addSlot(session, body.origin, {.asset = body.asset, .hull = body.hull});
+    }
+    applyColours();
+    relayPrevious(previousSlots);
+}
+
+void SessionSceneBuilder::applyColours() {
+    m_layout.poses.resize(m_layout.picks.size());
+    m_layout.appearances.assign(m_layout.picks.size(), {.marks = kHidden});
+    std::vector<const AssetModel*> models;
+    for (const Model& model : m_models) models.push_back(&model.drawn);
+    colourBodies(m_layout, models, m_scene->project, m_options.colouring);
+}
+
+/// An unreferenced scene of the pool, up to date but for what writePoses() writes.
+std::shared_ptr<RenderScene> SessionSceneBuilder::freeScene() {
+    const auto free = std::ranges::find(m_pool, 1, &std::shared_ptr<RenderScene>::use_count);
+    if (free != m_pool.end()) {
+        std::atomic_thread_fence(std::memory_order_acquire);  // after the last reads of the thread that released it
+        return *free;
+    }
+    if (m_pool.size() == kPoolSize) m_pool.erase(m_pool.begin());
+    return m_pool.emplace_back(std::make_shared<RenderScene>(m_layout));
+}
+
+/// A scene with the current poses, without the previous ones.
+std::shared_ptr<RenderScene> SessionSceneBuilder::posedScene(const Session& session) {
+    std::shared_ptr<RenderScene> scene = freeScene();
+    if (writePoses(session, *scene)) return scene;
+    scene.reset();
+    layOut(session);
+    scene = freeScene();
+    const bool isWhole = writePoses(session, *scene);
+    RUBBLE_ASSERT(isWhole);
+    return scene;
+}
+
+std::shared_ptr<const RenderScene> SessionSceneBuilder::sceneOf(const Session& session) {
+    RUBBLE_ASSERT(&session.scene() == m_scene.get());
+    const std::shared_ptr<RenderScene> scene = posedScene(session);
+    writePreviousPoses(session.stepsDone(), *scene);
+    addOverlays(session, *scene);
+    writeSummary(session.stepsDone(), *scene);
+    m_previous = scene;
+    m_previousStep = session.stepsDone();
+    return scene;
+}
+
+const PlayBody* bodyOf(const Session& session, const PickId& pick) {
+    const auto isIt = [&](const PlayBody& body) {
+        return body.role != PlayRole::Ground && body.origin == pick.origin && body.fragment == pick.fragment;
+    };
+    const auto found = std::ranges::find_if(session.bodies(), isIt);
+    return found != session.bodies().end() ? &*found : nullptr;
+}
+
+}  // namespace rubble

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/play/analysis/Forecast.h"
+#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/PlayOverlays.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// Builds the render scenes of a running session, step by step. Every scene contains all fragments that the instances
+/// can break into, hidden until they exist: a break changes marks only, and the geometry is shared from scene to scene,
+/// by pointer. Projectiles and assets that are cut at the point of impact are added when they appear.
+///
+/// Removed debris shrinks about its centre of mass while it fades.
+class SessionSceneBuilder {
+public:
+    /// Builds the geometry of all assets of the scene with all their fragments. Of the options, only colouring and
+    /// hulls apply.
+    explicit SessionSceneBuilder(std::shared_ptr<const PlayScene> scene, const SceneOptions& options = {});
+    ~SessionSceneBuilder();
+
+    /// The bodies of a session at their current poses. Writes a few numbers per body, or a few times as many for the
+    /// first scene with a new body. Scenes that are no longer referenced are recycled; any thread may hold and release
+    /// one.
+    ///
+    /// Called after each step, it also fills `previousPoses`. After anything but a single step (a start, several steps,
+    /// a seek) these are empty; called again at the same step, it returns the same content.
+    std::shared_ptr<const RenderScene> sceneOf(const Session& session);
+
+    /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
+    void setOverlays(const PlayOverlays& overlays);
+    /// Sets what the heat overlay shows: a break forecast, varying over surfaces. Without one, the default, it shows
+    /// the recent impacts, fading within a second.
+    void setForecast(std::optional<std::vector<BodyForecast>> bodies);
+
+private:
+    /// The geometry of an asset, or of a projectile without one.
+    struct Model;
+    /// The scene bodies reserved for the pieces of one model of one origin.
+    struct Slot {
+        std::shared_ptr<const PlayAsset> asset;
+        std::shared_ptr<const Polytope> hull;  // if there is no asset
+        std::uint32_t first = kNone;           // scene body of piece 0; kNone: unused
+    };
+    /// Of an origin: the body as placed or thrown, and its pieces if it was cut at the point of impact.
+    using Slots = std::array<Slot, 2>;
+
+    std::shared_ptr<RenderScene> freeScene();
+    std::shared_ptr<RenderScene> posedScene(const Session& session);
+    std::uint32_t sceneIndexOf(const PlayBody& body) const;
+    bool writePoses(const Session& session, RenderScene& scene) const;
+    void addSurfaceHeats(std::span<const BodyTint> bodies, RenderScene& scene) const;
+    void addOverlays(const Session& session, RenderScene& scene);
+    std::vector<BodyTint> tintsOf(const Session& session) const;
+    void recordImpacts(const Session& session);
+    void makeModels();
+    void writePreviousPoses(std::uint64_t step, RenderScene& scene) const;
+    void writeSummary(std::uint64_t step, RenderScene& scene);
+    void relayPrevious(const std::vector<Slots>& previousSlots);
+    RenderScene emptyLayout() const;
+    void layOut(const Session& session);
+    void addSlot(const Session& session, std::uint32_t origin, const Slot& added);
+    std::size_t modelOf(const Slot& slot);
+    void applyColours();
+
+    std::shared_ptr<const PlayScene> m_scene;
+    SceneOptions m_options;
+    PlayOverlays m_overlays;
+    double m_arrowScale = 1.0;
+    std::optional<std::vector<BodyHeat>> m_forecast;  // by ascending body number
+    std::vector<BodyForecast> m_surfaceForecasts;     // likewise, only of bodies that may break
+    std::vector<BodyHeat> m_impacts;                  // likewise
+    std::vector<Model> m_models;                      // one per batch; the scene's assets first
+    std::vector<Slots> m_slots;                       // one per origin
+    RenderScene m_layout;                             // what all scenes share, with all bodies hidden
+    std::vector<std::shared_ptr<RenderScene>> m_pool;
+    std::shared_ptr<const RenderScene> m_previous;  // the last scene built, in the layout of m_layout
+    std::uint64_t m_previousStep = 0;
+    Box3 m_previousBounds;  // of its bodies at their current poses only
+};
+
+/// The body of a session that a pick names; null if it no longer exists. Linear in bodies.
+const PlayBody* bodyOf(const Session& session, const PickId& pick);
+
+}  // namespace rubble

@@ -1,0 +1,47 @@
+#include "viewport/widget/OpenGlProbe.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+namespace rubble {
+namespace {
+
+struct Probe {
+    Q_DECLARE_TR_FUNCTIONS(rubble::OpenGlProbe)
+};
+
+std::optional<QString> probed() {
+    const QString platform = QGuiApplication::platformName();
+    if (platform == "offscreen" || platform == "minimal") {
+        return Probe::tr("There is no 3D view: the platform \"%1\" has no OpenGL.").arg(platform);
+    }
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QOffscreenSurface surface;
+    surface.setFormat(format);
+    surface.create();
+    QOpenGLContext context;
+    context.setFormat(format);
+    if (!context.create() || !context.makeCurrent(&surface)) {
+        return Probe::tr("There is no 3D view: this display has no OpenGL.");
+    }
+    const QSurfaceFormat got = context.format();
+    if (got.version() < format.version()) {
+        return Probe::tr("There is no 3D view: it needs OpenGL 3.3, and this display has %1.%2.")
+            .arg(got.majorVersion())
+            .arg(got.minorVersion());
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QString> openGlError() {
+    static const std::optional<QString> fault = probed();
+    return fault;
+}
+
+}  // namespace rubble

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+
+namespace rubble {
+
+// Texts over the 3D view are written on dark plates, which are readable over any background in both themes.
+inline const QColor kPlateColour(20, 22, 26, 150);
+inline const QColor kPlateText(245, 246, 248);
+inline const QColor kPlateSecondaryText(245, 246, 248, 190);
+inline constexpr int kPlatePadding = 7;  // points
+
+/// Paints a plate and returns the rectangle for its content.
+QRect paintPlate(QPainter& painter, const QRect& plate);
+
+}  // namespace rubble

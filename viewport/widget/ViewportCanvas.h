@@ -1,0 +1,56 @@
+#pragma once
+
+#include "viewport/render/Renderer.h"
+#include "viewport/widget/ProgressiveRendering.h"
+
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace rubble {
+
+/// The OpenGL surface of a viewport: renders a view of a scene, only when something has changed, and finds the body at
+/// a point.
+class ViewportCanvas : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    explicit ViewportCanvas(QWidget* parent = nullptr);
+    ~ViewportCanvas() override;
+
+    void setScene(std::shared_ptr<const RenderScene> scene);
+    /// The view's size is ignored: the widget's is used.
+    void setView(const RenderView& view);
+    void setProgressiveRendering(ProgressiveRendering mode);
+
+    /// The widget's size in device pixels.
+    ImageSize imageSize() const;
+    /// The body at a point of the widget, an index in RenderScene::picks.
+    std::optional<std::uint32_t> bodyAt(QPointF point);
+
+signals:
+    /// Rendering is not possible, for the given reason.
+    void failed(const QString& sentence);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+
+private:
+    void invalidate();
+    bool canAccumulate() const;
+    void accumulate();
+    void release();
+    RenderView sizedView() const;
+
+    std::unique_ptr<Renderer> m_renderer;  // null before the widget is shown and while it moves to another window
+    std::shared_ptr<const RenderScene> m_scene;
+    RenderView m_view;
+    bool m_hasGpu = false;  // known once there is a renderer
+    ProgressiveRendering m_progressive = ProgressiveRendering::Never;
+    int m_samples = 0;  // accumulated since the last change
+    QTimer m_idle;
+};
+
+}  // namespace rubble

@@ -1,0 +1,53 @@
+#include "viewport/widget/ViewportOverlay.h"
+
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QOpenGLWidget>
+#include <QStringList>
+
+namespace rubble {
+
+ViewportOverlay::ViewportOverlay(ViewportWidget& viewport) : QWidget(&viewport), m_viewport(viewport) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(tr("Overlay"));
+    connect(&viewport, &ViewportWidget::cameraChanged, this, &ViewportOverlay::followCamera);
+    // The camera's animation emits no signal per frame.
+    if (auto* canvas = viewport.findChild<QOpenGLWidget*>()) {
+        connect(canvas, &QOpenGLWidget::frameSwapped, this, &ViewportOverlay::followCamera);
+    }
+}
+
+void ViewportOverlay::setItems(const std::vector<OverlayItem*>& items) {
+    for (OverlayItem* item : m_items) disconnect(item, &OverlayItem::changed, this, nullptr);
+    m_items = items;
+    for (OverlayItem* item : m_items) connect(item, &OverlayItem::changed, this, &ViewportOverlay::refresh);
+    refresh();
+}
+
+void ViewportOverlay::refresh() {
+    QStringList texts;
+    for (const OverlayItem* item : m_items) {
+        if (const QString text = item->accessibleText(); !text.isEmpty()) texts << text;
+    }
+    setAccessibleDescription(texts.join(". "));
+    update();
+}
+
+void ViewportOverlay::followCamera() {
+    if (!m_items.empty() && m_viewport.shownCamera() != m_paintedCamera) update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent*) {
+    m_paintedCamera = m_viewport.shownCamera();
+    QPainter painter(this);
+    for (const OverlayItem* item : m_items) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        item->paint(painter, size());
+        painter.restore();
+    }
+}
+
+}  // namespace rubble

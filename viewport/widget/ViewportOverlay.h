@@ -1,0 +1,50 @@
+#pragma once
+
+#include "viewport/scene/Camera.h"
+
+#include <QPainter>
+#include <QWidget>
+
+#include <vector>
+
+namespace rubble {
+
+class ViewportWidget;
+
+/// Something painted over a 3D view: a tool's handles, a legend, a head-up display.
+class OverlayItem : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    /// Paints in widget coordinates; `size`: of the view.
+    virtual void paint(QPainter& painter, QSize size) const = 0;
+    /// The item's texts for screen readers; empty if it shows none.
+    virtual QString accessibleText() const { return {}; }
+
+signals:
+    void changed();
+};
+
+/// The transparent layer over a 3D view that paints its overlay items. It lets all input through, and repaints when an
+/// item or the camera on screen changes.
+class ViewportOverlay : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewportOverlay(ViewportWidget& viewport);
+
+    /// Sets the items, painted from first to last.
+    void setItems(const std::vector<OverlayItem*>& items);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void followCamera();
+    void refresh();
+
+    ViewportWidget& m_viewport;
+    std::vector<OverlayItem*> m_items;
+    Camera m_paintedCamera;
+};
+
+}  // namespace rubble

@@ -1,0 +1,316 @@
+#include "viewport/widget/ViewportWidget.h"
+
+#include "viewport/scene/BodiesWithin.h"
+#include "viewport/widget/OpenGlProbe.h"
+#include "viewport/widget/ViewportCanvas.h"
+#include "viewport/widget/ViewportOverlay.h"
+#include "viewport/widget/ViewportTool.h"
+
+#include <QApplication>
+#include <QEasingCurve>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QRubberBand>
+#include <QStackedLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr int kAnimationMilliseconds = 220;
+constexpr double kKeyZoom = 1.25;
+
+Qt::CursorShape cursorOf(Drag drag) {
+    switch (drag) {
+        case Drag::Pan: return Qt::ClosedHandCursor;
+        case Drag::Zoom: return Qt::SizeVerCursor;
+        case Drag::Orbit: break;
+    }
+    return Qt::SizeAllCursor;
+}
+
+}  // namespace
+
+ViewportWidget::ViewportWidget(QWidget* parent)
+    : QWidget(parent),
+      m_scene(std::make_shared<RenderScene>()),
+      m_rubberBand(new QRubberBand(QRubberBand::Rectangle, this)) {
+    setAccessibleName(tr("3D view"));
+    setAccessibleDescription(
+        tr("The fragments in 3D. Arrow keys orbit, with Shift they pan; plus and minus zoom; Home frames all, F the "
+           "selection; 1, 3 and 7 align the view to the front, right and top."));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 120);
+    auto* layout = new QStackedLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    if (const std::optional<QString> sentence = openGlError()) {
+        showError(*sentence);
+    } else {
+        m_canvas = new ViewportCanvas(this);
+        layout->addWidget(m_canvas);
+        // Queued: it is emitted while the canvas is being shown.
+        connect(m_canvas, &ViewportCanvas::failed, this, &ViewportWidget::showError, Qt::QueuedConnection);
+    }
+    m_overlay = new ViewportOverlay(*this);
+    m_overlay->raise();
+    m_animation.setStartValue(0.0);
+    m_animation.setEndValue(1.0);
+    m_animation.setDuration(kAnimationMilliseconds);
+    m_animation.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&m_animation, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& fraction) { showFrom(interpolated(m_start, m_goal, fraction.toDouble())); });
+    m_goal = m_camera = alignedTo(Camera{}, StandardView::Isometric);
+    showFrom(m_camera);
+}
+
+void ViewportWidget::showError(const QString& sentence) {
+    if (m_canvas != nullptr) m_canvas->deleteLater();
+    m_canvas = nullptr;
+    m_errorLabel = new QLabel(sentence, this);
+    m_errorLabel->setAlignment(Qt::AlignCenter);
+    m_errorLabel->setWordWrap(true);
+    m_errorLabel->setMargin(24);
+    layout()->addWidget(m_errorLabel);
+    static_cast<QStackedLayout*>(layout())->setCurrentWidget(m_errorLabel);
+}
+
+QString ViewportWidget::errorText() const { return m_errorLabel != nullptr ? m_errorLabel->text() : QString(); }
+
+void ViewportWidget::setOverlayItems(const std::vector<OverlayItem*>& items) { m_overlay->setItems(items); }
+
+void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
+    m_scene = std::move(scene);
+    m_hovered.reset();
+    if (m_canvas != nullptr) m_canvas->setScene(m_scene);
+    const Box3 bounds = boundsOf(*m_scene);
+    if (!m_isFramed && !bounds.isEmpty()) {
+        m_isFramed = true;
+        setCamera(framing(m_goal, bounds, imageSize()));
+    }
+    showFrom(m_camera);
+}
+
+void ViewportWidget::setStepFraction(double stepFraction) {
+    if (m_stepFraction == stepFraction) return;
+    m_stepFraction = stepFraction;
+    showFrom(m_camera);
+}
+
+Ray ViewportWidget::rayAt(QPointF point) const { return rayThrough(m_camera, pixels(point), imageSize()); }
+
+std::optional<QPointF> ViewportWidget::pointOf(Vec3 position) const {
+    const std::optional<Vec2> pixel = pixelOf(m_camera, position, imageSize());
+    if (!pixel) return std::nullopt;
+    return QPointF(pixel->x, pixel->y) / devicePixelRatioF();
+}
+
+void ViewportWidget::setSettings(const RenderSettings& settings) {
+    m_settings = settings;
+    showFrom(m_camera);
+}
+
+void ViewportWidget::setProgressiveRendering(ProgressiveRendering mode) {
+    if (m_canvas != nullptr) m_canvas->setProgressiveRendering(mode);
+}
+
+ImageSize ViewportWidget::imageSize() const {
+    return m_canvas != nullptr ? m_canvas->imageSize() : ImageSize{std::max(1, width()), std::max(1, height())};
+}
+
+Vec2 ViewportWidget::pixels(QPointF point) const { return devicePixelRatioF() * Vec2(point.x(), point.y()); }
+
+void ViewportWidget::showFrom(const Camera& camera) {
+    m_camera = camera;
+    if (m_canvas == nullptr) return;
+    m_canvas->setView(
+        {.camera = camera, .size = {}, .settings = m_settings, .hovered = m_hovered, .stepFraction = m_stepFraction});
+}
+
+void ViewportWidget::setCamera(const Camera& camera) {
+    m_animation.stop();
+    m_goal = camera;
+    showFrom(camera);
+    emit cameraChanged();
+}
+
+void ViewportWidget::animateTo(const Camera& camera) {
+    if (!m_isAnimated || !isVisible()) return setCamera(camera);
+    m_animation.stop();
+    m_start = m_camera;
+    m_goal = camera;
+    m_animation.start();
+    emit cameraChanged();
+}
+
+void ViewportWidget::alignTo(StandardView view) { animateTo(alignedTo(m_goal, view)); }
+
+void ViewportWidget::setProjection(Projection projection) {
+    Camera camera = m_goal;
+    camera.projection = projection;
+    setCamera(camera);
+}
+
+void ViewportWidget::frame(const Box3& box) {
+    if (!box.isEmpty()) animateTo(framing(m_goal, box, imageSize()));
+}
+void ViewportWidget::frameAll() { frame(boundsOf(*m_scene)); }
+void ViewportWidget::frameSelected() {
+    const Box3 selected = boundsOf(*m_scene, kSelected);
+    frame(selected.isEmpty() ? boundsOf(*m_scene) : selected);
+}
+
+std::optional<PickId> ViewportWidget::pickAt(QPointF point) const {
+    return m_canvas != nullptr ? pickOf(m_canvas->bodyAt(point)) : std::nullopt;
+}
+
+std::optional<PickId> ViewportWidget::pickOf(std::optional<std::uint32_t> body) const {
+    if (!body || *body >= m_scene->picks.size()) return std::nullopt;
+    return m_scene->picks[*body];
+}
+
+void ViewportWidget::hover(std::optional<std::uint32_t> body) {
+    if (body == m_hovered) return;
+    m_hovered = body;
+    showFrom(m_camera);
+    emit hovered(pickOf(body));
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event) {
+    m_pressedAt = m_lastAt = event->position();
+    m_drag = dragOf(m_navigation, event->button(), event->modifiers());
+    m_isClick = !m_drag && event->button() == Qt::LeftButton;
+    if (m_drag) {
+        setCursor(cursorOf(*m_drag));
+        hover(std::nullopt);
+    } else if (!m_isClick) {
+        event->ignore();  // leaves the context menu to the parent
+    }
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - m_lastAt;
+    m_lastAt = event->position();
+    if (m_drag) return setCamera(dragged(m_camera, *m_drag, pixels(moved), imageSize()));
+    const int far = (event->position() - m_pressedAt).toPoint().manhattanLength();
+    if (m_isClick && far >= QApplication::startDragDistance() && m_canvas != nullptr) {
+        m_isClick = false;
+        hover(std::nullopt);
+        m_rubberBand->raise();
+        m_rubberBand->show();
+    }
+    if (m_rubberBand->isVisible())
+        m_rubberBand->setGeometry(QRectF(m_pressedAt, event->position()).normalized().toRect());
+    if (event->buttons() == Qt::NoButton && m_canvas != nullptr && m_animation.state() != QAbstractAnimation::Running) {
+        hover(m_canvas->bodyAt(event->position()));
+    }
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_drag) unsetCursor();
+    m_drag.reset();
+    if (m_rubberBand->isVisible() && event->button() == Qt::LeftButton) return endBoxSelection(event->modifiers());
+    if (!m_isClick || event->button() != Qt::LeftButton) return;
+    m_isClick = false;
+    if (m_canvas != nullptr) emit picked(pickAt(event->position()), event->modifiers());
+}
+
+void ViewportWidget::endBoxSelection(Qt::KeyboardModifiers modifiers) {
+    m_rubberBand->hide();
+    const Vec2 from = pixels(m_rubberBand->geometry().topLeft()), to = pixels(m_rubberBand->geometry().bottomRight());
+    std::vector<PickId> picks;
+    for (const std::uint32_t body : bodiesWithin(*m_scene, m_camera, imageSize(), {from, to})) {
+        picks.push_back(m_scene->picks[body]);
+    }
+    emit boxSelected(picks, modifiers);
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event) {
+    const double factor = wheelFactor(event->angleDelta().y());
+    setCamera(dollied(m_camera, factor, pixels(event->position()), imageSize()));
+}
+
+void ViewportWidget::leaveEvent(QEvent*) { hover(std::nullopt); }
+
+void ViewportWidget::resizeEvent(QResizeEvent*) { m_overlay->resize(size()); }
+
+void ViewportWidget::apply(const ViewKey& key) {
+    const ImageSize size = imageSize();
+    if (key.view) return alignTo(*key.view);
+    if (key.orbit != Vec2(0.0)) return animateTo(orbited(m_goal, key.orbit.x, key.orbit.y));
+    if (key.panPoints != Vec2(0.0)) return animateTo(panned(m_goal, devicePixelRatioF() * key.panPoints, size));
+    const Vec2 centre = 0.5 * Vec2(size.width, size.height);
+    switch (key.action.value_or(ViewAction::FrameAll)) {
+        case ViewAction::FrameAll: return frameAll();
+        case ViewAction::FrameSelected: return frameSelected();
+        case ViewAction::ZoomIn: return animateTo(dollied(m_goal, 1.0 / kKeyZoom, centre, size));
+        case ViewAction::ZoomOut: return animateTo(dollied(m_goal, kKeyZoom, centre, size));
+        case ViewAction::ToggleProjection:
+            return setProjection(m_goal.projection == Projection::Perspective ? Projection::Orthographic
+                                                                              : Projection::Perspective);
+    }
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event) {
+    const auto key = viewKeyOf(m_navigation, event->key(), event->modifiers());
+    if (event->key() == Qt::Key_Escape && m_rubberBand->isVisible()) return m_rubberBand->hide();
+    if (!key) return QWidget::keyPressEvent(event);
+    apply(*key);
+}
+
+/// True if a tool has consumed the event.
+bool ViewportWidget::dispatchToTools(QEvent& event) {
+    const auto isConsumed = [&](auto handle) {
+        const bool isDone = std::ranges::any_of(m_tools, [&](ViewportTool* tool) { return handle(*tool); });
+        if (isDone) event.accept();
+        return isDone;
+    };
+    const auto forEachTool = [&](auto notify) {
+        std::ranges::for_each(m_tools, [&](ViewportTool* tool) { notify(*tool); });
+        return false;
+    };
+    const auto mouse = [&]() -> const QMouseEvent& { return static_cast<const QMouseEvent&>(event); };
+    const auto key = [&]() -> const QKeyEvent& { return static_cast<const QKeyEvent&>(event); };
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return isConsumed([&](ViewportTool& tool) { return tool.press(mouse()); });
+        case QEvent::MouseButtonDblClick:
+            return isConsumed([&](ViewportTool& tool) { return tool.doubleClick(mouse()); });
+        case QEvent::MouseMove: return isConsumed([&](ViewportTool& tool) { return tool.move(mouse()); });
+        case QEvent::MouseButtonRelease: return isConsumed([&](ViewportTool& tool) { return tool.release(mouse()); });
+        case QEvent::Wheel: return isConsumed([](ViewportTool& tool) { return tool.wheel(); });
+        case QEvent::ShortcutOverride:
+            return isConsumed([&](ViewportTool& tool) { return tool.overridesShortcut(key()); });
+        case QEvent::KeyPress: return isConsumed([&](ViewportTool& tool) { return tool.keyPress(key()); });
+        case QEvent::KeyRelease: return isConsumed([&](ViewportTool& tool) { return tool.keyRelease(key()); });
+        case QEvent::ContextMenu: return isConsumed([](ViewportTool& tool) { return tool.suppressesContextMenu(); });
+        case QEvent::DragEnter:
+        case QEvent::DragMove:
+        case QEvent::Drop:
+            return std::ranges::any_of(m_tools,
+                                       [&](ViewportTool* tool) { return tool->drag(static_cast<QDropEvent&>(event)); });
+        case QEvent::DragLeave: return forEachTool([](ViewportTool& tool) { tool.dragLeave(); });
+        case QEvent::Enter:
+            return forEachTool([&](ViewportTool& tool) { tool.enter(static_cast<QEnterEvent&>(event).position()); });
+        case QEvent::Leave: return forEachTool([](ViewportTool& tool) { tool.leave(); });
+        case QEvent::FocusOut: return forEachTool([](ViewportTool& tool) { tool.focusLost(); });
+        default: return false;
+    }
+}
+
+bool ViewportWidget::event(QEvent* event) {
+    if (dispatchToTools(*event)) return true;
+    // While it has the focus, its keys take precedence over the window's shortcuts.
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (viewKeyOf(m_navigation, key->key(), key->modifiers())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace rubble
