@@ -8,7 +8,7 @@
 #include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "core/play/session/Session.h"
-#include "tests/support/House.h"
+#include "tests/support/asset/House.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"

@@ -20,6 +20,8 @@ struct Case {
 };
 
 constexpr std::array kCases{
+    Case{"partition repair, symmetric polygon", weldingCase},
+    Case{"cell in n pieces", splitCellCase},
     Case{"wake", wakeCase},
     Case{"wholeMesh", wholeMeshCase},
     Case{"problems", problemsCase},

@@ -3,7 +3,7 @@
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/play/session/Session.h"
-#include "tests/support/House.h"
+#include "tests/support/asset/House.h"
 #include "tests/support/scenes/Scenes.h"
 
 #include <cstdio>

@@ -19,4 +19,10 @@ double problemsCase(std::size_t n);
 /// A session step that removes n pieces of debris.
 double debrisCase(std::size_t n);
 
+/// The Voronoi cells of two seeds in a regular polygon of n corners, two of which lie on the bisector.
+double weldingCase(std::size_t n);
+
+/// The Voronoi cells of two seeds in a comb of n teeth: one cell has n pieces.
+double splitCellCase(std::size_t n);
+
 }  // namespace rubble::bench

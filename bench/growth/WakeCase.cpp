@@ -1,7 +1,7 @@
 #include "bench/Timing.h"
 #include "bench/growth/GrowthCases.h"
 #include "core/physics/world/World.h"
-#include "tests/support/Hulls.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <algorithm>
 #include <array>

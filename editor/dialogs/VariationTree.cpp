@@ -109,7 +109,7 @@ void VariationTree::addLayer(const PatternLayer& layer) {
     parent->setFlags(Qt::ItemIsEnabled);
     for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
         const bool isNotNumeric = parameter.type == ParameterType::Option || parameter.type == ParameterType::Point;
-        if (isNotNumeric || (parameter.isUsed && !parameter.isUsed(layer.parameters))) continue;
+        if (isNotNumeric || !parameter.isUsed(layer.parameters)) continue;
         const auto [min, max] = defaultRange(parameter, layer.parameters);
         QTreeWidgetItem* item = addCheckable(parent, patternText(parameter.caption), parameter.name, layer.id);
         item->setToolTip(Name, patternText(parameter.hint));

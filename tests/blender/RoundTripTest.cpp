@@ -1,8 +1,8 @@
 // Tests core/io/exchange and core/io/pack with Blender.
 #include "core/io/pack/PackMeshes.h"
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

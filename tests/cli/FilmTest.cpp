@@ -1,7 +1,7 @@
 // Tests app/cli/verbs/FilmVerb.cpp.
-#include "tests/support/Ffmpeg.h"
-#include "tests/support/Pictures.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Pictures.h"
+#include "tests/support/files/Ffmpeg.h"
 
 #include <QDir>
 #include <QElapsedTimer>

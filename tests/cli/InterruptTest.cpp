@@ -1,7 +1,7 @@
 // Tests app/cli/console/Terminal.cpp: cancelling with Ctrl+C.
 #include "core/io/project/ProjectFile.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 
 #include <QFile>
 #include <QFileInfo>

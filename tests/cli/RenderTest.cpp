@@ -1,6 +1,6 @@
 // Tests app/cli/verbs/RenderVerb.cpp.
-#include "tests/support/Pictures.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Pictures.h"
 
 #include <QFileInfo>
 #include <QProcess>

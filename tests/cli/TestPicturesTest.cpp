@@ -1,6 +1,6 @@
 // Tests app/cli/verbs/TestVerb.cpp with --pictures.
-#include "tests/support/Pictures.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Pictures.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/FuzzedReaders.h"
+#include "tests/support/files/FuzzedReaders.h"
 
 #include <cstdint>
 #include <cstdio>

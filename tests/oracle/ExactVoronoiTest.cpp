@@ -1,8 +1,8 @@
 #include "tests/oracle/ExactVoronoi.h"
 
 #include "tests/oracle/FractureCases.h"
-#include "tests/support/JsonCases.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/JsonCases.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include "tests/oracle/Comparison.h"
-#include "tests/support/JsonCases.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/JsonCases.h"
 
 #include <QDir>
 #include <QTest>

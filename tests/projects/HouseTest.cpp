@@ -2,9 +2,9 @@
 #include "core/asset/checks/VerifyBake.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/geometry/hull/HullOverlap.h"
-#include "tests/support/House.h"
-#include "tests/support/Resting.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/asset/Resting.h"
 
 #include <QTest>
 
@@ -44,7 +44,7 @@ bool isWall(const Project& project, const Instance& instance) {
 
 }  // namespace
 
-/// projects/house.rubble is built by tests/support/House.h; ProjectFilesTest compares the two.
+/// projects/house.rubble is built by tests/support/asset/House.h; ProjectFilesTest compares the two.
 class HouseTest : public QObject {
     Q_OBJECT
     const Project m_house = house();

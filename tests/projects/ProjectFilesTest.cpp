@@ -2,10 +2,10 @@
 #include "core/asset/checks/VerifyBake.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/House.h"
-#include "tests/support/Pane.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/WallWithOpenings.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/asset/WallWithOpenings.h"
+#include "tests/support/editor/Pane.h"
 
 #include <QTest>
 

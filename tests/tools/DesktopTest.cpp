@@ -1,6 +1,6 @@
 // Tests resources/linux.
-#include "tests/support/RunProgram.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QFile>
 #include <QImage>

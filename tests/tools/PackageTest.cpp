@@ -1,6 +1,6 @@
 // Tests the Debian package.
-#include "tests/support/RunProgram.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>

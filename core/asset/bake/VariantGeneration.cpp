@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Variants.h"
 #include "core/base/MessageText.h"
+#include "core/base/Random.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "core/geometry/polygon/Polygon.h"
 
@@ -49,7 +50,7 @@ void setNumber(const LayerParameter& parameter, LayerParameters& of, double numb
 bool accepts(const LayerParameter& parameter, const LayerParameters& of, double number) {
     LayerParameters tried = of;
     setNumber(parameter, tried, number);
-    return !parameterFault(parameter, tried);
+    return !parameterFault(parameter, parameter.read(tried));
 }
 
 /// Raises the count, if it is a number of seeds, so that the seed with index `last` exists.
@@ -119,7 +120,7 @@ double mutated(double number, const LayerParameter& parameter, double spread, Ra
 
 void mutate(const VariantRecipe& recipe, Random& random, PatternLayer& layer) {
     for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
-        if (!hasNumbers(parameter) || (parameter.isUsed && !parameter.isUsed(layer.parameters))) continue;
+        if (!hasNumbers(parameter) || !parameter.isUsed(layer.parameters)) continue;
         double number = mutated(numberOf(parameter, layer.parameters), parameter, recipe.spread, random);
         for (const VariedParameter& varied : recipe.varied) {
             if (varied.layer == layer.id && varied.parameter == parameter.name) {
@@ -222,7 +223,7 @@ std::optional<std::string> verifyRecipe(const VariantRecipe& recipe, const Asset
 std::vector<const PatternKind*> variedKinds() {
     std::vector<const PatternKind*> kinds;
     for (const PatternKind* kind : patternKinds()) {
-        const bool needsPicture = kind == &DensityImage::kKind;
+        const bool needsPicture = kind == &kindOf(DensityImage{});
         if (kind->role == LayerRole::Scatters && !needsPicture) kinds.push_back(kind);
     }
     return kinds;

@@ -9,6 +9,8 @@
 
 namespace rubble {
 
+struct PatternKind;
+
 /// A seed of an asset's own pattern that keeps its position in all variants.
 struct LockedSeed {
     SeedId id;

@@ -3,7 +3,7 @@
 #include "core/asset/project/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
-#include "core/fracture/pattern/ParameterText.h"
+#include "core/fracture/layer/LayerParameter.h"
 #include "core/fracture/pattern/PatternKind.h"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ std::string dataText(const LayerParameters& parameters) {
 std::string parametersText(const PatternLayer& layer) {
     std::string text;
     for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
-        text +=
-            (text.empty() ? "" : ", ") + std::string(parameter.name) + ' ' + parameterText(parameter, layer.parameters);
+        text += (text.empty() ? "" : ", ") + std::string(parameter.name) + ' ' +
+                parameterText(parameter, parameter.read(layer.parameters));
     }
     return text.empty() ? dataText(layer.parameters) : text;
 }
@@ -110,8 +110,8 @@ public:
         }
         const std::size_t countBefore = m_list.size();
         for (const LayerParameter& parameter : kindOf(after.parameters).parameters) {
-            add(name + ", " + std::string(parameter.name), parameterText(parameter, before.parameters),
-                parameterText(parameter, after.parameters));
+            add(name + ", " + std::string(parameter.name), parameterText(parameter, parameter.read(before.parameters)),
+                parameterText(parameter, parameter.read(after.parameters)));
         }
         const bool isSame = before.parameters == after.parameters || m_list.size() > countBefore;
         const std::string earlier = dataText(before.parameters), later = dataText(after.parameters);

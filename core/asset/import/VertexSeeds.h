@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fracture/pattern/PlacedSeeds.h"
+#include "core/fracture/kinds/PlacedSeeds.h"
 #include "core/geometry/mesh/SourceScene.h"
 #include "core/geometry/polygon/Polygon.h"
 

@@ -9,6 +9,9 @@
 
 namespace rubble {
 
+/// The maximum number of straight cuts of a pattern.
+inline constexpr std::uint32_t kMaxCuts = 30'000'000;
+
 /// A straight cut between two points of its set.
 struct CutEdge {
     std::uint32_t from = 0;

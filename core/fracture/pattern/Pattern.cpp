@@ -1,7 +1,9 @@
 #include "core/fracture/pattern/Pattern.h"
 
 #include "core/base/MessageText.h"
-#include "core/fracture/pattern/PatternKind.h"
+#include "core/fracture/layer/LayerContext.h"
+#include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/pattern/PatternPartition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,14 +28,14 @@ std::optional<std::string> overrideFault(const std::vector<SeedOverride>& overri
 
 /// Moves and deletes seeds of the last layer, which start at `first`, ascending by index.
 void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& seeds) {
-    if (context.layer.overrides.empty()) return;
+    if (context.overrides.empty()) return;
     std::vector<bool> isDeleted(seeds.size() - first, false);
     const auto begin = seeds.ids.begin() + static_cast<std::ptrdiff_t>(first);
-    for (const SeedOverride& change : context.layer.overrides) {
+    for (const SeedOverride& change : context.overrides) {
         const auto found = std::ranges::lower_bound(begin, seeds.ids.end(), change.index, {}, &SeedId::index);
         if (found == seeds.ids.end() || found->index != change.index) {
             seeds.diagnostics.push_back(diagnostic(DiagnosticCode::LostOverride,
-                                                   {.layer = context.layer.id, .index = change.index},
+                                                   {.layer = context.layerId, .index = change.index},
                                                    context.name() + " has no seed " + std::to_string(change.index) +
                                                        " any more; its manual change is ignored."));
             continue;
@@ -59,7 +61,7 @@ void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& see
 template <class Parameters>
 std::optional<std::string> parametersFault(const Parameters& parameters) {
     for (const LayerParameter& parameter : Parameters::kKind.parameters) {
-        if (std::optional<std::string> fault = parameterFault(parameter, parameters)) return fault;
+        if (std::optional<std::string> fault = parameterFault(parameter, parameter.readFrom(&parameters))) return fault;
     }
     if constexpr (requires { parameters.fault(); }) {
         return parameters.fault();
@@ -68,50 +70,25 @@ std::optional<std::string> parametersFault(const Parameters& parameters) {
     }
 }
 
-/// The kinds of the alternatives of a variant.
-template <class... Parameters>
-constexpr auto kindsOf(const std::variant<Parameters...>*) {
-    return std::array{&Parameters::kKind...};
+/// The densities of enabled layers. Those of later kinds come first: their sum depends on the order in its last bits.
+std::vector<SeedDensity> densitiesOf(std::span<const PatternLayer> layers, const Polygon& outline) {
+    std::vector<SeedDensity> densities;
+    for (std::size_t kind = std::variant_size_v<LayerParameters>; kind-- > 0;) {
+        for (const PatternLayer& layer : layers) {
+            if (!layer.isOn || layer.parameters.index() != kind) continue;
+            SeedDensity density = std::visit(
+                [&](const auto& parameters) -> SeedDensity {
+                    if constexpr (requires { parameters.density(outline); }) return parameters.density(outline);
+                    return nullptr;
+                },
+                layer.parameters);
+            if (density) densities.push_back(std::move(density));
+        }
+    }
+    return densities;
 }
-constexpr auto kKinds = kindsOf(static_cast<const LayerParameters*>(nullptr));
 
 }  // namespace
-
-const PatternKind& kindOf(const LayerParameters& parameters) { return *kKinds[parameters.index()]; }
-
-std::span<const PatternKind* const> patternKinds() { return kKinds; }
-
-void SeedSet::add(SeedId id, Vec2 position, bool locked) {
-    positions.push_back(position);
-    ids.push_back(id);
-    isLocked.push_back(locked);
-}
-
-void SeedSet::reserve(std::size_t additional) {
-    positions.reserve(size() + additional);
-    ids.reserve(size() + additional);
-    isLocked.reserve(size() + additional);
-}
-
-std::string LayerContext::name() const { return "Layer " + std::to_string(layer.id); }
-
-Error tooManySeeds(const LayerContext& context) {
-    return {ErrorCode::Limit, context.name() + " brings the pattern above " + std::to_string(kMaxSeeds) + " seeds."};
-}
-
-Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& domain, const LayerContext& context,
-                                 const SeedSet& seeds) {
-    const double wanted = count.in(area(domain));
-    if (!(wanted <= static_cast<double>(kMaxSeeds - seeds.size()))) return tooManySeeds(context);
-    return static_cast<std::uint32_t>(wanted);
-}
-
-std::string SeedId::text() const { return std::to_string(layer) + "." + std::to_string(index); }
-
-std::optional<SeedId> seedOf(const DiagnosticPlace& place) {
-    if (place.index == kNone) return std::nullopt;
-    return SeedId{place.layer, place.index};
-}
 
 std::optional<std::string> verifyPattern(const Pattern& pattern) {
     for (const PatternLayer& layer : pattern.layers) {
@@ -125,12 +102,22 @@ std::optional<std::string> verifyPattern(const Pattern& pattern) {
 
 Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task) {
     if (std::optional<std::string> fault = verifyPattern(pattern)) return Error{ErrorCode::BadInput, *fault};
+    const auto cells = [&](std::span<const Vec2> positions) -> Result<Partition> {
+        Result<TriangulatedPartition> found = cellsOf(pattern, positions, outline, task);
+        if (!found) return found.error();
+        return std::move(found->partition);
+    };
     SeedSet seeds;
     for (const PatternLayer& layer : pattern.layers) {
         if (!layer.isOn) continue;
         if (task.isCancelled()) return TaskContext::cancelled();
-        const std::span before(pattern.layers.data(), &layer);
-        const LayerContext context{layer, outline, task, before, &pattern};
+        const LayerContext context{.layerId = layer.id,
+                                   .randomSeed = layer.randomSeed,
+                                   .overrides = layer.overrides,
+                                   .outline = outline,
+                                   .task = task,
+                                   .cellsOf = cells,
+                                   .densities = densitiesOf(std::span(pattern.layers.data(), &layer), outline)};
         const std::size_t first = seeds.size();
         const Status applied = std::visit(
             [&](const auto& parameters) -> Status {

@@ -5,9 +5,6 @@
 
 namespace rubble {
 
-/// The maximum number of straight cuts of a pattern.
-inline constexpr std::uint32_t kMaxCuts = 3 * kMaxSeeds;
-
 /// Whether a pattern has an enabled layer that cuts.
 bool hasCuts(const Pattern& pattern);
 

@@ -16,6 +16,11 @@ inline std::uint32_t pairIndex(std::uint32_t first, std::uint32_t second) {
     return first < second ? second * second + first : first * first + first + second;
 }
 
+/// Maps 0, -1, 1, -2, … to 0, 1, 2, 3, …
+inline std::uint32_t zigzag(int number) {
+    return number < 0 ? static_cast<std::uint32_t>(-2 * number - 1) : static_cast<std::uint32_t>(2 * number);
+}
+
 struct IndexPair {
     std::uint32_t first = 0;
     std::uint32_t second = 0;

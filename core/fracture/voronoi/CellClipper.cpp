@@ -60,7 +60,8 @@ CellClipper::CellClipper(const Delaunay& delaunay, const std::vector<std::uint32
       m_outgoing(outgoing),
       m_trace(trace),
       m_numbers(numbers),
-      m_points(points) {
+      m_points(points),
+      m_exits(trace.arcs.size()) {
     m_crossings.reserve(kReserved);
 }
 
@@ -68,6 +69,7 @@ void CellClipper::clip(std::uint32_t site, CellPieces& pieces) {
     pieces.clear();
     collect(site);
     if (!areInOrder()) sortCrossings(site);
+    linkExits();
     const auto endPiece = [&] {
         pieces.ringEnds.push_back(static_cast<std::uint32_t>(pieces.corners.size()));
         pieces.pieceEnds.push_back(static_cast<std::uint32_t>(pieces.ringEnds.size()));
@@ -104,8 +106,8 @@ void CellClipper::collect(std::uint32_t site) {
             continue;
         }
         const std::uint32_t entry = m_delaunay.twin(m_trace.crossings[arc.enter].halfEdge);
-        m_crossings.push_back({entry, kNone, arc.enter, p, true, false});
-        m_crossings.push_back({m_trace.crossings[arc.leave].halfEdge, kNone, arc.leave, p, false, false});
+        m_crossings.push_back({entry, kNone, arc.enter, p, kNone, true, false});
+        m_crossings.push_back({m_trace.crossings[arc.leave].halfEdge, kNone, arc.leave, p, kNone, false, false});
     }
     std::sort(m_rings.begin(), m_rings.end());
 }
@@ -137,6 +139,16 @@ void CellClipper::sortCrossings(std::uint32_t site) {
     });
 }
 
+/// Finds the exit of each entry: the other crossing of its arc.
+void CellClipper::linkExits() {
+    for (std::uint32_t k = 0; k < m_crossings.size(); ++k) {
+        if (!m_crossings[k].isEntry) m_exits[m_crossings[k].arc] = k;
+    }
+    for (BoundaryCrossing& crossing : m_crossings) {
+        if (crossing.isEntry) crossing.exit = m_exits[crossing.arc];
+    }
+}
+
 /// Adds one piece: from an exit of the outline, counter-clockwise along the cell to the next entry, along the outline
 /// to its exit, and so on until the start.
 void CellClipper::addPieceFrom(std::size_t crossing, CellPieces& pieces) {
@@ -150,7 +162,7 @@ void CellClipper::addPieceFrom(std::size_t crossing, CellPieces& pieces) {
         RUBBLE_ASSERT(entry.isEntry);
         appendCellBoundary(exit, entry, pieces);
         appendBoundaryArc(m_trace.arcs[entry.arc], pieces);
-        for (crossing = 0; m_crossings[crossing].isEntry || m_crossings[crossing].arc != entry.arc;) ++crossing;
+        crossing = entry.exit;
     } while (crossing != first);
 }
 

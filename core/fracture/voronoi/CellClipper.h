@@ -39,7 +39,8 @@ private:
         std::uint32_t halfEdge;  // from the site, through the Voronoi edge that is crossed
         std::uint32_t position;  // of that edge, counter-clockwise around the cell
         std::uint32_t crossing;
-        std::uint32_t arc;  // the one that leaves or enters here
+        std::uint32_t arc;   // the one that leaves or enters here
+        std::uint32_t exit;  // of an entry, the crossing where its arc leaves the cell
         bool isEntry;
         bool isVisited;
     };
@@ -48,6 +49,7 @@ private:
     bool areInOrder() const;
     void setPositions(std::uint32_t site);
     void sortCrossings(std::uint32_t site);
+    void linkExits();
     void addPieceFrom(std::size_t crossing, CellPieces& pieces);
     void appendBoundaryArc(const BoundaryArc& arc, CellPieces& pieces) const;
     void appendCellBoundary(const BoundaryCrossing& exit, const BoundaryCrossing& entry, CellPieces& pieces) const;
@@ -63,6 +65,7 @@ private:
 
     std::vector<BoundaryCrossing> m_crossings;  // counter-clockwise
     std::vector<std::uint32_t> m_rings;         // arcs that are whole rings
+    std::vector<std::uint32_t> m_exits;         // by arc: the crossing where it leaves the cell
 };
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fracture/pattern/DensityImage.h"
+#include "core/fracture/kinds/DensityImage.h"
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/ImageBrush.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fracture/pattern/CrackLines.h"
+#include "core/fracture/kinds/CrackLines.h"
 #include "editor/canvas/tools/CanvasTool.h"
 
 #include <optional>

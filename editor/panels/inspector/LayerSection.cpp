@@ -77,7 +77,7 @@ void LayerSection::addParameter(const LayerParameter& parameter) {
         case ParameterType::Point: return addPoint(parameter, step);
         case ParameterType::Count: return addCount(parameter, step);
     }
-    if (!parameter.isUsed) return;
+    if (!parameter.usedIf) return;
     m_rowUpdates.push_back(
         [this, row, &parameter](const PatternLayer& layer) { setRowVisible(row, parameter.isUsed(layer.parameters)); });
 }

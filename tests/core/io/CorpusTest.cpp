@@ -1,7 +1,7 @@
 // Tests the readers of core/io with the corpora of tests/corpus.
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/FuzzedReaders.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FuzzedReaders.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 #include "editor/background/BakeQueue.h"
 
 #include "editor/commands/ProjectEdits.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>

@@ -1,8 +1,8 @@
 #include "editor/background/PlayTestRunner.h"
 
 #include "editor/commands/ProjectEdits.h"
-#include "tests/support/PlayStage.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/PlayStage.h"
 
 #include <QSignalSpy>
 

@@ -2,8 +2,8 @@
 
 #include "core/asset/bake/AssetBakes.h"
 #include "core/io/project/ProjectFile.h"
-#include "tests/support/Combs.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Combs.h"
 
 #include <QSignalSpy>
 #include <QTest>

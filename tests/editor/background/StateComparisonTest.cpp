@@ -2,8 +2,8 @@
 
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/commands/ProjectEdits.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QSignalSpy>
 #include <QTest>

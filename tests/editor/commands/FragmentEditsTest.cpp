@@ -9,9 +9,9 @@
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/Document.h"
-#include "tests/support/ProjectParts.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/ProjectParts.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "editor/commands/ImageBrush.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -2,8 +2,8 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/Document.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

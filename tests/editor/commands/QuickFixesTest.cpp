@@ -4,9 +4,9 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Threshold.h"
 #include "core/io/project/ProjectFile.h"
-#include "tests/support/Combs.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Combs.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

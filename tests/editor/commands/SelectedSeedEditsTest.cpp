@@ -1,8 +1,8 @@
 #include "editor/commands/SelectedSeedEdits.h"
 
 #include "editor/document/Translations.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

@@ -3,9 +3,9 @@
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Document.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomEdits.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomEdits.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include "core/geometry/polygon/OutlineShapes.h"
 #include "editor/commands/InstanceEdits.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/editor/TestSettings.h"
 
 #include <QCheckBox>
 #include <QDir>

@@ -1,8 +1,8 @@
 #include "editor/dialogs/MeshSeedsDialog.h"
 
 #include "editor/document/Translations.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #include "editor/dialogs/MessageBoxes.h"
 
-#include "tests/support/Dialogs.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
 
 using namespace rubble;
 

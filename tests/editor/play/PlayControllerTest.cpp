@@ -1,9 +1,9 @@
 #include "editor/play/PlayController.h"
 
 #include "editor/commands/ProjectEdits.h"
-#include "tests/support/House.h"
-#include "tests/support/PlayStage.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/editor/PlayStage.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

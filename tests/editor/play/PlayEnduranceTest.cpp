@@ -1,8 +1,8 @@
 // Tests editor/play/PlayController.cpp and editor/play/PlayThread.cpp over a long time.
 #include "core/io/project/ProjectFile.h"
-#include "tests/support/House.h"
-#include "tests/support/PlayStage.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/editor/PlayStage.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "editor/views/DockLayout.h"
 
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/editor/TestSettings.h"
 
 #include <QAction>
 #include <QDockWidget>

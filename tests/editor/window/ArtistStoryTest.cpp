@@ -5,9 +5,9 @@
 #include "editor/dialogs/SelectDialogs.h"
 #include "editor/panels/inspector/ShapingSection.h"
 #include "editor/widgets/NumberField.h"
-#include "tests/support/Dialogs.h"
-#include "tests/support/EditorStory.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -9,10 +9,10 @@
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
-#include "tests/support/Dialogs.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/TestSettings.h"
 
 #include <QApplication>
 #include <QComboBox>

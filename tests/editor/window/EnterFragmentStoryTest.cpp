@@ -2,9 +2,9 @@
 #include "core/asset/bake/FragmentLookup.h"
 #include "editor/canvas/widget/Breadcrumb.h"
 #include "editor/panels/docks/FragmentTable.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <QComboBox>
 #include <QLabel>

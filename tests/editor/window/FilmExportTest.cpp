@@ -1,11 +1,11 @@
 // Tests editor/actions/FilmActions.cpp and editor/dialogs/FilmDialog.cpp.
 #include "editor/dialogs/FilmDialog.h"
-#include "tests/support/Dialogs.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Ffmpeg.h"
-#include "tests/support/FileLimits.h"
-#include "tests/support/Pictures.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/Pictures.h"
+#include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QCheckBox>
 #include <QComboBox>

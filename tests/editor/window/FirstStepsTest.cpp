@@ -1,7 +1,7 @@
 // Tests editor/views/FirstSteps.cpp.
 #include "core/asset/project/StarterProject.h"
-#include "tests/support/EditorStory.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <QToolButton>
 

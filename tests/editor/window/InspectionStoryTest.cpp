@@ -2,9 +2,9 @@
 #include "editor/panels/docks/ProblemPanel.h"
 #include "editor/panels/docks/VolumeHistogram.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <QComboBox>
 #include <QDockWidget>

@@ -4,10 +4,10 @@
 #include "editor/document/DraggedAsset.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/TransformTool.h"
-#include "tests/support/Dialogs.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -1,9 +1,9 @@
 // Tests editor/actions/SelectActions.cpp and editor/actions/ViewActions.cpp.
 #include "core/fracture/pattern/PatternPartition.h"
 #include "editor/canvas/tools/BrushTool.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/EditorStory.h"
 
 #include <set>
 

@@ -3,10 +3,10 @@
 #include "editor/commands/ProjectEdits.h"
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/TimelineBar.h"
-#include "tests/support/Dialogs.h"
-#include "tests/support/EditorStory.h"
-#include "tests/support/Pictures.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/Pictures.h"
 
 #include <QLabel>
 #include <QProcess>

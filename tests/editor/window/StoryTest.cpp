@@ -8,9 +8,9 @@
 #include "editor/widgets/SliderField.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
-#include "tests/support/Dialogs.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/TestSettings.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 #include "editor/workspace/PreferenceStore.h"
 
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/editor/TestSettings.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

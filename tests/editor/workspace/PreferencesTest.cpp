@@ -1,7 +1,7 @@
 #include "editor/workspace/Preferences.h"
 #include "editor/workspace/RecentFiles.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/TestSettings.h"
+#include "tests/support/editor/TestSettings.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 #include "core/asset/bake/Bake.h"
 #include "core/base/Assert.h"
-#include "tests/support/House.h"
+#include "tests/support/asset/House.h"
 #include "tests/support/scenes/SceneParts.h"
 #include "tests/support/scenes/Scenes.h"
 

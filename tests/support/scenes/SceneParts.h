@@ -1,12 +1,8 @@
 #pragma once
 
-#include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
 #include "core/physics/world/BodyScene.h"
-#include "tests/support/Hulls.h"
+#include "tests/support/geometry/Hulls.h"
 
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -33,17 +29,6 @@ inline void addGround(BodyScene& scene, double halfWidth) {
 /// Adds a dynamic body.
 inline void addFreeBody(BodyScene& scene, const std::string& name, std::uint32_t shape, const Pose& pose) {
     scene.bodies.push_back({.name = name, .pose = pose, .shape = shape});
-}
-
-/// A uniformly distributed random rotation.
-/// Source: Shoemake 1992, "Uniform random rotations".
-inline Quat randomRotation(Random& random) {
-    const double fraction = random.unit();
-    const double first = 2.0 * std::numbers::pi * random.unit();
-    const double second = 2.0 * std::numbers::pi * random.unit();
-    const double a = std::sqrt(1.0 - fraction);
-    const double b = std::sqrt(fraction);
-    return {b * cosine(second), a * sine(first), a * cosine(first), b * sine(second)};
 }
 
 }  // namespace rubble::test

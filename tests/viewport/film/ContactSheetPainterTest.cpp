@@ -1,5 +1,5 @@
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 #include "viewport/film/ContactSheetPainter.h"
 
 #include <QTest>

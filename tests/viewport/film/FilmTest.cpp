@@ -2,10 +2,10 @@
 #include "viewport/film/Film.h"
 
 #include "core/io/media/FilmFile.h"
-#include "tests/support/Ffmpeg.h"
-#include "tests/support/FileLimits.h"
-#include "tests/support/Pictures.h"
-#include "tests/support/Sessions.h"
+#include "tests/support/editor/Pictures.h"
+#include "tests/support/editor/Sessions.h"
+#include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QDir>
 #include <QImage>

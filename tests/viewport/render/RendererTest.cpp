@@ -1,6 +1,6 @@
 #include "core/asset/project/StarterProject.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"

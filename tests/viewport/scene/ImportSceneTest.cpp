@@ -3,8 +3,8 @@
 #include "viewport/scene/ImportScene.h"
 #include "viewport/scene/SurfaceGeometry.h"
 
-#include "tests/support/Outlines.h"
-#include "tests/support/Solids.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 
 #include <QTest>
 

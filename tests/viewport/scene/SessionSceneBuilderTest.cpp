@@ -2,7 +2,7 @@
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "tests/support/Sessions.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 using test::addInput;

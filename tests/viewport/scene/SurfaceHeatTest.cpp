@@ -3,7 +3,7 @@
 
 #include "core/base/Random.h"
 #include "core/physics/solver/SpeedThresholds.h"
-#include "tests/support/Sessions.h"
+#include "tests/support/editor/Sessions.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 using namespace rubble;

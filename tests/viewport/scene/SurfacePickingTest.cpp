@@ -4,7 +4,7 @@
 #include "core/asset/project/StarterProject.h"
 #include "core/base/Random.h"
 #include "core/geometry/hull/PolytopeRay.h"
-#include "tests/support/Projects.h"
+#include "tests/support/asset/Projects.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>

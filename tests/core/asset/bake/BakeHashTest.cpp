@@ -1,8 +1,8 @@
 #include "core/asset/bake/BakeHash.h"
 
-#include "tests/support/LayeredBox.h"
-#include "tests/support/PatternSamples.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
+#include "tests/support/fracture/PatternSamples.h"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 #include "core/asset/bake/Bake.h"
 
 #include "core/asset/checks/VerifyBake.h"
-#include "tests/support/LayeredBox.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
 
 #include <QTest>
 

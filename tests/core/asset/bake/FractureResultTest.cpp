@@ -3,8 +3,8 @@
 #include "core/fracture/verify/VerifyDelaunay.h"
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/verify/VerifyPartition.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

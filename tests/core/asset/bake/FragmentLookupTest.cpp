@@ -1,8 +1,8 @@
 #include "core/asset/bake/FragmentLookup.h"
 
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

@@ -3,9 +3,9 @@
 
 #include "core/asset/bake/NeighboursAcrossParents.h"
 #include "core/base/Random.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

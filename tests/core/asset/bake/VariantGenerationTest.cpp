@@ -1,8 +1,8 @@
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/VariantGeneration.h"
 #include "core/fracture/pattern/PatternKind.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

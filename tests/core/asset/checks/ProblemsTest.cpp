@@ -2,9 +2,9 @@
 
 #include "core/base/Random.h"
 #include "core/geometry/hull/AspectRatio.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 #include "core/asset/checks/VerifyBake.h"
 
-#include "tests/support/LayeredBox.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // Tests core/asset/compare/AssetDifference.cpp and RecipeDifference.cpp.
 #include "core/asset/compare/AssetDifference.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

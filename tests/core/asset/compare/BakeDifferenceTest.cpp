@@ -1,8 +1,8 @@
 #include "core/asset/compare/BakeDifference.h"
 #include "core/base/Random.h"
-#include "tests/support/Fragments.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

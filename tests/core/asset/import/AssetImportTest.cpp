@@ -1,8 +1,8 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Solids.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 #include "core/asset/import/SurfaceFit.h"
 #include "core/asset/mesh/SurfaceUv.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Solids.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "core/asset/mesh/FragmentMesh.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 
 #include <QTest>
 

@@ -4,10 +4,10 @@
 #include "core/asset/mesh/FractalNoise.h"
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/geometry/polygon/PolygonFaults.h"
-#include "tests/support/DrawnOutlines.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/DrawnOutlines.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

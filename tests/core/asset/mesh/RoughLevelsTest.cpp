@@ -3,10 +3,10 @@
 #include "core/asset/checks/VerifyMeshes.h"
 #include "core/asset/mesh/RoughCuts.h"
 #include "core/geometry/polygon/PolygonFaults.h"
-#include "tests/support/DrawnOutlines.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/DrawnOutlines.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

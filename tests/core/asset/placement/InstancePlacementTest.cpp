@@ -1,6 +1,6 @@
 #include "core/asset/placement/InstancePlacement.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

@@ -4,9 +4,9 @@
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/VerifyBake.h"
 #include "core/asset/project/Variants.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomAssets.h"
 
 #include <QTest>
 

@@ -2,8 +2,8 @@
 
 #include "core/asset/checks/VerifyProject.h"
 
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

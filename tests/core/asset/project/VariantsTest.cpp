@@ -1,8 +1,8 @@
 #include "core/asset/bake/AssetBakes.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/checks/VerifyBake.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QTest>
 

@@ -1,11 +1,11 @@
 // Tests core/fracture/cuts/CutPartition.cpp and CutOverlay.cpp with the layers of core/fracture/pattern/ that cut.
 #include "core/base/Random.h"
 #include "core/fracture/cuts/CutPartition.h"
-#include "core/fracture/pattern/BrickCourses.h"
+#include "core/fracture/kinds/BrickCourses.h"
 #include "core/fracture/pattern/PatternCuts.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QProcess>
 #include <QTest>

@@ -3,8 +3,8 @@
 #include "core/base/Trigonometry.h"
 #include "core/fracture/verify/VerifyPartition.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

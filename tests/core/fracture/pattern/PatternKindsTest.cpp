@@ -1,13 +1,15 @@
 // Tests all kinds of layers in core/fracture/pattern/, with LayerParameter.cpp.
+#include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
 #include "core/fracture/cuts/CutSet.h"
-#include "core/fracture/pattern/BrickCourses.h"
+#include "core/fracture/kinds/BrickCourses.h"
+#include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/pattern/PatternCuts.h"
 #include "core/geometry/polygon/HalfPlaneClip.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/PatternSamples.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/fracture/PatternSamples.h"
+#include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
@@ -256,7 +258,7 @@ private slots:
             seeds.add({0, 0}, {0.5, 0.5}, false);
             const Status applied = std::visit(
                 [&](const auto& parameters) -> Status {
-                    const LayerContext context{layer, outline, task};
+                    const LayerContext context{layer.id, layer.randomSeed, layer.overrides, outline, task};
                     if constexpr (requires { parameters.apply(context, seeds); })
                         return parameters.apply(context, seeds);
                     if constexpr (requires { parameters.cut(context, cuts); }) return parameters.cut(context, cuts);

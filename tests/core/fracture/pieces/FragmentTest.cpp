@@ -5,8 +5,8 @@
 #include "core/base/Random.h"
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

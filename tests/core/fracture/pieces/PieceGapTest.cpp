@@ -7,8 +7,8 @@
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/verify/VerifyGap.h"
 #include "core/fracture/verify/VerifyPartition.h"
-#include "tests/support/RandomPartitions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/RandomPartitions.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 #include "core/fracture/pieces/Prism.h"
 
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

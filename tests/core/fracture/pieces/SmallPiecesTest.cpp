@@ -1,8 +1,8 @@
 #include "core/fracture/pieces/SmallPieces.h"
 
 #include "core/fracture/verify/VerifyPartition.h"
-#include "tests/support/RandomPartitions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/RandomPartitions.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "core/fracture/pattern/Pattern.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

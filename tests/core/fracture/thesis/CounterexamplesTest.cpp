@@ -1,8 +1,8 @@
 // Tests core/fracture/voronoi/VoronoiPartition.cpp on the cases in which core/fracture/thesis/ThesisMethod.cpp fails.
 #include "core/fracture/thesis/ThesisMethod.h"
-#include "tests/support/JsonCases.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/files/JsonCases.h"
+#include "tests/support/fracture/VerifiedPartition.h"
 
 #include <QTest>
 

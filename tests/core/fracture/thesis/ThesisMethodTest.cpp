@@ -1,7 +1,7 @@
 #include "core/fracture/thesis/ThesisMethod.h"
 
-#include "tests/support/JsonCases.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/JsonCases.h"
 
 #include <QTest>
 

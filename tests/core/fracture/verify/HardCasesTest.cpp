@@ -1,9 +1,9 @@
 // Tests degenerate inputs on core/fracture/pattern/PatternPartition.cpp and all stages below it.
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

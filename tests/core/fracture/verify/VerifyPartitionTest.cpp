@@ -1,7 +1,7 @@
 // Tests core/fracture/verify/VerifyPartition.cpp and VerifyNearestSeed.cpp.
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -3,8 +3,8 @@
 #include "core/base/Random.h"
 #include "core/fracture/voronoi/PerturbedDiagram.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include "core/base/Trigonometry.h"
 #include "core/geometry/polygon/LocalFrame.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/fracture/VerifiedPartition.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "core/geometry/hull/PolytopeRay.h"
-#include "tests/support/Hulls.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "core/geometry/mesh/Mesh.h"
-#include "tests/support/Meshes.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Meshes.h"
 
 #include <QTest>
 

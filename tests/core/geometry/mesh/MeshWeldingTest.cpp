@@ -1,7 +1,7 @@
 #include "core/geometry/mesh/MeshWelding.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Solids.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 
 #include <QTest>
 

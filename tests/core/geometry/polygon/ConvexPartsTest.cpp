@@ -4,9 +4,9 @@
 #include "core/geometry/polygon/IndexedCorners.h"
 #include "core/geometry/polygon/PolygonFaults.h"
 #include "core/geometry/predicates/Predicates.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Polyomino.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Polyomino.h"
 
 #include <QTest>
 

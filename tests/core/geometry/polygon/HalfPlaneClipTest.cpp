@@ -1,8 +1,8 @@
 #include "core/geometry/polygon/HalfPlaneClip.h"
 
 #include "core/base/Random.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -2,8 +2,8 @@
 
 #include "core/base/Random.h"
 #include "core/geometry/polygon/OutlineShapes.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -3,9 +3,9 @@
 #include "core/geometry/mesh/SolidMesh.h"
 #include "core/geometry/polygon/BoundaryDistance.h"
 #include "core/geometry/prism/PrismFit.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Solids.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 // Tests core/io/exchange/GlbFile.cpp, GlbJson.cpp and GlbBuffer.cpp.
 #include "core/io/exchange/GlbFile.h"
-#include "tests/support/GlbReading.h"
-#include "tests/support/Locales.h"
-#include "tests/support/MeshParts.h"
-#include "tests/support/Meshes.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshParts.h"
+#include "tests/support/files/GlbReading.h"
+#include "tests/support/files/Locales.h"
+#include "tests/support/geometry/Meshes.h"
 
 #include <QTest>
 

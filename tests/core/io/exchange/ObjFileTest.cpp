@@ -1,11 +1,11 @@
 // Tests core/io/exchange/ObjFile.cpp and ObjWriter.cpp.
 #include "core/base/Random.h"
 #include "core/io/exchange/ObjFile.h"
-#include "tests/support/Locales.h"
-#include "tests/support/MeshParts.h"
-#include "tests/support/Meshes.h"
-#include "tests/support/ObjReading.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshParts.h"
+#include "tests/support/files/Locales.h"
+#include "tests/support/files/ObjReading.h"
+#include "tests/support/geometry/Meshes.h"
 
 #include <QTest>
 

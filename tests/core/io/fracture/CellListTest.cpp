@@ -1,8 +1,8 @@
 #include "core/io/fracture/CellList.h"
 
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 #include "core/io/fracture/FractureJson.h"
 
-#include "tests/support/JsonCases.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/JsonCases.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

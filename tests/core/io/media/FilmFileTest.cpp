@@ -1,8 +1,8 @@
 #include "core/io/media/FilmFile.h"
 
 #include "core/io/media/PictureSequence.h"
-#include "tests/support/Ffmpeg.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/Ffmpeg.h"
 
 #include <QDir>
 #include <QTest>

@@ -3,8 +3,8 @@
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QRegularExpression>
 #include <QTest>

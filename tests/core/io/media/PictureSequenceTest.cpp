@@ -1,7 +1,7 @@
 #include "core/io/media/PictureSequence.h"
 
-#include "tests/support/FileLimits.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,8 +1,8 @@
 #include "core/io/pack/PackExport.h"
 
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/Fragments.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,8 +1,8 @@
 // Tests core/io/pack/PackFile.cpp and PackBodyJson.cpp.
 #include "core/io/pack/PackFile.h"
-#include "tests/support/Packs.h"
-#include "tests/support/Schemas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Packs.h"
+#include "tests/support/files/Schemas.h"
 
 #include <QTest>
 

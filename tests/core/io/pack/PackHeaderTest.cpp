@@ -1,8 +1,8 @@
 // Tests docs/formats/rubble_pack.hpp and pack_example.cpp.
 #include "docs/formats/rubble_pack.hpp"
-#include "tests/support/JsonMutations.h"
-#include "tests/support/Packs.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Packs.h"
+#include "tests/support/files/JsonMutations.h"
 
 #include <QProcess>
 #include <QTemporaryDir>

@@ -1,8 +1,8 @@
 #include "core/io/pack/PackMeshes.h"
-#include "tests/support/Fragments.h"
-#include "tests/support/GlbReading.h"
-#include "tests/support/ObjReading.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
+#include "tests/support/files/GlbReading.h"
+#include "tests/support/files/ObjReading.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 // Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and VerifyPackBody.cpp.
 #include "core/base/Random.h"
-#include "tests/support/JsonMutations.h"
-#include "tests/support/Packs.h"
-#include "tests/support/Schemas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Packs.h"
+#include "tests/support/files/JsonMutations.h"
+#include "tests/support/files/Schemas.h"
 
 #include <QTest>
 

@@ -6,11 +6,11 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/JsonMutations.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Schemas.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/VerifiedPartition.h"
+#include "tests/support/files/JsonMutations.h"
+#include "tests/support/files/Schemas.h"
+#include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 #include "core/io/system/AtomicFile.h"
-#include "tests/support/FileLimits.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <unistd.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/base/Random.h"
 #include "core/physics/world/Bodies.h"
-#include "tests/support/Hulls.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <QTest>
 

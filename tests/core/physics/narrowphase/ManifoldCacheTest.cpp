@@ -1,8 +1,8 @@
 #include "core/physics/narrowphase/ManifoldCache.h"
 
-#include "tests/support/Hulls.h"
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <QTest>
 
@@ -56,7 +56,7 @@ private slots:
         qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
         Random random(kSeed);
         for (int k = 0; k < 50; ++k) {
-            const Pose pose{test::randomIn(random, 5.0), test::randomTurn(random)};
+            const Pose pose{test::randomIn(random, 5.0), test::randomRotation(random)};
             const std::vector<ContactPoint> found = pointsBetweenHalves(Known::No, takenOutBefore, pose);
             const std::vector<ContactPoint> seeded = pointsBetweenHalves(Known::Yes, takenOutBefore, pose);
             QCOMPARE(found.size(), std::size_t{4});

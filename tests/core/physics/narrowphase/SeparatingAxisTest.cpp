@@ -2,8 +2,8 @@
 #include "core/geometry/hull/HullOverlap.h"
 #include "core/physics/narrowphase/SeparatingAxis.h"
 #include "core/physics/narrowphase/TimeOfImpact.h"
-#include "tests/support/Hulls.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <QTest>
 
@@ -32,7 +32,7 @@ Polytope randomExactSolid(Random& random) {
 Pair randomPair(Random& random, double farthest) {
     Pair pair{randomExactSolid(random), randomExactSolid(random), {}};
     pair.pose.position = randomIn(random, farthest);
-    pair.pose.orientation = randomTurn(random);
+    pair.pose.orientation = randomRotation(random);
     return pair;
 }
 

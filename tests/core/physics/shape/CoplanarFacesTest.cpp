@@ -1,8 +1,8 @@
 #include "core/physics/shape/CoplanarFaces.h"
 
 #include "core/geometry/hull/ConvexHull.h"
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // Tests core/physics/world/World.cpp.
 #include "core/physics/math/Lanes.h"
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/Scenes.h"
 
 #include <QTest>

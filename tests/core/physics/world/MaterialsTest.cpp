@@ -1,7 +1,7 @@
 // Tests core/physics/step/Solver.cpp.
 #include "core/geometry/hull/ConvexHull.h"
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
 #include <QTest>

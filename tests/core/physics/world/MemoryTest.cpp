@@ -1,6 +1,6 @@
 // Tests core/physics/world/World.cpp.
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 #include "tests/support/scenes/Scenes.h"
 

@@ -1,6 +1,6 @@
 // Tests core/physics/step/Solver.cpp and core/physics/islands/Sleeping.cpp.
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/Scenes.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 #include "core/physics/world/World.h"
 
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 #include "tests/support/scenes/Scenes.h"
 

@@ -1,6 +1,6 @@
 #include "core/play/analysis/ContactSheet.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 #include <QTest>
 

@@ -2,10 +2,10 @@
 
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
-#include "tests/support/House.h"
-#include "tests/support/RandomAssets.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/asset/RandomAssets.h"
+#include "tests/support/editor/Sessions.h"
 
 #include <numbers>
 

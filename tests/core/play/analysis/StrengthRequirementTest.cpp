@@ -2,9 +2,9 @@
 #include "core/play/analysis/StrengthRequirement.h"
 
 #include "core/play/analysis/RequirementImpulse.h"
-#include "tests/support/RandomAssets.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/RandomAssets.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 using test::floatingBlock;

@@ -1,12 +1,12 @@
 #include "core/play/analysis/SwapAudit.h"
 
-#include "tests/support/House.h"
-#include "tests/support/Hulls.h"
-#include "tests/support/Pane.h"
-#include "tests/support/RandomAssets.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/WallWithOpenings.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/asset/RandomAssets.h"
+#include "tests/support/asset/WallWithOpenings.h"
+#include "tests/support/editor/Pane.h"
+#include "tests/support/editor/Sessions.h"
+#include "tests/support/geometry/Hulls.h"
 
 using namespace rubble;
 

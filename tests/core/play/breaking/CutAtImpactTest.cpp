@@ -1,8 +1,8 @@
 #include "core/play/breaking/CutAtImpact.h"
 
 #include "core/base/Random.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 

@@ -2,8 +2,8 @@
 #include "core/play/breaking/Damage.h"
 
 #include "core/play/breaking/BreakImpulse.h"
-#include "tests/support/Simulated.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
 using namespace rubble;

@@ -1,7 +1,7 @@
 #include "core/play/scene/InstanceOverlaps.h"
-#include "tests/support/House.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QElapsedTimer>
 #include <QTest>

@@ -1,8 +1,8 @@
 #include "core/play/scene/LiveInputs.h"
 
 #include "core/asset/project/Threshold.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 

@@ -4,8 +4,8 @@
 #include "core/base/Roots.h"
 #include "core/base/Trigonometry.h"
 #include "core/play/scene/BodyShape.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 #include <numbers>
 

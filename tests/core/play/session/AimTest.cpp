@@ -1,7 +1,7 @@
 #include "core/play/session/Aim.h"
 
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 

@@ -1,8 +1,8 @@
 #include "core/play/session/PlayTestRun.h"
 
-#include "tests/support/House.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 

@@ -2,9 +2,9 @@
 #include "core/play/session/Session.h"
 
 #include "core/asset/project/Threshold.h"
-#include "tests/support/House.h"
-#include "tests/support/Sessions.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
+#include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
 using test::addInput;

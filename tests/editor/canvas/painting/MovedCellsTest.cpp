@@ -2,9 +2,9 @@
 
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

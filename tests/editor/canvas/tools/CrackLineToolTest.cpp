@@ -1,6 +1,6 @@
 #include "editor/canvas/tools/CrackLineTool.h"
-#include "tests/support/Canvas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Canvas.h"
 
 #include <QTest>
 

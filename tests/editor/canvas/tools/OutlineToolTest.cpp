@@ -2,8 +2,8 @@
 #include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/canvas/tools/OutlineTool.h"
-#include "tests/support/Canvas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Canvas.h"
 
 #include <QSignalSpy>
 #include <QTest>

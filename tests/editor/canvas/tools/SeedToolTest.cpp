@@ -1,8 +1,8 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"
-#include "tests/support/Canvas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Canvas.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 #include "editor/canvas/tools/Snapping.h"
-#include "tests/support/Outlines.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 

@@ -4,9 +4,9 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/document/EnteredFragment.h"
-#include "tests/support/Canvas.h"
-#include "tests/support/RandomAssets.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/RandomAssets.h"
+#include "tests/support/editor/Canvas.h"
 
 #include <QSignalSpy>
 #include <QTest>

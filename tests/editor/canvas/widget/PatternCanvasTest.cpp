@@ -1,7 +1,7 @@
 #include "core/asset/project/FragmentColours.h"
 #include "core/base/Random.h"
-#include "tests/support/Canvas.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Canvas.h"
 
 #include <QSignalSpy>
 #include <QTest>

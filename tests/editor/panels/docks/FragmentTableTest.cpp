@@ -1,8 +1,8 @@
 #include "editor/document/FragmentSeeds.h"
 #include "editor/panels/docks/FragmentTable.h"
-#include "tests/support/Fragments.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QAbstractItemModelTester>
 #include <QHeaderView>

@@ -1,7 +1,7 @@
 #include "editor/panels/docks/ProblemPanel.h"
 
-#include "tests/support/Combs.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Combs.h"
 
 #include <QTest>
 #include <QToolButton>

@@ -5,9 +5,9 @@
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/docks/InstanceIconDelegate.h"
 #include "editor/panels/docks/ProjectTree.h"
-#include "tests/support/Projects.h"
-#include "tests/support/RandomEdits.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/RandomEdits.h"
 
 #include <QAbstractItemModelTester>
 #include <QLineEdit>

@@ -1,8 +1,8 @@
 #include "editor/panels/docks/StrengthPanel.h"
 
 #include "editor/widgets/NumberField.h"
-#include "tests/support/PlayStage.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/PlayStage.h"
 
 #include <QComboBox>
 #include <QLabel>

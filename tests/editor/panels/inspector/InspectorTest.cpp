@@ -8,8 +8,8 @@
 #include "editor/panels/inspector/OutlineEditor.h"
 #include "editor/panels/inspector/PatternEditor.h"
 #include "editor/panels/inspector/PictureField.h"
-#include "tests/support/Projects.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 
 #include <QListView>
 #include <QPushButton>
@@ -217,8 +217,7 @@ private slots:
             editor.addLayer(kind->defaultsFor(domainBounds(desk.asset())));
             const PatternLayer added = desk.asset().pattern.layers.back();
             for (const LayerParameter& parameter : kind->parameters) {
-                if (parameter.type != ParameterType::Real || (parameter.isUsed && !parameter.isUsed(added.parameters)))
-                    continue;
+                if (parameter.type != ParameterType::Real || !parameter.isUsed(added.parameters)) continue;
                 auto& field = desk.control<NumberField>(parameter.caption);
                 QVERIFY2(field.isVisible(), parameter.caption);
                 const bool isWithin = parameter.range.contains(0.75);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/fracture/sampling/ScatterDomain.h"
+#include "core/fracture/sampling/SeedCount.h"
+
+namespace rubble {
+
+/// Random seeds with a minimum distance (Poisson-disk sampling): `count` of them, or as many as have room. A greater
+/// count keeps the earlier seeds.
+struct BlueNoise {
+    double minimumDistance = 0.1;  // m
+    SeedCount count = 0;           // the number 0: as many as have room
+    ScatterDomain domain = ScatterDomain::Outline;
+
+    bool operator==(const BlueNoise&) const = default;
+    Status apply(const LayerContext& context, SeedSet& seeds) const;
+    static const LayerKind kKind;
+    static BlueNoise defaultsFor(const Box2& bounds);
+};
+
+}  // namespace rubble

@@ -1,0 +1,175 @@
+#include "core/fracture/kinds/BrickBond.h"
+
+#include "core/fracture/cuts/CutSet.h"
+#include "core/fracture/kinds/BrickCourses.h"
+#include "core/fracture/layer/LayerContext.h"
+#include "core/fracture/layer/LayerKind.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+// A new layer has bricks of a common format; for outlines smaller or larger than this, in m, they are scaled.
+constexpr double kSmallWall = 1.0;
+constexpr double kLargeWall = 50.0;
+
+bool hasStretchers(const BrickBond& wall) { return wall.bond != BondKind::Header; }
+bool hasHeaders(const BrickBond& wall) { return wall.bond != BondKind::Stretcher && wall.bond != BondKind::Stack; }
+
+constexpr std::array<ParameterOption, 5> kBonds{{{"stretcher", "Stretcher bond"},
+                                                 {"stack", "Stack bond"},
+                                                 {"english", "English bond"},
+                                                 {"header", "Header bond"},
+                                                 {"flemish", "Flemish bond"}}};
+
+constexpr std::array kParameters{
+    parameter<&BrickBond::bond>(
+        {.name = "bond", .caption = "Bond", .hint = "How the courses overlap", .options = kBonds}),
+    parameter<&BrickBond::length>({.name = "length",
+                                   .caption = "Brick length",
+                                   .hint = "Long side of a brick, without mortar",
+                                   .quantity = Quantity::Length,
+                                   .range = kAboveZero,
+                                   .sliderRange = {0.02, 2.0, true},
+                                   .usedIf = usedIf<BrickBond, hasStretchers>}),
+    parameter<&BrickBond::width>({.name = "width",
+                                  .caption = "Brick width",
+                                  .hint = "Short side of a brick, without mortar",
+                                  .quantity = Quantity::Length,
+                                  .range = kAboveZero,
+                                  .sliderRange = {0.01, 1.0, true},
+                                  .usedIf = usedIf<BrickBond, hasHeaders>}),
+    parameter<&BrickBond::height>({.name = "height",
+                                   .caption = "Brick height",
+                                   .hint = "Height of a brick, without mortar",
+                                   .quantity = Quantity::Length,
+                                   .range = kAboveZero,
+                                   .sliderRange = {0.01, 1.0, true}}),
+    parameter<&BrickBond::mortar>({.name = "mortar",
+                                   .caption = "Mortar",
+                                   .hint = "Width of the joints; cuts run along their centre lines",
+                                   .quantity = Quantity::Length,
+                                   .range = {0.0, std::numeric_limits<double>::max()},
+                                   .sliderRange = {0.0, 0.05}}),
+    parameter<&BrickBond::origin>({.name = "origin",
+                                   .caption = "Origin",
+                                   .hint = "Lower left corner of the first course; drag it in the canvas",
+                                   .quantity = Quantity::Length}),
+};
+
+/// The courses and columns that cover a box, with one more on every side.
+struct Wall {
+    const BrickCourses courses;
+    const Box2 box;
+    const int firstCourse;
+    const int endCourse;
+
+    Wall(const BrickBond& bond, const Box2& around)
+        : courses(bond),
+          box(around),
+          firstCourse(courses.courseAt(box.min.y) - 1),
+          endCourse(courses.courseAt(box.max.y) + 2) {}
+
+    int firstJoint(int course) const { return courses.columnAt(course, box.min.x) - 1; }
+    int endJoint(int course) const { return courses.columnAt(course, box.max.x) + 3; }
+
+    bool isTooFar() const {
+        const auto isFar = [](int min, int max) {
+            return min < -BrickCourses::kMaxIndex || max > BrickCourses::kMaxIndex;
+        };
+        return isFar(firstCourse + 1, endCourse - 2) || isFar(firstJoint(0) + 1, endJoint(0) - 3) ||
+               isFar(firstJoint(1) + 1, endJoint(1) - 3);
+    }
+    double cells() const {
+        const int longest = std::max(endJoint(0) - firstJoint(0), endJoint(1) - firstJoint(1));
+        return static_cast<double>(endCourse - firstCourse) * longest;
+    }
+};
+
+/// Adds the bed joints from the bottom up, and the head joints between each and the one below.
+class JointBuilder {
+public:
+    JointBuilder(const Wall& wall, CutSet& cuts) : m_wall(wall), m_courses(wall.courses), m_cuts(cuts) {}
+
+    /// Adds the bed joint below a course, with a point at every head joint of that course and of the one below.
+    void addBedJoint(int course) {
+        m_lower.swap(m_upper);
+        m_upper.clear();
+        const double y = m_courses.bottom(course);
+        const bool hasBelow = course > m_wall.firstCourse, hasAbove = course < m_wall.endCourse;
+        int below = hasBelow ? m_wall.firstJoint(course - 1) : 0, above = hasAbove ? m_wall.firstJoint(course) : 0;
+        const int endBelow = hasBelow ? m_wall.endJoint(course - 1) : 0,
+                  endAbove = hasAbove ? m_wall.endJoint(course) : 0;
+        std::uint32_t before = kNone;
+        std::size_t head = 0;
+        while (below < endBelow || above < endAbove) {
+            const double xBelow = below < endBelow ? m_courses.left(course - 1, below) : HUGE_VAL;
+            const double xAbove = above < endAbove ? m_courses.left(course, above) : HUGE_VAL;
+            const double x = std::min(xBelow, xAbove);
+            const std::uint32_t point = m_cuts.addPoint({x, y});
+            if (before != kNone) m_cuts.edges.push_back({before, point, 0});
+            before = point;
+            if (xBelow <= x + m_courses.tolerance()) {
+                m_cuts.edges.push_back({m_lower[head++], point, 0});
+                ++below;
+            }
+            if (xAbove <= x + m_courses.tolerance()) {
+                m_upper.push_back(point);
+                ++above;
+            }
+        }
+    }
+
+private:
+    const Wall& m_wall;
+    const BrickCourses& m_courses;
+    CutSet& m_cuts;
+    std::vector<std::uint32_t> m_lower;  // starts of the head joints that end in the bed joint
+    std::vector<std::uint32_t> m_upper;  // starts of the head joints above it
+};
+
+}  // namespace
+
+constinit const LayerKind BrickBond::kKind{.name = "bricks",
+                                           .caption = "Bricks",
+                                           .hint = "Cuts along the joints of a brick wall",
+                                           .icon = "layer-bricks",
+                                           .role = LayerRole::Cuts,
+                                           .parameters = kParameters};
+
+const char* BrickBond::summary() const {
+    const bool isHeader = bond == BondKind::Header;
+    return isHeader ? "{width} × {height}" : "{length} × {height}";
+}
+
+BrickBond BrickBond::defaultsFor(const Box2& bounds) {
+    const double side = std::max(bounds.size().x, bounds.size().y);
+    const double scale = std::max(std::min(1.0, side / kSmallWall), side / kLargeWall);
+    BrickBond wall{.origin = bounds.min};
+    for (double* size : {&wall.length, &wall.width, &wall.height, &wall.mortar}) *size *= scale;
+    return wall;
+}
+
+Status BrickBond::cut(const LayerContext& context, CutSet& cuts) const {
+    const Wall wall(*this, boundsOf(context.outline.outer));
+    if (wall.isTooFar()) {
+        return Error{ErrorCode::Limit,
+                     context.name() + " has bricks more than " + std::to_string(BrickCourses::kMaxIndex) +
+                         " courses or columns from its origin: make them larger, or move the origin nearer."};
+    }
+    if (!(wall.cells() <= kMaxSeeds)) return tooManySeeds(context);
+    JointBuilder builder(wall, cuts);
+    for (int course = wall.firstCourse; course <= wall.endCourse; ++course) {
+        if (context.task.isCancelled()) return TaskContext::cancelled();
+        builder.addBedJoint(course);
+    }
+    const auto cellAt = [courses = wall.courses](Vec2 point) {
+        const int course = courses.courseAt(point.y);
+        return BrickCourses::cellIndex(course, courses.columnAt(course, point.x));
+    };
+    cuts.layers.push_back({context.layerId, static_cast<std::uint32_t>(cuts.edges.size()), true, cellAt});
+    return success();
+}
+
+}  // namespace rubble

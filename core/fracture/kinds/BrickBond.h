@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/geometry/predicates/Vec.h"
+
+namespace rubble {
+
+/// How the bricks of successive courses overlap.
+enum class BondKind {
+    Stretcher,  // long sides, each course shifted by half a brick
+    Stack,      // long sides above each other
+    English,    // courses of long sides and of short sides alternate
+    Header,     // short sides, each course shifted by half of one
+    Flemish,    // long and short sides alternate, a short one over the middle of each long one
+};
+
+/// A brick wall. The cuts run along the centre lines of the joints: a cell is a brick with half the mortar around it,
+/// so that the bond repeats after a brick and a joint. Cells are named by column and course, counted outwards from the
+/// origin (see BrickCourses), and keep their names when the outline changes.
+struct BrickBond {
+    BondKind bond = BondKind::Stretcher;
+    double length = 0.24;   // m, of the long side; all three without mortar
+    double width = 0.115;   // m, of the short side
+    double height = 0.071;  // m
+    double mortar = 0.01;   // m
+    Vec2 origin{0.0, 0.0};  // m: the lower left corner of course 0
+
+    bool operator==(const BrickBond&) const = default;
+    Status cut(const LayerContext& context, CutSet& cuts) const;
+    static const LayerKind kKind;
+    const char* summary() const;
+    static BrickBond defaultsFor(const Box2& bounds);
+};
+
+}  // namespace rubble

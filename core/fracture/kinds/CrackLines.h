@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/geometry/polygon/Polygon.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubble {
+
+/// Cracks drawn by hand: lines from point to point. They cut where they, the outline and other cuts close around a
+/// piece; what ends within one is reported and left out. Their indices are kept when others are deleted.
+struct CrackLines {
+    struct CrackLine {
+        std::uint32_t index = 0;
+        std::vector<Vec2> points;  // two at least; closed where the last is the first
+        bool operator==(const CrackLine&) const = default;
+    };
+    std::vector<CrackLine> lines;  // ascending index
+
+    bool operator==(const CrackLines&) const = default;
+    Status cut(const LayerContext& context, CutSet& cuts) const;
+    std::optional<std::string> fault() const;
+    static const LayerKind kKind;
+    std::size_t elementCount() const { return lines.size(); }
+};
+
+}  // namespace rubble

@@ -1,0 +1,38 @@
+#include "core/fracture/kinds/Grain.h"
+
+#include "core/base/Trigonometry.h"
+#include "core/fracture/layer/LayerContext.h"
+#include "core/fracture/layer/LayerKind.h"
+
+#include <numbers>
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxRatio = 20.0;  // more would cost digits of points on the outline's edges
+
+constexpr std::array kParameters{
+    parameter<&Grain::angle>({.name = "angle",
+                              .caption = "Angle",
+                              .hint = "Direction of the grain; 0: horizontal",
+                              .quantity = Quantity::Angle,
+                              .range = {-kMaxAngle, kMaxAngle},
+                              .sliderRange = {-std::numbers::pi, std::numbers::pi}}),
+    parameter<&Grain::ratio>({.name = "ratio",
+                              .caption = "Ratio",
+                              .hint = "Mean length of pieces divided by their mean width",
+                              .range = {1.0, kMaxRatio},
+                              .sliderRange = {1.0, 10.0}}),
+};
+
+}  // namespace
+
+constinit const LayerKind Grain::kKind{.name = "grain",
+                                       .caption = "Grain",
+                                       .hint = "Elongates the cells of all seeds",
+                                       .icon = "layer-grain",
+                                       .summary = "1 : {ratio}",
+                                       .role = LayerRole::Measures,
+                                       .parameters = kParameters};
+
+}  // namespace rubble

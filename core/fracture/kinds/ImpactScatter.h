@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/fracture/layer/SeedDensity.h"
+#include "core/fracture/sampling/SeedCount.h"
+#include "core/geometry/predicates/Vec.h"
+
+namespace rubble {
+
+/// `count` seeds around a point of impact: at a distance d their density is proportional to (1 +
+/// (d/radius)²)^(-falloff/2), almost constant within the radius and decreasing as d^-falloff beyond it. A greater count
+/// keeps the earlier seeds.
+struct ImpactScatter {
+    Vec2 centre{0.0, 0.0};  // m; may lie outside the outline
+    SeedCount count = 60;
+    double radius = 0.1;   // m
+    double falloff = 2.5;  // 0: the same density everywhere
+
+    bool operator==(const ImpactScatter&) const = default;
+    Status apply(const LayerContext& context, SeedSet& seeds) const;
+    SeedDensity density(const Polygon& outline) const;
+    static const LayerKind kKind;
+    static ImpactScatter defaultsFor(const Box2& bounds);
+};
+
+}  // namespace rubble

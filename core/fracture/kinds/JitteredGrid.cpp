@@ -1,0 +1,136 @@
+#include "core/fracture/kinds/JitteredGrid.h"
+
+#include "core/base/MessageText.h"
+#include "core/fracture/layer/LayerContext.h"
+#include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/sampling/PairIndex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr double kDefaultColumns = 6.0;  // cells along the longer side in a new layer
+
+bool hasNumber(const JitteredGrid& grid) { return grid.cells == GridCells::Number; }
+bool hasSize(const JitteredGrid& grid) { return grid.cells == GridCells::Size; }
+
+constexpr std::array<ParameterOption, 2> kCells{{{"number", "Columns and rows"}, {"size", "Cell size"}}};
+
+constexpr std::array kParameters{
+    parameter<&JitteredGrid::cells>({.name = "cells",
+                                     .caption = "Grid",
+                                     .hint = "Set the number of columns and rows, or the cell size",
+                                     .options = kCells}),
+    parameter<&JitteredGrid::columns>({.name = "columns",
+                                       .caption = "Columns",
+                                       .hint = "Number of columns; adding some keeps the names of the other seeds",
+                                       .range = {1.0, kMaxPairNumber},
+                                       .sliderRange = {1.0, 50.0},
+                                       .usedIf = usedIf<JitteredGrid, hasNumber>}),
+    parameter<&JitteredGrid::rows>({.name = "rows",
+                                    .caption = "Rows",
+                                    .hint = "Number of rows; adding some keeps the names of the other seeds",
+                                    .range = {1.0, kMaxPairNumber},
+                                    .sliderRange = {1.0, 50.0},
+                                    .usedIf = usedIf<JitteredGrid, hasNumber>}),
+    parameter<&JitteredGrid::cellWidth>({.name = "cellWidth",
+                                         .caption = "Cell width",
+                                         .hint = "Width of a cell; the grid is centred on the outline",
+                                         .quantity = Quantity::Length,
+                                         .range = kAboveZero,
+                                         .sliderRange = {0.01, 2.0, true},
+                                         .usedIf = usedIf<JitteredGrid, hasSize>}),
+    parameter<&JitteredGrid::cellHeight>({.name = "cellHeight",
+                                          .caption = "Cell height",
+                                          .hint = "Height of a cell; the grid is centred on the outline",
+                                          .quantity = Quantity::Length,
+                                          .range = kAboveZero,
+                                          .sliderRange = {0.01, 2.0, true},
+                                          .usedIf = usedIf<JitteredGrid, hasSize>}),
+    parameter<&JitteredGrid::jitter>({.name = "jitter",
+                                      .caption = "Jitter",
+                                      .hint = "0: seeds at the centres of their cells; 1: anywhere in them",
+                                      .range = {0.0, 1.0},
+                                      .sliderRange = {0.0, 1.0}}),
+    parameter<&JitteredGrid::domain>(kDomainParameter),
+};
+
+/// The cells along one axis.
+struct Axis {
+    double from = 0.0;  // m
+    double step = 0.0;  // m
+    double count = 0.0;
+
+    double at(std::uint32_t cell, double fraction) const {
+        return from + step * (static_cast<double>(cell) + fraction);
+    }
+};
+
+Axis axisOf(double from, double length, std::uint32_t count) {
+    return {from, length / count, static_cast<double>(count)};
+}
+
+/// The number of cells that fits the length best, centred.
+Axis axisOf(double from, double length, double step) {
+    const double count = std::max(1.0, std::floor(length / step + 0.5));
+    return {from + (length - step * count) / 2.0, step, count};
+}
+
+Error tooManyCells(const LayerContext& context, double count) {
+    return {ErrorCode::Limit, context.name() + " has " + messageText(count) + " cells along one side, but " +
+                                  std::to_string(kMaxPairNumber) + " is the maximum."};
+}
+
+}  // namespace
+
+constinit const LayerKind JitteredGrid::kKind{.name = "jitteredGrid",
+                                              .caption = "Jittered grid",
+                                              .hint = "One seed in each cell of a grid",
+                                              .icon = "layer-grid",
+                                              .role = LayerRole::Scatters,
+                                              .parameters = kParameters,
+                                              .isRandom = true};
+
+const char* JitteredGrid::summary() const {
+    const bool hasCellSize = cells == GridCells::Size;
+    return hasCellSize ? "{cellWidth} × {cellHeight}" : "{columns} × {rows}";
+}
+
+JitteredGrid JitteredGrid::defaultsFor(const Box2& bounds) {
+    const Vec2 size = bounds.size();
+    const double side = std::max(size.x, size.y) / kDefaultColumns;
+    const auto cellsAlong = [&](double length) {
+        return static_cast<std::uint32_t>(std::max(1.0, std::floor(length / side + 0.5)));
+    };
+    return JitteredGrid{
+        .columns = cellsAlong(size.x), .rows = cellsAlong(size.y), .cellWidth = side, .cellHeight = side};
+}
+
+Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
+    const Box2 box = boundsOf(context.outline.outer);
+    const Vec2 size = box.size();
+    const bool isByNumber = cells == GridCells::Number;
+    const Axis horizontal = isByNumber ? axisOf(box.min.x, size.x, columns) : axisOf(box.min.x, size.x, cellWidth);
+    const Axis vertical = isByNumber ? axisOf(box.min.y, size.y, rows) : axisOf(box.min.y, size.y, cellHeight);
+    if (const double max = std::max(horizontal.count, vertical.count); !(max <= kMaxPairNumber))
+        return tooManyCells(context, max);
+    if (horizontal.count * vertical.count > static_cast<double>(kMaxSeeds - seeds.size())) return tooManySeeds(context);
+
+    const bool isOutline = domain == ScatterDomain::Outline;
+    std::size_t round = 0;
+    for (const IndexPair cell :
+         pairsBelow(static_cast<std::uint32_t>(horizontal.count), static_cast<std::uint32_t>(vertical.count))) {
+        if (context.isCancelledAt(round++)) return TaskContext::cancelled();
+        const std::uint32_t index = cell.index();
+        Random random = context.randomOf(index);
+        const double x = horizontal.at(cell.first, 0.5 + jitter * (random.unit() - 0.5));
+        const double y = vertical.at(cell.second, 0.5 + jitter * (random.unit() - 0.5));
+        if (isOutline && containment(context.outline, {x, y}) == Containment::Outside) continue;
+        seeds.add({context.layerId, index}, {x, y}, false);
+    }
+    return success();
+}
+
+}  // namespace rubble

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/geometry/predicates/Vec.h"
+
+namespace rubble {
+
+/// Seeds on concentric rings, as cracks run in glass around a hole: one at the centre, and one on each ring at each
+/// spoke. Those outside the outline are omitted. A seed keeps its index when rings or spokes are added.
+struct RadialPattern {
+    Vec2 centre{0.0, 0.0};    // m
+    double radius = 0.5;      // m: of the outermost ring
+    std::uint32_t rings = 5;  // ring k of n has the radius radius * (k/n)^exponent
+    std::uint32_t spokes = 12;
+    double exponent = 1.5;    // 1: equidistant rings; above: closer towards the centre
+    double rotation = 0.0;    // rad: of the first spoke, counter-clockwise from the x axis
+    double variation = 0.25;  // 0: none; 1: up to halfway to the neighbouring ring and spoke
+
+    bool operator==(const RadialPattern&) const = default;
+    Status apply(const LayerContext& context, SeedSet& seeds) const;
+    static const LayerKind kKind;
+    static RadialPattern defaultsFor(const Box2& bounds);
+};
+
+}  // namespace rubble

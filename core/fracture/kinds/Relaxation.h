@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/fracture/partition/Partition.h"
+
+#include <functional>
+
+namespace rubble {
+
+/// Beyond this number seeds hardly move any more.
+inline constexpr std::uint32_t kMaxRelaxationRounds = 1000;
+
+/// The centroid of all pieces of a seed, the first of which is `piece`; `seed` is its present position. Called by
+/// several threads.
+using CentroidOfCell = std::function<Vec2(const Partition& partition, std::uint32_t piece, Vec2 seed)>;
+
+/// Moves seeds to the centroids of their cells, round after round. Locked seeds and those without a cell stay.
+///
+/// Errors: those of LayerContext::cellsOf(); Cancelled.
+Status relax(std::uint32_t rounds, const LayerContext& context, SeedSet& seeds, const CentroidOfCell& centroidOf);
+
+}  // namespace rubble

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+
+#include <cstdint>
+#include <numbers>
+
+namespace rubble {
+
+/// Straight parallel cuts at equal distances, with random variation. A cell is named by the number of cuts before it:
+/// on its left if they are vertical, above it if they are horizontal.
+struct Slices {
+    std::uint32_t cuts = 5;
+    double angle = std::numbers::pi / 2.0;  // rad: of the cuts, counter-clockwise from the x axis
+    double offsetVariation = 0.3;           // 0: equidistant; 1: up to halfway to the neighbouring cut
+    double angleVariation = 0.1;            // rad: maximum rotation of a cut in either direction
+
+    bool operator==(const Slices&) const = default;
+    Status cut(const LayerContext& context, CutSet& cuts) const;
+    static const LayerKind kKind;
+};
+
+}  // namespace rubble

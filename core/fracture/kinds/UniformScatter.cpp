@@ -1,0 +1,35 @@
+#include "core/fracture/kinds/UniformScatter.h"
+
+#include "core/fracture/layer/LayerContext.h"
+#include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/sampling/ScatterArea.h"
+
+namespace rubble {
+namespace {
+
+constexpr std::array kParameters{
+    parameter<&UniformScatter::count>(kCountParameter),
+    parameter<&UniformScatter::domain>(kDomainParameter),
+};
+
+}  // namespace
+
+constinit const LayerKind UniformScatter::kKind{.name = "uniform",
+                                                .caption = "Uniform",
+                                                .hint = "Uniformly random seeds",
+                                                .icon = "layer-uniform",
+                                                .summary = "{count|1 seed|%1 seeds}",
+                                                .role = LayerRole::Scatters,
+                                                .parameters = kParameters,
+                                                .isRandom = true};
+
+Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const {
+    const Polygon filled = ScatterArea::domain(context.outline, domain);
+    const Result<std::uint32_t> wanted = seedsToAdd(count, filled, context, seeds);
+    if (!wanted) return wanted.error();
+    const Result<ScatterArea> area = ScatterArea::of(filled);
+    if (!area) return area.error();
+    return scatter(*wanted, *area, context, seeds);
+}
+
+}  // namespace rubble

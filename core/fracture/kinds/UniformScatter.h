@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/fracture/layer/LayerForward.h"
+#include "core/fracture/sampling/ScatterDomain.h"
+#include "core/fracture/sampling/SeedCount.h"
+
+namespace rubble {
+
+/// `count` uniformly random seeds. A greater count keeps the earlier seeds.
+struct UniformScatter {
+    SeedCount count = 20;
+    ScatterDomain domain = ScatterDomain::Outline;
+
+    bool operator==(const UniformScatter&) const = default;
+    Status apply(const LayerContext& context, SeedSet& seeds) const;
+    static const LayerKind kKind;
+};
+
+}  // namespace rubble

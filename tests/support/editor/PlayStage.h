@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/asset/bake/Bake.h"
+#include "editor/play/PlayController.h"
+#include "tests/support/editor/Sessions.h"
+
+namespace rubble::test {
+
+/// A document in play, with a clock that the test advances.
+class Stage {
+public:
+    static constexpr double kStep = 1.0 / 60.0;  // s
+
+    explicit Stage(const Project& project = floatingBlock()) : document(project), controller(document, bakes) {
+        controller.thread().useSteppedClock();
+        bake();
+    }
+    /// Bakes all assets, as the editor does in the background.
+    void bake() {
+        for (const Asset& asset : document.project().assets) {
+            const Result<Bake> made = rubble::bake(asset);
+            if (!made) qFatal("%s", made.error().message.c_str());
+            const auto shared = std::make_shared<const Asset>(asset);
+            bakes.set(asset.id, std::make_shared<const BakedAsset>(
+                                    BakedAsset{shared, std::make_shared<const Bake>(*made), std::nullopt}));
+        }
+    }
+    void settle() {
+        controller.thread().settle();
+        controller.applyUpdate();
+    }
+    void start() {
+        controller.play();
+        settle();
+        if (!controller.isPlaying()) qFatal("it does not play");
+    }
+    void advance(int steps) {
+        for (int k = 0; k < steps; ++k) controller.thread().advance(kStep);
+        controller.applyUpdate();
+    }
+    std::uint64_t step() const { return controller.frame()->step; }
+    ContentHash hash() {
+        ContentHash hash;
+        controller.thread().post([&](PlayEngine& engine) { hash = engine.session().hash(); });
+        controller.thread().settle();
+        return hash;
+    }
+
+    Document document;
+    Bakes bakes;
+    PlayController controller;
+};
+
+}  // namespace rubble::test
