@@ -35,8 +35,7 @@ endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Rubble authors")
-# Debian wants an address; the authors, as LICENSE names them, have none. ".invalid" says so (RFC 2606) and reaches
-# nobody.
+# Debian wants an address; the authors, as LICENSE names them, have none. ".invalid" says so (RFC 2606).
 set(CPACK_PACKAGE_CONTACT "The Rubble authors <authors@rubble.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

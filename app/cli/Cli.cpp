@@ -73,7 +73,6 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         addCheck(program),  addDraw(program),   addRender(program),   addFilm(program),     addSimulate(program),
         addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
         addDiff(program),   addSheet(program)};
-    for (const Verb& verb : verbs) verb.command->group("Verbs");
     try {
         program.parse(
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 expects them in reverse order
@@ -84,8 +83,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         context.err << usageError(program, error) << '\n';
         return kExitUsage;
     }
-    const auto selected =
-        std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.command->parsed(); });
+    const auto selected = std::ranges::find_if(verbs, [](const Verb& verb) { return verb.command.isParsed(); });
     if (selected == verbs.end()) {
         context.err << "No verb given; see rubble-cli --help.\n";
         return kExitUsage;

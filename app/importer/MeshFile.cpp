@@ -141,7 +141,7 @@ public:
             const aiMesh& mesh = *m_source.mMeshes[node.mMeshes[i]];
             m_triangles += mesh.mNumFaces;
             if (m_triangles > kMaxTriangles)
-                return Error{ErrorCode::Limit, "holds more than " + std::to_string(kMaxTriangles) + " triangles"};
+                return Error{ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles"};
             if (std::optional<std::string> error = indexError(mesh, m_scene.materials.size()))
                 return Error{ErrorCode::BadInput, *error};
             addMesh(mesh, fromNode, object);

@@ -1,6 +1,6 @@
 #pragma once
 // What nearly every source that reads files includes.
 
-#include "Geometry.h"
+#include "Files.h"
 
 #include <nlohmann/json.hpp>

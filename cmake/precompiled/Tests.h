@@ -1,6 +1,6 @@
 #pragma once
 // What nearly every test includes.
 
-#include "Geometry.h"
+#include "Files.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 
 namespace rubble {
 
-/// Prints the failed condition and its place to stderr and aborts.
+/// Prints the failed condition and its location to stderr and aborts.
 [[noreturn]] void assertionFailed(const char* condition, const char* file, int line);
 
 }  // namespace rubble

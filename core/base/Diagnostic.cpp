@@ -6,11 +6,31 @@
 namespace rubble {
 
 const char* nameOf(DiagnosticCode code) {
-    static constexpr std::array kNames = {"FaultyOutline", "DuplicateSeed",   "SeedWithoutCell", "LostOverride",
-                                          "LostPiece",     "LooseCut",        "NoRoom",          "Gap",
-                                          "ThinPiece",     "VanishedPiece",   "Sliver",          "TinyPiece",
-                                          "ManyHulls",     "UnknownStrength", "SplitCell",       "MergedPiece",
-                                          "DroppedSeed",   "SimplifiedShape"};
+    static constexpr std::array kNames = {"FaultyOutline",
+                                          "DuplicateSeed",
+                                          "SeedWithoutCell",
+                                          "LostOverride",
+                                          "LostPiece",
+                                          "LooseCut",
+                                          "NoRoom",
+                                          "Gap",
+                                          "ThinPiece",
+                                          "VanishedPiece",
+                                          "Sliver",
+                                          "TinyPiece",
+                                          "ManyHulls",
+                                          "UnknownStrength",
+                                          "SplitCell",
+                                          "MergedPiece",
+                                          "DroppedSeed",
+                                          "SimplifiedShape",
+                                          "OverlappingPieces",
+                                          "PushedPiece",
+                                          "SwapDrift",
+                                          "GapVolume",
+                                          "UnappliedInput",
+                                          "PatternFallback",
+                                          "ReplayMismatch"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }
@@ -22,7 +42,8 @@ Severity defaultSeverity(DiagnosticCode code) {
         case DiagnosticCode::SplitCell:
         case DiagnosticCode::MergedPiece:
         case DiagnosticCode::DroppedSeed:
-        case DiagnosticCode::SimplifiedShape: return Severity::Note;
+        case DiagnosticCode::SimplifiedShape:
+        case DiagnosticCode::GapVolume: return Severity::Note;
         default: return Severity::Warning;
     }
 }

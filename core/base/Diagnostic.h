@@ -10,37 +10,44 @@ namespace rubble {
 
 enum class Severity { Note, Warning, Error };
 
-/// The subject of a diagnostic. Their order is that of lists.
+/// The kind of a diagnostic. Lists are sorted in this order.
 enum class DiagnosticCode {
-    FaultyOutline,    // the outline crosses or touches itself, or is too narrow to be fractured
-    DuplicateSeed,    // equal to an earlier seed, which is kept
-    SeedWithoutCell,  // its cell lies outside the outline or is thinner than rounding
-    LostOverride,     // a manual change to a seed that does not exist
-    LostPiece,        // a merge, split or setting of a piece that does not exist
-    LooseCut,         // a cut that ends within a piece or does not separate it
-    NoRoom,           // a scatter placed fewer seeds than requested
-    Gap,              // area that no piece covers
-    ThinPiece,        // too thin for a hull; its mass is transferred to a neighbour
-    VanishedPiece,    // narrower than the gap between pieces, in whole or in part
-    Sliver,           // an elongated fragment
-    TinyPiece,        // much smaller than its siblings
-    ManyHulls,        // concave, so that it needs many convex hulls for collision
-    UnknownStrength,  // a threshold cannot be derived from the material's strength
-    SplitCell,        // the outline cuts a cell into several pieces
-    MergedPiece,      // too small; merged into a neighbour
-    DroppedSeed,      // its cell was too small
-    SimplifiedShape,  // collides with a simpler shape than it has
+    FaultyOutline,      // the outline crosses or touches itself, or is too narrow to be fractured
+    DuplicateSeed,      // equal to an earlier seed, which is kept
+    SeedWithoutCell,    // its cell lies outside the outline or is thinner than rounding
+    LostOverride,       // a manual change to a seed that does not exist
+    LostPiece,          // a merge, split or setting of a piece that does not exist
+    LooseCut,           // a cut that ends within a piece or does not separate it
+    NoRoom,             // a scatter placed fewer seeds than requested
+    Gap,                // area that no piece covers
+    ThinPiece,          // too thin for a hull; its mass is transferred to a neighbour
+    VanishedPiece,      // narrower than the gap between pieces, in whole or in part
+    Sliver,             // an elongated fragment
+    TinyPiece,          // much smaller than its siblings
+    ManyHulls,          // concave, so that it needs many convex hulls for collision
+    UnknownStrength,    // a threshold cannot be derived from the material's strength
+    SplitCell,          // the outline cuts a cell into several pieces
+    MergedPiece,        // too small; merged into a neighbour
+    DroppedSeed,        // its cell was too small
+    SimplifiedShape,    // collides with a simpler shape than it has
+    OverlappingPieces,  // right after they replace the whole
+    PushedPiece,        // moves after it has replaced the whole, although nothing hit it
+    SwapDrift,          // replacing the whole changes mass, momentum or energy
+    GapVolume,          // mass that the gap between pieces removes
+    UnappliedInput,     // an input of a session had no effect
+    PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
+    ReplayMismatch,     // a step differs from the recording
 };
-inline constexpr int kDiagnosticCodes = 18;
+inline constexpr int kDiagnosticCodes = 25;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);
-/// FaultyOutline is an error; what an artist asked for, or should merely know, is a note; everything else is a warning.
+/// FaultyOutline is an error; what an artist requested, or only needs to know, is a note; everything else is a warning.
 Severity defaultSeverity(DiagnosticCode code);
 
-/// What a diagnostic is about. Members that do not apply keep their defaults.
+/// The subject of a diagnostic. Members that do not apply keep their defaults.
 struct DiagnosticPlace {
-    /// m, in the asset's plane.
+    /// A point in the asset's plane, m.
     struct Point {
         double x = 0.0;
         double y = 0.0;
@@ -65,8 +72,9 @@ struct Diagnostic {
     Severity severity = Severity::Warning;
     DiagnosticPlace place;
     std::string message;  // one sentence that names the place
-    /// m² of Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m of LooseCut; seeds of NoRoom; aspect
-    /// ratio of Sliver; m³ of TinyPiece; hulls of ManyHulls; N·s of UnknownStrength.
+    /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut and
+    /// OverlappingPieces; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for ManyHulls; N·s for
+    /// UnknownStrength; m/s for PushedPiece; relative to that of the whole for SwapDrift and GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;

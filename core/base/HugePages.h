@@ -8,8 +8,8 @@ namespace rubble {
 /// page.
 inline constexpr std::size_t kMinHugePageBytes = std::size_t{1} << 22;
 
-/// Allocates memory on 2 MiB pages where the system supports them, aligned to such a page. Release it by
-/// freeHugePages(). Saves page faults, which for 4 KiB pages take longer than filling them.
+/// Allocates memory on 2 MiB pages if the system supports them, aligned to such a page. Release it by freeHugePages().
+/// Saves page faults, which for 4 KiB pages take longer than filling them.
 ///
 /// Errors: throws std::bad_alloc if out of memory, as containers expect.
 void* allocateHugePages(std::size_t bytes);

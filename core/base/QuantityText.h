@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// What a number measures; each is stored in its SI unit.
+/// The physical quantities; each is stored in its SI unit.
 enum class QuantityKind { Length, Area, Volume, Mass, Density, Time, Speed, Impulse, Energy, Pressure };
 
 /// A value in the unit that suits its size.
@@ -15,14 +15,14 @@ struct ScaledQuantity {
     std::string_view unit;  // "cm²", UTF-8
 };
 
-/// A quantity in SI units, scaled to the unit that people use for its size: 0.0191 m² becomes 191 cm².
+/// A quantity in SI units, scaled to a unit that suits its magnitude: 0.0191 m² becomes 191 cm².
 ScaledQuantity scaledQuantity(QuantityKind kind, double value);
 
-/// A number as people read it: at most 4 significant digits, whole from 1000 on, trailing zeros dropped, no exponent
-/// from 1e-6 to 1e15. The same in every locale. NaN and infinity are "nan" and "inf".
+/// A number for display: at most 4 significant digits, whole from 1000 on, trailing zeros dropped, no exponent from
+/// 1e-6 to 1e15. The same in every locale. NaN and infinity are "nan" and "inf".
 std::string roundedNumber(double value);
 
-/// A quantity in SI units as people read it: "0.075 m³", "191 cm²", "26 N·s". Files and JSON have all digits instead.
+/// A quantity in SI units for display: "0.075 m³", "191 cm²", "26 N·s". Files and JSON contain all digits instead.
 std::string quantityText(QuantityKind kind, double value);
 
 /// A count with its noun: "1 fragment", "8 fragments".

@@ -15,7 +15,7 @@ constexpr std::uint32_t indexOf(KeyedIndex entry) { return static_cast<std::uint
 /// Returns the sorted entries, which are in either span. O(n) for a given width.
 std::span<KeyedIndex> radixSortByKey(std::span<KeyedIndex> entries, std::span<KeyedIndex> scratch, int width);
 
-/// The most bits per digit.
+/// The maximum number of bits per digit.
 inline constexpr int kMaxDigitBits = 8;
 
 }  // namespace rubble

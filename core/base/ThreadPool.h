@@ -25,7 +25,8 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const { return static_cast<int>(m_threads.size()) + 1; }
-    /// The number of chunks for `count` items, of at least `least` items each; 1 where threads do not pay.
+    /// The number of chunks for `count` items, of at least `least` items each; 1 if several threads would not be
+    /// faster.
     std::size_t chunkCount(std::size_t count, std::size_t least) const;
 
     /// Calls work(range, chunk) once for each of `chunks` consecutive ranges of [0, count), in order if there is one

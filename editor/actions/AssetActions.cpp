@@ -31,9 +31,10 @@ AssetActions::AssetActions(Views& views)
     const auto add = actionAdder(*m_menu, this);
     m_rectangle = add({"shape-rectangle", tr("Add &Rectangle…"), tr("Add a prism with a rectangular outline")},
                       &AssetActions::addRectangle);
-    m_triangle = add({"shape-triangle", tr("Add &Triangle…"), tr("Add a prism with an isosceles triangle as outline")},
-                     &AssetActions::addTriangle);
-    m_polygon = add({"shape-polygon", tr("Add &Polygon…"), tr("Add a prism with a regular polygon as outline")},
+    m_triangle =
+        add({"shape-triangle", tr("Add &Triangle…"), tr("Add a prism with an isosceles triangle as its outline")},
+            &AssetActions::addTriangle);
+    m_polygon = add({"shape-polygon", tr("Add &Polygon…"), tr("Add a prism with a regular polygon as its outline")},
                     &AssetActions::addPolygon);
     m_draw = add({"shape-draw", tr("&Draw Outline…"), tr("Draw the outline of a new prism point by point")},
                  &AssetActions::drawOutline);

@@ -38,7 +38,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     m_save = add({"file-save", tr("&Save"), tr("Save the project"), QKeySequence::Save}, &FileActions::saveTriggered);
     add({"file-save-as", tr("Save &As…"), tr("Save the project to another file"), QKeySequence("Ctrl+Shift+S")},
         &FileActions::saveAsTriggered);
-    m_revert = add({"file-revert", tr("Re&vert"), tr("Reload the project as it was saved last")}, &FileActions::revert);
+    m_revert = add({"file-revert", tr("Re&vert"), tr("Reload the project as last saved")}, &FileActions::revert);
     m_menu->addSeparator();
     m_import = add(
         {"file-import", tr("&Import Mesh…"), tr("Import the objects of a mesh file as assets"), QKeySequence("Ctrl+I")},
@@ -100,7 +100,7 @@ bool FileActions::saveAs() {
 }
 
 void FileActions::revert() {
-    const QString question = tr("Discard all changes to %1 since it was saved?").arg(m_workspace.file().name());
+    const QString question = tr("Discard all changes to %1 since it was last saved?").arg(m_workspace.file().name());
     if (!confirmLoss(&m_views.window(), question, tr("Revert"), tr("Cancel"))) return;
     showIfError(&m_views.window(), m_workspace.file().reload());
 }

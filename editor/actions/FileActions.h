@@ -14,7 +14,7 @@ class RecentFiles;
 class Views;
 class Workspace;
 
-/// The File menu: opening, saving, import and export. Unsaved changes are never dropped without asking.
+/// The File menu: opening, saving, import and export. Unsaved changes are never discarded without asking.
 class FileActions : public QObject {
     Q_OBJECT
 public:

@@ -20,7 +20,7 @@ public:
     explicit FilmActions(Views& views);
 
     QAction* action() const { return m_action; }
-    /// Asks before closing the window stops an export. Returns false if the user chooses to continue.
+    /// Asks before closing the window stops an export. Returns false if the user lets it continue.
     bool confirmClose();
 
 private:

@@ -52,7 +52,7 @@ FragmentActions::FragmentActions(Views& views)
     m_menu->addSeparator();
     const auto add = actionAdder(*m_menu, this);
     m_restore = add(
-        {"fragment-restore", tr("&Restore"), tr("Remove merges, splits and own patterns of the selected fragments")},
+        {"fragment-restore", tr("&Restore"), tr("Remove the merges, splits and patterns of the selected fragments")},
         &FragmentActions::restore);
     m_menu->addSeparator();
     m_enter = add({"fragment-enter", tr("&Enter Fragment"),

@@ -7,7 +7,7 @@ class QMenu;
 
 namespace rubble {
 
-/// The Help menu: the manual, the search for actions, and what this program is.
+/// The Help menu: the manual, the search for actions, and the About box.
 class HelpActions : public QObject {
     Q_OBJECT
 public:

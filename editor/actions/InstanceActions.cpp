@@ -14,7 +14,6 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QActionGroup>
-#include <QKeyEvent>
 #include <QMainWindow>
 
 namespace rubble {
@@ -25,7 +24,7 @@ InstanceActions::InstanceActions(Views& views)
       m_workspace(views.workspace()),
       m_menu(new QMenu(tr("&Instance"), &views.window())) {
     m_place = add({"instance-place", tr("&Place Instances…"),
-                   tr("Place instances of an asset by clicks in the 3D view"), QKeySequence("Shift+A")},
+                   tr("Place instances of an asset by clicking in the 3D view"), QKeySequence("Shift+A")},
                   &InstanceActions::startPlacing);
     m_menu->addSeparator();
     addTransforms();
@@ -91,10 +90,10 @@ void InstanceActions::addTransforms() {
 }
 
 void InstanceActions::addHandles() {
-    QAction* moving = add({"instance-move-handles", tr("M&ove Handles"),
-                           tr("Show handles that move the selected instances"), QKeySequence("W")});
-    QAction* rotating = add({"instance-rotate-handles", tr("Ro&tation Handles"),
-                             tr("Show handles that rotate the selected instances"), QKeySequence("E")});
+    QAction* moving = add({"instance-move-handles", tr("M&ove Gizmo"),
+                           tr("Show a gizmo that moves the selected instances"), QKeySequence("W")});
+    QAction* rotating = add({"instance-rotate-handles", tr("Ro&tate Gizmo"),
+                             tr("Show a gizmo that rotates the selected instances"), QKeySequence("E")});
     auto* modes = new QActionGroup(this);
     for (QAction* mode : {moving, rotating}) {
         mode->setCheckable(true);
@@ -129,7 +128,7 @@ void InstanceActions::addVisibility() {
         isolateInstances);
     m_showAll = add({"instance-show", tr("&Show All"), tr("Show all hidden instances"), QKeySequence("Alt+H")},
                     &InstanceActions::showAll);
-    addEdit({"instance-lock", tr("Loc&k"), tr("Protect the selected instances from clicks and moves in the 3D view"),
+    addEdit({"instance-lock", tr("Loc&k"), tr("Prevent selecting and moving the selected instances in the 3D view"),
              QKeySequence("L")},
             lockInstances);
     m_unlockAll = add({"instance-unlock", tr("&Unlock All"), tr("Unlock all instances"), QKeySequence("Alt+L")},
@@ -151,14 +150,9 @@ void InstanceActions::addContextMenus() {
 }
 
 /// In the 3D view, Alt+H shows all instead of opening the Help menu.
-bool InstanceActions::eventFilter(QObject* watched, QEvent* event) {
-    const bool isOverride = event->type() == QEvent::ShortcutOverride;
-    if (!isOverride && event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
-    const QKeySequence key(static_cast<QKeyEvent*>(event)->keyCombination());
-    if (key != m_showAll->shortcut() || gizmo().isDragging()) return false;
-    event->accept();
-    if (!isOverride) m_showAll->trigger();
-    return true;
+bool InstanceActions::eventFilter(QObject*, QEvent* event) {
+    if (!isShortcutOf(*m_showAll, *event) || gizmo().isDragging()) return false;
+    return handleShortcut({m_showAll}, *event);
 }
 
 /// Asks which asset to place if there are several.
@@ -194,7 +188,8 @@ void InstanceActions::rotate() {
 void InstanceActions::drop() {
     Edit edit = dropToGround(m_workspace.project(), gizmo().movable());
     if (edit.isEmpty()) {
-        return m_views.showStatus(tr("Nothing was dropped: the instances rest already, or nothing is below them."));
+        return m_views.showStatus(
+            tr("Nothing was dropped: the instances are already at rest, or nothing is below them."));
     }
     m_workspace.document().push(std::move(edit));
 }

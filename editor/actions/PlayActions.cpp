@@ -82,7 +82,7 @@ void PlayActions::addSpeeds() {
         m_speeds->addAction(action);
         connect(action, &QAction::triggered, this, [this, speed] { controller().setTimeScale(speed); });
     }
-    m_destruction = makeAction(this, {"play-destruction", tr("D&estruction"), tr("Let bodies break")});
+    m_destruction = makeAction(this, {"play-destruction", tr("D&estruction"), tr("Allow bodies to break")});
     m_destruction->setCheckable(true);
     m_menu->addAction(m_destruction);
     connect(m_destruction, &QAction::toggled, &controller(), &PlayController::setDestruction);
@@ -92,7 +92,7 @@ void PlayActions::addOverlays() {
     QMenu* menu = m_menu->addMenu(iconNamed("play-overlays"), tr("O&verlays"));
     const std::tuple<bool PlayOverlays::*, QString, QString> overlays[] = {
         {&PlayOverlays::hasHeat, tr("Threshold &Heat Map"),
-         tr("Colour bodies by impact ÷ threshold: of the aimed throw, otherwise of the last impacts")},
+         tr("Colour bodies by impact ÷ threshold of the aimed throw or of recent impacts")},
         {&PlayOverlays::hasContacts, tr("&Contacts"), tr("Show contact points, overlapping ones in red")},
         {&PlayOverlays::hasNormals, tr("Contact &Normals"), tr("Show contact normals")},
         {&PlayOverlays::hasImpulses, tr("Contact &Impulses"), tr("Show contact impulses as arrows")},

@@ -12,7 +12,6 @@
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
-#include <QKeyEvent>
 #include <QMainWindow>
 #include <QMenu>
 
@@ -81,10 +80,11 @@ void SelectActions::addRelated() {
 
 void SelectActions::addByValue() {
     const auto add = actionAdder(*m_menu, this);
-    m_needBake = {add({"select-volume", tr("Select by &Volume…"), tr("Select the fragments with a volume in a range")},
-                      &SelectActions::selectByVolume),
-                  add({"select-random", tr("Select &Randomly…"), tr("Select a random fraction of the fragments")},
-                      &SelectActions::selectRandomly)};
+    m_needBake = {
+        add({"select-volume", tr("Select by &Volume…"), tr("Select the fragments whose volume is in a range")},
+            &SelectActions::selectByVolume),
+        add({"select-random", tr("Select &Randomly…"), tr("Select a random fraction of the fragments")},
+            &SelectActions::selectRandomly)};
 }
 
 void SelectActions::addVisibility() {
@@ -111,13 +111,8 @@ QAction* SelectActions::addInViews(const ActionDefinition& definition, Slot slot
 /// In canvas and 3D view, Alt+H shows all instead of opening the Help menu. The 3D view handles the key, too: it shows
 /// hidden instances.
 bool SelectActions::eventFilter(QObject* watched, QEvent* event) {
-    const bool isOverride = event->type() == QEvent::ShortcutOverride;
-    if (!isOverride && event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
-    const QKeySequence key(static_cast<QKeyEvent*>(event)->keyCombination());
-    if (key != m_showAll->shortcut() || m_workspace.play().isInPlay()) return false;
-    event->accept();
-    if (!isOverride) m_showAll->trigger();
-    return watched == &m_views.canvas();
+    if (!isShortcutOf(*m_showAll, *event) || m_workspace.play().isInPlay()) return false;
+    return handleShortcut({m_showAll}, *event) && watched == &m_views.canvas();
 }
 
 std::shared_ptr<const Bake> SelectActions::bake() const {
@@ -166,7 +161,7 @@ void SelectActions::selectChildren() {
 
 void SelectActions::selectLevel(std::uint32_t level) {
     selectBy([level](const Bake& now, const FragmentSet&) { return fragmentsOfLevel(now, level); },
-             tr("Level %1 does not exist any more.").arg(level));
+             tr("Level %1 no longer exists.").arg(level));
 }
 
 void SelectActions::selectByVolume() {

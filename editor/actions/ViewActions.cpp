@@ -16,8 +16,9 @@ namespace rubble {
 
 ViewActions::ViewActions(Views& views)
     : QObject(&views.window()), m_views(views), m_menu(new QMenu(tr("&View"), &views.window())) {
-    QAction* frame = makeAction(this, {"canvas-fit", tr("&Frame Asset"),
-                                       tr("Frame the active asset in canvas and 3D view"), QKeySequence("Ctrl+/")});
+    QAction* frame =
+        makeAction(this, {"canvas-fit", tr("&Frame Asset"), tr("Frame the active asset in the canvas and the 3D view"),
+                          QKeySequence("Ctrl+/")});
     connect(frame, &QAction::triggered, &views, &Views::frameAsset);
     m_menu->addAction(frame);
     addTools();
@@ -45,7 +46,7 @@ void ViewActions::addTools() {
          {"tool-outline", tr("&Outline"), tr("Add, move and delete points of the outline"), QKeySequence("Alt+W")}},
         {CanvasToolKind::CrackLines,
          {"tool-stroke", tr("&Crack Lines"), tr("Draw crack lines and edit their points"), QKeySequence("Alt+D")}},
-        {CanvasToolKind::Brush, {"tool-brush", tr("&Brush"), tr("Paint where seeds are dense"), QKeySequence("Alt+B")}},
+        {CanvasToolKind::Brush, {"tool-brush", tr("&Brush"), tr("Paint the density of seeds"), QKeySequence("Alt+B")}},
         {CanvasToolKind::Measure,
          {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};
     for (const auto& [kind, definition] : tools) {
@@ -91,7 +92,7 @@ void ViewActions::addOverlays() {
     addOverlay({"canvas-grid", tr("&Grid"), tr("Show the grid"), QKeySequence("Alt+5")}, &CanvasOverlays::hasGrid);
     addOverlay({"canvas-legend", tr("&Legend"), tr("Show the legend"), QKeySequence("Alt+6")},
                &CanvasOverlays::hasLegend);
-    addOverlay({"canvas-bonds", tr("&Bonds"), tr("Show contacts between cells, as wide as their shared edge"),
+    addOverlay({"canvas-bonds", tr("&Bonds"), tr("Show the bonds between cells, wider for longer shared edges"),
                 QKeySequence("Alt+9")},
                &CanvasOverlays::hasBonds);
 }

@@ -15,8 +15,7 @@ namespace rubble {
 /// Runs one function at a time on a background thread and delivers its result in the thread of the job, through the
 /// event loop.
 ///
-/// start() replaces the running function: that is cancelled, and nothing of it is delivered any more. The destructor
-/// cancels and waits.
+/// start() cancels the running function and discards its result. The destructor cancels and waits.
 class BackgroundJob : public QObject {
     Q_OBJECT
 public:
@@ -49,7 +48,7 @@ public:
         });
     }
 
-    /// Cancels the running function; nothing of it is delivered.
+    /// Cancels the running function and discards its result.
     void cancel();
 
 signals:

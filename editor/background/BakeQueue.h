@@ -16,8 +16,7 @@ namespace rubble {
 /// Runs a function for each queued asset of a document, one after the other in the background, the active asset first.
 ///
 /// If an asset changes while it is being worked on, a short run is finished and the newest state follows, so that
-/// results keep appearing during a drag; a run that has already taken long is cancelled. The result for a deleted asset
-/// is dropped.
+/// results keep appearing during a drag; a long run is cancelled. The result for a deleted asset is dropped.
 class BakeQueue : public QObject {
     Q_OBJECT
 public:
@@ -27,7 +26,7 @@ public:
     using Work = std::function<Delivery(const TaskContext& task)>;
     /// Prepares the work on an asset when it is about to start; called in the queue's thread.
     using Preparation = std::function<Work(std::shared_ptr<const Asset> asset)>;
-    /// When the work on queued assets starts.
+    /// The time when the work on queued assets starts.
     enum class Start {
         Immediately,
         // once nothing was queued for as long as the last work took, at most 200 ms: not while an asset is dragged

@@ -8,9 +8,8 @@ namespace rubble {
 /// Bakes a document's assets in the background whenever they change, in all variants that its instances use, and stores
 /// the results in Bakes.
 ///
-/// Patterns, of the whole and of the entered fragment, have their own thread and are computed at once; fragments
-/// bakeChanged several times as long and follow when the pattern stops changing. A result never replaces that of a
-/// newer state.
+/// Patterns, of the whole and of the entered fragment, have their own thread and are computed at once; fragments take
+/// several times as long and follow when the pattern stops changing. A result never replaces that of a newer state.
 class Baker : public QObject {
     Q_OBJECT
 public:

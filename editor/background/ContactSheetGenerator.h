@@ -27,7 +27,7 @@ signals:
     /// isBusy() changed.
     void changed();
     void progressed(double fraction);
-    /// A variant is complete; in any order.
+    /// A variant is complete; variants complete in any order.
     void cellReady(const rubble::SheetCell& cell);
     void failed(const QString& sentence);
 

@@ -28,7 +28,7 @@ public:
     bool isBusy() const { return m_job.isRunning(); }
     /// Replaces a running export.
     void start(FilmRequest request);
-    /// Nothing of the film stays on disk; neither does it on destruction.
+    /// Cancels the export and deletes its files, as the destructor does.
     void cancel();
 
 signals:

@@ -19,7 +19,7 @@ public:
 
     /// The last result; it may be slightly outdated.
     const std::vector<InstanceOverlap>& overlaps() const { return m_overlaps; }
-    /// The result is of the current document.
+    /// Whether the result is that of the current document.
     bool isCurrent() const { return !m_job.isRunning() && !m_delay.isActive(); }
 
 signals:

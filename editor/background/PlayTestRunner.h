@@ -17,7 +17,7 @@ public:
     PlayTestRunner(const Document& document, const Bakes& bakes, QObject* parent = nullptr);
 
     bool isBusy() const { return m_job.isRunning(); }
-    /// Runs tests of the project, one after the other; replaces a running run.
+    /// Runs tests of the project, one after the other; cancels a run in progress.
     void run(std::vector<Id> tests);
     void cancel();
     /// Null if the test was not run on the current document.

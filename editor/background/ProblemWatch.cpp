@@ -1,15 +1,25 @@
 #include "editor/background/ProblemWatch.h"
 
-#include <QThread>
-
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace rubble {
 
 namespace {
 
 constexpr int kDelayMilliseconds = 120;  // a dragged seed bakes many times a second
+
+/// Returns the problems of each bake, or of its outline if there is none.
+std::vector<std::vector<Diagnostic>> search(const std::vector<std::shared_ptr<const BakedAsset>>& baked,
+                                            const TaskContext& task) {
+    std::vector<std::vector<Diagnostic>> problems;
+    for (const std::shared_ptr<const BakedAsset>& one : baked) {
+        if (task.isCancelled()) return {};
+        problems.push_back(one->bake ? problemsOf(*one->asset, *one->bake, {}, task) : outlineProblems(*one->asset));
+    }
+    return problems;
+}
 
 }  // namespace
 
@@ -20,6 +30,7 @@ ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject
     connect(&m_delay, &QTimer::timeout, this, &ProblemWatch::check);
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {
         m_stale.insert(asset);
+        m_job.cancel();
         m_delay.start();
     });
     connect(&document, &Document::changed, this, [this](const Changes& changes) {
@@ -29,16 +40,19 @@ ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject
 }
 
 void ProblemWatch::check() {
-    TaskContext task;
-    task.threads = std::max(1, QThread::idealThreadCount());
+    Baked baked;
     for (const Id asset : m_stale) {
-        const auto baked = m_bakes.find(asset);
-        if (!baked || !baked->asset) continue;
-        Entry& found = m_results[asset];
-        found.bake = baked->bake;
-        found.ofBake = baked->bake ? problemsOf(*baked->asset, *baked->bake, {}, task) : outlineProblems(*baked->asset);
+        if (auto found = m_bakes.find(asset); found && found->asset) baked.push_back(std::move(found));
     }
+    m_job.start([baked](const TaskContext& task) { return search(baked, task); },
+                [this, baked](std::vector<std::vector<Diagnostic>> problems) { apply(baked, std::move(problems)); });
+}
+
+void ProblemWatch::apply(const Baked& baked, std::vector<std::vector<Diagnostic>> problems) {
     m_stale.clear();
+    for (std::size_t k = 0; k < baked.size(); ++k) {
+        m_results[baked[k]->asset->id] = {baked[k]->bake, std::move(problems[k]), {}};
+    }
     const Project& project = m_document.project();
     std::erase_if(m_results, [&](const auto& found) { return !findAsset(project, found.first); });
     for (auto& [id, found] : m_results) {

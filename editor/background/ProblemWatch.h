@@ -1,17 +1,21 @@
 #pragma once
 
 #include "core/asset/checks/Problems.h"
+#include "editor/background/BackgroundJob.h"
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 
 #include <QTimer>
 
 #include <map>
+#include <memory>
 #include <set>
+#include <vector>
 
 namespace rubble {
 
-/// The problems of every asset's last bake; searched again when the bakes have not changed for a moment.
+/// The problems of every asset's last bake. Searches again, in the background, when the bakes have not changed for a
+/// moment; a search of bakes that change meanwhile is cancelled.
 class ProblemWatch : public QObject {
     Q_OBJECT
 public:
@@ -33,12 +37,17 @@ private:
         std::vector<Diagnostic> ofBake;
         std::vector<Diagnostic> problems;  // ofBake and those of its strength in the current project
     };
+    using Baked = std::vector<std::shared_ptr<const BakedAsset>>;
+
     void check();
+    /// Applies the problems of each bake.
+    void apply(const Baked& baked, std::vector<std::vector<Diagnostic>> problems);
 
     const Document& m_document;
     const Bakes& m_bakes;
+    BackgroundJob m_job;
     QTimer m_delay;
-    std::set<Id> m_stale;
+    std::set<Id> m_stale;  // whose bakes changed since the last result
     std::map<Id, Entry> m_results;
 };
 

@@ -28,7 +28,7 @@ public:
                     QObject* parent = nullptr);
 
     bool isOn() const { return m_earlier != nullptr; }
-    /// The name of the earlier state: "house.rubble, as it was saved".
+    /// The name of the earlier state: "house.rubble as saved".
     const QString& name() const { return m_name; }
     /// Null if there is no active asset or no result yet.
     const std::shared_ptr<const ComparedAsset>& asset() const { return m_compared; }

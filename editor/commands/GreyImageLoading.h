@@ -10,7 +10,7 @@
 
 namespace rubble {
 
-/// Converts an image to luminance and opacity: 16 bits a pixel if it has more than 8, otherwise 8; exact for grey
+/// Converts an image to luminance and opacity: 16 bits per pixel if it has more than 8, otherwise 8; exact for grey
 /// images. Opaque images get no opacity channel.
 GreyImage greyImageOf(const QImage& picture);
 /// Converts a grey image for display.

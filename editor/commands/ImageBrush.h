@@ -14,7 +14,8 @@ struct Brush {
     double value = 0.0;     // painted: 0 black, 1 white
 };
 
-/// An image of one value, 8 bits a pixel, with about square pixels over a box: `longer` of them along its longer side.
+/// An image of one value, 8 bits per pixel, with nearly square pixels over a box: `longer` of them along its longer
+/// side.
 GreyImage uniformImage(const Box2& box, double value, std::uint32_t longer = 256);
 
 /// Paints dabs along a line, close enough to look continuous. Painted pixels become opaque.

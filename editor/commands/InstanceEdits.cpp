@@ -75,7 +75,7 @@ double heightOf(const Instance& instance) { return instance.pose.position.y; }
 }  // namespace
 
 Edit arrayInGrid(const Project& project, std::span<const Id> instances, const GridArray& array) {
-    InstanceCopies copies(tr("Array in Grid"), project);
+    InstanceCopies copies(tr("Grid Array"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int y = 0; y < array.counts[1]; ++y) {
             for (int z = 0; z < array.counts[2]; ++z) {
@@ -92,7 +92,7 @@ Edit arrayInGrid(const Project& project, std::span<const Id> instances, const Gr
 }
 
 Edit arrayInRing(const Project& project, std::span<const Id> instances, const RingArray& array) {
-    InstanceCopies copies(tr("Array in Ring"), project);
+    InstanceCopies copies(tr("Radial Array"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int k = 1; k < array.count; ++k) {
             Instance copy = instance;

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// What else of a preset is applied to an asset.
+/// The parts of a preset to apply to an asset in addition to the material.
 struct PresetOptions {
     bool appliesPattern = false;    // replaces the asset's pattern by the preset's
     bool derivesThreshold = false;  // from the tensile strength, if the preset has one

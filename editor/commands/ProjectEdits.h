@@ -54,11 +54,12 @@ Edit removeInstances(const Project& project, std::span<const Id> instances);
 /// Adds a shot that is fired half a second after the start. Gets a number if its name is taken.
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action);
 
-/// Adds a play-test. With a shot, which is added, too, it expects something to break; without, everything to stand.
+/// Adds a play-test. With a shot, which is also added, it expects something to break; without one, everything to stay
+/// intact.
 Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot);
 Edit removePlayTest(Id test);
 
-/// Adds a layer with its own random seed at the end of the asset's pattern with an index (see AssetPatterns.h).
+/// Adds a layer with its own random seed to the end of the asset's pattern with this index (see AssetPatterns.h).
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern = 0);
 /// Adds a level that fractures the leaf fragments of an asset, each with a few scattered seeds.
 Edit addLevel(const Project& project, Id asset);

@@ -198,7 +198,7 @@ QString descriptionOf(QuickFix fix) {
         case QuickFix::DeletePoint: return tr("Delete repeated points of the outline");
         case QuickFix::Relax: return tr("Add a relaxation that moves scattered seeds to the centres of their cells");
         case QuickFix::MergeTinyFragments:
-            return tr("Merge all tiny fragments of the asset into the neighbour with the longest shared edge");
+            return tr("Merge each tiny fragment of the asset into the neighbour with the longest shared edge");
         case QuickFix::ReduceCount:
             return tr("Reduce the count of the layer to the seeds that fit, which stay in place");
         case QuickFix::SplitFragment:

@@ -41,7 +41,7 @@ void scale(Pattern& pattern, const Scaling& map) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
         }
         if (auto* drawn = std::get_if<CrackLines>(&layer.parameters)) {
-            for (CrackLines::CrackLine& stroke : drawn->lines) scale(stroke.points, map);
+            for (CrackLines::CrackLine& line : drawn->lines) scale(line.points, map);
         }
     }
 }

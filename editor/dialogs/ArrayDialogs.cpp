@@ -24,7 +24,7 @@ constexpr int kDefaultRingCount = 6;
 }  // namespace
 
 ArrayDialog::ArrayDialog(const QString& title, QWidget* parent)
-    : QDialog(parent), m_form(new QFormLayout), m_variants(new QCheckBox(tr("Own &variant for each copy"))) {
+    : QDialog(parent), m_form(new QFormLayout), m_variants(new QCheckBox(tr("Separate &variant for each copy"))) {
     setWindowTitle(title);
     m_variants->setToolTip(tr("Give each copy the same shape with its own fracture pattern"));
     m_variants->setChecked(true);
@@ -66,7 +66,7 @@ GridArrayDialog::GridArrayDialog(Vec3 steps, QWidget* parent) : ArrayDialog(tr("
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const QString& name = axes[static_cast<int>(axis)];
         m_counts[axis] = addCount(tr("Count along %1:").arg(name), axis == 0 ? 3 : 1);
-        m_steps[axis] = addNumber(tr("Step along %1:").arg(name), tr(" m"), steps[static_cast<int>(axis)]);
+        m_steps[axis] = addNumber(tr("Spacing along %1:").arg(name), tr(" m"), steps[static_cast<int>(axis)]);
     }
     m_counts[0]->selectAll();
     m_counts[0]->setFocus();

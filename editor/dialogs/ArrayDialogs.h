@@ -11,7 +11,7 @@ class QSpinBox;
 
 namespace rubble {
 
-/// The common part of the array dialogs: whether each copy gets a variant of its own.
+/// The base of the array dialogs, with the option to give each copy its own variant.
 class ArrayDialog : public QDialog {
     Q_OBJECT
 public:

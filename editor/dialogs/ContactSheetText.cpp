@@ -26,8 +26,8 @@ QString measureName(SheetMeasure measure) {
         case SheetMeasure::Pieces: return tr("Fragments");
         case SheetMeasure::SmallestPiece: return tr("Smallest fragment");
         case SheetMeasure::Aspect: return tr("Longest fragment");
-        case SheetMeasure::BreakImpact: return tr("Impact to break");
-        case SheetMeasure::DebrisHeight: return tr("Height of debris");
+        case SheetMeasure::BreakImpact: return tr("Breaking impact");
+        case SheetMeasure::DebrisHeight: return tr("Debris height");
     }
     return {};
 }

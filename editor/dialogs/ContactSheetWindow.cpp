@@ -1,10 +1,11 @@
 #include "editor/dialogs/ContactSheetWindow.h"
 
+#include "core/asset/project/Ranges.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/ContactSheetText.h"
 #include "editor/dialogs/VariationTree.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/Theme.h"
+#include "editor/workspace/ViewportStyle.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QCloseEvent>
@@ -35,7 +36,6 @@ constexpr double kMaxScreenFraction = 0.9;  // of the default size
 constexpr int kSettingsWidth = 300;         // pixels
 constexpr int kProgressWidth = 160;         // pixels
 constexpr int kDefaultVariants = 12;
-constexpr int kMaxSteps = 100'000;
 constexpr int kDefaultStep = 60;    // one second after the start
 constexpr int kDefaultSpread = 15;  // per cent
 constexpr int kMaxSpread = 90;      // per cent
@@ -46,6 +46,11 @@ QPushButton* createButton(const char* icon, const QString& text, const QString& 
     button->setToolTip(tip);
     button->setAutoDefault(false);
     return button;
+}
+
+void setRange(QSpinBox& box, ProjectNumber number) {
+    const NumberRange& range = rangeOf(number);
+    box.setRange(static_cast<int>(range.min), static_cast<int>(range.max));
 }
 
 /// Returns the picture of a variant, or an error icon if it has none.
@@ -132,12 +137,12 @@ QWidget* ContactSheetWindow::createSettings() {
     settings->setFixedWidth(kSettingsWidth);
     auto* form = new QFormLayout(settings);
     form->setContentsMargins(0, 0, 0, 0);
-    m_variants->setRange(1, static_cast<int>(VariantRecipe::kMaxVariants));
+    setRange(*m_variants, ProjectNumber::Variants);
     m_variants->setValue(kDefaultVariants);
     form->addRow(tr("&Variants:"), m_variants);
     m_shot->setObjectName("sheet-shot");
     form->addRow(tr("S&hot:"), m_shot);
-    m_step->setRange(0, kMaxSteps);
+    setRange(*m_step, ProjectNumber::Step);
     m_step->setValue(kDefaultStep);
     m_step->setToolTip(tr("Set the simulation step at which variants are shown"));
     form->addRow(tr("S&tep:"), m_step);
@@ -232,7 +237,7 @@ void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
     const double ratio = devicePixelRatioF();
     const SheetStyle style{
         .size = {static_cast<int>(kPictureSize.width() * ratio), static_cast<int>(kPictureSize.height() * ratio)},
-        .theme = isDark(palette()) ? Theme::Dark : Theme::Light,
+        .theme = themeOf(palette()),
         .view = request.stage ? StandardView::Isometric : StandardView::Front};
     m_generator.start(std::move(request), style);
 }

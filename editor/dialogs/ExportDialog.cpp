@@ -51,17 +51,17 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
 void ExportDialog::addFields() {
     m_assets = new QListWidget;
     m_assets->setAccessibleName(tr("Assets to export"));
-    m_assets->setToolTip(tr("Select the assets to export; each gets a folder of its name"));
+    m_assets->setToolTip(tr("Select the assets to export; each is written to a folder with its name"));
     m_folder = new QLineEdit;
-    m_folder->setToolTip(tr("Set the folder that contains the folders of the assets"));
+    m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
     m_obj = new QCheckBox(tr("&OBJ with materials"));
     m_obj->setToolTip(tr("Write Wavefront OBJ files, which all 3D programs read"));
     m_glb = new QCheckBox(tr("&GLB"));
     m_glb->setToolTip(tr("Write binary glTF files with a node per fragment"));
-    m_split =
-        comboBox({tr("One file for all"), tr("One file each")}, tr("Select how fragments are distributed to files"));
+    m_split = comboBox({tr("One file for all"), tr("One file each")},
+                       tr("Select one file for all fragments or one file per fragment"));
     m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
-                       tr("Select the position of fragments in their files"));
+                       tr("Select the position of the fragments in the mesh files"));
     m_faces = comboBox({tr("Polygons"), tr("Triangles")}, tr("Select the faces of OBJ files"));
     m_summary = new QLabel;
     m_summary->setWordWrap(true);

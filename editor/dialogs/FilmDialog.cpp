@@ -1,5 +1,6 @@
 #include "editor/dialogs/FilmDialog.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
 #include "editor/widgets/ComboBox.h"
@@ -103,14 +104,14 @@ void FilmDialog::addTarget(QFormLayout& form) {
     form.addRow(tr("F&ormat:"), m_kind);
     if (!m_hasFfmpeg) {
         m_kind->setEnabled(false);
-        auto* note = new QLabel(tr("Films need ffmpeg, which is not installed. Export images instead, or install it."));
+        auto* note = new QLabel(tr("Films need ffmpeg, which is not installed. Install it, or export images instead."));
         note->setObjectName("film-without-ffmpeg");
         note->setWordWrap(true);
         form.addRow(QString(), note);
     }
     m_path = new QLineEdit;
     m_path->setObjectName("film-path");
-    m_path->setToolTip(tr("Set the file of the film, or the folder of the images"));
+    m_path->setToolTip(tr("Set the file of the film or the folder for the images"));
     auto* browse = new QPushButton(tr("Browse…"));
     connect(browse, &QPushButton::clicked, this, &FilmDialog::browse);
     auto* row = createRow({m_path, browse});
@@ -127,7 +128,7 @@ void FilmDialog::addFrames(QFormLayout& form) {
     m_quality = comboBox({tr("As in the 3D view"), tr("Soft light"), tr("Softest light (slow)")},
                          tr("Select the quality of light and edges"));
     form.addRow(tr("&Quality:"), m_quality);
-    m_compare = new QCheckBox(tr("&Compare with no destruction"));
+    m_compare = new QCheckBox(tr("&Compare without destruction"));
     m_compare->setToolTip(tr("Show the same simulation without destruction on the left"));
     form.addRow(QString(), m_compare);
 }
@@ -140,10 +141,11 @@ void FilmDialog::addTime(QFormLayout& form) {
     auto* row = createRow({m_first, new QLabel(tr("to")), m_last});
     row->addStretch(1);
     form.addRow(createLabel(tr("St&eps:"), m_first), row);
-    m_frameRate =
-        createNumberField(1.0, 240.0, tr(" frames per second"), tr("Set the frame rate; 24 to 60 look smooth"));
+    const NumberRange& rates = rangeOf(ProjectNumber::FrameRate);
+    m_frameRate = createNumberField(rates.min, rates.max, tr(" frames per second"),
+                                    tr("Set the frame rate; 24 to 60 look smooth"));
     form.addRow(tr("Frame &rate:"), m_frameRate);
-    m_speed = createNumberField(0.01, 100.0, tr("×"), tr("Set the playback speed; below 1 is slow motion"));
+    m_speed = createNumberField(0.01, 100.0, tr("×"), tr("Set the playback speed; values below 1 give slow motion"));
     m_speed->setValue(m_subject.speed);
     form.addRow(tr("S&peed:"), m_speed);
 }

@@ -12,6 +12,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
 
@@ -41,6 +42,12 @@ QLabel* createNotes() {
 
 }  // namespace
 
+/// The result of a search.
+struct ImportDialog::Found {
+    std::optional<SourceModel> model;  // none if the one shown is still valid
+    Result<ImportOutcome> outcome;
+};
+
 ImportDialog::ImportDialog(const QString& path, const Project& project, const Preferences& preferences, QWidget* parent)
     : QDialog(parent), m_path(path), m_project(project), m_view(new ImportView(preferences)) {
     setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
@@ -56,6 +63,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
     layout->addWidget(m_refused);
+    layout->addWidget(m_progress);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // after the button was added to the dialog
     resize(kDefaultSize);
@@ -65,15 +73,19 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
         connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::updateMesh);
     }
     for (QComboBox* box : {m_axis, m_fallback}) {
-        connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::updateOutcome);
+        connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::search);
     }
+    connect(&m_job, &BackgroundJob::progressed, m_progress,
+            [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
+    connect(this, &QDialog::finished, &m_job, &BackgroundJob::cancel);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
 }
 
 bool ImportDialog::read(const std::filesystem::path& importer) {
     std::optional<SourceScene> scene = readMesh(m_path, importer, parentWidget());
     if (!scene) return false;
-    m_scene = std::move(*scene);
+    m_scene = std::make_shared<const SourceScene>(std::move(*scene));
+    showSummary();
     updateMesh();
     return true;
 }
@@ -91,7 +103,7 @@ std::vector<Message> ImportDialog::messages() const {
             messages.push_back({.text = textOf(note), .asset = imported.asset});
         }
     }
-    for (const Error& error : m_outcome->refused) {
+    for (const Error& error : m_outcome->rejected) {
         messages.push_back({.severity = Severity::Error, .text = textOf(error.message)});
     }
     return messages;
@@ -101,7 +113,7 @@ void ImportDialog::createFields() {
     m_summary = new QLabel;
     m_summary->setWordWrap(true);
     m_unit = createUnitBox();
-    m_up = comboBox({tr("Y"), tr("Z")}, tr("Select the axis of the file that points up"));
+    m_up = comboBox({tr("Y"), tr("Z")}, tr("Select the up axis of the file"));
     m_axis = comboBox({tr("Thinnest side"), tr("X"), tr("Y (up)"), tr("Z")},
                       tr("Select the axis along which the outline is extruded"));
     m_fallback = comboBox({tr("Refuse"), tr("Use silhouette"), tr("Use top face")},
@@ -118,6 +130,13 @@ void ImportDialog::createFields() {
     m_notes = createNotes();
     m_refused = createNotes();
     m_refused->hide();
+    m_progress = new QProgressBar;
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Searching for prisms"));
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);  // most searches take an instant; the rest of the dialog stays in place
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
 }
 
 QWidget* ImportDialog::createOptions() {
@@ -146,40 +165,57 @@ ImportOptions ImportDialog::options() const {
 
 /// Returns the length of one unit of the file, m.
 double ImportDialog::fileUnit() const {
-    const double stated = m_scene.metresPerUnit > 0.0 ? m_scene.metresPerUnit : 1.0;
+    const double stated = m_scene->metresPerUnit > 0.0 ? m_scene->metresPerUnit : 1.0;
     return metresPerUnit(*m_unit).value_or(stated);
 }
 
-void ImportDialog::updateMesh() {
-    m_view->setModel(sourceModel(m_scene, fileUnit(), options().up));
-    updateOutcome();
-}
-
-void ImportDialog::updateOutcome() {
-    const std::string name = QFileInfo(m_path).completeBaseName().toStdString();
-    const Result<ImportOutcome> outcome = importedInto(m_project, m_scene, name, options(), TaskContext{});
-    m_outcome.reset();
-    if (outcome) m_outcome = *outcome;
-    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
-    updateSummary(outcome);
-    fillTable();
-}
-
-void ImportDialog::updateSummary(const Result<ImportOutcome>& outcome) {
+void ImportDialog::showSummary() {
     std::size_t triangles = 0;
-    for (const SourceObject& object : m_scene.objects) triangles += object.triangles.size();
-    const QString unit = m_scene.metresPerUnit > 0.0
-                             ? tr("The unit of the file is %1.").arg(metresText(m_scene.metresPerUnit))
+    for (const SourceObject& object : m_scene->objects) triangles += object.triangles.size();
+    const QString unit = m_scene->metresPerUnit > 0.0
+                             ? tr("The unit of the file is %1.").arg(metresText(m_scene->metresPerUnit))
                              : tr("The file has no unit; metres are used unless you select another unit.");
-    m_summary->setText(tr("%Ln object(s)", nullptr, static_cast<int>(m_scene.objects.size())) + ", " +
+    m_summary->setText(tr("%Ln object(s)", nullptr, static_cast<int>(m_scene->objects.size())) + ", " +
                        tr("%Ln triangle(s)", nullptr, static_cast<int>(triangles)) + ". " + unit);
+}
+
+void ImportDialog::updateMesh() {
+    m_isModelOutdated = true;
+    search();
+}
+
+/// The previous result stays visible until the search is finished, but cannot be imported.
+void ImportDialog::search() {
+    m_import->setEnabled(false);
+    m_progress->setValue(0);
+    m_progress->show();
+    m_job.start(
+        [scene = m_scene, project = m_project, name = QFileInfo(m_path).completeBaseName().toStdString(),
+         options = options(), unit = fileUnit(), needsModel = m_isModelOutdated](const TaskContext& task) {
+            Found found{{}, importedInto(project, *scene, name, options, task)};
+            if (needsModel && !task.isCancelled()) found.model = sourceModel(*scene, unit, options.up);
+            return found;
+        },
+        [this](Found found) { apply(std::move(found)); });
+}
+
+void ImportDialog::apply(Found found) {
+    m_progress->hide();
+    if (found.model) {
+        m_view->setModel(std::move(*found.model));
+        m_isModelOutdated = false;
+    }
+    m_outcome.reset();
+    if (found.outcome) m_outcome = std::move(*found.outcome);
+    m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
     QStringList refused;
-    if (!outcome) refused.append(textOf(outcome.error().message));
+    if (!found.outcome) refused.append(textOf(found.outcome.error().message));
     if (m_outcome) {
-        for (const Error& error : m_outcome->refused) refused.append(textOf(error.message));
+        for (const Error& error : m_outcome->rejected) refused.append(textOf(error.message));
     }
     m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
     m_refused->setVisible(!refused.isEmpty());
+    fillTable();
 }
 
 void ImportDialog::fillTable() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/import/AssetImport.h"
-#include "core/base/Result.h"
+#include "editor/background/BackgroundJob.h"
 #include "editor/document/Edit.h"
 #include "editor/document/Messages.h"
 #include "editor/workspace/Preferences.h"
@@ -9,9 +9,13 @@
 #include <QDialog>
 
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QTableWidget;
 
@@ -20,7 +24,8 @@ namespace rubble {
 class ImportView;
 class OutlinePreview;
 
-/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them and why objects are refused.
+/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them and why objects are refused. Prisms
+/// are searched for in the background, again after each change of the options.
 class ImportDialog : public QDialog {
     Q_OBJECT
 public:
@@ -29,26 +34,30 @@ public:
     /// Reads the file with the importer program and shows progress. Returns false if it cannot be read, after showing
     /// the error, or if the user cancels.
     bool read(const std::filesystem::path& importer);
-    /// The edit that imports, once the dialog was accepted.
+    /// The edit that performs the import, once the dialog has been accepted.
     Edit edit() const;
     Id firstAsset() const;
-    /// What was merged, flipped, omitted or refused.
+    /// Messages about merged, flipped, omitted and refused elements.
     std::vector<Message> messages() const;
 
 private:
+    struct Found;
+
     void createFields();
     QWidget* createOptions();
     ImportOptions options() const;
     double fileUnit() const;
+    void showSummary();
     void updateMesh();
-    void updateOutcome();
-    void updateSummary(const Result<ImportOutcome>& outcome);
+    void search();
+    void apply(Found found);
     void fillTable();
     void showRow(int row);
 
     QString m_path;
     const Project& m_project;
-    SourceScene m_scene;
+    std::shared_ptr<const SourceScene> m_scene;
+    bool m_isModelOutdated = true;  // the meshes shown have another unit or up axis
     std::optional<ImportOutcome> m_outcome;
     QLabel* m_summary;
     QComboBox* m_unit;
@@ -58,9 +67,11 @@ private:
     QTableWidget* m_table;
     ImportView* m_view;
     OutlinePreview* m_preview;
-    QLabel* m_notes;    // about the asset of the current row
-    QLabel* m_refused;  // the objects that cannot be imported
+    QLabel* m_notes;           // about the asset of the current row
+    QLabel* m_refused;         // the objects that cannot be imported
+    QProgressBar* m_progress;  // visible during a search
     QPushButton* m_import = nullptr;
+    BackgroundJob m_job;
 };
 
 }  // namespace rubble

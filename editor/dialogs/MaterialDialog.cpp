@@ -66,10 +66,10 @@ QWidget* MaterialDialog::createOptions() {
     m_appliesPattern->setChecked(true);
     m_derivesThreshold = new QCheckBox(tr("Derive the &threshold from the strength"));
     m_derivesThreshold->setToolTip(
-        tr("Compute strength × smallest cross-section × contact time instead of using a typed number"));
+        tr("Compute strength × smallest cross-section × contact time instead of using the entered threshold"));
     layout->addWidget(m_appliesPattern);
     layout->addWidget(m_derivesThreshold);
-    auto* folder = new QLabel(tr("Folder of your presets: %1").arg(QDir::toNativeSeparators(m_folder)));
+    auto* folder = new QLabel(tr("Preset folder: %1").arg(QDir::toNativeSeparators(m_folder)));
     folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
     folder->setWordWrap(true);
     folder->setEnabled(false);

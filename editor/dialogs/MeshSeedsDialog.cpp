@@ -62,13 +62,13 @@ void MeshSeedsDialog::updateSeeds() {
                                                  .isFitted = m_fit->isChecked()},
                                                 m_outline);
     m_add->setEnabled(found.hasValue());
-    const QString report = QString::fromStdString(found ? found->report() : found.error().message);
+    const QString note = QString::fromStdString(found ? found->omissionText() : found.error().message);
     m_found = found ? std::move(*found) : VertexSeeds{};
     std::vector<Vec2> positions;
     for (const PlacedSeeds::Seed& seed : m_found.seeds.seeds) positions.push_back(seed.position);
     m_preview->setOutline(m_outline, std::move(positions));
     const int count = static_cast<int>(m_found.seeds.seeds.size());
-    m_summary->setText(m_add->isEnabled() ? tr("%Ln seed(s).", nullptr, count) + ' ' + report : report);
+    m_summary->setText(m_add->isEnabled() ? tr("%Ln seed(s).", nullptr, count) + ' ' + note : note);
 }
 
 }  // namespace rubble

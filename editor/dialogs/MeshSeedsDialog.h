@@ -19,7 +19,7 @@ class MeshSeedsDialog : public QDialog {
 public:
     MeshSeedsDialog(const QString& fileName, SourceScene mesh, Polygon outline, QWidget* parent);
 
-    /// The seeds, once the dialog was accepted.
+    /// The seeds, once the dialog has been accepted.
     const PlacedSeeds& seeds() const { return m_found.seeds; }
 
 private:

@@ -28,7 +28,7 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& store, QWidget* parent)
 void PreferencesDialog::addFields() {
     m_theme = comboBox({tr("System"), tr("Light"), tr("Dark")}, tr("Select the colours of all windows"));
     m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
-                      tr("Select the unit of lengths in all windows; files use metres"));
+                      tr("Select the unit of length for all windows; files use metres"));
     m_navigation = comboBox({tr("Blender: middle button orbits, with Shift pans"), tr("Maya: Alt and mouse buttons")},
                             tr("Select the mouse controls of the 3D view"));
     m_smooth = new QCheckBox(tr("S&mooth view changes"));
@@ -41,7 +41,7 @@ void PreferencesDialog::addFields() {
     m_autosave->setRange(0, 3600);
     m_autosave->setSuffix(tr(" s"));
     m_autosave->setSpecialValueText(tr("Never"));
-    m_autosave->setToolTip(tr("Set the time from a change to its backup"));
+    m_autosave->setToolTip(tr("Set the delay between a change and its backup"));
     auto* buttons =
         new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -60,7 +60,7 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
     if (!errors.isEmpty()) {
         const int failed = static_cast<int>(errors.size());
         const QString text = QCoreApplication::translate(
-            "Export", "%n asset(s) could not be exported. The details say why.", nullptr, failed);
+            "Export", "%n asset(s) could not be exported. See the details.", nullptr, failed);
         showError(parent, text, errors);
     }
     const QString exported = QCoreApplication::translate("Export", "Exported %n asset(s) to %1", nullptr, written)

@@ -8,7 +8,7 @@ class QWidget;
 
 namespace rubble {
 
-/// What an export writes, and where.
+/// The contents and the destination of an export.
 struct ExportOptions {
     QString folder;
     std::optional<std::vector<Id>> assets;  // none: all assets of the project at the time of the export
@@ -16,7 +16,7 @@ struct ExportOptions {
 };
 
 /// Returns the options of the project's last export, which QSettings keep by the project's path; none if it was never
-/// exported. Assets that do not exist any more are left out.
+/// exported. Assets that no longer exist are left out.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
 
 /// Exports the project with a progress dialog and stores the options as its last ones. Returns a sentence for the

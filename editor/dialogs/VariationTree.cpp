@@ -121,7 +121,7 @@ void VariationTree::addLayer(const PatternLayer& layer) {
 }
 
 void VariationTree::addKinds() {
-    auto* parent = new QTreeWidgetItem(this, {tr("Kinds of layers")});
+    auto* parent = new QTreeWidgetItem(this, {tr("Layer kinds")});
     parent->setIcon(Name, iconNamed("layer-add"));
     parent->setFlags(Qt::ItemIsEnabled);
     for (const PatternKind* kind : variedKinds()) {

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// What varies on a contact sheet: a row with a range for each numeric parameter of each layer, and a row for each kind
-/// of scattering layer. Checked rows vary.
+/// The varied parameters of a contact sheet: a row with a range for each numeric parameter of each layer, and a row for
+/// each kind of scattering layer. Checked rows vary.
 class VariationTree : public QTreeWidget {
     Q_OBJECT
 public:

@@ -34,7 +34,7 @@ public:
     Autosave(const Document& document, const QString& folder, QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// The longest time from a change to the backup; zero or less disables backups.
+    /// The maximum time from a change to its backup; zero or less disables backups.
     void setInterval(std::chrono::seconds interval);
     /// The path of the document's file, stored with the backup.
     void setProjectPath(const QString& path) { m_projectPath = path; }

@@ -46,8 +46,8 @@ public:
     /// Whether every asset was baked in its current state and in all variants that instances use.
     bool areCurrent(const Project& project) const;
 
-    /// The pattern of the whole asset, or of a fragment; null until it was made once. Of fragments only the last one is
-    /// kept.
+    /// The pattern of the whole asset, or of a fragment; null until it has been computed. Of the patterns of fragments,
+    /// only the last one is kept.
     std::shared_ptr<const BakedPattern> findPattern(Id asset, const FragmentPath& parent = {}) const;
 
     void set(Id asset, std::shared_ptr<const BakedAsset> result);

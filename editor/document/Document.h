@@ -15,7 +15,7 @@ public:
     explicit Document(Project project, QObject* parent = nullptr);
 
     const Project& project() const { return m_project; }
-    /// Its clean state is the saved file.
+    /// The undo stack; its clean state is the saved file.
     QUndoStack& undoStack() { return m_undoStack; }
 
     /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that

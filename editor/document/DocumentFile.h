@@ -15,9 +15,9 @@ class DocumentFile : public QObject {
 public:
     explicit DocumentFile(Document& document, QObject* parent = nullptr);
 
-    /// Empty until the document was opened or saved.
+    /// Empty until the document has been opened or saved.
     const QString& path() const { return m_path; }
-    /// "house.rubble", or "Untitled".
+    /// The name of the file: "house.rubble", or "Untitled".
     QString name() const;
 
     /// Loads a file into the document. On an error nothing changes.
@@ -32,7 +32,7 @@ public:
     ///
     /// Errors: those of saveProject() and ProjectLock::acquire().
     Status saveAs(const QString& path);
-    /// Loads the file again and drops unsaved changes.
+    /// Loads the file again and discards unsaved changes.
     Status reload() { return open(m_path); }
 
 signals:

@@ -14,7 +14,7 @@ inline QMimeData* mimeDataOf(Id asset) {
     data->setData(kAssetMimeType, QByteArray::number(asset));
     return data;
 }
-/// The dragged asset's id; 0 if the data is no asset.
+/// The dragged asset's id; 0 if the data is not an asset.
 inline Id draggedAsset(const QMimeData* data) { return data->data(kAssetMimeType).toUInt(); }
 
 }  // namespace rubble

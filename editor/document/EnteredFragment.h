@@ -21,7 +21,7 @@ std::optional<FragmentSolid> fragmentSolid(const Bakes& bakes, Id asset, const F
 Asset fragmentAsAsset(Asset asset, const FragmentPath& fragment, Prism prism);
 
 /// The fragment itself if it exists and is fractured, otherwise its nearest such ancestor; the empty path for the whole
-/// asset. `bake` is the asset's last bake, or null if that failed; then all fragments that have a level are taken to
+/// asset. `bake` is the asset's last bake, or null if that failed; then all fragments that have a level are assumed to
 /// exist.
 FragmentPath nearestFractured(const Asset& asset, const Bake* bake, const FragmentPath& fragment);
 
@@ -29,7 +29,7 @@ FragmentPath nearestFractured(const Asset& asset, const Bake* bake, const Fragme
 void enterFragment(Selection& selection, const FragmentPath& fragment);
 /// Exits to an ancestor of the entered fragment (empty: the whole asset) and selects the fragment that was left.
 void exitToFragment(Selection& selection, const FragmentPath& ancestor);
-/// Exits fragments that do not exist or are not fractured any more.
+/// Exits fragments that no longer exist or are no longer fractured.
 void exitRemovedFragments(Selection& selection, const Project& project, const Bakes& bakes);
 
 }  // namespace rubble

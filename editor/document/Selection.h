@@ -41,7 +41,7 @@ public:
     /// Makes an asset active. A change of asset clears the selected and hidden fragments and exits the entered
     /// fragment.
     void setAsset(Id asset);
-    /// Enters a fragment; an empty path shows the whole asset. The selection stays.
+    /// Enters a fragment; an empty path shows the whole asset. The selection is kept.
     void setEnteredFragment(FragmentPath fragment);
     void setSeeds(Seeds seeds);
     void setFragments(FragmentSelection fragments);

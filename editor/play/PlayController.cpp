@@ -240,7 +240,7 @@ void PlayController::applyUpdate() {
     if (update.shot) m_lastShot = update.shot;
     m_frame = std::move(update.frame);
     applyDestruction(*m_frame);
-    for (const std::string& notice : update.notices) emit statusMessage(QString::fromStdString(notice));
+    for (const Diagnostic& one : update.diagnostics) emit statusMessage(QString::fromStdString(one.message));
     if (haveBreaksChanged) emit breaksChanged();
     emit frameChanged();
 }

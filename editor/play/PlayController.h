@@ -27,7 +27,7 @@ public:
     PlayState state() const { return m_state; }
     bool isInPlay() const { return m_state != PlayState::Stopped; }
     bool isPlaying() const { return m_state == PlayState::Playing; }
-    /// It plays or is paused.
+    /// Whether it is playing or paused.
     bool hasSession() const { return m_state == PlayState::Playing || m_state == PlayState::Paused; }
     /// Starts, or resumes.
     void play();
@@ -68,7 +68,7 @@ public:
     /// The current position between the previous frame and the newest one, in [0, 1].
     double stepFraction() const;
     const std::vector<BreakRecord>& breaks() const { return m_breaks; }
-    /// Of the last kShownCosts steps.
+    /// The costs of the last kShownCosts steps.
     const std::vector<StepCost>& costs() const { return m_costs; }
     const std::optional<ShotInput>& lastShot() const { return m_lastShot; }
     /// The scene being played; null if there is none.
@@ -86,7 +86,7 @@ public:
 
 signals:
     void stateChanged();
-    /// There is a new frame.
+    /// A new frame is available.
     void frameChanged();
     void breaksChanged();
     void toolSettingsChanged();

@@ -92,13 +92,20 @@ bool PlayEngine::hasDestruction() const {
 }
 
 void PlayEngine::step() {
-    if (const Status played = m_timeline.step(); !played) m_update.notices.push_back(played.error().message);
+    const Status played = m_timeline.step();
+    if (!played) report(DiagnosticCode::UnappliedInput, played.error().message);
     recordStep();
 }
 
 void PlayEngine::seek(std::uint64_t step, const TaskContext& task) {
     const Status gone = m_timeline.seek(step, task, [this] { recordStep(); });
-    if (!gone && gone.error().code != ErrorCode::Cancelled) m_update.notices.push_back(gone.error().message);
+    if (!gone && gone.error().code != ErrorCode::Cancelled) {
+        report(DiagnosticCode::UnappliedInput, gone.error().message);
+    }
+}
+
+void PlayEngine::report(DiagnosticCode code, std::string message) {
+    m_update.diagnostics.push_back(diagnostic(code, {}, std::move(message)));
 }
 
 /// Records a step that is played for the first time.
@@ -108,18 +115,17 @@ void PlayEngine::recordStep() {
     m_recordedSteps = step;
     const PlayEvents& events = session().events();
     for (const PlayBreak& broken : events.breaks) m_update.breaks.push_back(recordOf(session(), broken));
-    m_update.notices.insert(m_update.notices.end(), events.notices.begin(), events.notices.end());
+    m_update.diagnostics.insert(m_update.diagnostics.end(), events.diagnostics.begin(), events.diagnostics.end());
     m_update.costs.push_back(costOf(session()));
     if (step > m_hashes.size() || m_hashes[step - 1] == session().hash().low) return;
-    m_update.notices.push_back("Step " + std::to_string(step) + " differs from the recording.");
+    report(DiagnosticCode::ReplayMismatch, "Step " + std::to_string(step) + " differs from the recording.");
     m_hashes.clear();
 }
 
 void PlayEngine::add(const PlayInput& input) {
     const std::uint64_t now = session().stepsDone();
     if (const Status added = m_timeline.add(input); !added) {
-        m_update.notices.push_back(added.error().message);
-        return;
+        return report(DiagnosticCode::UnappliedInput, added.error().message);
     }
     if (m_recordedSteps > now) {  // the recorded future is void
         m_recordedSteps = now;

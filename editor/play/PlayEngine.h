@@ -18,8 +18,8 @@ PlayScript scriptOf(const Replay& replay);
 /// The shots of a play-test for its duration, displayed from step `begin` on.
 PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin);
 
-/// An interactive session: applies user input and collects updates for display. It counts steps and knows no wall-clock
-/// time. Used in one thread.
+/// An interactive session: applies user input and collects updates for display. It counts steps, independently of
+/// wall-clock time. Not thread-safe.
 class PlayEngine {
 public:
     /// Errors: those of Session::start() and Timeline::seek().
@@ -33,7 +33,7 @@ public:
 
     void step();
     void seek(std::uint64_t step, const TaskContext& task);
-    /// An invalid input becomes a notice.
+    /// An invalid input becomes a diagnostic.
     void add(const PlayInput& input);
     void fire(const std::string& name, const ShotAction& action);
     /// Each acts on the first hit of a ray from the eye.
@@ -44,7 +44,7 @@ public:
     void grabAlong(double force, const Ray& ray);
     void dragAlong(const Ray& ray);
     void release();
-    /// Sets the throw whose trajectory and forecast are shown; nothing: none.
+    /// Sets the throw whose trajectory and forecast are shown; nullopt shows none.
     void aim(std::optional<Throw> thrown, const Ray& ray);
 
     /// Sets the overlays. Heat shows the break forecast of the aimed throw; without one, the recent impacts.
@@ -56,6 +56,7 @@ public:
 private:
     PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline, std::vector<std::uint64_t> hashes);
     void recordStep();
+    void report(DiagnosticCode code, std::string message);
     PlayFrame frame();
     void forecast();
 

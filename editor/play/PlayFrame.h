@@ -31,7 +31,7 @@ struct PlayStatistics {
     double energy = 0.0;  // J, kinetic and potential
 };
 
-/// A break as it is listed.
+/// A row of the list of breaks.
 struct BreakRecord {
     std::uint64_t step = 0;
     std::string name;
@@ -57,13 +57,13 @@ struct PlayFrame {
     bool hasDestruction = true;            // bodies can break from here on
 };
 
-/// What happened since the previous update, in order.
+/// The events since the previous update, in order.
 struct PlayUpdate {
     std::optional<PlayFrame> frame;             // the newest
     std::optional<std::uint64_t> discardAfter;  // the records of later steps are void; applied before the following
     std::vector<BreakRecord> breaks;
     std::vector<StepCost> costs;  // of new steps
-    std::vector<std::string> notices;
+    std::vector<Diagnostic> diagnostics;
     std::optional<ShotInput> shot;  // the last that was fired
 };
 

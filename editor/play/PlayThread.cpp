@@ -21,7 +21,7 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     };
     append(update.breaks, newer.breaks);
     append(update.costs, newer.costs);
-    append(update.notices, newer.notices);
+    append(update.diagnostics, newer.diagnostics);
     if (newer.frame) update.frame = std::move(newer.frame);
     if (newer.shot) update.shot = std::move(newer.shot);
 }

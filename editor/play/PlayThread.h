@@ -11,8 +11,8 @@
 
 namespace rubble {
 
-/// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock. Slow steps delay play and are not
-/// caught up. Tasks run between steps, in order, asynchronously.
+/// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock. Slow steps make play fall behind;
+/// it does not catch up. Tasks run between steps, in order, asynchronously.
 class PlayThread : public QObject {
     Q_OBJECT
 public:
@@ -34,11 +34,11 @@ public:
     void setPlaying(bool isPlaying);
     void setTimeScale(double scale);
 
-    /// The clock, s.
+    /// The time of the clock, s.
     double now() const;
     /// The simulated duration of a step, s.
     double stepLength() const;
-    /// Uses a clock that moves by advance() only: for tests, before start().
+    /// Uses a clock that moves only by advance(): for tests, before start().
     void useSteppedClock();
     /// Advances the stepped clock and waits until all due work is done.
     void advance(double seconds);
@@ -49,7 +49,7 @@ public:
     PlayUpdate takeUpdate();
 
 signals:
-    /// There is an update; emitted once until it is taken.
+    /// An update is available; emitted once until it is taken.
     void updateReady();
     /// The engine was created, or could not be, for the given reason.
     void started();

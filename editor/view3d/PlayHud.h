@@ -32,7 +32,7 @@ public:
         bool operator==(const Content&) const = default;
     };
     void setContent(const Content& content);
-    /// Nothing is painted while it is hidden, as at first.
+    /// Shows or hides it; hidden initially.
     void setVisible(bool isVisible);
 
     void paint(QPainter& painter, QSize size) const override;

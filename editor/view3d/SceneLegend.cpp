@@ -24,8 +24,8 @@ QString titleOf(SceneColouring colouring) {
         case SceneColouring::Level: return SceneLegend::tr("Level");
         case SceneColouring::Volume: return SceneLegend::tr("Fragment volume");
         case SceneColouring::Mass: return SceneLegend::tr("Fragment mass");
-        case SceneColouring::Aspect: return SceneLegend::tr("Length : width");
-        case SceneColouring::Threshold: return SceneLegend::tr("Breaks off at");
+        case SceneColouring::Aspect: return SceneLegend::tr("Aspect ratio");
+        case SceneColouring::Threshold: return SceneLegend::tr("Parent threshold");
         case SceneColouring::Material:
         case SceneColouring::Piece: break;
     }

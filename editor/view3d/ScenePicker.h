@@ -23,7 +23,7 @@ class ScenePicker : public QObject {
 public:
     ScenePicker(Workspace& workspace, ViewportWidget& viewport);
 
-    /// Whether the active asset is shown by itself; else all instances are.
+    /// Whether the active asset is shown by itself; otherwise all instances are.
     void setAssetOnly(bool isAssetOnly) { m_isAssetOnly = isAssetOnly; }
 
     /// The selected and hidden bodies.

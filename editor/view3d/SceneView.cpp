@@ -202,7 +202,7 @@ QWidget* SceneView::makeBar() {
     });
     auto* colouring = comboBox({tr("By material"), tr("By fragment"), tr("By level"), tr("By volume"), tr("By mass"),
                                 tr("By aspect"), tr("By threshold")},
-                               tr("Colour fragments by this"));
+                               tr("Colour the fragments by this property"));
     colouring->setObjectName("colouring");
     colouring->setAccessibleName(tr("Colouring"));
     connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {

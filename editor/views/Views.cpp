@@ -200,11 +200,12 @@ void Views::applyPreferences(const Preferences& preferences) {
     m_fragments->setUnits(units);
     m_problems->setUnits(units);
     m_playTools->setUnits(units);
+    m_scene->applyPreferences(preferences);
 }
 
 void Views::setInstanceActions(const QList<QAction*>& actions) { m_tree->setInstanceActions(actions); }
 
-/// The canvas enters fragments under the pointer and selects by its tool; the table hides and shows its own rows.
+/// The canvas enters fragments under the pointer and selects by its tool.
 void Views::setFragmentActions(const FragmentActionGroups& groups) {
     const auto addGroups = [](QMenu& menu, std::initializer_list<QList<QAction*>> actions) {
         for (const QList<QAction*>& group : actions) {
@@ -219,7 +220,8 @@ void Views::setFragmentActions(const FragmentActionGroups& groups) {
     auto* separator = new QAction(this);
     separator->setSeparator(true);
     m_canvas->setFragmentActions(groups.editing + QList{separator} + groups.visibility);
-    m_fragments->setFragmentActions(groups.navigation + groups.editing + QList{selectMenu->menuAction()});
+    m_fragments->setFragmentActions(groups.visibility,
+                                    groups.navigation + groups.editing + QList{selectMenu->menuAction()});
 }
 
 void Views::limitShortcutToViews(QAction& action) {

@@ -37,7 +37,7 @@ public:
 
     Workspace& workspace() { return m_workspace; }
     QMainWindow& window() { return m_window; }
-    /// The widget with canvas and 3D view.
+    /// The widget with the canvas and the 3D view.
     QWidget& panes();
     PatternCanvas& canvas() { return *m_canvas; }
     SceneView& scene() { return *m_scene; }
@@ -56,7 +56,7 @@ public:
     void resetLayout();
     void saveLayout() const;
 
-    /// Frames the active asset in canvas and 3D view.
+    /// Frames the active asset in the canvas and the 3D view.
     void frameAsset();
     /// Starts drawing the outline of a new asset in the canvas.
     void drawNewOutline();
@@ -64,15 +64,15 @@ public:
 
     /// Adds actions on the selected instances to the project tree's context menu.
     void setInstanceActions(const QList<QAction*>& actions);
-    /// Adds actions on the selected fragments to the context menus of canvas, 3D view and fragment table.
+    /// Adds actions on the selected fragments to the context menus of the canvas, the 3D view and the fragment table.
     void setFragmentActions(const FragmentActionGroups& groups);
     /// Adds actions to the Add menu of the project tree.
     void setAddActions(const QList<QAction*>& actions);
-    /// Adds actions on materials to project tree and inspector; the first one opens the library.
+    /// Adds actions on materials to the project tree and the inspector; the first one opens the library.
     void setMaterialActions(const QList<QAction*>& actions);
     /// The context menu of selected fragments in the 3D view.
     QMenu& fragmentMenu() { return *m_fragmentMenu; }
-    /// Limits an action's shortcut to canvas and 3D view.
+    /// Limits an action's shortcut to the canvas and the 3D view.
     void limitShortcutToViews(QAction& action);
 
 signals:

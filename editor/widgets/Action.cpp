@@ -2,6 +2,10 @@
 
 #include "editor/widgets/Icon.h"
 
+#include <QKeyEvent>
+
+#include <algorithm>
+
 namespace rubble {
 
 QAction* makeAction(QObject* parent, const ActionDefinition& definition) {
@@ -14,6 +18,19 @@ QAction* makeAction(QObject* parent, const ActionDefinition& definition) {
     if (definition.text.contains('\t')) action->setIconText(name);  // the key after the tab is not part of a button
     action->setToolTip((shortcut.isEmpty() ? name : QString("%1 (%2)").arg(name, shortcut)) + '\n' + definition.tip);
     return action;
+}
+
+bool isShortcutOf(const QAction& action, const QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress) return false;
+    return action.shortcuts().contains(QKeySequence(static_cast<const QKeyEvent&>(event).keyCombination()));
+}
+
+bool handleShortcut(const QList<QAction*>& actions, QEvent& event) {
+    const auto action = std::ranges::find_if(actions, [&](QAction* one) { return isShortcutOf(*one, event); });
+    if (action == actions.end()) return false;
+    event.accept();
+    if (event.type() == QEvent::KeyPress) (*action)->trigger();
+    return true;
 }
 
 }  // namespace rubble

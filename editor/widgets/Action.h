@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QList>
 #include <QMenu>
 
 namespace rubble {
@@ -16,6 +17,12 @@ struct ActionDefinition {
 
 /// Returns a new action owned by `parent`. Its tooltip shows name, shortcut and tip.
 QAction* makeAction(QObject* parent, const ActionDefinition& definition);
+
+/// True if an event is the press of one of the action's shortcuts, or the ShortcutOverride before it.
+bool isShortcutOf(const QAction& action, const QEvent& event);
+/// Handles an event that is a shortcut of one of the actions: accepts it and, on the press, triggers the action.
+/// Returns false for any other event. For event filters of widgets whose shortcuts precede those of the window.
+bool handleShortcut(const QList<QAction*>& actions, QEvent& event);
 
 /// Returns a function that creates actions owned by `owner`, connects each to one of the owner's slots and appends it
 /// to `menu`.

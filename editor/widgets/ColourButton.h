@@ -11,7 +11,7 @@ class QColorDialog;
 namespace rubble {
 
 QColor toQColor(const Colour& colour);
-/// Eight bits a channel, as the colour dialog gives.
+/// Eight bits per channel, as the colour dialog returns.
 Colour fromQColor(const QColor& colour);
 /// A framed swatch of a colour.
 QIcon swatchIcon(const Colour& colour);

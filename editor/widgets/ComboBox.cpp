@@ -7,7 +7,7 @@ namespace rubble {
 namespace {
 
 constexpr int kColourRole = Qt::UserRole + 1;
-constexpr int kMinCharacters = 8;  // that a box has room for
+constexpr int kMinCharacters = 8;  // that fit into a box
 
 QString colourName(const ComboItem& item) { return item.colour ? toQColor(*item.colour).name() : QString(); }
 

@@ -41,8 +41,8 @@ private:
 /// A spin box for a number with a unit, typed in the user's locale. It keeps the value exactly: without focus it shows
 /// a rounded number and has all digits in its tooltip, with focus it shows all digits.
 ///
-/// Text that is not a number in range is refused with a sentence, and the value stays. The wheel changes the value only
-/// with focus, so that the panel scrolls otherwise.
+/// Text that is not a number in range is rejected with a message, and the value is kept. The wheel changes the value
+/// only with focus, so that the panel scrolls otherwise.
 class NumberField : public QAbstractSpinBox {
     Q_OBJECT
 public:

@@ -5,11 +5,11 @@
 
 namespace rubble {
 
-/// The field range of a number of a project. `step`: of arrows and wheel; 0: one in the value's second digit.
+/// The field range of a number of a project. `step`: the step of arrows and wheel; 0: one in the value's second digit.
 FieldRange fieldRange(ProjectNumber number, double step = 0.0);
 /// The field range of a whole number of a project.
 FieldRange wholeFieldRange(ProjectNumber number);
-/// The field range of a number that is 0 where it is unset.
+/// The field range of a number that is 0 if unset.
 FieldRange optionalFieldRange(ProjectNumber number);
 
 }  // namespace rubble

@@ -46,7 +46,7 @@ void RandomSeedField::commit() {
     bool isSeed = false;
     const quint64 typed = m_line->text().trimmed().toULongLong(&isSeed);
     if (isSeed) return enter(typed);
-    const QString sentence = tr("Enter a whole number from 0 to %1 as random seed.").arg(~quint64{0});
+    const QString sentence = tr("Enter a whole number from 0 to %1 as the random seed.").arg(~quint64{0});
     setValue(m_value);
     QToolTip::showText(m_line->mapToGlobal(QPoint(0, m_line->height())), sentence, m_line);
     emit refused(sentence);

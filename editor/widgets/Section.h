@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-/// A collapsible, titled group of form rows. Without a title it is the rows only.
+/// A collapsible, titled group of form rows. Without a title it consists of the rows only.
 class Section : public QWidget {
     Q_OBJECT
 public:

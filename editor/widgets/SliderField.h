@@ -21,7 +21,7 @@ public:
     NumberField& field() { return *m_field; }
     QSlider& slider() { return *m_slider; }
     double value() const { return m_field->value(); }
-    /// Shows a number without emitting `edited`. Ends a drag whose value it is not.
+    /// Shows a number without emitting `edited`. Ends a drag that has set a different value.
     void setValue(double value);
     void setMixed();
     void setFormat(const NumberFormat& format) { m_field->setFormat(format); }

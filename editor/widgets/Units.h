@@ -7,7 +7,7 @@ namespace rubble {
 /// The unit in which lengths are shown and typed; they are stored in metres.
 enum class LengthUnit { Metre, Centimetre, Millimetre };
 
-/// How a stored number is shown: scaled by a power of ten, followed by a unit.
+/// The format of a displayed number: scaled by a power of ten, followed by a unit.
 struct NumberFormat {
     QString unit;      // "cm"; empty: none
     int exponent = 0;  // shown = stored * 10^exponent

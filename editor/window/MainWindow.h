@@ -40,7 +40,7 @@ public:
 signals:
     void newProjectRequested();
     void openProjectRequested(const QString& path);
-    /// To open a copy of a project: an example.
+    /// Requests to open a copy of a project, such as an example.
     void openCopyRequested(const QString& path);
     void quitRequested();
 

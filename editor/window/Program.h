@@ -28,7 +28,7 @@ public:
     /// Opens a project file: in the window that has it already open, otherwise in `from` if that is pristine, otherwise
     /// in a new one. Shows an error and returns null if the file cannot be opened.
     MainWindow* open(const QString& path, MainWindow* from = nullptr);
-    /// Opens a copy of a project file: an example. The copy has no file yet.
+    /// Opens a copy of a project file, such as an example. The copy has no file yet.
     MainWindow* openCopy(const QString& path, MainWindow* from = nullptr);
     /// Closes all windows, until the user cancels.
     void quit();

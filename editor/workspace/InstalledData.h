@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// Returns the folder that contains `projects` and `docs`: share/rubble of an installed program, else the source tree.
+/// Returns the folder that contains `projects` and `docs`: share/rubble of an installed program, otherwise the source
+/// tree.
 QString installedDataFolder();
 /// Returns the paths of the example projects.
 QStringList exampleProjects();

@@ -14,9 +14,11 @@ void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) 
     viewport.setSettings(settings);
 }
 
+Theme themeOf(const QPalette& palette) { return isDark(palette) ? Theme::Dark : Theme::Light; }
+
 void applyTheme(ViewportWidget& viewport) {
     RenderSettings settings = viewport.settings();
-    settings.theme = isDark(viewport.palette()) ? Theme::Dark : Theme::Light;
+    settings.theme = themeOf(viewport.palette());
     viewport.setSettings(settings);
 }
 

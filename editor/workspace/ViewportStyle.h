@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/workspace/Preferences.h"
+#include "viewport/render/RenderSettings.h"
 
 namespace rubble {
 
@@ -8,6 +9,8 @@ class ViewportWidget;
 
 /// Applies the user's preferences for navigation and rendering.
 void applyPreferences(ViewportWidget& viewport, const Preferences& preferences);
+/// Returns the theme that matches a palette.
+Theme themeOf(const QPalette& palette);
 /// Applies the theme of the widget's palette.
 void applyTheme(ViewportWidget& viewport);
 

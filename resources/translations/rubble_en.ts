@@ -14,10 +14,10 @@
 <context>
     <name>Export</name>
     <message numerus="yes">
-        <source>%n asset(s) could not be exported. The details say why.</source>
+        <source>%n asset(s) could not be exported. See the details.</source>
         <translation>
-            <numerusform>%n asset could not be exported. The details say why.</numerusform>
-            <numerusform>%n assets could not be exported. The details say why.</numerusform>
+            <numerusform>%n asset could not be exported. See the details.</numerusform>
+            <numerusform>%n assets could not be exported. See the details.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

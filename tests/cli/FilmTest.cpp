@@ -84,7 +84,7 @@ private slots:
         const Outcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
         QCOMPARE(outcome.exit, 1);
         QCOMPARE(outcome.err, place.filePath("film").toUtf8() +
-                                  " already holds a film: frame-0000.png. Choose another folder, or remove its "
+                                  " already contains a film: frame-0000.png. Choose another folder, or remove its "
                                   "pictures.\n");
     }
     void filmIsEncodedWithFfmpeg() {

@@ -162,7 +162,7 @@ private slots:
                  qPrintable(outcome.out));
     }
     void plainTextHasNoRetiredTerms() {
-        const Outcome outcome = checkWords("No asset selected. At handover, a handful of seeds.\n");
+        const Outcome outcome = checkWords("No asset selected. At handover, a handful of seeds. FragmentLookup.\n");
         QCOMPARE(outcome.out + outcome.err, QString());
         QCOMPARE(outcome.exit, 0);
     }

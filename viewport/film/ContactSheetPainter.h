@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// How the variants of a contact sheet are drawn; the same for all, so that they can be compared.
+/// The style in which the variants of a contact sheet are drawn; the same for all, so that they can be compared.
 struct SheetStyle {
     ImageSize size{320, 240};  // of one image
     Theme theme = Theme::Light;
@@ -20,8 +20,8 @@ struct SheetStyle {
 /// created it.
 class ContactSheetPainter {
 public:
-    /// Chooses one camera for all variants. If they are played, it shows the instance nearest to the first shot, with
-    /// space for falling debris, from beside the shot's origin; else the asset by itself in parallel projection.
+    /// Uses one camera for all variants. If they are played, it shows the instance nearest to the first shot, with
+    /// space for falling debris, from beside the shot's origin; otherwise the asset by itself in parallel projection.
     ///
     /// Errors: see OffscreenRenderer::create().
     static Result<ContactSheetPainter> create(const SheetRequest& request, const SheetStyle& style);
@@ -41,7 +41,7 @@ private:
 };
 
 /// Generates a contact sheet: bakes and plays in worker threads, renders in the caller's. Calls `take` there with each
-/// variant and its image, none if it has an error, in any request; its session is already released.
+/// variant and its image, none if it has an error, in any order; its session is already released.
 ///
 /// Errors: those of ContactSheetPainter and of makeContactSheet(); Cancelled.
 Status drawContactSheet(const SheetRequest& request, const SheetStyle& style,

@@ -20,7 +20,8 @@ struct FrameBlock {
     glm::uvec4 hovered;
 };
 
-/// All fields but the shadow matrices. `bounds`: of the scene; `sample`: given if the image is one sample of many.
+/// All fields but the shadow matrices. `bounds`: the bounds of the scene; `sample`: given if the image is one sample of
+/// many.
 FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Box3& bounds,
                       const std::optional<LightSample>& sample);
 

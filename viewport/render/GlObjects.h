@@ -20,7 +20,7 @@ public:
         return *this;
     }
 
-    /// A new object.
+    /// Creates an object.
     static GlObject create();
     std::uint32_t id() const { return m_id; }
 

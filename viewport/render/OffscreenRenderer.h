@@ -28,8 +28,8 @@ private:
     std::unique_ptr<Renderer> m_renderer;
 };
 
-/// Renders a scene to an image without a display. `samples`: 0 for one pass as in the editor while navigating; else the
-/// number of samples that are averaged for soft light and smooth edges.
+/// Renders a scene to an image without a display. `samples`: 0 for one pass as in the editor while navigating;
+/// otherwise the number of samples that are averaged for soft light and smooth edges.
 ///
 /// Errors: see SurfacelessContext::create() and Renderer::create(); BadInput if a side is less than 1 or greater than
 /// kMaxImageSide; Cancelled.

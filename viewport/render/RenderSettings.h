@@ -7,7 +7,7 @@ namespace rubble {
 enum class Theme { Light, Dark };
 enum class Shading { Faces, Wireframe };
 
-/// How a scene is drawn.
+/// The settings for drawing a scene.
 struct RenderSettings {
     Theme theme = Theme::Light;
     Shading shading = Shading::Faces;

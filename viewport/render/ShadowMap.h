@@ -9,7 +9,7 @@ namespace rubble {
 /// The shadow map of a directional light.
 class ShadowMap {
 public:
-    /// `width`: texels of each side.
+    /// `width`: the number of texels on each side.
     explicit ShadowMap(int width);
 
     /// Renders the depths of a scene, seen from `direction` (towards the light), around a box in the world.

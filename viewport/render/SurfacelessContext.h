@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// An OpenGL context without a display, for rendering to own framebuffers. It is current in the thread that created it
-/// for its whole lifetime.
+/// An OpenGL context without a display, for rendering to framebuffers. It is current in the thread that created it for
+/// its whole lifetime.
 class SurfacelessContext {
 public:
     /// Errors: Unsupported, with the reason, if EGL offers no OpenGL 3.3.

@@ -13,7 +13,7 @@ namespace rubble {
 /// and memory is reallocated only if the size changes.
 class TexelBuffer {
 public:
-    /// `format`: of a texel, for glTexBuffer().
+    /// `format`: the format of a texel, for glTexBuffer().
     TexelBuffer(TextureUnit unit, std::uint32_t format) : m_unit(unit), m_format(format) {}
 
     void write(std::span<const std::byte> bytes);

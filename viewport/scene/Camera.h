@@ -15,8 +15,8 @@ enum class Projection { Perspective, Orthographic };
 /// An orbit camera around a target, without roll, so that the horizon stays level. All functions return a new camera.
 struct Camera {
     Vec3 target{0.0, 0.0, 0.0};  // m, at the centre of the image
-    double azimuth = 0.0;        // rad; 0 looks along -z (front), a quarter turn along -x (right)
-    double elevation = 0.0;      // rad; a quarter turn looks straight down
+    double azimuth = 0.0;        // rad; 0 looks along -z (front), pi/2 along -x (right)
+    double elevation = 0.0;      // rad; pi/2 looks straight down
     double distance = 10.0;      // m, > 0, from eye to target
     double fieldOfView = 0.6;    // rad, vertical
     Projection projection = Projection::Perspective;

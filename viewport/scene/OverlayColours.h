@@ -12,7 +12,7 @@ namespace rubble {
 /// lightness; at 1 and above a signal red that the ramp does not contain.
 Colour heatColour(double value);
 
-/// What tintBodies() has to know of a body.
+/// The properties of a body that tintBodies() needs.
 struct BodyTint {
     std::uint32_t body = 0;    // in the scene
     std::uint32_t number = 0;  // in the session

@@ -25,7 +25,7 @@ struct PickId {
     auto operator<=>(const PickId&) const = default;
 };
 
-/// The pose of a body as shaders take it.
+/// The pose of a body in the format of the shaders.
 struct RenderPose {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: shrinkage, from 0 (full size) to 1 (a point)
     glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w

@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// What pieces are coloured by. Threshold: of the parent, whose break releases the piece.
+/// The property that pieces are coloured by. Threshold: that of the parent, whose break releases the piece.
 enum class SceneColouring { Material, Piece, Level, Volume, Mass, Aspect, Threshold };
 
 /// The content of a scene.

@@ -16,11 +16,13 @@ SessionPlayback::SessionPlayback(std::shared_ptr<const PlayScene> scene, Session
 void SessionPlayback::step() {
     for (; m_nextInput < m_inputs.size() && m_inputs[m_nextInput].step <= m_session.stepsDone(); ++m_nextInput) {
         const Status added = m_session.add(m_inputs[m_nextInput].input);
-        if (!added) m_notices.push_back(added.error().message);
+        if (!added) {
+            m_diagnostics.push_back(diagnostic(DiagnosticCode::UnappliedInput, {}, added.error().message));
+        }
     }
     m_session.step();
-    const std::vector<std::string>& told = m_session.events().notices;
-    m_notices.insert(m_notices.end(), told.begin(), told.end());
+    const std::vector<Diagnostic>& reported = m_session.events().diagnostics;
+    m_diagnostics.insert(m_diagnostics.end(), reported.begin(), reported.end());
 }
 
 Result<std::shared_ptr<const RenderScene>> SessionPlayback::sceneAtStep(std::uint64_t step, const TaskContext& task) {
@@ -36,6 +38,6 @@ Result<std::shared_ptr<const RenderScene>> SessionPlayback::sceneAtStep(std::uin
     return last;
 }
 
-std::vector<std::string> SessionPlayback::takeNotices() { return std::exchange(m_notices, {}); }
+std::vector<Diagnostic> SessionPlayback::drainDiagnostics() { return std::exchange(m_diagnostics, {}); }
 
 }  // namespace rubble

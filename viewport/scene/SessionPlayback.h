@@ -7,8 +7,8 @@ namespace rubble {
 /// Plays a session and builds its render scenes at requested steps, in ascending order.
 class SessionPlayback {
 public:
-    /// `session`: of `scene`, not started. `inputs`: by ascending step, in addition to those that the session already
-    /// has. Of the options, only colouring and hulls apply.
+    /// `session`: a session of `scene` that has not started. `inputs`: by ascending step, in addition to those that the
+    /// session already has. Of the options, only colouring and hulls apply.
     SessionPlayback(std::shared_ptr<const PlayScene> scene, Session session, std::vector<TimedInput> inputs = {},
                     const SceneOptions& options = {}, const PlayOverlays& overlays = {});
 
@@ -16,12 +16,12 @@ public:
     /// The scene at the current step.
     std::shared_ptr<const RenderScene> scene() { return m_builder->sceneOf(m_session); }
     /// Plays on to a step and returns its scene. Builds every scene of the last second before it, since heat cools down
-    /// from step to step and an image may lie between the last two. Invalid inputs are skipped with a notice.
+    /// from step to step and an image may lie between the last two. Invalid inputs are skipped with a diagnostic.
     ///
     /// Errors: Cancelled.
     Result<std::shared_ptr<const RenderScene>> sceneAtStep(std::uint64_t step, const TaskContext& task = {});
-    /// The notices since the last call.
-    std::vector<std::string> takeNotices();
+    /// The diagnostics since the last call.
+    std::vector<Diagnostic> drainDiagnostics();
 
 private:
     void step();
@@ -30,7 +30,7 @@ private:
     std::vector<TimedInput> m_inputs;
     std::size_t m_nextInput = 0;
     std::unique_ptr<SessionSceneBuilder> m_builder;
-    std::vector<std::string> m_notices;
+    std::vector<Diagnostic> m_diagnostics;
 };
 
 }  // namespace rubble

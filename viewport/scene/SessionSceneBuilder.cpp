@@ -219,7 +219,7 @@ void SessionSceneBuilder::addSurfaceHeats(std::span<const BodyTint> bodies, Rend
 }
 
 /// Copies the previous scene into the new layout: the bodies that have a slot in both.
-void SessionSceneBuilder::relayPrevious(const std::vector<Slots>& previousSlots) {
+void SessionSceneBuilder::remapPrevious(const std::vector<Slots>& previousSlots) {
     if (m_previous == nullptr) return;
     const auto kept = std::make_shared<RenderScene>(m_layout);
     if (!m_previous->previousPoses.empty()) kept->previousPoses = m_layout.poses;
@@ -273,7 +273,7 @@ void SessionSceneBuilder::layOut(const Session& session) {
         addSlot(session, body.origin, {.asset = body.asset, .hull = body.hull});
     }
     applyColours();
-    relayPrevious(previousSlots);
+    remapPrevious(previousSlots);
 }
 
 void SessionSceneBuilder::applyColours() {

@@ -48,7 +48,7 @@ private:
         std::shared_ptr<const Polytope> hull;  // if there is no asset
         std::uint32_t first = kNone;           // scene body of piece 0; kNone: unused
     };
-    /// Of an origin: the body as placed or thrown, and its pieces if it was cut at the point of impact.
+    /// The slots of an origin: the body as placed or thrown, and its pieces if it was cut at the point of impact.
     using Slots = std::array<Slot, 2>;
 
     std::shared_ptr<RenderScene> freeScene();
@@ -62,7 +62,7 @@ private:
     void makeModels();
     void writePreviousPoses(std::uint64_t step, RenderScene& scene) const;
     void writeSummary(std::uint64_t step, RenderScene& scene);
-    void relayPrevious(const std::vector<Slots>& previousSlots);
+    void remapPrevious(const std::vector<Slots>& previousSlots);
     RenderScene emptyLayout() const;
     void layOut(const Session& session);
     void addSlot(const Session& session, std::uint32_t origin, const Slot& added);

@@ -9,7 +9,7 @@ namespace rubble {
 struct BodyForecast;
 struct ForecastProjectile;
 
-/// The projectile of a break forecast as shaders take it; the same for all bodies of a scene.
+/// The projectile of a break forecast in the format of the shaders; the same for all bodies of a scene.
 struct HeatSource {
     glm::vec4 from{0.0f};     // m, relative to RenderScene::origin; w: 1 / its mass
     glm::vec4 gravity{0.0f};  // m/s^2; w: its initial speed squared

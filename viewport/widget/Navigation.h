@@ -22,7 +22,7 @@ std::optional<Drag> dragOf(NavigationStyle style, Qt::MouseButton button, Qt::Ke
 /// The camera after a drag by `pixels` (y downwards).
 Camera dragged(const Camera& camera, Drag drag, Vec2 pixels, ImageSize size);
 
-/// The factor of the camera's distance for a wheel rotation in eighths of a degree, as in QWheelEvent.
+/// The factor for the camera's distance after a wheel rotation in eighths of a degree, as in QWheelEvent.
 double wheelFactor(double eighths);
 
 /// The effect of a key on the view.

@@ -15,7 +15,7 @@ struct Probe {
 std::optional<QString> probed() {
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal") {
-        return Probe::tr("There is no 3D view: the platform \"%1\" has no OpenGL.").arg(platform);
+        return Probe::tr("The 3D view is unavailable: the platform \"%1\" does not support OpenGL.").arg(platform);
     }
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -26,11 +26,11 @@ std::optional<QString> probed() {
     QOpenGLContext context;
     context.setFormat(format);
     if (!context.create() || !context.makeCurrent(&surface)) {
-        return Probe::tr("There is no 3D view: this display has no OpenGL.");
+        return Probe::tr("The 3D view is unavailable: this display does not support OpenGL.");
     }
     const QSurfaceFormat got = context.format();
     if (got.version() < format.version()) {
-        return Probe::tr("There is no 3D view: it needs OpenGL 3.3, and this display has %1.%2.")
+        return Probe::tr("The 3D view is unavailable: it needs OpenGL 3.3, but this display supports %1.%2.")
             .arg(got.majorVersion())
             .arg(got.minorVersion());
     }

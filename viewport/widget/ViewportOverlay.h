@@ -16,7 +16,7 @@ class OverlayItem : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
-    /// Paints in widget coordinates; `size`: of the view.
+    /// Paints in widget coordinates; `size`: the size of the view.
     virtual void paint(QPainter& painter, QSize size) const = 0;
     /// The item's texts for screen readers; empty if it shows none.
     virtual QString accessibleText() const { return {}; }

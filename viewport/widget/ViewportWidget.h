@@ -58,13 +58,13 @@ public:
     void setCameraAnimation(bool isOn) { m_isAnimated = isOn; }
     void setProgressiveRendering(ProgressiveRendering mode);
 
-    /// The camera, or the goal of its animation.
+    /// The camera; during an animation, its goal.
     const Camera& camera() const { return m_goal; }
     /// The camera of the image on screen.
     const Camera& shownCamera() const { return m_camera; }
     /// Sets the camera without animation.
     void setCamera(const Camera& camera);
-    /// These are animated.
+    /// The following changes of the camera are animated.
     void alignTo(StandardView view);
     void setProjection(Projection projection);
     void frameAll();

@@ -15,7 +15,7 @@ enum ExitCode : int {
     kExitCancelled = 130  // stopped by Ctrl+C, as shells number it
 };
 
-/// The streams and the surroundings of a run of rubble-cli; a test passes its own.
+/// The streams and the environment of a run of rubble-cli; tests pass their own.
 struct CliContext {
     std::istream& in;
     std::ostream& out;  // results

@@ -1,14 +1,15 @@
 #include "app/cli/options/AssetOptions.h"
 
+#include "app/cli/options/Command.h"
 #include "app/cli/options/CommonOptions.h"
-
-#include <CLI/CLI.hpp>
+#include "core/io/project/ProjectFile.h"
 
 #include <algorithm>
 
 namespace rubble {
-void addAssetOption(CLI::App& command, std::vector<std::string>& names) {
-    command.add_option("--asset", names, "Only this asset; repeatable")->expected(1)->take_all()->option_text("NAME");
+
+void addAssetOption(Command& command, std::vector<std::string>& names) {
+    command.option("--asset", names, "Only this asset; repeatable").repeatable().valueName("NAME");
 }
 
 Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector<std::string>& names) {
@@ -22,6 +23,15 @@ Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector
         if (names.empty() || std::ranges::find(names, asset.name) != names.end()) selected.push_back(asset.id);
     }
     return selected;
+}
+
+Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names) {
+    Result<Project> project = loadProject(file);
+    if (!project) return project.error();
+    Result<std::vector<Id>> assets = selectedAssets(*project, names);
+    if (!assets) return assets.error();
+    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
+    return ProjectAssets{std::move(*project), std::move(*assets)};
 }
 
 }  // namespace rubble

@@ -6,18 +6,27 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace rubble {
 
+class Command;
+
 /// Adds --asset, which is repeatable, to a verb.
-void addAssetOption(CLI::App& command, std::vector<std::string>& names);
+void addAssetOption(Command& command, std::vector<std::string>& names);
+
+/// A project and assets of it.
+struct ProjectAssets {
+    Project project;
+    std::vector<Id> assets;
+};
 
 /// Returns the assets with these names, in the project's order; all if `names` is empty.
 ///
 /// Errors: NotFound, with the first unknown name and the names of all assets.
 Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector<std::string>& names);
+
+/// Loads a project and selects its assets with these names; all if `names` is empty.
+///
+/// Errors: those of loadProject() and selectedAssets(); NotFound if the project has no assets.
+Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names);
 
 }  // namespace rubble

@@ -1,8 +1,7 @@
 #include "app/cli/options/CommonOptions.h"
 
-#include "core/base/MessageText.h"
-
-#include <CLI/CLI.hpp>
+#include "app/cli/options/Command.h"
+#include "core/asset/project/Ranges.h"
 
 #include <algorithm>
 #include <map>
@@ -11,27 +10,17 @@
 namespace rubble {
 namespace {
 
-template <class Number>
-CLI::Validator validatorOf(Number min, Number max, const std::string& kind) {
-    const std::string error = "\" is not a " + kind + " from " + messageText(min) + " to " + messageText(max);
-    const auto check = [min, max, error](const std::string& given) {
-        Number number{};
-        const bool isNumber = CLI::detail::lexical_cast(given, number) && number >= min && number <= max;
-        return isNumber ? std::string() : '"' + given + error;
-    };
-    return CLI::Validator(check, "");
-}
-
 const std::map<std::string, std::string> kUnits = {
     {"mm", "0.001"}, {"cm", "0.01"}, {"m", "1"}, {"in", "0.0254"}, {"ft", "0.3048"}};
 
-/// Replaces the name of a unit by its length in metres; returns an error if the text is neither a name nor a number.
+/// Replaces the name of a unit by its length in metres; returns an error if the text is neither a name nor a number in
+/// range.
 std::string convertToMetres(std::string& text) {
-    double number = 0.0;
+    const NumberRange& range = rangeOf(ProjectNumber::MetresPerUnit);
     if (const auto unit = kUnits.find(text); unit != kUnits.end()) {
         text = unit->second;
-    } else if (!CLI::detail::lexical_cast(text, number)) {
-        return '"' + text + "\" is not mm, cm, m, in, ft or a number of metres";
+    } else if (!isNumberInRange(text, range)) {
+        return '"' + text + "\" is not mm, cm, m, in, ft or a number of metres that is " + rangeText(range);
     }
     return {};
 }
@@ -44,29 +33,23 @@ std::string joinedText(const std::vector<std::string>& words) {
     return text;
 }
 
-CLI::Validator oneOf(const std::vector<std::string>& words) {
-    const auto check = [words](const std::string& given) {
-        if (std::ranges::find(words, given) != words.end()) return std::string();
-        return '"' + given + "\" is not one of " + joinedText(words);
-    };
-    return CLI::Validator(check, "");
+void addProjectArgument(Command& command, std::string& file) {
+    command.argument("FILE", file, "The project").required();
 }
 
-CLI::Validator numberBetween(int min, int max) { return validatorOf(min, max, "whole number"); }
+void addJsonOption(Command& command, bool& isJson) { command.flag("--json", isJson, "Print JSON instead of text"); }
 
-CLI::Validator numberBetween(double min, double max) { return validatorOf(min, max, "number"); }
-
-void addThreadsOption(CLI::App& command, int& threads) {
+void addThreadsOption(Command& command, int& threads) {
     threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    command.add_option("--threads", threads, "The number of threads (default: all processors)")
-        ->check(numberBetween(1, 1024))
-        ->option_text("N");
+    command.option("--threads", threads, "The number of threads (default: all processors)")
+        .wholeInRange(ProjectNumber::Threads)
+        .valueName("N");
 }
 
-void addUnitOption(CLI::App& command, std::optional<double>& metresPerUnit) {
-    command.add_option("--unit", metresPerUnit, "The unit of the file, by name or in metres (default: its own)")
-        ->transform(CLI::Validator(convertToMetres, ""))
-        ->option_text("mm|cm|m|in|ft|NUMBER");
+void addUnitOption(Command& command, std::optional<double>& metresPerUnit) {
+    command.option("--unit", metresPerUnit, "The unit of the file, by name or in metres (default: its own)")
+        .convert(convertToMetres)
+        .valueName("mm|cm|m|in|ft|NUMBER");
 }
 
 }  // namespace rubble

@@ -4,25 +4,21 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-class Validator;
-}  // namespace CLI
-
 namespace rubble {
 
-/// Returns a validator that accepts these words only.
-CLI::Validator oneOf(const std::vector<std::string>& words);
+class Command;
 
-/// Return validators that accept numbers in a range only.
-CLI::Validator numberBetween(int min, int max);
-CLI::Validator numberBetween(double min, double max);
+/// Adds FILE, the project, which is required.
+void addProjectArgument(Command& command, std::string& file);
+
+/// Adds --json, for JSON instead of text.
+void addJsonOption(Command& command, bool& isJson);
 
 /// Adds --threads; the default is the number of processors.
-void addThreadsOption(CLI::App& command, int& threads);
+void addThreadsOption(Command& command, int& threads);
 
 /// Adds --unit, the length of a unit of a mesh file; the default is the file's own.
-void addUnitOption(CLI::App& command, std::optional<double>& metresPerUnit);
+void addUnitOption(Command& command, std::optional<double>& metresPerUnit);
 
 /// Returns "a, b, c".
 std::string joinedText(const std::vector<std::string>& words);

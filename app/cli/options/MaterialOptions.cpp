@@ -1,13 +1,13 @@
 #include "app/cli/options/MaterialOptions.h"
 
-#include <CLI/CLI.hpp>
+#include "app/cli/options/Command.h"
 
 #include <filesystem>
 
 namespace rubble {
 
-void addMaterialsOption(CLI::App& command, std::string& folder) {
-    command.add_option("--materials", folder, "A folder with your own presets, *.json")->type_name("FOLDER");
+void addMaterialsOption(Command& command, std::string& folder) {
+    command.option("--materials", folder, "A folder with your own presets, *.json").typeName("FOLDER");
 }
 
 Result<MaterialLibrary> openMaterialLibrary(const std::string& folder) {

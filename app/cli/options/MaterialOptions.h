@@ -4,14 +4,12 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace rubble {
 
+class Command;
+
 /// Adds --materials, the folder with the user's presets.
-void addMaterialsOption(CLI::App& command, std::string& folder);
+void addMaterialsOption(Command& command, std::string& folder);
 
 /// Returns the built-in presets and those of a folder, if one is given.
 ///

@@ -1,10 +1,9 @@
 #include "app/cli/options/PictureOptions.h"
 
-#include "app/cli/options/CommonOptions.h"
+#include "app/cli/options/Command.h"
 #include "app/cli/options/PictureValues.h"
+#include "core/asset/project/Ranges.h"
 #include "viewport/render/OffscreenRenderer.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +12,6 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxSamples = 4096;
 constexpr double kDebrisSpace = 0.3;  // of the height: holds most of a collapsed wall
 
 /// The values of --overlay.
@@ -34,58 +32,55 @@ constexpr std::pair<const char*, SceneColouring> kColourings[] = {
 
 /// Adds an option whose value must be accepted by `parse`.
 template <class Parse>
-void addParsed(CLI::App& command, const char* name, std::string& text, const char* help, const char* label, Parse parse,
+void addParsed(Command& command, const char* name, std::string& text, const char* help, const char* label, Parse parse,
                const std::string& error) {
     const auto check = [parse, error](const std::string& given) {
         return parse(given) ? std::string() : '"' + given + "\" is " + error;
     };
-    command.add_option(name, text, help)->check(CLI::Validator(check, ""))->option_text(label);
+    command.option(name, text, help).check(check).valueName(label);
 }
 
 }  // namespace
 
-void addViewOptions(CLI::App& command, PictureOptions& options) {
+void addViewOptions(Command& command, PictureOptions& options) {
     addParsed(command, "--size", options.size, "The size in pixels (default: 1280x720)", "WxH", parsePictureSize,
               "not a size from 1x1 to " + std::to_string(kMaxImageSide) + "x" + std::to_string(kMaxImageSide));
     addParsed(command, "--view", options.view, "front, top, iso (default), ..., or AZIMUTH,ELEVATION in degrees",
               "VIEW", parseCamera, "not one of " + viewWords() + " and not AZIMUTH,ELEVATION in degrees");
 }
 
-void addStyleOptions(CLI::App& command, PictureOptions& options) {
+void addStyleOptions(Command& command, PictureOptions& options) {
     std::vector<std::string> colourings;
     for (const auto& [word, colouring] : kColourings) colourings.emplace_back(word);
     command
-        .add_option("--colour", options.colour,
-                    "Colour by material (default), piece, level, volume, mass, aspect or threshold")
-        ->check(oneOf(colourings))
-        ->option_text("BY");
-    command.add_option("--theme", options.theme, "light (default) or dark")
-        ->check(oneOf({"light", "dark"}))
-        ->option_text("THEME");
-    command.add_flag("--wireframe", options.isWireframe, "Draw edges only");
-    command.add_flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
-    command.add_flag("--bonds", options.hasBonds,
-                     "Draw lines between neighbouring fragments, as wide as their contact areas");
+        .option("--colour", options.colour,
+                "Colour by material (default), piece, level, volume, mass, aspect or threshold")
+        .oneOf(colourings)
+        .valueName("BY");
+    command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");
+    command.flag("--wireframe", options.isWireframe, "Draw edges only");
+    command.flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
+    command.flag("--bonds", options.hasBonds,
+                 "Draw lines between neighbouring fragments, as wide as their contact areas");
 }
 
-void addOverlayOption(CLI::App& command, PictureOptions& options) {
+void addOverlayOption(Command& command, PictureOptions& options) {
     std::vector<std::string> words;
     for (const OverlayWord& overlay : kOverlays) words.emplace_back(overlay.word);
     command
-        .add_option("--overlay", options.overlays,
-                    "Draw contacts, normals, impulses, boxes, islands, sleep or heat; repeatable")
-        ->expected(1)
-        ->take_all()
-        ->check(oneOf(words))
-        ->option_text("NAME");
+        .option("--overlay", options.overlays,
+                "Draw contacts, normals, impulses, boxes, islands, sleep or heat; repeatable")
+        .repeatable()
+        .oneOf(words)
+        .valueName("NAME");
 }
 
-void addSamplesOption(CLI::App& command, PictureOptions& options) {
+void addSamplesOption(Command& command, PictureOptions& options) {
     command
-        .add_option("--samples", options.samples,
-                    "The number of samples per picture (default: " + std::to_string(options.samples) + ")")
-        ->check(numberBetween(0, kMaxSamples))
-        ->option_text("N");
+        .option("--samples", options.samples,
+                "The number of samples per picture (default: " + std::to_string(options.samples) + ")")
+        .wholeInRange(ProjectNumber::ImageSamples)
+        .valueName("N");
 }
 
 SceneOptions sceneOptions(const PictureOptions& options) {

@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace rubble {
+
+class Command;
 
 /// The options of 3D pictures on the command line.
 struct PictureOptions {
@@ -27,13 +25,13 @@ struct PictureOptions {
 };
 
 /// Adds --size and --view.
-void addViewOptions(CLI::App& command, PictureOptions& options);
+void addViewOptions(Command& command, PictureOptions& options);
 /// Adds --colour, --theme, --wireframe, --hulls and --bonds.
-void addStyleOptions(CLI::App& command, PictureOptions& options);
+void addStyleOptions(Command& command, PictureOptions& options);
 /// Adds --overlay, for data of a simulation.
-void addOverlayOption(CLI::App& command, PictureOptions& options);
+void addOverlayOption(Command& command, PictureOptions& options);
 /// Adds --samples; the default is that of `options`.
-void addSamplesOption(CLI::App& command, PictureOptions& options);
+void addSamplesOption(Command& command, PictureOptions& options);
 
 /// Returns the options for the contents of a scene: colouring, hulls and bonds.
 SceneOptions sceneOptions(const PictureOptions& options);

@@ -1,19 +1,18 @@
 #include "app/cli/options/PlayOptions.h"
 
-#include "app/cli/options/CommonOptions.h"
-
-#include <CLI/CLI.hpp>
+#include "app/cli/options/Command.h"
+#include "core/asset/project/Ranges.h"
 
 #include <ostream>
 
 namespace rubble {
 
-void addPlayOptions(CLI::App& command, PlayOptions& options) {
-    command.add_option("--dt", options.stepLength, "The time step in seconds (default: 1/60)")
-        ->check(numberBetween(kShortestStep, kLongestStep))
-        ->option_text("S");
+void addPlayOptions(Command& command, PlayOptions& options) {
+    command.option("--dt", options.stepLength, "The time step in seconds (default: 1/60)")
+        .inRange(ProjectNumber::StepLength)
+        .valueName("S");
     addShotOptions(command, options.shots);
-    command.add_flag("--no-destruction", options.isUnbreakable, "Disable destruction");
+    command.flag("--no-destruction", options.isUnbreakable, "Disable destruction");
 }
 
 Result<PreparedProject> prepareProject(const Project& project, const PlayOptions& options, const CliContext& context,
@@ -22,7 +21,7 @@ Result<PreparedProject> prepareProject(const Project& project, const PlayOptions
     if (!shots) return shots.error();
     Result<std::shared_ptr<const PlayScene>> scene = playScene(project, task);
     if (!scene) return scene.error();
-    for (const std::string& notice : (*scene)->notices) context.err << notice << '\n';
+    printMessages((*scene)->diagnostics, context);
     return PreparedProject{std::move(*scene), std::move(*shots)};
 }
 
@@ -38,8 +37,12 @@ Result<Session> createSession(const PreparedProject& play, const PlayOptions& op
     return session;
 }
 
+void printMessages(const std::vector<Diagnostic>& diagnostics, const CliContext& context) {
+    for (const Diagnostic& one : diagnostics) context.err << one.message << '\n';
+}
+
 void printWarnings(SessionPlayback& playback, const CliContext& context) {
-    for (const std::string& notice : playback.takeNotices()) context.err << notice << '\n';
+    printMessages(playback.drainDiagnostics(), context);
 }
 
 Status simulateTo(Session& session, std::uint64_t step, const CliContext& context, const TaskContext& task) {
@@ -47,7 +50,7 @@ Status simulateTo(Session& session, std::uint64_t step, const CliContext& contex
     while (session.stepsDone() < step) {
         if (task.isCancelled()) return TaskContext::cancelled();
         session.step();
-        for (const std::string& notice : session.events().notices) context.err << notice << '\n';
+        printMessages(session.events().diagnostics, context);
         task.report(static_cast<double>(session.stepsDone() - first) / static_cast<double>(step - first));
     }
     return success();

@@ -6,6 +6,8 @@
 
 namespace rubble {
 
+class Command;
+
 /// The options of a simulation on the command line.
 struct PlayOptions {
     double stepLength = 1.0 / 60.0;  // s
@@ -20,10 +22,8 @@ struct PreparedProject {
     std::vector<Shot> shots;
 };
 
-inline constexpr int kMaxSteps = 10'000'000;  // an arbitrary upper limit
-
 /// Adds --dt, --shot, --shots and --no-destruction.
-void addPlayOptions(CLI::App& command, PlayOptions& options);
+void addPlayOptions(Command& command, PlayOptions& options);
 
 /// Bakes a project for a simulation; warnings go to `context.err`.
 ///
@@ -35,6 +35,9 @@ Result<PreparedProject> prepareProject(const Project& project, const PlayOptions
 ///
 /// Errors: those of Session::start() and Session::add().
 Result<Session> createSession(const PreparedProject& play, const PlayOptions& options, int threads);
+
+/// Prints messages to `context.err`, a line each.
+void printMessages(const std::vector<Diagnostic>& diagnostics, const CliContext& context);
 
 /// Prints the warnings of a playback to `context.err`.
 void printWarnings(SessionPlayback& playback, const CliContext& context);

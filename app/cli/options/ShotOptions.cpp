@@ -1,22 +1,18 @@
 #include "app/cli/options/ShotOptions.h"
 
 #include "app/cli/console/InputOutput.h"
+#include "app/cli/options/Command.h"
 #include "app/cli/options/CommonOptions.h"
 #include "core/io/project/ShotJson.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 
 namespace rubble {
 
-void addShotOptions(CLI::App& command, ShotOptions& options) {
-    command.add_option("--shot", options.names, "Fire this shot of the project; repeatable")
-        ->expected(1)
-        ->take_all()
-        ->option_text("NAME");
-    command.add_option("--shots", options.file, "Also fire the shots of a file: a JSON array of shots as in projects")
-        ->option_text("FILE");
+void addShotOptions(Command& command, ShotOptions& options) {
+    command.option("--shot", options.names, "Fire this shot of the project; repeatable").repeatable().valueName("NAME");
+    command.option("--shots", options.file, "Also fire the shots of a file: a JSON array of shots as in projects")
+        .valueName("FILE");
 }
 
 Result<std::vector<Shot>> selectedShots(const Project& project, const ShotOptions& options, const CliContext& context) {

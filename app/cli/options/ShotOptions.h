@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace rubble {
+
+class Command;
 
 /// The shots to fire at a project's scene; none by default.
 struct ShotOptions {
@@ -20,7 +18,7 @@ struct ShotOptions {
 };
 
 /// Adds --shot, which is repeatable, and --shots to a verb.
-void addShotOptions(CLI::App& command, ShotOptions& options);
+void addShotOptions(Command& command, ShotOptions& options);
 
 /// Returns the selected shots, those of the project first, in its order.
 ///

@@ -32,7 +32,7 @@ void addBodies(const Session& session, SimulationOutcome& outcome) {
 }  // namespace
 
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
-                                 std::vector<std::string>& warnings) {
+                                 std::vector<Diagnostic>& diagnostics) {
     Result<Session> session = createSession(project, plan.play, plan.simulation.world.threads);
     if (!session) return session.error();
     StepRecord record(plan.simulation);
@@ -48,7 +48,8 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }
-        for (const std::string& notice : session->events().notices) warnings.push_back(notice);
+        const std::vector<Diagnostic>& reported = session->events().diagnostics;
+        diagnostics.insert(diagnostics.end(), reported.begin(), reported.end());
         task.report(static_cast<double>(step) / plan.simulation.steps);
     }
     run.outcome.steps = static_cast<std::uint64_t>(plan.simulation.steps);

@@ -13,10 +13,10 @@ struct PlayPlan {
 };
 
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,
-/// without the ground. Warnings are appended to `warnings`.
+/// without the ground. What the session reports is appended to `diagnostics`.
 ///
 /// Errors: those of createSession(); Cancelled.
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
-                                 std::vector<std::string>& warnings);
+                                 std::vector<Diagnostic>& diagnostics);
 
 }  // namespace rubble

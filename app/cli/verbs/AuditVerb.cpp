@@ -7,9 +7,6 @@
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/io/play/SwapAuditJson.h"
-#include "core/io/project/ProjectFile.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -82,7 +79,9 @@ std::string textOf(const NamedAudit& named) {
     text += "  relative change in flight: mass " + roundedText(audit.massDrift, 2) + ", momentum " +
             roundedText(audit.momentumDrift, 2) + ", angular momentum " + roundedText(audit.angularDrift, 2) +
             ", energy " + roundedText(audit.energyGain, 2) + "\n";
-    for (const std::string& notice : audit.notices) text += "  " + notice + "\n";
+    for (const Diagnostic& one : audit.diagnostics) {
+        if (one.severity == Severity::Note) text += "  " + one.message + "\n";
+    }
     return text;
 }
 
@@ -91,8 +90,9 @@ Status statusOf(std::span<const NamedAudit> audits) {
     std::string message;
     for (const NamedAudit& named : audits) {
         if (!named.audit) continue;
-        for (const std::string& fault : named.audit->faults) {
-            message += (message.empty() ? "" : "\n") + named.name + ": " + fault;
+        for (const Diagnostic& one : named.audit->diagnostics) {
+            if (one.severity == Severity::Note) continue;
+            message += (message.empty() ? "" : "\n") + named.name + ": " + one.message;
         }
     }
     if (!message.empty()) return Error{ErrorCode::BadInput, message};
@@ -100,12 +100,9 @@ Status statusOf(std::span<const NamedAudit> audits) {
 }
 
 Status audit(const AuditOptions& options, const CliContext& context) {
-    const Result<Project> project = loadProject(options.file);
-    if (!project) return project.error();
-    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
-    if (!assets) return assets.error();
-    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
-    const Result<std::vector<NamedAudit>> audits = auditsOf(*project, *assets, options, context);
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    if (!loaded) return loaded.error();
+    const Result<std::vector<NamedAudit>> audits = auditsOf(loaded->project, loaded->assets, options, context);
     if (!audits) return audits.error();
     std::string text;
     for (const NamedAudit& named : *audits) text += textOf(named);
@@ -116,14 +113,13 @@ Status audit(const AuditOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addAudit(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("audit", "Measure whether assets change when they are replaced by their fragments");
+    Command command(program, "audit", "Measure whether assets change when they are replaced by their fragments",
+                    kFooter);
     const auto options = std::make_shared<AuditOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    addAssetOption(*command, options->assets);
-    command->add_flag("--json", options->isJson, "Print JSON instead of text");
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    addAssetOption(command, options->assets);
+    addJsonOption(command, options->isJson);
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return audit(*options, context); }};
 }
 

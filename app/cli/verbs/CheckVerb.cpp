@@ -15,8 +15,6 @@
 #include "core/io/system/AtomicFile.h"
 #include "core/play/scene/InstanceOverlaps.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -31,8 +29,8 @@ namespace fs = std::filesystem;
 constexpr const char* kFooter =
     R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
-Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are no
-errors. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
+Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
+not errors. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
 packs in a folder.
 
 Examples:
@@ -49,7 +47,7 @@ struct CheckArguments {
 struct CheckResult {
     Status status = success();
     std::string summary;
-    std::string warnings;  // a line each
+    std::string warnings;  // one per line
 };
 
 std::string okText(const std::string& name, std::size_t fragments, double volume) {
@@ -141,7 +139,7 @@ Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     const std::string name = '"' + folder.string() + '"';
     if (error) return Error{ErrorCode::Io, "Cannot read " + name + ": " + error.message() + "."};
     if (packs.empty())
-        return Error{ErrorCode::NotFound, name + " is not a pack and holds none: it has no " + kPackName + "."};
+        return Error{ErrorCode::NotFound, name + " is not a pack and contains none: it has no " + kPackName + "."};
     std::ranges::sort(packs);
     return packs;
 }
@@ -171,13 +169,11 @@ Status check(const CheckArguments& arguments, const CliContext& context) {
 }  // namespace
 
 Verb addCheck(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("check", "Verify projects and exported packs");
+    Command command(program, "check", "Verify projects and exported packs", kFooter);
     const auto arguments = std::make_shared<CheckArguments>();
-    command->footer(kFooter);
-    command->add_option("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
-        ->required()
-        ->type_name("");
-    addThreadsOption(*command, arguments->threads);
+    command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
+        .required();
+    addThreadsOption(command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return check(*arguments, context); }};
 }
 

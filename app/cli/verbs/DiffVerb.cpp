@@ -7,8 +7,6 @@
 #include "core/io/project/AssetDifferenceJson.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <memory>
 
@@ -121,15 +119,14 @@ Status diff(const DiffOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addDiff(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("diff", "Compare two saved states of a project");
+    Command command(program, "diff", "Compare two saved states of a project", kFooter);
     const auto options = std::make_shared<DiffOptions>();
-    command->footer(kFooter);
-    command->add_option("BEFORE", options->before, "The project before the change")->required()->type_name("");
-    command->add_option("AFTER", options->after, "The project after the change")->required()->type_name("");
-    addAssetOption(*command, options->assets);
-    command->add_flag("--all", options->isAll, "List every fragment, not only the first ten of each change");
-    command->add_flag("--json", options->isJson, "Print JSON instead of text");
-    addThreadsOption(*command, options->threads);
+    command.argument("BEFORE", options->before, "The project before the change").required();
+    command.argument("AFTER", options->after, "The project after the change").required();
+    addAssetOption(command, options->assets);
+    command.flag("--all", options->isAll, "List every fragment, not only the first ten of each change");
+    addJsonOption(command, options->isJson);
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return diff(*options, context); }};
 }
 

@@ -6,9 +6,6 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/io/media/PatternSvg.h"
-#include "core/io/project/ProjectFile.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -65,12 +62,9 @@ Result<std::vector<PatternPanel>> panelsOf(const Project& project, std::span<con
 }
 
 Status draw(const DrawOptions& options, const CliContext& context) {
-    const Result<Project> project = loadProject(options.file);
-    if (!project) return project.error();
-    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
-    if (!assets) return assets.error();
-    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
-    const Result<std::vector<PatternPanel>> panels = panelsOf(*project, *assets, options.file, context);
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    if (!loaded) return loaded.error();
+    const Result<std::vector<PatternPanel>> panels = panelsOf(loaded->project, loaded->assets, options.file, context);
     if (!panels) return panels.error();
     return writeOutput(options.out, patternSvg(*panels, svgOptions(options.shown)), context);
 }
@@ -78,18 +72,15 @@ Status draw(const DrawOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addDraw(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("draw", "Draw seeds, Delaunay triangulation and cells as an SVG picture");
+    Command command(program, "draw", "Draw seeds, Delaunay triangulation and cells as an SVG picture", kFooter);
     const auto options = std::make_shared<DrawOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    addAssetOption(*command, options->assets);
-    command->add_option("--out", options->out, "The picture to write (default: -, standard output)")
-        ->option_text("FILE");
-    command->add_option("--show", options->shown, "What to draw: cells, triangles, seeds (default: all)")
-        ->delimiter(',')
-        ->check(oneOf({"cells", "triangles", "seeds"}))
-        ->option_text("WHAT,...");
+    addProjectArgument(command, options->file);
+    addAssetOption(command, options->assets);
+    command.option("--out", options->out, "The picture to write (default: -, standard output)").valueName("FILE");
+    command.option("--show", options->shown, "What to draw: cells, triangles, seeds (default: all)")
+        .separatedBy(',')
+        .oneOf({"cells", "triangles", "seeds"})
+        .valueName("WHAT,...");
     return {command, [options](const CliContext& context) { return draw(*options, context); }};
 }
 

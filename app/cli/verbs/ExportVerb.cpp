@@ -8,8 +8,6 @@
 #include "core/io/pack/PackExport.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,9 +17,9 @@ namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Writes each asset into a folder of its name: pack.json, which describes the whole and its fragments; meshes; and
-manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole. Of
-many warnings about an asset only the first three are printed; rubble-cli check prints all.
+    R"(Writes each asset into a folder with its name: pack.json, which describes the whole and its fragments; meshes;
+and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole.
+If an asset has many warnings, only the first three are printed; rubble-cli check prints all.
 
 Examples:
   rubble-cli export house.rubble --out packs
@@ -43,7 +41,7 @@ using Alternatives = std::vector<std::pair<std::string, Value>>;
 
 /// Adds an option whose value is one of a few words.
 template <class Value>
-void addEnumOption(CLI::App& command, const char* name, const char* help, const Alternatives<Value>& alternatives,
+void addEnumOption(Command& command, const char* name, const char* help, const Alternatives<Value>& alternatives,
                    Value& value) {
     std::vector<std::string> words;
     std::string label;
@@ -56,7 +54,7 @@ void addEnumOption(CLI::App& command, const char* name, const char* help, const 
             if (word == given) value = meaning;
         }
     };
-    command.add_option_function<std::string>(name, select, help)->check(oneOf(words))->option_text(label);
+    command.callback(name, select, help).oneOf(words).valueName(label);
 }
 
 std::string summaryOf(const AssetExport& asset) {
@@ -101,27 +99,26 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
 }  // namespace
 
 Verb addExport(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("export", "Fracture assets and write their packs and meshes");
+    Command command(program, "export", "Fracture assets and write their packs and meshes", kFooter);
     const auto arguments = std::make_shared<ExportArguments>();
     MeshOptions& meshes = arguments->meshes;
-    command->footer(kFooter);
-    command->add_option("FILE", arguments->project, "The project")->required()->type_name("");
-    command->add_option("--out", arguments->out, "The folder for the folders of the assets")
-        ->required()
-        ->option_text("FOLDER");
-    addAssetOption(*command, arguments->assets);
+    addProjectArgument(command, arguments->project);
+    command.option("--out", arguments->out, "The output folder, with a subfolder for each asset")
+        .required()
+        .valueName("FOLDER");
+    addAssetOption(command, arguments->assets);
     addEnumOption<Formats>(
-        *command, "--format", "The mesh files to write (default: both)",
+        command, "--format", "The mesh files to write (default: both)",
         {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
         arguments->formats);
-    addEnumOption<FileSplit>(*command, "--pieces", "All fragments in a single file (default) or a file each",
+    addEnumOption<FileSplit>(command, "--pieces", "All fragments in a single file (default) or one file each",
                              {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
     addEnumOption<PartPlacement>(
-        *command, "--place", "Fragments in place (default) or with their centres of mass at the origin",
+        command, "--place", "Fragments in place (default) or with their centres of mass at the origin",
         {{"assembled", PartPlacement::Assembled}, {"centred", PartPlacement::Centred}}, meshes.place);
-    addEnumOption<FaceShape>(*command, "--faces", "The faces in OBJ files (default: polygons)",
+    addEnumOption<FaceShape>(command, "--faces", "The faces in OBJ files (default: polygons)",
                              {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
-    addThreadsOption(*command, arguments->threads);
+    addThreadsOption(command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
 }
 

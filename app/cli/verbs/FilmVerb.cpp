@@ -4,13 +4,12 @@
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
 #include "core/io/project/ProjectFile.h"
 #include "viewport/film/Film.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -30,8 +29,6 @@ Examples:
   rubble-cli film house.rubble hit.mp4 --steps 300 --shot "block under the roof"
   rubble-cli film house.rubble slow.mp4 --from 40 --steps 120 --rate 12 --shot "block under the roof"
   rubble-cli film house.rubble both --steps 120 --every 2 --compare --size 640x480 --shot "box at the door")";
-
-constexpr double kMaxRate = 240.0;  // pictures per second; no screen shows more
 
 struct FilmOptions {
     std::string file;
@@ -72,14 +69,14 @@ Result<FilmPlan> planOf(const FilmOptions& options) {
     if (pictures > kMaxPictures) {
         return Error{ErrorCode::BadInput, "The film would have " + std::to_string(pictures) +
                                               " pictures; the maximum is " + std::to_string(kMaxPictures) +
-                                              ". Use --every to take fewer."};
+                                              ". Use --every to render fewer."};
     }
     const double asPlayed = 1.0 / (options.play.stepLength * options.every);
     return FilmPlan{.samples = options.picture.samples,
                     .first = static_cast<double>(options.first),
                     .stepsPerFrame = static_cast<double>(options.every),
                     .frames = pictures,
-                    .frameRate = options.rate.value_or(std::min(asPlayed, kMaxRate))};
+                    .frameRate = options.rate.value_or(std::min(asPlayed, rangeOf(ProjectNumber::FrameRate).max))};
 }
 
 Status film(const FilmOptions& options, const CliContext& context) {
@@ -117,36 +114,33 @@ Status film(const FilmOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addFilm(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("film", "Render a simulation as a sequence of PNG pictures or as a film");
+    Command command(program, "film", "Render a simulation as a sequence of PNG pictures or as a film", kFooter);
     const auto options = std::make_shared<FilmOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    command->add_option("FOLDER", options->output, "The folder for the pictures, or the film to write: FILM.mp4")
-        ->required()
-        ->type_name("");
-    command->add_option("--from", options->first, "The step of the first picture (default: 0)")
-        ->check(numberBetween(0, kMaxSteps))
-        ->option_text("STEP");
-    command->add_option("--steps", options->steps, "The number of steps to simulate")
-        ->required()
-        ->check(numberBetween(0, kMaxSteps))
-        ->option_text("N");
-    command->add_option("--every", options->every, "Steps between pictures (default: 1)")
-        ->check(numberBetween(1, kMaxSteps))
-        ->option_text("K");
-    command->add_option("--rate", options->rate, "Pictures per second of a film (default: real time)")
-        ->check(numberBetween(1.0, kMaxRate))
-        ->option_text("N");
-    addPlayOptions(*command, options->play);
-    command->add_flag("--compare", options->isCompared, "Show it without and with destruction, side by side")
-        ->option_text(" ");  // hides CLI11's note on --no-destruction
-    command->get_option("--compare")->excludes(command->get_option("--no-destruction")->option_text(" "));
-    addViewOptions(*command, options->picture);
-    addStyleOptions(*command, options->picture);
-    addOverlayOption(*command, options->picture);
-    addSamplesOption(*command, options->picture);
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    command.argument("FOLDER", options->output, "The folder for the pictures, or the film to write: FILM.mp4")
+        .required();
+    command.option("--from", options->first, "The step of the first picture (default: 0)")
+        .wholeInRange(ProjectNumber::Step)
+        .valueName("STEP");
+    command.option("--steps", options->steps, "The number of steps to simulate")
+        .required()
+        .wholeInRange(ProjectNumber::Step)
+        .valueName("N");
+    command.option("--every", options->every, "Steps between pictures (default: 1)")
+        .wholeInRange(ProjectNumber::Steps)
+        .valueName("K");
+    command.option("--rate", options->rate, "Pictures per second of a film (default: real time)")
+        .inRange(ProjectNumber::FrameRate)
+        .valueName("N");
+    addPlayOptions(command, options->play);
+    command.flag("--compare", options->isCompared, "Show it without and with destruction, side by side")
+        .valueName(" ");  // hides CLI11's note on --no-destruction
+    command["--compare"].excludes(command["--no-destruction"].valueName(" "));
+    addViewOptions(command, options->picture);
+    addStyleOptions(command, options->picture);
+    addOverlayOption(command, options->picture);
+    addSamplesOption(command, options->picture);
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return film(*options, context); }};
 }
 

@@ -1,9 +1,6 @@
 #include "app/cli/console/InputOutput.h"
-#include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/io/fracture/FractureJson.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -43,13 +40,12 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addFracture(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("fracture", "Cut an outline into Voronoi cells, from JSON to JSON");
+    Command command(program, "fracture", "Cut an outline into Voronoi cells, from JSON to JSON", kFooter);
     const auto options = std::make_shared<FractureOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->input, "The input (default: -, standard input)")->type_name("");
-    command->add_option("--method", options->method, "exact (default), or thesis, the reference method with its errors")
-        ->check(oneOf({"exact", "thesis"}))
-        ->option_text("exact|thesis");
+    command.argument("FILE", options->input, "The input (default: -, standard input)");
+    command.option("--method", options->method, "exact (default), or thesis, the reference method with its errors")
+        .oneOf({"exact", "thesis"})
+        .valueName("exact|thesis");
     return {command, [options](const CliContext& context) { return fracture(*options, context); }};
 }
 

@@ -6,8 +6,6 @@
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -18,7 +16,7 @@ namespace {
 constexpr const char* kFooter =
     R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 1 GiB and 10 s. Each object that
 is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
-asset and an instance at the place of the mesh. Prints what was imported, merged and ignored. An object that is
+asset and an instance at the position of the mesh. Prints what was imported, merged and ignored. An object that is
 rejected does not keep others from being imported; the reason goes to standard error. If all are rejected,
 nothing is written.
 
@@ -78,7 +76,7 @@ ImportOptions importOptions(const ImportVerbOptions& given) {
 /// Returns a line for each rejected object, with advice if it is not a prism.
 std::string rejections(const ImportOutcome& outcome, const ImportVerbOptions& options) {
     std::string text;
-    for (const Error& error : outcome.refused) {
+    for (const Error& error : outcome.rejected) {
         std::string message = error.message;
         if (error.code == ErrorCode::Degenerate && options.fallback.empty()) {
             if (message.ends_with('.')) message.pop_back();
@@ -118,25 +116,20 @@ Status import(const ImportVerbOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addImport(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("import", "Import the objects of a mesh file as assets");
+    Command command(program, "import", "Import the objects of a mesh file as assets", kFooter);
     const auto options = std::make_shared<ImportVerbOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
-    command->add_option("--into", options->project, "The project to import into, created if missing")
-        ->option_text("PROJECT");
-    addUnitOption(*command, options->metresPerUnit);
-    command->add_option("--up", options->up, "The up axis of the file (default: y)")
-        ->check(oneOf({"y", "z"}))
-        ->option_text("y|z");
-    command->add_option("--axis", options->axis, "Extrude along the axis closest to this one (y is up)")
-        ->check(oneOf({"x", "y", "z"}))
-        ->option_text("x|y|z");
-    command->add_option("--asset", options->asset, "Update this asset, or create it")->option_text("NAME");
+    command.argument("FILE", options->mesh, "The mesh file").required();
+    command.option("--into", options->project, "The project to import into, created if missing").valueName("PROJECT");
+    addUnitOption(command, options->metresPerUnit);
+    command.option("--up", options->up, "The up axis of the file (default: y)").oneOf({"y", "z"}).valueName("y|z");
+    command.option("--axis", options->axis, "Extrude along the axis closest to this one (y is up)")
+        .oneOf({"x", "y", "z"})
+        .valueName("x|y|z");
+    command.option("--asset", options->asset, "Update this asset, or create it").valueName("NAME");
     command
-        ->add_option("--fallback", options->fallback,
-                     "The outline to use for an object that is not a prism, along --axis")
-        ->check(oneOf({"silhouette", "cap"}))
-        ->option_text("silhouette|cap");
+        .option("--fallback", options->fallback, "The outline to use for an object that is not a prism, along --axis")
+        .oneOf({"silhouette", "cap"})
+        .valueName("silhouette|cap");
     return {command, [options](const CliContext& context) { return import(*options, context); }};
 }
 

@@ -1,11 +1,10 @@
 #include "app/cli/console/InputOutput.h"
+#include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Threshold.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/pattern/PatternKind.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -14,10 +13,10 @@ namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Without names, lists all materials, a line each. With names, prints each with the ranges and sources of its
-properties, the crack length from which on toughness instead of strength decides, and its typical pattern. Files
-in the folder that cannot be read are reported, and the program exits with 1. A material of your own replaces a
-built-in one of the same name.
+    R"(Without names, lists all materials, one per line. With names, prints each with the ranges and sources of its
+properties, the crack length beyond which toughness decides instead of strength, and its typical pattern. Files in
+the folder that cannot be read are reported, and the program exits with 1. Your own material replaces a built-in
+one with the same name.
 
 Examples:
   rubble-cli materials
@@ -164,13 +163,12 @@ Status printMaterials(const MaterialsOptions& options, const CliContext& context
 }  // namespace
 
 Verb addMaterials(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("materials", "List the materials of the library with their properties and sources");
+    Command command(program, "materials", "List the materials of the library with their properties and sources",
+                    kFooter);
     const auto options = std::make_shared<MaterialsOptions>();
-    command->footer(kFooter);
-    command->add_option("NAME", options->names, "Print these materials in detail")->type_name("");
-    addMaterialsOption(*command, options->folder);
-    command->add_flag("--json", options->isJson, "Print JSON instead of text");
+    command.argument("NAME", options->names, "Print these materials in detail");
+    addMaterialsOption(command, options->folder);
+    addJsonOption(command, options->isJson);
     return {command, [options](const CliContext& context) { return printMaterials(*options, context); }};
 }
 

@@ -4,8 +4,6 @@
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <memory>
 
@@ -52,15 +50,14 @@ Status createProject(const NewOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addNew(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("new", "Create a project with a wall to start from");
+    Command command(program, "new", "Create a project with a wall to start from", kFooter);
     const auto options = std::make_shared<NewOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project to create: wall.rubble")->required()->type_name("");
-    command->add_flag("--empty", options->isEmpty, "Leave the wall out");
-    CLI::Option* material = command->add_option("--material", options->material, "The material of the wall");
-    material->type_name("NAME");
-    addMaterialsOption(*command, options->materials);
-    command->get_option("--materials")->needs(material);
+    command.argument("FILE", options->file, "The project to create: wall.rubble").required();
+    command.flag("--empty", options->isEmpty, "Omit the wall");
+    const CommandOption material =
+        command.option("--material", options->material, "The material of the wall").valueName("NAME");
+    addMaterialsOption(command, options->materials);
+    command["--materials"].needs(material);
     return {command, [options](const CliContext& context) { return createProject(*options, context); }};
 }
 

@@ -5,11 +5,10 @@
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/io/project/ProjectFile.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SessionSceneBuilder.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <optional>
@@ -115,41 +114,35 @@ Status render(const RenderOptions& options, const CliContext& context) {
 }
 
 /// Adds --at, the options that need it, and its conflicts with options for fragments at rest.
-void addSimulationOptions(CLI::App& command, RenderOptions& options) {
-    CLI::Option* at = command.add_option("--at", options.step, "Simulate so many steps first")
-                          ->check(numberBetween(0, kMaxSteps))
-                          ->option_text("STEP");
+void addSimulationOptions(Command& command, RenderOptions& options) {
+    const CommandOption at = command.option("--at", options.step, "Simulate this many steps first")
+                                 .wholeInRange(ProjectNumber::Step)
+                                 .valueName("STEP");
     addPlayOptions(command, options.play);
     addOverlayOption(command, options.picture);
-    for (const char* name : {"--dt", "--shot", "--shots", "--no-destruction", "--overlay"})
-        command.get_option(name)->needs(at);
-    command.get_option("--no-destruction")->option_text(" ");  // hides CLI11's note on --at
-    command.get_option("--whole")->option_text(" ");
-    for (const char* name : {"--asset", "--explode", "--whole"}) at->excludes(command.get_option(name));
+    for (const char* name : {"--dt", "--shot", "--shots", "--no-destruction", "--overlay"}) command[name].needs(at);
+    command["--no-destruction"].valueName(" ");  // hides CLI11's note on --at
+    command["--whole"].valueName(" ");
+    for (const char* name : {"--asset", "--explode", "--whole"}) at.excludes(command[name]);
 }
 
 }  // namespace
 
 Verb addRender(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("render", "Render fragments in 3D as a PNG picture");
+    Command command(program, "render", "Render fragments in 3D as a PNG picture", kFooter);
     const auto options = std::make_shared<RenderOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    command->add_option("--out", options->out, "The picture to write; - for standard output")
-        ->required()
-        ->option_text("FILE");
-    command->add_option("--asset", options->assets, "Render this asset instead of the scene")
-        ->expected(1)
-        ->option_text("NAME");
-    addViewOptions(*command, options->picture);
-    command->add_option("--explode", options->explodeFactor, "Explode the fragments: 1 doubles their distances")
-        ->check(numberBetween(0.0, 100.0))
-        ->option_text("F");
-    addStyleOptions(*command, options->picture);
-    command->add_flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
-    addSimulationOptions(*command, *options);
-    addSamplesOption(*command, options->picture);
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    command.option("--out", options->out, "The picture to write; - for standard output").required().valueName("FILE");
+    command.option("--asset", options->assets, "Render this asset instead of the scene").single().valueName("NAME");
+    addViewOptions(command, options->picture);
+    command.option("--explode", options->explodeFactor, "Explode the fragments: 1 doubles their distances")
+        .inRange(ProjectNumber::ExplodeFactor)
+        .valueName("F");
+    addStyleOptions(command, options->picture);
+    command.flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
+    addSimulationOptions(command, *options);
+    addSamplesOption(command, options->picture);
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return render(*options, context); }};
 }
 

@@ -7,8 +7,6 @@
 #include "core/io/play/ReplayFile.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 
 namespace rubble {
@@ -84,14 +82,11 @@ Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addReplay(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("replay", "Replay a recorded simulation and compare every step");
+    Command command(program, "replay", "Replay a recorded simulation and compare every step", kFooter);
     const auto options = std::make_shared<ReplayOptions>();
-    command->footer(kFooter);
-    command->add_option("REPLAY", options->file, "The recording, written by simulate --record")
-        ->required()
-        ->type_name("");
-    command->add_option("PROJECT", options->project, "The project that was recorded")->required()->type_name("");
-    addThreadsOption(*command, options->threads);
+    command.argument("REPLAY", options->file, "The recording, written by simulate --record").required();
+    command.argument("PROJECT", options->project, "The project that was recorded").required();
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return verifyReplay(*options, context); }};
 }
 

@@ -7,8 +7,6 @@
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <memory>
 
@@ -46,30 +44,29 @@ Status addSeeds(const SeedsOptions& options, const CliContext& context) {
     Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
     if (!found) return found.error();
     const std::size_t count = found->seeds.seeds.size();
-    const std::string report = found->report();
+    const std::string omissions = found->omissionText();
     const Id layer = project->nextId++;
     asset.pattern.layers.push_back({.id = layer, .randomSeed = layer, .parameters = std::move(found->seeds)});
     if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
     return writeOutput("-",
                        "\"" + asset.name + "\" has a new layer of " + countText(count, "seed", "seeds") + "." +
-                           (report.empty() ? "" : " " + report) + "\nSaved " + options.project.string() + "\n",
+                           (omissions.empty() ? "" : " " + omissions) + "\nSaved " + options.project.string() + "\n",
                        context);
 }
 
 }  // namespace
 
 Verb addSeeds(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("seeds", "Place seeds at the vertices of a mesh");
+    Command command(program, "seeds", "Place seeds at the vertices of a mesh", kFooter);
     const auto options = std::make_shared<SeedsOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->mesh, "The mesh file")->required()->type_name("");
-    command->add_option("--into", options->project, "The project of the asset")->required()->option_text("PROJECT");
-    command->add_option("--asset", options->asset, "The asset")->required()->option_text("NAME");
-    addUnitOption(*command, options->view.metresPerUnit);
-    command->add_option("--along", options->along, "The axis of the file to project along (default: z)")
-        ->check(oneOf({"x", "y", "z"}))
-        ->option_text("x|y|z");
-    command->add_flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
+    command.argument("FILE", options->mesh, "The mesh file").required();
+    command.option("--into", options->project, "The project of the asset").required().valueName("PROJECT");
+    command.option("--asset", options->asset, "The asset").required().valueName("NAME");
+    addUnitOption(command, options->view.metresPerUnit);
+    command.option("--along", options->along, "The axis of the file to project along (default: z)")
+        .oneOf({"x", "y", "z"})
+        .valueName("x|y|z");
+    command.flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
     return {command, [options](const CliContext& context) { return addSeeds(*options, context); }};
 }
 

@@ -5,13 +5,12 @@
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/options/ShotOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/ProjectFile.h"
 #include "viewport/film/ContactSheetPage.h"
 #include "viewport/film/ContactSheetPainter.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -21,8 +20,8 @@ namespace {
 
 constexpr const char* kFooter =
     R"(Draws variants of an asset, generated with other random seeds, side by side in one picture, and measures them; 0
-is the asset itself. With --shot and --at all are simulated to the same step first. The table has a row a
-variant, in the order of the picture.
+is the asset itself. With --shot and --at all are simulated to the same step first. The table has one row
+per variant, in the order of the picture.
 
 Examples:
   rubble-cli sheet house.rubble --asset wall --variants 12 --out sheet.png --sort smallestPiece
@@ -137,32 +136,28 @@ Status sheet(const SheetOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addSheet(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("sheet", "Draw and measure variants of an asset side by side");
+    Command command(program, "sheet", "Draw and measure variants of an asset side by side", kFooter);
     const auto options = std::make_shared<SheetOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    command->add_option("--asset", options->asset, "The asset")->required()->option_text("NAME");
-    command->add_option("--out", options->out, "The picture to write")->required()->option_text("FILE");
-    command
-        ->add_option("--variants", options->recipe.count, "The number of variants, including the asset (default: 12)")
-        ->check(numberBetween(1, static_cast<int>(VariantRecipe::kMaxVariants)))
-        ->option_text("N");
-    command->add_option("--random-seed", options->recipe.randomSeed, "The random seed of the variants (default: 1)")
-        ->option_text("N");
-    CLI::Option* shot = command->add_option("--shot", options->shot, "Fire this shot of the project at each variant")
-                            ->option_text("NAME");
-    command->add_option("--at", options->step, "Draw them after this step (default: 60)")
-        ->check(numberBetween(0, kMaxSteps))
-        ->needs(shot)
-        ->option_text("STEP");
-    command->add_option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))
-        ->check(oneOf(measureNames()))
-        ->option_text("MEASURE");
-    command->add_option("--theme", options->theme, "light (default) or dark")
-        ->check(oneOf({"light", "dark"}))
-        ->option_text("T");
-    command->add_flag("--json", options->isJson, "Print JSON instead of a table");
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    command.option("--asset", options->asset, "The asset").required().valueName("NAME");
+    command.option("--out", options->out, "The picture to write").required().valueName("FILE");
+    command.option("--variants", options->recipe.count, "The number of variants, including the asset (default: 12)")
+        .wholeInRange(ProjectNumber::Variants)
+        .valueName("N");
+    command.option("--random-seed", options->recipe.randomSeed, "The random seed of the variants (default: 1)")
+        .valueName("N");
+    const CommandOption shot =
+        command.option("--shot", options->shot, "Fire this shot of the project at each variant").valueName("NAME");
+    command.option("--at", options->step, "Draw them after this step (default: 60)")
+        .wholeInRange(ProjectNumber::Step)
+        .needs(shot)
+        .valueName("STEP");
+    command.option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))
+        .oneOf(measureNames())
+        .valueName("MEASURE");
+    command.option("--theme", options->theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("T");
+    command.flag("--json", options->isJson, "Print JSON instead of a table");
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return sheet(*options, context); }};
 }
 

@@ -4,11 +4,10 @@
 #include "app/cli/simulation/BodySimulation.h"
 #include "app/cli/simulation/ProjectSimulation.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/project/ProjectFile.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -82,14 +81,14 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
                                       const CliContext& context) {
     const Result<Project> project = readProjectText(text);
     if (!project) return project.error();
-    std::vector<std::string> notices;
+    std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) -> Result<SimulationRun> {
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, notices);
+        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, diagnostics);
     });
-    for (const std::string& notice : notices) context.err << notice << '\n';
+    printMessages(diagnostics, context);
     return run;
 }
 
@@ -114,21 +113,19 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addSimulate(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("simulate", "Simulate a project or a scene of bodies");
+    Command command(program, "simulate", "Simulate a project or a scene of bodies", kFooter);
     const auto options = std::make_shared<SimulateOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->input, "The project or scene (default: -, standard input)")->type_name("");
-    command->add_option("--steps", options->steps, "The number of steps to simulate")
-        ->required()
-        ->check(numberBetween(1, kMaxSteps))
-        ->option_text("N");
-    addPlayOptions(*command, options->play);
-    command->add_option("--record", options->record, "Write a recording for rubble-cli replay")->option_text("FILE");
-    addThreadsOption(*command, options->threads);
-    command->add_flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
-    command->add_option("--trace", options->trace, "Write counts and energies (J) of each step")
-        ->option_text("FILE.csv");
-    command->add_flag("--timings", options->isTimed, "Add the durations of steps, and of their stages to the trace");
+    command.argument("FILE", options->input, "The project or scene (default: -, standard input)");
+    command.option("--steps", options->steps, "The number of steps to simulate")
+        .required()
+        .wholeInRange(ProjectNumber::Steps)
+        .valueName("N");
+    addPlayOptions(command, options->play);
+    command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    addThreadsOption(command, options->threads);
+    command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
+    command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
+    command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
     return {command, [options](const CliContext& context) { return simulate(*options, context); }};
 }
 

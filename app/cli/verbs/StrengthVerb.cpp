@@ -5,9 +5,6 @@
 #include "core/asset/bake/AssetBakes.h"
 #include "core/asset/project/Threshold.h"
 #include "core/io/play/StrengthReportJson.h"
-#include "core/io/project/ProjectFile.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -15,8 +12,8 @@ namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(A strength requirement states that an asset survives or breaks when it falls from a height onto level ground as
-it stands, or when a body of a given mass and speed hits the middle of its front. Prints the impulse of each
+    R"(A strength requirement states that an asset survives or breaks when it falls from a height onto level ground in
+its own orientation, or when a body of a given mass and speed hits the centre of its front. Prints the impulse of each
 requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints
 both and the gap between them, and exits with 1.
 
@@ -82,13 +79,10 @@ Status statusOf(std::span<const StrengthReport> reports) {
 }
 
 Status strength(const StrengthOptions& options, const CliContext& context) {
-    const Result<Project> project = loadProject(options.file);
-    if (!project) return project.error();
-    const Result<std::vector<Id>> assets = selectedAssets(*project, options.assets);
-    if (!assets) return assets.error();
-    if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    if (!loaded) return loaded.error();
     const TaskContext task{.cancel = context.cancel, .threads = options.threads};
-    const Result<std::vector<StrengthReport>> reports = reportsOn(*project, *assets, task);
+    const Result<std::vector<StrengthReport>> reports = reportsOn(loaded->project, loaded->assets, task);
     if (!reports) return reports.error();
     std::string text;
     for (const StrengthReport& report : *reports) text += textOf(report);
@@ -99,14 +93,13 @@ Status strength(const StrengthOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addStrength(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("strength", "Check the strength requirements of assets");
-    command->alias("intent");  // its old name
+    Command command(program, "strength", "Check the strength requirements of assets", kFooter);
+    command.alias("intent");  // its old name
     const auto options = std::make_shared<StrengthOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    addAssetOption(*command, options->assets);
-    command->add_flag("--json", options->isJson, "Print JSON instead of text");
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    addAssetOption(command, options->assets);
+    addJsonOption(command, options->isJson);
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return strength(*options, context); }};
 }
 

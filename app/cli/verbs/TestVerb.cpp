@@ -11,8 +11,6 @@
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -134,18 +132,14 @@ Status test(const TestOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addTest(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("test", "Run the play-tests of a project");
+    Command command(program, "test", "Run the play-tests of a project", kFooter);
     const auto options = std::make_shared<TestOptions>();
-    command->footer(kFooter);
-    command->add_option("FILE", options->file, "The project")->required()->type_name("");
-    command->add_option("--test", options->names, "Run only this play-test; repeatable")
-        ->expected(1)
-        ->take_all()
-        ->option_text("NAME");
-    command->add_option("--junit", options->junit, "Write a report as JUnit XML")->option_text("FILE.xml");
-    command->add_option("--pictures", options->pictures, "Render the moment of each failure into this folder")
-        ->option_text("FOLDER");
-    addThreadsOption(*command, options->threads);
+    addProjectArgument(command, options->file);
+    command.option("--test", options->names, "Run only this play-test; repeatable").repeatable().valueName("NAME");
+    command.option("--junit", options->junit, "Write a report as JUnit XML").valueName("FILE.xml");
+    command.option("--pictures", options->pictures, "Render the moment of each failure into this folder")
+        .valueName("FOLDER");
+    addThreadsOption(command, options->threads);
     return {command, [options](const CliContext& context) { return test(*options, context); }};
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
 #include "app/cli/console/CliContext.h"
+#include "app/cli/options/Command.h"
 #include "core/base/Result.h"
 
 #include <functional>
-
-namespace CLI {
-class App;
-}
 
 namespace rubble {
 
@@ -16,7 +13,7 @@ using VerbAction = std::function<Status(const CliContext& context)>;
 
 /// A verb of rubble-cli.
 struct Verb {
-    CLI::App* command = nullptr;  // owned by the program's CLI::App
+    Command command;
     VerbAction action;
 };
 

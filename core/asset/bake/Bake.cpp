@@ -116,12 +116,12 @@ void reportLost(const Asset& asset, Bake& bake) {
     };
     for (const FragmentLevel& leaf : asset.leaves) {
         if (fragments.contains(leaf.fragment)) continue;
-        report(leaf.fragment, "The piece " + leaf.fragment + ", which is to be broken in its own way, is not there.");
+        report(leaf.fragment, "Fragment " + leaf.fragment + " has its own pattern, but does not exist.");
     }
     for (const FragmentEdit& edit : asset.edits) {
         const FragmentPath parent = parentOf(edit);
         if (!broken.contains(parent))
-            report(parent, "The piece " + parent + " is not broken; none of its pieces is merged or split.");
+            report(parent, "Fragment " + parent + " is not fractured; none of its fragments is merged or split.");
     }
 }
 

@@ -10,7 +10,8 @@
 
 namespace rubble {
 
-/// How a fragment of a level is fractured: by its own setting, or by that of its level. Null if it is not.
+/// The level by which a fragment is fractured: its own setting, or the setting of its level. Null if it is not
+/// fractured.
 const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level);
 
 /// The fragments of the whole, or the children of one fragment.
@@ -45,7 +46,8 @@ struct Bake {
     std::uint32_t fragmentCount() const;
     /// O(log fractures), as are the functions below.
     BakedFragment fragment(std::uint32_t number) const;
-    /// "asset/seed", ".k" for a part of a cut-apart cell, one more "/…" per level: "3/5.17.1/9.2".
+    /// The id of a fragment: "asset/seed", ".k" for a part of a cut-apart cell, one more "/…" per level:
+    /// "3/5.17.1/9.2".
     std::string fragmentId(std::uint32_t number) const;
     /// The fracture of a fragment (kNone: of the whole); null if it is not fractured.
     const BakedFracture* fractureOf(std::uint32_t parent) const;

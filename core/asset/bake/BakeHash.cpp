@@ -68,9 +68,9 @@ void addHeld(Hasher& hasher, const PlacedSeeds& placed) {
 
 void addHeld(Hasher& hasher, const CrackLines& layer) {
     hasher.add(std::uint64_t{layer.lines.size()});
-    for (const CrackLines::CrackLine& stroke : layer.lines) {
-        hasher.add(std::uint64_t{stroke.index});
-        add(hasher, stroke.points);
+    for (const CrackLines::CrackLine& line : layer.lines) {
+        hasher.add(std::uint64_t{line.index});
+        add(hasher, line.points);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -26,8 +27,11 @@ std::optional<EdgeOverlap> overlapOf(Vec2 a, Vec2 b, Vec2 edge, double tolerance
 }  // namespace
 
 EdgeHierarchy::EdgeHierarchy(const Bake& bake, double tolerance)
-    : m_bake(bake), m_tolerance(tolerance), m_intervals(bake.fractures.size()) {
-    for (std::size_t k = bake.fractures.size(); k-- > 1;) addIntervals(static_cast<std::uint32_t>(k));
+    : m_bake(bake), m_tolerance(tolerance), m_parents(bake.fractures.size()), m_intervals(bake.fractures.size()) {
+    for (std::size_t k = bake.fractures.size(); k-- > 1;) {
+        m_parents[k] = indexedEdgesOf(bake.fractures[k].parent);
+        addIntervals(static_cast<std::uint32_t>(k));
+    }
 }
 
 Vec2 EdgeHierarchy::originOf(std::uint32_t fracture) const {
@@ -52,20 +56,36 @@ std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fragment) const {
     return edgesOf(fracture, fragmentsOf(fracture).pieceOfFragment[fragment - m_bake.fractures[fracture].first]);
 }
 
-std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge) const {
-    const std::uint32_t parent = m_bake.fractures[edge.fracture].parent;
-    return parent == kNone ? std::vector<EdgeOverlap>() : overlapsOf(edge, edgesOf(parent));
+EdgeHierarchy::FragmentEdges EdgeHierarchy::indexedEdgesOf(std::uint32_t fragment) const {
+    std::vector<PieceEdge> edges = edgesOf(fragment);
+    std::vector<Box3> boxes;
+    for (const PieceEdge& edge : edges) {
+        const UninitializedVector<Vec2>& points = shapesOf(edge.fracture).points;
+        boxes.push_back(boxOf(points[edge.from], points[edge.to]));
+    }
+    return {std::move(edges), BoxTree(boxes)};
 }
 
-std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge, const std::vector<PieceEdge>& parents) const {
+std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge) const {
     std::vector<EdgeOverlap> overlaps;
-    const std::uint32_t above = parents.front().fracture;
+    const std::optional<FragmentEdges>& parents = m_parents[edge.fracture];
+    if (!parents) return overlaps;
+    const std::uint32_t above = parents->edges.front().fracture;
     const UninitializedVector<Vec2>&points = shapesOf(edge.fracture).points, &pointsAbove = shapesOf(above).points;
     const Vec2 shift = originOf(edge.fracture) - originOf(above);
-    for (const PieceEdge& parent : parents) {
+    const Vec2 from = points[edge.from] + shift, to = points[edge.to] + shift;
+    Box3 around = boxOf(from, to);
+    const Vec3 margin(2.0 * m_tolerance, 2.0 * m_tolerance, 0.0);  // twice: overlapOf() decides
+    around.min -= margin;
+    around.max += margin;
+    std::vector<std::uint32_t> near;
+    parents->tree.visitOverlapping(around, [&](std::uint32_t k) { near.push_back(k); });
+    std::ranges::sort(near);
+    for (const std::uint32_t k : near) {
+        const PieceEdge& parent = parents->edges[k];
         const Vec2 begin = pointsAbove[parent.from];
-        const Vec2 from = points[edge.from] + shift - begin, to = points[edge.to] + shift - begin;
-        std::optional<EdgeOverlap> overlap = overlapOf(from, to, pointsAbove[parent.to] - begin, m_tolerance);
+        std::optional<EdgeOverlap> overlap =
+            overlapOf(from - begin, to - begin, pointsAbove[parent.to] - begin, m_tolerance);
         if (!overlap) continue;
         overlap->parent = parent;
         overlaps.push_back(*overlap);
@@ -87,14 +107,13 @@ std::vector<EdgeInterval> EdgeHierarchy::intervalsOf(const PieceEdge& edge) cons
 
 /// Collects the intervals along the edges of a fracture's parent. Those of its pieces must be known.
 void EdgeHierarchy::addIntervals(std::uint32_t fracture) {
-    const std::vector<PieceEdge> parents = edgesOf(m_bake.fractures[fracture].parent);
     std::vector<std::vector<EdgeInterval>>& lists = m_intervals[fracture];
-    lists.resize(parents.size());
+    lists.resize(m_parents[fracture]->edges.size());
     for (std::uint32_t piece = 0; piece < shapesOf(fracture).pieceCount(); ++piece) {
         for (const PieceEdge& edge : edgesOf(fracture, piece)) {
             if (edge.neighbour != kNone) continue;
             const std::vector<EdgeInterval> intervals = intervalsOf(edge);
-            for (const EdgeOverlap& overlap : overlapsOf(edge, parents)) {
+            for (const EdgeOverlap& overlap : overlapsOf(edge)) {
                 for (EdgeInterval interval : intervals) {
                     interval.from = std::max(interval.from + overlap.start, overlap.from);
                     interval.to = std::min(interval.to + overlap.start, overlap.to);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/asset/bake/Bake.h"
+#include "core/geometry/search/BoxTree.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rubble {
@@ -31,7 +33,8 @@ struct EdgeOverlap {
 /// edge. Borrows the bake.
 class EdgeHierarchy {
 public:
-    /// Edges closer than `tolerance` (m) coincide. O(edges of a fragment · edges of its pieces) per fractured fragment.
+    /// Edges closer than `tolerance` (m) coincide. O(log n) for each edge of a piece and each overlap, for n edges of
+    /// the parent.
     EdgeHierarchy(const Bake& bake, double tolerance);
 
     const Fragments& fragmentsOf(std::uint32_t fracture) const { return m_bake.fractures[fracture].fragments; }
@@ -42,17 +45,22 @@ public:
     std::vector<PieceEdge> edgesOf(std::uint32_t fracture, std::uint32_t piece) const;
     std::vector<PieceEdge> edgesOf(std::uint32_t fragment) const;
 
-    /// In the direction of the edge; none for edges on the asset's outline.
+    /// The overlaps with the parent's edges, in the direction of the edge; none for edges on the asset's outline.
     std::vector<EdgeOverlap> overlapsOf(const PieceEdge& edge) const;
-    /// In the direction of the edge. There are no intervals where a gap between pieces ends.
+    /// The leaf pieces along an edge, in its direction. There are no intervals where a gap between pieces ends.
     std::vector<EdgeInterval> intervalsOf(const PieceEdge& edge) const;
 
 private:
-    std::vector<EdgeOverlap> overlapsOf(const PieceEdge& edge, const std::vector<PieceEdge>& parents) const;
+    struct FragmentEdges {
+        std::vector<PieceEdge> edges;
+        BoxTree tree;  // of these, in the frame of their fracture
+    };
+    FragmentEdges indexedEdgesOf(std::uint32_t fragment) const;
     void addIntervals(std::uint32_t fracture);
 
     const Bake& m_bake;
     double m_tolerance;
+    std::vector<std::optional<FragmentEdges>> m_parents;              // per fracture, of its parent; none of the whole
     std::vector<std::vector<std::vector<EdgeInterval>>> m_intervals;  // per fracture, one list per edge of its parent
 };
 

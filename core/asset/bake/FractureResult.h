@@ -18,7 +18,7 @@ struct Recipe {
 };
 /// The recipe of an asset's whole.
 Recipe recipeOf(const Asset& asset);
-/// The recipe of one of its fragments, which stands at `offset`, for a level.
+/// The recipe of one of its fragments, located at `offset`, for a level.
 Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset);
 
 /// The width of the gaps between pieces, m: the larger of the asset's gap and the pattern's joints.

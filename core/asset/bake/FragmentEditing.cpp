@@ -19,13 +19,13 @@ public:
 
     void apply(const FragmentMerge& merge) {
         const std::uint32_t into = find(merge.into);
-        if (into == kNone) return reportLost(merge.into, "is not there; nothing is merged into it.");
+        if (into == kNone) return reportLost(merge.into, "does not exist; nothing is merged into it.");
         std::vector<std::uint32_t> pending;
         std::vector<FragmentPath> names;
         for (const FragmentPath& path : merge.merged) {
             const std::uint32_t piece = find(path);
             if (piece == kNone) {
-                reportLost(path, "is not there; it is not merged into " + merge.into + ".");
+                reportLost(path, "does not exist; it is not merged into " + merge.into + ".");
             } else if (piece != into) {
                 pending.push_back(piece);
                 names.push_back(path);
@@ -33,17 +33,16 @@ public:
         }
         mergeTouching(into, pending);
         for (std::size_t k = 0; k < pending.size(); ++k) {
-            if (pending[k] != kNone)
-                reportLost(names[k], "does not touch " + merge.into + "; it is not merged into it.");
+            if (pending[k] != kNone) reportLost(names[k], "does not touch " + merge.into + "; they are not merged.");
         }
     }
 
     void apply(const FragmentSplit& split) {
         const std::uint32_t piece = find(split.fragment), firstNew = m_draft.count();
-        if (piece == kNone) return reportLost(split.fragment, "is not there; it is not split.");
+        if (piece == kNone) return reportLost(split.fragment, "does not exist; it is not split.");
         const Line line{split.line.point - m_offset, split.line.direction};
         if (m_draft.split(piece, line) == 1)
-            return reportLost(split.fragment, "is missed by the line that is to split it.");
+            return reportLost(split.fragment, "does not intersect its split line; it is not split.");
         registerName(piece);
         for (std::uint32_t part = firstNew; part < m_draft.count(); ++part) registerName(part);
     }
@@ -81,7 +80,7 @@ private:
     }
 
     void reportLost(const FragmentPath& path, const std::string& rest) {
-        m_reports.push_back(diagnostic(DiagnosticCode::LostPiece, {.path = path}, "The piece " + path + " " + rest));
+        m_reports.push_back(diagnostic(DiagnosticCode::LostPiece, {.path = path}, "Fragment " + path + " " + rest));
     }
 
     PieceDraft m_draft;

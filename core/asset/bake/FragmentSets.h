@@ -26,10 +26,10 @@ FragmentSet completed(const Bake& bake, const FragmentSet& set);
 /// The leaves that are neither in the set nor descendants of it.
 FragmentSet invertedFragments(const Bake& bake, const FragmentSet& set);
 
-/// The set and its neighbours: of the same level, whatever their parents, and leaves above it. On several levels not
-/// linear: see neighboursAcrossParents().
+/// The set and its neighbours: of the same level, whatever their parents, and leaves above it. On several levels in
+/// O(n log n): see neighboursAcrossParents().
 FragmentSet withNeighbours(const Bake& bake, const FragmentSet& set);
-/// All siblings, the set included.
+/// All siblings, including the set itself.
 FragmentSet siblingsOf(const Bake& bake, const FragmentSet& set);
 /// The parents; fragments of the whole have none.
 FragmentSet parentsOf(const Bake& bake, const FragmentSet& set);

@@ -1,13 +1,14 @@
 #include "core/asset/bake/NeighboursAcrossParents.h"
 
 #include "core/geometry/predicates/SegmentDistance.h"
+#include "core/geometry/search/BoxTree.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -33,11 +34,56 @@ struct Edge {
     Vec2 to{0.0, 0.0};
 };
 
-double distanceTo(const Edge& edge, Vec2 point) { return distanceToSegment(point, edge.from, edge.to); }
+/// An edge of a fragment, and the piece behind it: kNone on the outline of the fractured solid.
+struct FragmentEdge {
+    CutEdge cut;
+    Edge edge;
+    std::uint32_t neighbour = kNone;
+};
+
+/// The edges of a fragment in a spatial index.
+class FragmentEdges {
+public:
+    explicit FragmentEdges(std::vector<FragmentEdge> edges) : m_edges(std::move(edges)), m_tree(boxesOf(m_edges)) {}
+
+    /// The edge nearest to a point, the first of equally near ones.
+    const FragmentEdge& nearestTo(Vec2 point) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        std::uint32_t found = 0;
+        m_tree.visitNear(Vec3(point, 0.0), [&](std::uint32_t k) {
+            const double distance = distanceToSegment(point, m_edges[k].edge.from, m_edges[k].edge.to);
+            if (distance < nearest || (distance == nearest && k < found)) {
+                nearest = distance;
+                found = k;
+            }
+            return nearest;
+        });
+        return m_edges[found];
+    }
+
+private:
+    static std::vector<Box3> boxesOf(const std::vector<FragmentEdge>& edges) {
+        std::vector<Box3> boxes;
+        for (const FragmentEdge& edge : edges) boxes.push_back(boxOf(edge.edge.from, edge.edge.to));
+        return boxes;
+    }
+
+    std::vector<FragmentEdge> m_edges;
+    BoxTree m_tree;
+};
 
 class CutIntervals {
 public:
-    explicit CutIntervals(const Bake& bake) : m_bake(bake) {}
+    explicit CutIntervals(const Bake& bake) : m_bake(bake) {
+        for (const BakedFracture& fracture : bake.fractures) {
+            for (const MassTransfer& transfer : fracture.fragments.massTransfers) {
+                if (transfer.receiver == kNone) continue;
+                const std::uint32_t fragment = fracture.fragments.fragmentOfPiece[transfer.receiver];
+                if (fragment != kNone) m_thinPieces.emplace_back(fracture.first + fragment, transfer.thin);
+            }
+        }
+        std::ranges::stable_sort(m_thinPieces, {}, &ThinPiece::first);
+    }
 
     /// Adds all edges of a fragment: each lies along a cut of its fracture or of one above, or on the outline.
     void add(std::uint32_t fragment) {
@@ -48,14 +94,16 @@ public:
         });
     }
 
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours() {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-        for (const auto& [cut, intervals] : m_intervals) {
+        for (auto& [cut, intervals] : m_intervals) {
             const double least = m_bake.fractures[cut.fracture].fragments.minSharedEdge;
+            std::ranges::sort(intervals, {}, &Interval::begin);
             for (std::size_t k = 0; k < intervals.size(); ++k) {
                 for (std::size_t other = k + 1; other < intervals.size(); ++other) {
                     const Interval &a = intervals[k], &b = intervals[other];
-                    if (a.side == b.side || std::min(a.end, b.end) - std::max(a.begin, b.begin) <= least) continue;
+                    if (a.end - b.begin <= least) break;
+                    if (a.side == b.side || std::min(a.end, b.end) - b.begin <= least) continue;
                     if (m_bake.fractureContaining(a.fragment) == m_bake.fractureContaining(b.fragment)) continue;
                     pairs.push_back(std::minmax(a.fragment, b.fragment));
                 }
@@ -67,6 +115,8 @@ public:
     }
 
 private:
+    using ThinPiece = std::pair<std::uint32_t, std::uint32_t>;  // the fragment that got its mass, and the piece
+
     Vec2 pointOf(std::size_t fracture, std::uint32_t point) const {
         const Fragments& all = m_bake.fractures[fracture].fragments;
         return all.partition.points[point] + all.partition.origin + Vec2{all.origin};
@@ -85,25 +135,27 @@ private:
             });
         };
         visitPiece(all.pieceOfFragment[index]);
-        for (const MassTransfer& transfer : all.massTransfers) {
-            if (transfer.receiver != kNone && all.fragmentOfPiece[transfer.receiver] == index)
-                visitPiece(transfer.thin);
-        }
+        for (const auto& [receiver, thin] : std::ranges::equal_range(m_thinPieces, fragment, {}, &ThinPiece::first))
+            visitPiece(thin);
+    }
+
+    const FragmentEdges& edgesOf(std::uint32_t ancestor) {
+        const auto known = m_ancestors.find(ancestor);
+        if (known != m_ancestors.end()) return known->second;
+        std::vector<FragmentEdge> edges;
+        forEachEdgeOf(ancestor, [&](const CutEdge& cut, const Edge& edge, std::uint32_t neighbour) {
+            edges.push_back({cut, edge, neighbour});
+        });
+        return m_ancestors.emplace(ancestor, FragmentEdges(std::move(edges))).first->second;
     }
 
     /// An edge on the outline of `ancestor` lies along the nearest edge of `ancestor`; if that is on the outline of its
     /// parent, along an edge of the parent.
     void addAlongCutOf(std::uint32_t ancestor, std::uint32_t fragment, const Edge& edge) {
         const Vec2 middle = edge.from + 0.5 * (edge.to - edge.from);
-        double nearest = std::numeric_limits<double>::infinity();
-        CutEdge cut;
-        std::uint32_t behind = kNone;
-        forEachEdgeOf(ancestor, [&](const CutEdge& candidate, const Edge& along, std::uint32_t neighbour) {
-            const double distance = distanceTo(along, middle);
-            if (distance < nearest) std::tie(nearest, cut, behind) = std::tuple(distance, candidate, neighbour);
-        });
-        if (behind != kNone) return addInterval(fragment, ancestor, cut, edge);
-        const std::uint32_t parent = m_bake.fractures[cut.fracture].parent;
+        const FragmentEdge& along = edgesOf(ancestor).nearestTo(middle);
+        if (along.neighbour != kNone) return addInterval(fragment, ancestor, along.cut, edge);
+        const std::uint32_t parent = m_bake.fractures[along.cut.fracture].parent;
         if (parent != kNone) addAlongCutOf(parent, fragment, edge);
     }
 
@@ -117,6 +169,8 @@ private:
 
     const Bake& m_bake;
     std::map<CutEdge, std::vector<Interval>> m_intervals;
+    std::map<std::uint32_t, FragmentEdges> m_ancestors;  // by fragment
+    std::vector<ThinPiece> m_thinPieces;                 // ascending fragments
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace rubble {
 /// lie on both sides of one cut and overlap there by more than Fragments::leastEdge. The smaller number comes first,
 /// pairs ascend. Siblings are left out: their bonds are known.
 ///
-/// Found by cuts instead of distances, so that gaps between pieces do not matter. O(edges · edges of the parent), and
-/// per cut edge the product of the numbers of fragments on its two sides.
+/// Found by cuts instead of distances, so that gaps between pieces do not matter. O(n log n) for n edges, and the pairs
+/// found.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> neighboursAcrossParents(const Bake& bake, std::uint32_t level);
 
 }  // namespace rubble

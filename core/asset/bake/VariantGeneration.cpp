@@ -1,5 +1,6 @@
 #include "core/asset/bake/VariantGeneration.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/asset/project/Variants.h"
 #include "core/base/MessageText.h"
 #include "core/base/Random.h"
@@ -46,7 +47,7 @@ void setNumber(const LayerParameter& parameter, LayerParameters& of, double numb
     parameter.write(of, parameter.type == ParameterType::Whole ? std::round(number) : number);
 }
 
-/// True where the parameter accepts the number, in its current unit of counting.
+/// True if the parameter accepts the number, in its current unit of counting.
 bool accepts(const LayerParameter& parameter, const LayerParameters& of, double number) {
     LayerParameters tried = of;
     setNumber(parameter, tried, number);
@@ -196,9 +197,8 @@ std::optional<std::string> fault(const LockedSeed& locked, const Asset& asset) {
 
 /// The first fault of a recipe apart from its varied parameters: in crossover a parent may have another kind.
 std::optional<std::string> faultForChildren(const VariantRecipe& recipe, const Asset& asset) {
-    if (recipe.count == 0 || recipe.count > VariantRecipe::kMaxVariants) {
-        return "The number of variants is " + std::to_string(recipe.count) + ", but must be from 1 to " +
-               std::to_string(VariantRecipe::kMaxVariants) + ".";
+    if (const NumberRange& range = rangeOf(ProjectNumber::Variants); !range.contains(recipe.count)) {
+        return "The number of variants is " + std::to_string(recipe.count) + ", but must be " + rangeText(range) + ".";
     }
     const bool isSpread = recipe.spread >= 0.0 && recipe.spread < 1.0;  // false for NaN, too
     if (!isSpread) return "The spread is " + messageText(recipe.spread) + ", but must be from 0 to less than 1.";

@@ -27,11 +27,9 @@ struct VariedParameter {
     bool operator==(const VariedParameter&) const = default;
 };
 
-/// How variants of an asset are generated. The same recipe gives the same variants, bit for bit.
+/// The settings for generating variants of an asset. The same recipe gives the same variants, bit for bit.
 struct VariantRecipe {
-    static constexpr std::uint32_t kMaxVariants = 1000;
-
-    std::uint32_t count = 12;  // 1 to kMaxVariants
+    std::uint32_t count = 12;  // see ProjectNumber::Variants
     std::uint64_t randomSeed = 1;
     std::vector<std::string> kinds;       // of layers, as in files, used in turn; empty: the asset's own
     std::vector<VariedParameter> varied;  // uniformly distributed in their ranges
@@ -56,8 +54,8 @@ std::vector<const PatternKind*> variedKinds();
 Result<std::vector<Asset>> generateVariants(const Asset& asset, const VariantRecipe& recipe);
 
 /// Crosses variants of one asset. The parents come first and stay as they are. Each layer of a child is that of one
-/// parent, with its random seed, and its numbers mutated by at most `spread`; points and choices are not mutated. A
-/// child without any mutation, and every third one, gets a new random seed in one layer of any level. Levels are those
+/// parent, with its random seed, and its numbers mutated by at most `spread`; points and options are not mutated. Each
+/// child without a mutation, and every third child, gets a new random seed in one layer of any level. Levels are those
 /// of one parent. `kinds` is ignored; the ranges of `varied` hold.
 ///
 /// Errors: BadInput without parents, or if verifyRecipe() finds a fault outside of `varied`.

@@ -10,8 +10,8 @@ using Sentence = std::optional<std::string>;
 
 Sentence cutFault(const std::string& owner, const CutAtImpact& cut) {
     if (!rangeOf(ProjectNumber::ImpactPieces).contains(cut.pieces)) {
-        return owner + ": the fracture at the impact has " + std::to_string(cut.pieces) +
-               " pieces, but there must be " + std::to_string(CutAtImpact::kMinPieces) + " to " +
+        return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.pieces) +
+               ", but it must be from " + std::to_string(CutAtImpact::kMinPieces) + " to " +
                std::to_string(CutAtImpact::kMaxPieces) + ".";
     }
     return rangeFault(owner, {{ProjectNumber::ImpactFalloffRadius, cut.falloffRadius}});
@@ -64,7 +64,7 @@ std::optional<std::string> playFault(const Asset& asset) {
 
 std::optional<std::string> faultOf(const Debris& debris) {
     if (debris.maxPieces && !rangeOf(ProjectNumber::DebrisPieces).contains(*debris.maxPieces))
-        return "The debris: the maximum number of pieces is 0, but it must be at least 1.";
+        return "The debris: the maximum number of fragments is 0, but it must be at least 1.";
     return rangeFault("The debris", {{ProjectNumber::DebrisLifetime, debris.lifetime.value_or(1.0)},
                                      {ProjectNumber::DebrisFade, debris.fade}});
 }
@@ -79,7 +79,7 @@ std::optional<std::string> faultOf(const PlayTest& test) {
     const std::string owner = ownerText("Play-test", test.id, test.name);
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::TestDuration, test.duration}})) return fault;
     for (const Expectation& expectation : test.expectations) {
-        if (Sentence fault = rangeFault(owner, {{ProjectNumber::ExpectedValue, expectation.value}})) return fault;
+        if (Sentence fault = rangeFault(owner, {{numberOf(expectation.kind), expectation.value}})) return fault;
     }
     return std::nullopt;
 }

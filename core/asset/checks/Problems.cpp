@@ -10,6 +10,7 @@
 #include "core/geometry/polygon/PolygonFaults.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <limits>
 
@@ -33,11 +34,19 @@ public:
         std::ranges::stable_sort(m_problems, {}, &Diagnostic::code);
         return std::move(m_problems);
     }
+    /// The number of diagnostics and fragments visited by found().
+    std::size_t visited() const { return m_visited; }
 
 private:
     static constexpr std::size_t kBlock = 128;  // pieces per task
 
+    Fragment fragmentOf(const BakedFracture& fracture, std::uint32_t k) const {
+        ++m_visited;
+        return fracture.fragments[k];
+    }
+
     void add(const Diagnostic& one) {
+        ++m_visited;
         const bool isGap = one.code == DiagnosticCode::Gap && !m_hasGap;
         if (one.severity == Severity::Note && !isGap) return;
         Diagnostic problem = one;
@@ -50,7 +59,7 @@ private:
         std::vector<SeedId> seeds;
         for (const BakedFracture& fracture : m_bake.fractures) {
             for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
-                const Fragment fragment = fracture.fragments[k];
+                const Fragment fragment = fragmentOf(fracture, k);
                 seeds.push_back(fracture.parent != kNone
                                     ? seeds[fracture.parent]
                                     : cellId(fragment.all().partition, fragment.piece(), fracture.seeds.ids));
@@ -62,7 +71,7 @@ private:
     void addPieces(const BakedFracture& fracture, const std::vector<SeedId>& seeds, int threads) {
         const std::uint32_t count = fracture.fragments.count();
         double volume = 0.0;
-        for (std::uint32_t k = 0; k < count; ++k) volume += fracture.fragments[k].volume();
+        for (std::uint32_t k = 0; k < count; ++k) volume += fragmentOf(fracture, k).volume();
         const double least = m_limits.meanShare * volume / count;
         std::vector<std::vector<Diagnostic>> parts((count + kBlock - 1) / kBlock);
         forEachIndex(parts.size(), threads, [&](std::size_t part) {
@@ -77,7 +86,7 @@ private:
 
     void addPiece(const BakedFracture& fracture, std::uint32_t piece, SeedId seed, double leastVolume,
                   std::vector<Diagnostic>& problems) const {
-        const Fragment solid = fracture.fragments[piece];
+        const Fragment solid = fragmentOf(fracture, piece);
         const auto add = [&](DiagnosticCode code, double value, double limit, const std::string& text) {
             const std::uint32_t fragment = fracture.first + piece;
             const std::string id = m_bake.fragmentId(fragment);
@@ -118,6 +127,7 @@ private:
     const ProblemLimits& m_limits;
     const bool m_hasGap;  // that was asked for
     std::vector<Diagnostic> m_problems;
+    mutable std::atomic<std::size_t> m_visited = 0;  // by all threads
 };
 
 Diagnostic outlineProblem(const Asset& asset, const PolygonFault& fault) {
@@ -158,8 +168,11 @@ std::vector<Diagnostic> strengthProblems(const Asset& asset, const Material& mat
 }
 
 std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits,
-                                   const TaskContext& task) {
-    return BakeProblems(asset, bake, limits).found(task.threads);
+                                   const TaskContext& task, std::size_t* visited) {
+    BakeProblems problems(asset, bake, limits);
+    std::vector<Diagnostic> found = problems.found(task.threads);
+    if (visited) *visited += problems.visited();
+    return found;
 }
 
 std::vector<Diagnostic> problemsOf(const Project& project, const AssetBakes& bakes, const ProblemLimits& limits,

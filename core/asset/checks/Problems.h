@@ -3,6 +3,7 @@
 #include "core/asset/bake/AssetBakes.h"
 #include "core/base/TaskContext.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,18 +18,18 @@ struct ProblemLimits {
     bool operator==(const ProblemLimits&) const = default;
 };
 
-/// How many times a value is beyond its limit, at least 1; infinite if the asset cannot be fractured.
+/// The factor by which a value exceeds its limit, at least 1; infinite if the asset cannot be fractured.
 double badness(const Diagnostic& problem);
 
 /// Every fault that keeps an outline from being fractured.
 std::vector<Diagnostic> outlineProblems(const Asset& asset);
 
 /// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, and
-/// slivers, tiny pieces and many hulls. DiagnosticPlace::index is set for seeds of the asset's own pattern only: the
+/// slivers, tiny pieces and many hulls. DiagnosticPlace::index is set only for seeds of the asset's own pattern: the
 /// seed concerned, or the one that a fragment of any level comes from. O(corners · log corners of a piece) on
-/// task.threads.
+/// task.threads; adds the number of visited diagnostics and fragments to `visited`.
 std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
-                                   const TaskContext& task = {});
+                                   const TaskContext& task = {}, std::size_t* visited = nullptr);
 
 /// The problems of an asset that do not depend on its fracture: a threshold that cannot be derived.
 std::vector<Diagnostic> strengthProblems(const Asset& asset, const Material& material);

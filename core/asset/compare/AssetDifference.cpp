@@ -51,26 +51,26 @@ Result<AssetDifference> differenceOf(const Project& before, const Project& after
 std::string sentenceOf(const LevelDifference& level) {
     std::string text = std::to_string(level.after) + (level.after == 1 ? " fragment" : " fragments");
     if (level.before != level.after) text += (level.before == 1 ? ", was " : ", were ") + std::to_string(level.before);
-    const std::array<const char*, kPieceChanges> words{" gone", " added", " moved", " reshaped"};
+    const std::array<const char*, kPieceChanges> words{" removed", " added", " moved", " reshaped"};
     std::string changes;
     for (std::size_t k = 0; k < words.size(); ++k) {
         if (level.changed[k] == 0) continue;
         changes += (changes.empty() ? ": " : ", ") + std::to_string(level.changed[k]) + words[k];
     }
-    return text + (changes.empty() ? ", all as they were" : changes);
+    return text + (changes.empty() ? ", unchanged" : changes);
 }
 
 std::string sentenceOf(const PieceDifference& piece) {
     switch (piece.change) {
-        case PieceChange::Gone: return piece.path + " is gone, was " + volumeText(piece.volumeBefore);
-        case PieceChange::Added: return piece.path + " is new, " + volumeText(piece.volumeAfter);
+        case PieceChange::Gone: return piece.path + " removed, was " + volumeText(piece.volumeBefore);
+        case PieceChange::Added: return piece.path + " added, " + volumeText(piece.volumeAfter);
         case PieceChange::Moved:
         case PieceChange::Reshaped: break;
     }
     const bool isMoved = piece.change == PieceChange::Moved;
     std::string text = piece.path + (isMoved ? " moved by " + quantityText(QuantityKind::Length, piece.shift) : "");
     const std::string before = volumeText(piece.volumeBefore), after = volumeText(piece.volumeAfter);
-    if (!isMoved) text += " has another shape";
+    if (!isMoved) text += " changed shape";
     return before == after ? text + ", " + after : text + ", now " + after + ", was " + before;
 }
 

@@ -24,7 +24,7 @@ struct AssetDifference {
     std::vector<RecipeChange> recipe;  // empty if a state does not have the asset
     BakeDifference pieces;             // a state without the asset has no fragments
 
-    /// True where recipe and fragments are equal.
+    /// True if recipe and fragments are equal.
     bool isEmpty() const { return pair.before && pair.after && recipe.empty() && pieces.isEmpty(); }
 };
 
@@ -34,9 +34,9 @@ struct AssetDifference {
 Result<AssetDifference> differenceOf(const Project& before, const Project& after, const AssetPair& pair,
                                      const TaskContext& task = {});
 
-/// "20 fragments, were 18: 3 gone, 5 added, 4 moved, 2 reshaped".
+/// The changes as a sentence: "20 fragments, were 18: 3 removed, 5 added, 4 moved, 2 reshaped".
 std::string sentenceOf(const LevelDifference& level);
-/// "5.17 moved by 12 mm, now 0.0012 m³, was 0.0013 m³".
+/// The change as a sentence: "5.17 moved by 12 mm, now 0.0012 m³, was 0.0013 m³".
 std::string sentenceOf(const PieceDifference& piece);
 
 }  // namespace rubble

@@ -30,7 +30,7 @@ double largestEntry(const Mat3& matrix) {
     return largest;
 }
 
-/// True where volume or inertia differ by more than a relative limit.
+/// True if volume or inertia differ by more than a relative limit.
 bool differ(const MassProperties& before, const MassProperties& after, double relative) {
     if (std::abs(before.volume - after.volume) > relative * std::max(before.volume, after.volume)) return true;
     const double largest = std::max(largestEntry(before.inertia), largestEntry(after.inertia));

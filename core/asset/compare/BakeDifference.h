@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// How a fragment, identified by its path, differs between two bakes of an asset.
+/// The difference of a fragment, identified by its path, between two bakes of an asset.
 enum class PieceChange {
     Gone,      // only in the earlier bake
     Added,     // only in the later bake
@@ -15,8 +15,8 @@ enum class PieceChange {
 };
 inline constexpr int kPieceChanges = 4;
 
-/// The smallest differences that count as changes: above the rounding that another order of insertion of the seeds
-/// causes.
+/// The smallest differences that count as changes: above the rounding errors caused by a different insertion order of
+/// the seeds.
 struct DifferenceLimits {
     double shift = 1e-6;     // of a centre of mass, relative to the diagonal of the larger outline
     double relative = 1e-6;  // of volume or inertia
@@ -51,7 +51,7 @@ struct BakeDifference {
 
     bool isEmpty() const { return pieces.empty(); }
     std::size_t count(PieceChange change) const;
-    /// Of all levels together.
+    /// The sums over all levels.
     LevelDifference sum() const;
 };
 

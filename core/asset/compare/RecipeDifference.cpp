@@ -67,10 +67,10 @@ std::string roughnessText(const Roughness& rough) {
 }
 
 std::string thresholdText(const Project& project, const Asset& asset) {
-    const std::string typed = messageText(asset.threshold) + " N·s";
-    if (!asset.contactTime) return typed;
+    const std::string entered = messageText(asset.threshold) + " N·s";
+    if (!asset.contactTime) return entered;
     return messageText(thresholdOf(project, asset)) + " N·s from the strength with a contact time of " +
-           messageText(*asset.contactTime) + " s; typed " + typed;
+           messageText(*asset.contactTime) + " s; entered " + entered;
 }
 
 std::string materialText(const Project& project, Id id) {
@@ -80,7 +80,8 @@ std::string materialText(const Project& project, Id id) {
 
 std::string cutText(const std::optional<CutAtImpact>& cut) {
     if (!cut) return "off";
-    return countText(cut->pieces, "piece", "pieces") + ", falloff radius " + messageText(cut->falloffRadius) + " m";
+    return countText(cut->pieces, "fragment", "fragments") + ", falloff radius " + messageText(cut->falloffRadius) +
+           " m";
 }
 
 const PatternLayer* findLayer(const Pattern& pattern, std::uint32_t id) {
@@ -143,7 +144,7 @@ public:
     }
 
     void compare(const Shaping& before, const Shaping& after) {
-        add("small pieces", shapingText(before.smallPieces), shapingText(after.smallPieces));
+        add("small fragments", shapingText(before.smallPieces), shapingText(after.smallPieces));
         add("gap", messageText(before.gap) + " m", messageText(after.gap) + " m");
         add("roughness", roughnessText(before.roughness), roughnessText(after.roughness));
     }
@@ -191,8 +192,8 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
 }
 
 std::string sentenceOf(const RecipeChange& change) {
-    if (change.before.empty()) return change.what + " is new: " + change.after;
-    if (change.after.empty()) return change.what + " is gone: " + change.before;
+    if (change.before.empty()) return change.what + " added: " + change.after;
+    if (change.after.empty()) return change.what + " removed: " + change.before;
     return change.what + ": " + change.after + ", was " + change.before;
 }
 

@@ -20,7 +20,8 @@ struct RecipeChange {
 std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earlier, const Project& after,
                                         const Asset& later);
 
-/// "threshold: 900 N·s, was 1200 N·s"; "layer 5 (uniform) is new: count 20", "layer 5 (uniform) is gone".
+/// The change as a sentence: "threshold: 900 N·s, was 1200 N·s"; "layer 5 (uniform) added: count 20", "layer 5
+/// (uniform) removed: count 20".
 std::string sentenceOf(const RecipeChange& change);
 
 }  // namespace rubble

@@ -2,10 +2,10 @@
 
 #include "core/asset/import/ImportedSolid.h"
 #include "core/asset/project/Names.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubble {
 namespace {
@@ -102,9 +102,9 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
 
 void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options, ImportOutcome& outcome) {
     if (!part) {
-        outcome.refused.push_back(part.error());
+        outcome.rejected.push_back(part.error());
     } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
-        outcome.refused.push_back(namedError(part->name, solid.error()));
+        outcome.rejected.push_back(namedError(part->name, solid.error()));
     } else {
         outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
     }
@@ -116,7 +116,7 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
                                    const ImportOptions& options, const TaskContext& context) {
     const double inFile = scene.metresPerUnit > 0.0 ? scene.metresPerUnit : 1.0;
     const double metresPerUnit = options.metresPerUnit.value_or(inFile);
-    if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
+    if (!rangeOf(ProjectNumber::MetresPerUnit).contains(metresPerUnit))
         return Error{ErrorCode::BadInput,
                      "The unit is " + messageText(metresPerUnit) + " m; it must be finite and greater than zero."};
     const Result<std::vector<RequestedPart>> requested = requestedParts(scene, fileName, metresPerUnit, options);

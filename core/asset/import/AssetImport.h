@@ -13,7 +13,7 @@ namespace rubble {
 
 enum class UpAxis { Y, Z };
 
-/// How a mesh file is imported.
+/// The options for importing a mesh file.
 struct ImportOptions {
     std::optional<double> metresPerUnit;    // overrides the unit of the file; without either: metres
     UpAxis up = UpAxis::Y;                  // of the file; the world's is y
@@ -36,7 +36,7 @@ struct ImportOutcome {
     Project project;
     double metresPerUnit = 1.0;
     std::vector<ImportedAsset> assets;  // in the file's order
-    std::vector<Error> refused;         // each names its object; in the file's order
+    std::vector<Error> rejected;        // each names its object; in the file's order
 };
 
 /// Adds the objects of a mesh file to a project as assets, with an instance of each at the mesh's position. Unconnected
@@ -47,8 +47,8 @@ struct ImportOutcome {
 ///
 /// Objects, or parts of them, are rejected with the errors of welded(), orientedSolid(), fitPrism() and
 /// fallbackPrism().
-/// Errors: NotFound if none of several objects is named like the requested asset; Degenerate if that object has several
-/// parts; BadInput if the unit is not greater than zero; Cancelled.
+/// Errors: NotFound if none of several objects has the name of the requested asset; Degenerate if that object has
+/// several parts; BadInput if the unit is not greater than zero; Cancelled.
 Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
                                    const ImportOptions& options, const TaskContext& context);
 

@@ -19,7 +19,7 @@ std::vector<std::string> weldingNotes(const WeldedMesh& welded) {
         notes.push_back(countText(welded.mergedPoints, "point was", "points were") + " merged with others up to " +
                         lengthText(welded.maxMergeDistance) + " away.");
     if (welded.droppedTriangles > 0)
-        notes.push_back(countText(welded.droppedTriangles, "triangle", "triangles") + " without area omitted.");
+        notes.push_back(countText(welded.droppedTriangles, "triangle", "triangles") + " of zero area omitted.");
     return notes;
 }
 

@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// How well a cap's UVs are fitted by an affine map.
+/// The quality of an affine map fitted to a cap's UVs.
 struct CapFit {
     std::size_t triangles = 0;        // of the mesh on this cap
     std::size_t materials = 0;        // of these; the one with the largest area is used

@@ -1,7 +1,9 @@
 #include "core/asset/import/VertexSeeds.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/Pattern.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <glm/common.hpp>
 
@@ -49,7 +51,7 @@ void fit(std::vector<Vec2>& points, const Box2& into) {
 
 }  // namespace
 
-std::string VertexSeeds::report() const {
+std::string VertexSeeds::omissionText() const {
     std::string text;
     if (outside > 0) text = points(outside) + " of the mesh outside the outline";
     if (duplicates > 0) text += (text.empty() ? "" : " and ") + points(duplicates) + " at the position of others";
@@ -60,7 +62,7 @@ std::string VertexSeeds::report() const {
 Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, const VertexView& view, const Polygon& outline) {
     const double inFile = mesh.metresPerUnit > 0.0 ? mesh.metresPerUnit : 1.0;
     const double scale = view.metresPerUnit.value_or(inFile);
-    if (!std::isfinite(scale) || scale <= 0.0) {
+    if (!rangeOf(ProjectNumber::MetresPerUnit).contains(scale)) {
         return Error{ErrorCode::BadInput,
                      "The unit is " + messageText(scale) + " m; it must be finite and greater than zero."};
     }
@@ -69,8 +71,9 @@ Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, const VertexView& v
     if (view.isFitted && !projected.empty()) fit(projected, boundsOf(outline.outer));
     VertexSeeds found;
     std::set<std::pair<double, double>> taken;
+    const ContainmentIndex index(outline);
     for (const Vec2 position : projected) {
-        if (containment(outline, position) == Containment::Outside) {
+        if (index.of(position) == Containment::Outside) {
             ++found.outside;
         } else if (!taken.insert({position.x + 0.0, position.y + 0.0}).second) {  // -0 is 0
             ++found.duplicates;

@@ -10,7 +10,7 @@ namespace rubble {
 
 enum class FileAxis { X, Y, Z };
 
-/// How the points of a mesh are projected onto an outline.
+/// The projection of the points of a mesh onto an outline.
 struct VertexView {
     FileAxis along = FileAxis::Z;         // viewed against this axis; y stays upright for X and x for Y
     std::optional<double> metresPerUnit;  // overrides the unit of the file; without either: metres
@@ -23,7 +23,7 @@ struct VertexSeeds {
     std::uint32_t outside = 0;     // points omitted since they lie outside the outline
     std::uint32_t duplicates = 0;  // points omitted since another one projects to the same position
     /// The omitted points as a sentence; empty if there are none.
-    std::string report() const;
+    std::string omissionText() const;
 };
 
 /// Projects the points of all objects of a mesh file along one of its axes. Unless fitted, the origins of file and

@@ -33,7 +33,7 @@ struct ExtrudedSolid {
 /// surface, or in metres (x and y on caps, length along the outline and z on sides). UVs inside: (length along the cut,
 /// z) times the asset's inside scale.
 ///
-/// `surface`: of the asset; null without an imported surface.
+/// `surface`: the surface of the asset; null without an imported surface.
 Mesh extrudedMesh(const ExtrudedSolid& solid, const Asset& asset, const SurfaceIndex* surface);
 
 }  // namespace rubble

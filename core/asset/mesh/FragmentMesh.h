@@ -11,7 +11,7 @@
 namespace rubble {
 
 /// Points inserted into the edges of a fragment, in its frame: one list per edge, in the order of
-/// Fragment::edgeNeighbours(). No lists at all: every edge stays straight.
+/// Fragment::edgeNeighbours(). Empty: every edge stays straight.
 using EdgeCorners = std::vector<std::vector<Vec2>>;
 
 /// Builds the render meshes of an asset; its outline and its imported surface are indexed once. Borrows the asset. May

@@ -25,9 +25,7 @@ void OutlineIndex::addRing(const Ring& ring, std::vector<Box3>& boxes) {
         if (!(length > 0.0)) continue;
         m_edges.push_back({ring[i], edge / length, length, before});
         before += length;
-        Box3& box = boxes.emplace_back();
-        box.include(Vec3(ring[i], 0.0));
-        box.include(Vec3(next, 0.0));
+        boxes.push_back(boxOf(ring[i], next));
     }
 }
 

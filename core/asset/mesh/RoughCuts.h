@@ -12,17 +12,17 @@ namespace rubble {
 ///
 /// A cut is displaced along its normal by noise, interval by interval; the noise vanishes where the cut meets other
 /// cuts of any level, and the outline. A point is displaced by at most a fraction of its distance, less one step, to
-/// the other edges of the two leaf pieces at the interval: rough edges of a piece meet in their end points only, and
-/// these stay fixed. A fractured fragment is as rough as its children together. At a gap each piece is rough by itself
-/// and extends into less than half of the gap.
+/// the other edges of the two leaf pieces at the interval: rough edges of a piece meet at their end points only, and
+/// these stay fixed. The edges of a fractured fragment follow those of its children. At a gap, each piece is displaced
+/// independently and extends into less than half of the gap.
 class RoughCuts {
 public:
     /// O(edges of a fragment · edges of its pieces) per fractured fragment; O(1) without roughness.
     RoughCuts(const Bake& bake, const Asset& asset);
 
-    /// The points to insert into the edges of a fragment, in its frame; none for edges that are no cuts or are shorter
+    /// The points to insert into the edges of a fragment, in its frame; none for edges that are not cuts or are shorter
     /// than two steps. Both sides of a cut get the same points bit for bit, before each subtracts its centre; their
-    /// children get them up to the rounding to their frames. O(edges of the two pieces · steps) per edge.
+    /// children get the same points, up to rounding in their own frames. O(edges of the two pieces · steps) per edge.
     EdgeCorners cornersOf(std::uint32_t fragment) const;
 
 private:

@@ -8,11 +8,11 @@
 
 namespace rubble {
 
-/// Overlaps of instances up to this depth count as touching, m: far above rounding, and invisible when play pushes them
-/// apart.
+/// The depth up to which overlaps of instances count as touching, m: far above rounding, and invisible when play pushes
+/// them apart.
 inline constexpr double kTouchTolerance = 1e-4;
 
-/// What a ray hits in a scene.
+/// The first hit of a ray in a scene.
 struct SceneHit {
     Id instance = 0;  // 0: the ground
     Vec3 point{0.0, 0.0, 0.0};
@@ -24,8 +24,8 @@ struct SceneHit {
 std::optional<SceneHit> sceneHit(const Project& project, const AssetHulls& hulls, const Ray& ray,
                                  std::span<const Id> except = {});
 
-/// The position of an instance resting on the hit face in the given orientation: its middle over the point, all of it
-/// on the outer side of the face.
+/// The position of an instance resting on the hit face in the given orientation: its centre above the point, the whole
+/// instance on the outer side of the face.
 Vec3 restingPosition(const std::vector<Polytope>& hulls, const Quat& orientation, const SceneHit& hit);
 
 /// The distance that an instance drops until it rests on the ground or another instance, m. Negative if it must be

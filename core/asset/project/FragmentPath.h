@@ -21,7 +21,7 @@ FragmentPath pathOfId(std::string_view fragmentId);
 FragmentPath parentOf(const FragmentPath& path);
 /// The fragment's level; 0: a fragment of the whole.
 std::uint32_t levelOf(const FragmentPath& path);
-/// True where `path` is `ancestor` or one of its descendants.
+/// True if `path` is `ancestor` or one of its descendants.
 bool isWithin(const FragmentPath& path, const FragmentPath& ancestor);
 /// The child of `ancestor` that is `path` or an ancestor of it: "5.17" for the path "5.17/9.2" and the whole.
 FragmentPath childOnPath(const FragmentPath& ancestor, const FragmentPath& path);
@@ -35,7 +35,7 @@ struct PieceName {
 };
 /// The last name of a path; nothing if it cannot be parsed.
 std::optional<PieceName> pieceNameOf(const FragmentPath& path);
-/// True where the text is one or more piece names separated by slashes.
+/// True if the text is one or more piece names separated by slashes.
 bool isFragmentPath(const FragmentPath& path);
 
 /// The path with layer ids replaced according to the map; ids that are not in the map stay.

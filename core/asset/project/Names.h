@@ -7,13 +7,13 @@
 
 namespace rubble {
 
-/// `Asset 3 "wall"`: an element as messages name it.
+/// The name of an element in messages: `Asset 3 "wall"`.
 std::string ownerText(const char* kind, std::uint32_t id, const std::string& name);
 
 /// The name with ASCII letters in lower case, since some file systems ignore case.
 std::string caseFolded(std::string name);
 
-/// True where an element has the name, ignoring case.
+/// True if an element has the name, ignoring case.
 template <class Element>
 bool isNameTaken(const std::vector<Element>& elements, const std::string& name) {
     return std::ranges::any_of(

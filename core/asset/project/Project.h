@@ -41,14 +41,14 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// How the fragments of one level, or a single fragment, are fractured further.
+/// The settings by which the fragments of one level, or a single fragment, are fractured further.
 struct Level {
     Pattern pattern;
     double minimumVolume = 0.0;  // m³; smaller fragments are not fractured
     bool operator==(const Level&) const = default;
 };
 
-/// How a single fragment is fractured, overriding its level.
+/// The settings by which a single fragment is fractured, overriding its level.
 struct FragmentLevel {
     FragmentPath fragment;
     std::optional<Level> level;  // none: it is not fractured
@@ -65,7 +65,7 @@ struct CutAtImpact {
     bool operator==(const CutAtImpact&) const = default;
 };
 
-/// What must happen in the event of a strength requirement.
+/// The required outcome of the event of a strength requirement.
 enum class RequirementOutcome { Survives, Breaks };
 
 /// A fall from a height onto level ground, in the asset's own orientation.
@@ -73,7 +73,7 @@ struct DropRequirement {
     double height = 1.0;  // m, > 0
     bool operator==(const DropRequirement&) const = default;
 };
-/// A head-on hit in the middle of its front by a body.
+/// A head-on hit on the centre of its front by a body.
 struct HitRequirement {
     double mass = 5.0;    // kg, > 0
     double speed = 10.0;  // m/s, > 0
@@ -97,7 +97,7 @@ struct Asset {
     std::vector<Level> levels;                      // levels[0] fractures the pattern's fragments
     std::vector<FragmentLevel> leaves;              // settings of single fragments; ascending path
     std::vector<FragmentEdit> edits;                // merges and splits by hand, in the order of editing
-    double threshold = 100.0;                       // N·s, > 0, as typed; thresholdOf() gives the effective one
+    double threshold = 100.0;                       // N·s, > 0, as entered; thresholdOf() gives the effective one
     std::optional<double> contactTime;              // s, > 0: derive the threshold from the material's strength
     double insideUvScale = 1.0;                     // UV units per metre on inside faces
     Id insideMaterial = 0;                          // of inside faces; 0: the asset's own material
@@ -131,7 +131,7 @@ struct Ground {
 
 enum class DamageRule { Impact, Momentum };
 
-/// How damage to bodies is computed.
+/// The settings for computing damage to bodies.
 struct Damage {
     DamageRule rule = DamageRule::Impact;
     bool isThesis = false;            // preset: one threshold, rule Momentum, 100 kg fragments, no break impulse
@@ -139,7 +139,7 @@ struct Damage {
     bool operator==(const Damage&) const = default;
 };
 
-/// When debris is removed.
+/// The settings for removing debris.
 struct Debris {
     std::optional<double> lifetime;          // s, > 0: after which it has faded out; none: unlimited
     double fade = 1.0;                       // s, >= 0: duration of fading out, at the end of its life
@@ -198,7 +198,7 @@ struct Expectation {
     double value = 0.0;
     bool operator==(const Expectation&) const = default;
 };
-/// Shots, and what is expected of the scene when they are played.
+/// Shots, and the expected behaviour of the scene when they are fired.
 struct PlayTest {
     Id id = 0;
     std::string name;

@@ -8,7 +8,8 @@
 
 namespace rubble {
 
-/// Every number of a project, except for the parameters of pattern layers: see LayerParameter::range.
+/// Every number of a project, except for the parameters of pattern layers (see LayerParameter::range); and the numbers
+/// with which a project is imported, simulated and drawn.
 enum class ProjectNumber {
     Density,
     Friction,  // of materials and the ground
@@ -19,6 +20,8 @@ enum class ProjectNumber {
     PrismDepth,
     OutlineSize,
     MinimumVolume,
+    SmallPieceSize,      // area or volume
+    SmallPieceFraction,  // of the mean or the whole
     Gap,
     RoughnessAmplitude,
     RoughnessFrequency,
@@ -32,6 +35,7 @@ enum class ProjectNumber {
     Mass,  // of projectiles and strength requirements
     HitSpeed,
     InstancePosition,
+    InstanceVariant,
     GroundHeight,
     Gravity,
     DebrisLifetime,
@@ -40,15 +44,28 @@ enum class ProjectNumber {
     ShotPosition,
     ProjectileSize,
     ProjectileSpeed,
-    HammerImpulse,
+    HammerImpulse,  // along an axis
+    HammerBlow,     // along the view
     ExplosionImpulse,
     ExplosionRadius,
     ShotTime,
     TestDuration,
+    ExpectedTime,  // see numberOf(ExpectationKind)
+    ExpectedPieces,
+    ExpectedSpeed,
     ExpectedValue,
     GrabForce,
+    StepLength,
+    Step,   // of a simulation; 0: its start
+    Steps,  // a number of steps
+    FrameRate,
+    ImageSamples,
+    ExplodeFactor,
+    Variants,
+    MetresPerUnit,  // of a mesh file
+    Threads,
 };
-inline constexpr int kProjectNumbers = 37;
+inline constexpr int kProjectNumbers = 53;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {
@@ -63,8 +80,17 @@ struct NumberRange {
     bool contains(double value) const;
 };
 const NumberRange& rangeOf(ProjectNumber number);
+/// What a value must be: "finite and above zero", "from 0 to 1", "above 0 and at most 1".
+std::string rangeText(const NumberRange& range);
 
-/// A number of a project with its value, and its name where it is not that of the table.
+enum class PieceMeasure;
+/// The number of the minimum size of fragments.
+ProjectNumber numberOf(PieceMeasure measure);
+enum class ExpectationKind;
+/// The number of the value of an expectation.
+ProjectNumber numberOf(ExpectationKind kind);
+
+/// A number of a project with its value, and its name if it differs from that in the table.
 struct NumberValue {
     ProjectNumber number;
     double value;

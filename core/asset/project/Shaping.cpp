@@ -1,6 +1,7 @@
 #include "core/asset/project/Shaping.h"
 
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
 
 #include <cmath>
 
@@ -12,11 +13,15 @@ FragmentPath parentOf(const FragmentEdit& edit) {
 }
 
 std::optional<std::string> verifyShaping(const Shaping& shaping) {
-    if (auto fault = verifySmallPieces(shaping.smallPieces)) return fault;
+    const SmallPieces& small = shaping.smallPieces;
+    if (const NumberRange& range = rangeOf(numberOf(small.measure)); !range.contains(small.limit)) {
+        return std::string("The ") + range.name + " is " + messageText(small.limit) + ", but it must be " +
+               rangeText(range) + ".";
+    }
     const Roughness& roughness = shaping.roughness;
-    if (auto fault = rangeFault("The shape of pieces", {{ProjectNumber::Gap, shaping.gap},
-                                                        {ProjectNumber::RoughnessAmplitude, roughness.amplitude},
-                                                        {ProjectNumber::RoughnessFrequency, roughness.frequency}})) {
+    if (auto fault = rangeFault("The shape of fragments", {{ProjectNumber::Gap, shaping.gap},
+                                                           {ProjectNumber::RoughnessAmplitude, roughness.amplitude},
+                                                           {ProjectNumber::RoughnessFrequency, roughness.frequency}})) {
         return fault;
     }
     if (rangeOf(ProjectNumber::RoughnessOctaves).contains(roughness.octaves)) return std::nullopt;

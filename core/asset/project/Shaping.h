@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/project/FragmentPath.h"
-#include "core/fracture/pieces/PieceDraft.h"
+#include "core/fracture/pieces/PieceSplit.h"
 #include "core/fracture/pieces/SmallPieces.h"
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Roughness {
     bool operator==(const Roughness&) const = default;
 };
 
-/// How the pieces that a pattern gives are changed, on all levels.
+/// Changes to the pieces of a pattern, on all levels.
 struct Shaping {
     SmallPieces smallPieces;
     double gap = 0.0;  // m between pieces, >= 0

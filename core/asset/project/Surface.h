@@ -23,7 +23,7 @@ struct AffineUv {
     bool operator==(const AffineUv&) const = default;
 };
 
-/// How one cap gets its UVs: by an affine map, or from the nearest source triangle.
+/// The source of the UVs of one cap: an affine map, or the nearest source triangles.
 struct CapUv {
     bool isAffine = false;
     AffineUv map;

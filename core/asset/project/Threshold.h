@@ -33,13 +33,13 @@ std::optional<double> derivedThreshold(const Asset& asset, const Material& mater
 /// Source: "transition crack length" in Dowling, Mechanical Behavior of Materials, 4th edition, 2013, section 8.2.
 std::optional<double> transitionCrackLength(const Material& material);
 
-/// The impulse at or above which an asset breaks, N·s: derived if possible, else as typed. Everything that plays, shows
-/// or exports a threshold calls this.
+/// The impulse at or above which an asset breaks, N·s: derived if possible, otherwise as entered. Everything that
+/// plays, shows or exports a threshold calls this.
 double thresholdOf(const Asset& asset, const Material& material);
 /// The material must exist in the project.
 double thresholdOf(const Project& project, const Asset& asset);
 
-/// True where an asset asks for a derived threshold and its material's strength is unknown: the typed one is used.
+/// True if an asset requests a derived threshold but its material's strength is unknown: the entered one is used.
 bool lacksStrength(const Asset& asset, const Material& material);
 
 }  // namespace rubble

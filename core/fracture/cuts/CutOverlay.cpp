@@ -132,7 +132,7 @@ private:
             if (noded == graph.isNodedGroup.end()) break;
             graph.isNodedGroup.assign(graph.isNodedGroup.size(), false);
         }
-        return Error{ErrorCode::Degenerate, "The cuts of the pattern meet in too narrow a place to be told apart."};
+        return Error{ErrorCode::Degenerate, "Cuts of the pattern are too close together to be distinguished."};
     }
 
     /// Finds the piece that each face is a part of: the one at its longest edge that bounds a piece; else that of a

@@ -5,6 +5,7 @@
 #include "core/fracture/cuts/CutOverlay.h"
 #include "core/fracture/partition/EdgeIndex.h"
 #include "core/fracture/partition/PieceRings.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 #include "core/geometry/polygon/IndexedCorners.h"
 
 #include <glm/geometric.hpp>
@@ -44,17 +45,20 @@ public:
 private:
     void reportLooseCuts() {
         std::map<std::array<std::uint32_t, 2>, double> lengths;  // by layer and line
+        if (m_overlay.faces.dangling.empty()) return;
+        const ContainmentIndex outline(m_outline);
         for (const PlanarEdge& edge : m_overlay.faces.dangling) {
             if (edge.group == 0) continue;
             const Vec2 from = m_overlay.points[edge.from], to = m_overlay.points[edge.to];
-            if (containment(m_outline, m_old.origin + (from + to) / 2.0) != Containment::Inside) continue;
+            if (outline.of(m_old.origin + (from + to) / 2.0) != Containment::Inside) continue;
             lengths[{m_cuts.layers[edge.group - 1].id, edge.line}] += glm::distance(from, to);
         }
         for (const auto& [of, length] : lengths) {
             const std::string line = std::to_string(of[1]) + " of layer " + std::to_string(of[0]);
             m_old.diagnostics.push_back(diagnostic(
                 DiagnosticCode::LooseCut, {.layer = of[0], .index = of[1]},
-                "Cut " + line + " parts nothing along " + messageText(length) + " m, which are left out.", length));
+                "Cut " + line + " separates nothing along " + messageText(length) + " m; this part is omitted.",
+                length));
         }
     }
 

@@ -23,7 +23,7 @@ struct CutEdge {
 struct CutLayer {
     std::uint32_t id = 0;
     std::uint32_t edgesEnd = 0;  // end of its edges, which follow those of the layer before
-    /// Its edges meet only in common end points, and otherwise are much farther apart than rounding errors.
+    /// Its edges meet only at common end points, and otherwise are much farther apart than rounding errors.
     bool isNoded = false;
     /// The index of the cell that contains a point, independent of the outline; null if the layer names no cells.
     std::function<std::uint32_t(Vec2)> cellAt;

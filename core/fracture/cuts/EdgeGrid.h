@@ -87,7 +87,7 @@ private:
     Span columnsOf(double low, double high) const { return spanOf(low, high, m_box.min.x, m_columns); }
     Span rowsOf(double low, double high) const { return spanOf(low, high, m_box.min.y, m_rows); }
 
-    /// Row by row, the cells between where the edge enters the row and where it leaves it.
+    /// Visits, row by row, the cells from the point where the edge enters the row to the point where it leaves it.
     template <class Visit>
     void forEachCell(const Edge& edge, Visit visit) const {
         if (m_begins.empty()) return;

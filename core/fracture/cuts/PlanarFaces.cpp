@@ -2,9 +2,11 @@
 
 #include "core/geometry/polygon/IndexedCorners.h"
 #include "core/geometry/predicates/Predicates.h"
+#include "core/geometry/search/BoxTree.h"
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -94,6 +96,30 @@ private:
     std::vector<std::uint32_t> m_parents;
 };
 
+/// The edges in a spatial index, for horizontal rays from points to the left.
+class EdgesToTheLeft {
+public:
+    EdgesToTheLeft(const PlanarFaces& faces, std::span<const Vec2> points) : m_tree(boxesOf(faces, points)) {}
+
+    /// The edges whose boxes a ray of a length meets, ascending.
+    std::vector<std::uint32_t> within(Vec2 from, double length) const {
+        std::vector<std::uint32_t> edges;
+        m_tree.visitOverlapping({Vec3(from.x - length, from.y, 0.0), Vec3(from, 0.0)},
+                                [&](std::uint32_t edge) { edges.push_back(edge); });
+        std::ranges::sort(edges);
+        return edges;
+    }
+
+private:
+    static std::vector<Box3> boxesOf(const PlanarFaces& faces, std::span<const Vec2> points) {
+        std::vector<Box3> boxes;
+        for (const PlanarEdge& edge : faces.edges) boxes.push_back(boxOf(points[edge.from], points[edge.to]));
+        return boxes;
+    }
+
+    BoxTree m_tree;
+};
+
 class FaceTracer {
 public:
     FaceTracer(const PlanarGraph& graph, const TaskContext& task) : m_points(graph.points), m_task(task) {
@@ -114,6 +140,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t kMinIndexed = 16;  // components; for fewer all edges are visited
+
     Vec2 at(std::uint32_t point) const { return m_points[point]; }
     std::uint32_t halfEdgeCount() const { return static_cast<std::uint32_t>(2 * m_faces.edges.size()); }
 
@@ -250,10 +278,13 @@ private:
             }
         }
         std::vector<std::uint32_t> enclosing(cycleCount(), kNone);  // of each outer cycle: one of the face around it
+        std::optional<EdgesToTheLeft> index;
+        m_left = boundsOf(m_points).min.x;
+        if (outer.size() >= kMinIndexed) index.emplace(m_faces, m_points);
         for (const std::uint32_t cycle : outer) {
             if (m_task.isCancelled()) return false;
             if (outer.size() > 1)
-                enclosing[cycle] = cycleLeftOf(m_leftmost[m_componentOf[cycle]], m_componentOf[cycle]);
+                enclosing[cycle] = cycleLeftOf(m_leftmost[m_componentOf[cycle]], m_componentOf[cycle], index);
         }
         for (const std::uint32_t cycle : outer) {
             std::uint32_t around = cycle;
@@ -280,22 +311,33 @@ private:
     }
 
     /// The first cycle of another component on the horizontal ray from a point to the left; kNone: none.
-    std::uint32_t cycleLeftOf(std::uint32_t point, std::uint32_t component) const {
+    std::uint32_t cycleLeftOf(std::uint32_t point, std::uint32_t component,
+                              const std::optional<EdgesToTheLeft>& index) const {
         const Vec2 from = at(point);
         std::uint32_t nearest = kNone;
         double best = 0.0;
         Vec2 nearestLow{}, nearestHigh{};
-        for (std::uint32_t edge = 0; edge < m_faces.edges.size(); ++edge) {
+        const auto visit = [&](std::uint32_t edge) {
             const bool isUp = at(m_faces.edges[edge].from).y < at(m_faces.edges[edge].to).y;
             const Vec2 low = at(m_faces.origin(2 * edge + (isUp ? 0 : 1))),
                        high = at(m_faces.origin(2 * edge + (isUp ? 1 : 0)));
-            if (!(low.y <= from.y && from.y < high.y) || m_componentOf[m_cycleOf[2 * edge]] == component) continue;
-            if (orient2d(low, high, from) >= 0) continue;
+            if (!(low.y <= from.y && from.y < high.y) || m_componentOf[m_cycleOf[2 * edge]] == component) return;
+            if (orient2d(low, high, from) >= 0) return;
             const double x = low.x + (high.x - low.x) * ((from.y - low.y) / (high.y - low.y));
             const bool isNearer = x > best || (x == best && orient2d(nearestLow, nearestHigh, high) < 0);
-            if (nearest != kNone && !isNearer) continue;
+            if (nearest != kNone && !isNearer) return;
             best = x, nearestLow = low, nearestHigh = high;
             nearest = 2 * edge + (isUp ? 1 : 0);  // downward: its face lies to the right
+        };
+        if (!index) {
+            for (std::uint32_t edge = 0; edge < m_faces.edges.size(); ++edge) visit(edge);
+        }
+        const double width = from.x - m_left;
+        for (double length = width / static_cast<double>(cycleCount()); index; length *= 2.0) {
+            nearest = kNone;
+            for (const std::uint32_t edge : index->within(from, length)) visit(edge);
+            // Within half of the length: the rounded intersections of edges farther away are not to the right of it.
+            if (!(length > 0.0 && length <= width) || (nearest != kNone && best > from.x - length / 2.0)) break;
         }
         return nearest == kNone ? kNone : m_cycleOf[nearest];
     }
@@ -310,6 +352,7 @@ private:
     std::vector<std::uint32_t> m_componentOf;  // of each cycle, the component, named by its first cycle
     std::vector<std::uint32_t> m_leftmost;     // point of each component
     std::vector<bool> m_isOuter;               // of each cycle
+    double m_left = 0.0;                       // m: the smallest x of all points
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ struct PlanarFaces {
     }
 };
 
-/// The faces of a graph whose edges meet only in common end points (see splitAtIntersections). Parallel edges are
+/// The faces of a graph whose edges meet only at common end points (see splitAtIntersections). Parallel edges are
 /// merged; the merged edge is one of the partition if one of them is. Edges are sorted around points by exact signs.
 /// Nothing if the graph is not planar: some edges intersect after all.
 ///

@@ -56,7 +56,7 @@ public:
             m_isFirst = false;
             if (round + 1 >= kRoundsBeforeGrowth) m_frame.weldDistance *= kWeldGrowth;
         }
-        return Error{ErrorCode::Degenerate, "The cuts of the pattern meet in too narrow a place to be told apart."};
+        return Error{ErrorCode::Degenerate, "Cuts of the pattern are too close together to be distinguished."};
     }
 
 private:

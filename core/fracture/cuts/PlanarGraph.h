@@ -26,7 +26,7 @@ struct PlanarEdge {
 struct PlanarGraph {
     UninitializedVector<Vec2> points;  // relative to the frame
     std::vector<PlanarEdge> edges;
-    std::vector<bool> isNodedGroup;            // of each group: its edges meet only in common end points
+    std::vector<bool> isNodedGroup;            // of each group: its edges meet only at common end points
     std::vector<std::uint32_t> outlineVertex;  // of the first points; kNone: no vertex of the outline
     LocalFrame frame;
 
@@ -35,10 +35,10 @@ struct PlanarGraph {
     }
 };
 
-/// Splits edges at their intersections, so that they meet only in common end points (noding). New points are computed
+/// Splits edges at their intersections, so that they meet only at common end points (noding). New points are computed
 /// from two edges and rounded once. Points closer than the frame's weldDistance are welded: an outline vertex stays,
-/// else the lower point; an edge that passes a point that closely is split there. Outline vertices do not move, and
-/// points in an acute corner region (see AcuteCorners) are welded to its vertex. Edges without length are removed.
+/// otherwise the lower point; an edge that passes a point that closely is split there. Outline vertices do not move,
+/// and points in an acute corner region (see AcuteCorners) are welded to its vertex. Edges of zero length are removed.
 ///
 /// Errors: Degenerate if this does not converge; Cancelled.
 Status splitAtIntersections(const AcuteCorners& acuteCorners, const TaskContext& task, PlanarGraph& graph);

@@ -40,11 +40,11 @@ struct Delaunay {
 };
 
 /// Triangulates any number of seeds in O(n log n) expected time. Collinear sites are connected by edges with a ghost on
-/// either side; of equal seeds the one of lowest index stays. Cocircular sites are all connected to the one of lowest
-/// index (as if its lifted point were infinitesimally lower), so that the result does not depend on the insertion
-/// order.
+/// either side; of equal seeds, the one with the lowest index is kept. Cocircular sites are all connected to the one
+/// with the lowest index (as if its lifted point were infinitesimally lower), so that the result does not depend on the
+/// insertion order.
 ///
-/// Errors: BadInput where a coordinate is not finite, naming the seed; Cancelled.
+/// Errors: BadInput if a coordinate is not finite, naming the seed; Cancelled.
 /// Source: Bowyer 1981; Watson 1981; predicates after Shewchuk 1997.
 Result<Delaunay> triangulate(std::span<const Vec2> seeds, const TaskContext& task = {});
 

@@ -72,7 +72,7 @@ struct InsertionWork {
     std::vector<FreeSlots> free;       // two per site
 };
 
-/// Inserts the sites one after the other. The search starts at triangle `start`, which is no ghost. Stops early if
+/// Inserts the sites one after the other. The search starts at triangle `start`, which is not a ghost. Stops early if
 /// cancelled.
 /// Source: Bowyer 1981; Watson 1981.
 void insertSites(Triangulation& triangulation, std::uint32_t start, InsertionWork& work, const CancelToken& cancel);

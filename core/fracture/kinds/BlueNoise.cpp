@@ -24,7 +24,7 @@ constexpr std::array kParameters{
                                             .sliderRange = {0.005, 2.0, true}}),
     parameter<&BlueNoise::count>({.name = "count",
                                   .caption = "Maximum count",
-                                  .hint = "Number of seeds; 0: as many as have room",
+                                  .hint = "Number of seeds; 0: as many as fit",
                                   .range = {0.0, kMaxSeeds}}),
     parameter<&BlueNoise::domain>(kDomainParameter),
 };
@@ -122,7 +122,7 @@ Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     if (!wanted) return wanted.error();
     const Result<ScatterArea> area = ScatterArea::of(filled);
     if (!area) return area.error();
-    // Once no seed has room, discs with the minimum distance as radius around all seeds cover the area.
+    // Once no further seed fits, discs with the minimum distance as radius around all seeds cover the area.
     const double minToFill = area->area() / (4.0 * minimumDistance * minimumDistance);
     if (*wanted == 0 && minToFill > static_cast<double>(room)) return tooManySeeds(context);
 

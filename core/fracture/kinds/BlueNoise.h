@@ -6,11 +6,11 @@
 
 namespace rubble {
 
-/// Random seeds with a minimum distance (Poisson-disk sampling): `count` of them, or as many as have room. A greater
-/// count keeps the earlier seeds.
+/// Random seeds with a minimum distance (Poisson-disk sampling): `count` of them, or as many as fit. Increasing the
+/// count keeps existing seeds.
 struct BlueNoise {
     double minimumDistance = 0.1;  // m
-    SeedCount count = 0;           // the number 0: as many as have room
+    SeedCount count = 0;           // the number 0: as many as fit
     ScatterDomain domain = ScatterDomain::Outline;
 
     bool operator==(const BlueNoise&) const = default;

@@ -156,7 +156,7 @@ Status BrickBond::cut(const LayerContext& context, CutSet& cuts) const {
     if (wall.isTooFar()) {
         return Error{ErrorCode::Limit,
                      context.name() + " has bricks more than " + std::to_string(BrickCourses::kMaxIndex) +
-                         " courses or columns from its origin: make them larger, or move the origin nearer."};
+                         " courses or columns from its origin: increase their size, or move the origin closer."};
     }
     if (!(wall.cells() <= kMaxSeeds)) return tooManySeeds(context);
     JointBuilder builder(wall, cuts);

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// How the bricks of successive courses overlap.
+/// The overlap of the bricks of successive courses.
 enum class BondKind {
     Stretcher,  // long sides, each course shifted by half a brick
     Stack,      // long sides above each other

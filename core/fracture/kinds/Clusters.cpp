@@ -16,13 +16,13 @@ constexpr double kDefaultFraction = 0.12;  // of the outline's diameter: the rad
 constexpr std::array kParameters{
     parameter<&Clusters::clusters>({.name = "clusters",
                                     .caption = "Clusters",
-                                    .hint = "Number of clusters; adding some keeps the others in place",
+                                    .hint = "Number of clusters; adding more keeps existing ones in place",
                                     .range = {0.0, kMaxPairNumber},
                                     .sliderRange = {1.0, 50.0}}),
     parameter<&Clusters::seedsPerCluster>(
         {.name = "seedsPerCluster",
          .caption = "Seeds per cluster",
-         .hint = "Number of seeds in each cluster; adding some keeps the others in place",
+         .hint = "Number of seeds in each cluster; adding more keeps existing ones in place",
          .range = {0.0, kMaxPairNumber},
          .sliderRange = {1.0, 50.0}}),
     parameter<&Clusters::radius>({.name = "radius",

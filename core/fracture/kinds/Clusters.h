@@ -6,7 +6,7 @@ namespace rubble {
 
 /// Clusters of seeds: each has a random centre in the outline and seeds around it, denser towards the centre. A seed
 /// keeps its index and position when clusters or seeds are added. Reports NoRoom if the outline is so thin that a seed,
-/// not deleted by hand, finds no place.
+/// not deleted by hand, cannot be placed.
 struct Clusters {
     std::uint32_t clusters = 6;
     std::uint32_t seedsPerCluster = 8;

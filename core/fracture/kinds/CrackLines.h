@@ -10,8 +10,8 @@
 
 namespace rubble {
 
-/// Cracks drawn by hand: lines from point to point. They cut where they, the outline and other cuts close around a
-/// piece; what ends within one is reported and left out. Their indices are kept when others are deleted.
+/// Cracks drawn by hand: lines from point to point. They cut where they enclose a piece together with the outline and
+/// other cuts; dangling ends are reported and removed. Their indices are kept when others are deleted.
 struct CrackLines {
     struct CrackLine {
         std::uint32_t index = 0;

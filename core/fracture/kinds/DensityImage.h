@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// `count` seeds distributed by an image that is stretched over the outline's bounding box: their density at a pixel is
-/// proportional to its brightness, or darkness, times its opacity. A greater count keeps the earlier seeds. No seeds
+/// proportional to its brightness, or darkness, times its opacity. Increasing the count keeps existing seeds. No seeds
 /// without an image.
 struct DensityImage {
     SeedCount count = 200;

@@ -20,7 +20,7 @@ constexpr std::array kParameters{
                               .sliderRange = {-std::numbers::pi, std::numbers::pi}}),
     parameter<&Grain::ratio>({.name = "ratio",
                               .caption = "Ratio",
-                              .hint = "Mean length of pieces divided by their mean width",
+                              .hint = "Mean length of fragments divided by their mean width",
                               .range = {1.0, kMaxRatio},
                               .sliderRange = {1.0, 10.0}}),
 };

@@ -4,6 +4,7 @@
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/sampling/PairIndex.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) cons
     if (!(steps < kMaxSteps)) {
         return Error{ErrorCode::Limit, context.name() + " has seeds more than " +
                                            std::to_string(static_cast<int>(kMaxSteps)) +
-                                           " steps from its centre: make the spacing larger."};
+                                           " steps from its centre: increase the spacing."};
     }
     std::vector<LatticePoint> points;
     for (double row = -steps; row <= steps; ++row) {
@@ -88,10 +89,10 @@ Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) cons
     }
     std::ranges::sort(points, {}, &LatticePoint::index);
     seeds.reserve(points.size());
+    const ContainmentIndex outline(context.outline);
     for (const LatticePoint& point : points) {
         if (context.isCancelledAt(point.index)) return TaskContext::cancelled();
-        const bool isOutside =
-            domain == ScatterDomain::Outline && containment(context.outline, point.position) == Containment::Outside;
+        const bool isOutside = domain == ScatterDomain::Outline && outline.of(point.position) == Containment::Outside;
         if (!isOutside) seeds.add({context.layerId, point.index}, point.position, false);
     }
     return success();

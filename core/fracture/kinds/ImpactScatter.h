@@ -8,8 +8,8 @@
 namespace rubble {
 
 /// `count` seeds around a point of impact: at a distance d their density is proportional to (1 +
-/// (d/radius)²)^(-falloff/2), almost constant within the radius and decreasing as d^-falloff beyond it. A greater count
-/// keeps the earlier seeds.
+/// (d/radius)²)^(-falloff/2), almost constant within the radius and decreasing as d^-falloff beyond it. Increasing the
+/// count keeps existing seeds.
 struct ImpactScatter {
     Vec2 centre{0.0, 0.0};  // m; may lie outside the outline
     SeedCount count = 60;

@@ -4,6 +4,7 @@
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/sampling/PairIndex.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,13 @@ constexpr std::array kParameters{
                                      .options = kCells}),
     parameter<&JitteredGrid::columns>({.name = "columns",
                                        .caption = "Columns",
-                                       .hint = "Number of columns; adding some keeps the names of the other seeds",
+                                       .hint = "Number of columns; adding more keeps the names of existing seeds",
                                        .range = {1.0, kMaxPairNumber},
                                        .sliderRange = {1.0, 50.0},
                                        .usedIf = usedIf<JitteredGrid, hasNumber>}),
     parameter<&JitteredGrid::rows>({.name = "rows",
                                     .caption = "Rows",
-                                    .hint = "Number of rows; adding some keeps the names of the other seeds",
+                                    .hint = "Number of rows; adding more keeps the names of existing seeds",
                                     .range = {1.0, kMaxPairNumber},
                                     .sliderRange = {1.0, 50.0},
                                     .usedIf = usedIf<JitteredGrid, hasNumber>}),
@@ -119,6 +120,7 @@ Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
     if (horizontal.count * vertical.count > static_cast<double>(kMaxSeeds - seeds.size())) return tooManySeeds(context);
 
     const bool isOutline = domain == ScatterDomain::Outline;
+    const ContainmentIndex outline(context.outline);
     std::size_t round = 0;
     for (const IndexPair cell :
          pairsBelow(static_cast<std::uint32_t>(horizontal.count), static_cast<std::uint32_t>(vertical.count))) {
@@ -127,7 +129,7 @@ Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
         Random random = context.randomOf(index);
         const double x = horizontal.at(cell.first, 0.5 + jitter * (random.unit() - 0.5));
         const double y = vertical.at(cell.second, 0.5 + jitter * (random.unit() - 0.5));
-        if (isOutline && containment(context.outline, {x, y}) == Containment::Outside) continue;
+        if (isOutline && outline.of({x, y}) == Containment::Outside) continue;
         seeds.add({context.layerId, index}, {x, y}, false);
     }
     return success();

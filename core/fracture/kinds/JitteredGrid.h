@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// How a grid is given: a number of cells over the outline's bounding box, or cells of a size, centred in it.
+/// The definition of a grid: a number of cells over the outline's bounding box, or cells of a given size, centred in
+/// it.
 enum class GridCells { Number, Size };
 
 /// One seed in each cell of a grid, displaced from the centre at random. A seed keeps its index, and its position in

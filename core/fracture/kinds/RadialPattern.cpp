@@ -5,6 +5,7 @@
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/sampling/PairIndex.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <algorithm>
 #include <numbers>
@@ -72,9 +73,9 @@ RadialPattern RadialPattern::defaultsFor(const Box2& bounds) {
 
 Status RadialPattern::apply(const LayerContext& context, SeedSet& seeds) const {
     if (std::size_t{rings} * spokes + 1 > kMaxSeeds - seeds.size()) return tooManySeeds(context);
+    const ContainmentIndex outline(context.outline);
     const auto add = [&](std::uint32_t index, Vec2 position) {
-        if (containment(context.outline, position) != Containment::Outside)
-            seeds.add({context.layerId, index}, position, false);
+        if (outline.of(position) != Containment::Outside) seeds.add({context.layerId, index}, position, false);
     };
     const auto ringAt = [&](double ring) { return radius * power(ring / rings, exponent); };
     add(0, centre);

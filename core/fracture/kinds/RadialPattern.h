@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// Seeds on concentric rings, as cracks run in glass around a hole: one at the centre, and one on each ring at each
+/// Seeds on concentric rings, like cracks in glass around a hole: one at the centre, and one on each ring at each
 /// spoke. Those outside the outline are omitted. A seed keeps its index when rings or spokes are added.
 struct RadialPattern {
     Vec2 centre{0.0, 0.0};    // m

@@ -7,10 +7,10 @@
 
 namespace rubble {
 
-/// Beyond this number seeds hardly move any more.
+/// The maximum number of rounds; beyond it, seeds hardly move.
 inline constexpr std::uint32_t kMaxRelaxationRounds = 1000;
 
-/// The centroid of all pieces of a seed, the first of which is `piece`; `seed` is its present position. Called by
+/// The centroid of all pieces of a seed, the first of which is `piece`; `seed` is its current position. Called by
 /// several threads.
 using CentroidOfCell = std::function<Vec2(const Partition& partition, std::uint32_t piece, Vec2 seed)>;
 

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// `count` uniformly random seeds. A greater count keeps the earlier seeds.
+/// `count` uniformly random seeds. Increasing the count keeps existing seeds.
 struct UniformScatter {
     SeedCount count = 20;
     ScatterDomain domain = ScatterDomain::Outline;

@@ -16,7 +16,7 @@
 
 namespace rubble {
 
-/// The seeds while a pattern is evaluated.
+/// The seeds during the evaluation of a pattern.
 struct SeedSet {
     std::vector<Vec2> positions;
     std::vector<SeedId> ids;     // one per position
@@ -45,7 +45,7 @@ struct LayerContext {
     Random random() const { return Random(mixSeeds(randomSeed, layerId)); }
     /// The random stream of one of its seeds, cuts or clusters.
     Random randomOf(std::uint64_t index) const { return Random(mixSeeds(mixSeeds(randomSeed, layerId), index)); }
-    /// "Layer 4", for the start of a sentence.
+    /// The name of the layer for the start of a sentence: "Layer 4".
     std::string name() const;
     /// Whether the task is cancelled; tests only every 1024th round of a loop.
     bool isCancelledAt(std::size_t round) const { return round % 1024 == 0 && task.isCancelled(); }
@@ -54,7 +54,8 @@ struct LayerContext {
 /// The error of a pattern with too many seeds.
 Error tooManySeeds(const LayerContext& context);
 
-/// The number of seeds of a count in a domain. Errors: Limit if there are too many, together with those before.
+/// The number of seeds of a count in a domain. Errors: Limit if there are too many, including the seeds of earlier
+/// layers.
 Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& domain, const LayerContext& context,
                                  const SeedSet& seeds);
 

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-// The types that the headers of all kinds of layers name. Keeps Pattern.h, which includes them, light.
+/// Forward declarations for the headers of the layer kinds, which keep Pattern.h cheap to include.
 struct Box2;
 struct CutSet;
 struct LayerContext;

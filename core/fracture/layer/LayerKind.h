@@ -15,11 +15,11 @@ namespace rubble {
 //   - `static Kind defaultsFor(const Box2& bounds)`, the parameters of a new layer in a domain with these bounds,
 //   - `const char* summary() const` in place of LayerKind::summary, if it depends on parameters,
 //   - `density(outline)`, a density of seeds that later layers follow,
-//   - `elementCount()` and `fault()`, if it holds more than parameters, such as manually placed seeds.
+//   - `elementCount()` and `fault()`, if it contains more than parameters, such as manually placed seeds.
 // To add a kind, write its header and .cpp, add it to the end of the list in core/fracture/pattern/PatternKinds.h, and
 // write a test.
 
-/// What a layer contributes to a pattern.
+/// The contribution of a layer to a pattern.
 enum class LayerRole {
     Scatters,  // adds random seeds, which may have overrides
     Places,    // adds its own seeds

@@ -21,8 +21,8 @@ std::string pointText(Vec2 point) { return "(" + messageText(point.x) + ", " + m
 std::string countText(const SeedCount& count) {
     switch (count.by) {
         case CountBy::Number: break;
-        case CountBy::Density: return messageText(count.amount) + " a square metre";
-        case CountBy::PieceSize: return messageText(count.amount) + " m a piece";
+        case CountBy::Density: return messageText(count.amount) + " per square metre";
+        case CountBy::PieceSize: return messageText(count.amount) + " m per fragment";
     }
     return messageText(count.amount);
 }

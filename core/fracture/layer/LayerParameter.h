@@ -111,7 +111,7 @@ struct ParameterMember<Value Kind::*> {
     }
 };
 
-/// Completes the description of a parameter by the access to its member:
+/// Completes the description of a parameter with the access to its member:
 ///     parameter<&BlueNoise::minimumDistance>({.name = "minimumDistance", .caption = "Distance", ...})
 template <auto member>
 constexpr LayerParameter parameter(LayerParameter description) {
@@ -132,7 +132,7 @@ inline constexpr ParameterRange kAboveZero{.min = 0.0, .isMinExcluded = true};
 
 inline constexpr LayerParameter kCountParameter{.name = "count",
                                                 .caption = "Count",
-                                                .hint = "Number of seeds; adding some keeps the others in place",
+                                                .hint = "Number of seeds; adding more keeps existing ones in place",
                                                 .range = {0.0, kMaxSeeds},
                                                 .sliderRange = {1.0, 2000.0, true}};
 
@@ -143,11 +143,11 @@ inline constexpr LayerParameter kDomainParameter{.name = "domain",
                                                  .hint = "Scatter seeds in the outline or in its bounding box",
                                                  .options = kDomainOptions};
 
-/// What is wrong with a parameter's value, as the end of a sentence that starts with the layer's name; nothing if it is
+/// The fault of a parameter's value, as the end of a sentence that starts with the layer's name; nothing if it is
 /// valid.
 std::optional<std::string> parameterFault(const LayerParameter& parameter, const ParameterValue& value);
 
-/// A parameter's value as text: "20", "0.3 m", "8 a square metre", "(0.5, 1) m", "outline".
+/// A parameter's value as text: "20", "0.3 m", "8 per square metre", "(0.5, 1) m", "outline".
 std::string parameterText(const LayerParameter& parameter, const ParameterValue& value);
 
 }  // namespace rubble

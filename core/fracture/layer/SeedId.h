@@ -15,7 +15,7 @@ struct SeedId {
     std::uint32_t layer = 0;  // the layer's id
     std::uint32_t index = 0;  // within the layer
     auto operator<=>(const SeedId&) const = default;
-    /// "layer.index"
+    /// The id as text: "layer.index".
     std::string text() const;
 };
 

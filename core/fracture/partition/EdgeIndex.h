@@ -10,7 +10,7 @@ namespace rubble {
 /// Finds the piece that has an edge, among the pieces of a group, in O(log edges). Call sort() after the last add().
 class EdgeIndex {
 public:
-    /// Groups of no more pieces are searched as fast by hasEdge().
+    /// The maximum size of groups that hasEdge() searches as fast as this index.
     static constexpr std::size_t kMaxLinear = 8;
 
     void add(const Partition& partition, std::uint32_t group, std::uint32_t piece);

@@ -15,13 +15,13 @@ namespace rubble {
 /// piece's edge. Voronoi cells, bricks and slices are all partitions.
 ///
 /// All arrays are flat. Piece p has the rings [ringsOfPiece[p], ringsOfPiece[p + 1]): the outer one first
-/// (counter-clockwise), then its holes (clockwise); rings of a piece may touch in single points. Ring r has the corners
+/// (counter-clockwise), then its holes (clockwise); rings of a piece may touch at single points. Ring r has the corners
 /// [cornersOfRing[r], cornersOfRing[r + 1]). Corner c starts the edge to the next corner of its ring; `neighbours[c]`
 /// is the piece on the other side of that edge.
 ///
 /// The pieces of one seed are consecutive: ordered by their cells in cut layers, then by their smallest corner (x, then
-/// y), or by `partOfCell` where it is given. Seeds are in an order that suits the cache: use `pieceOfSeed` to visit
-/// them by index.
+/// y), or by `partOfCell` if it is given. Seeds are ordered for cache locality: use `pieceOfSeed` to visit them by
+/// index.
 struct Partition {
     Vec2 origin{0.0, 0.0};             // the points are relative to it, which keeps their digits far from zero
     UninitializedVector<Vec2> points;  // m; some may be unused
@@ -60,8 +60,8 @@ void forEachEdge(const Partition& partition, std::uint32_t piece, Visit visit) {
     }
 }
 
-/// The number of a piece among those that share its seed and its cells in cut layers, as it stands in piece names:
-/// counted in piece order, or in the order before some pieces were merged or split. kNone: the only one.
+/// The number of a piece among those that share its seed and its cells in cut layers, as used in piece names: counted
+/// in piece order, or in the order before some pieces were merged or split. kNone: the only one.
 std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece);
 
 /// The piece as a polygon, in the outline's coordinates minus `partition.origin` and minus `centre`.

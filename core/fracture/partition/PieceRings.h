@@ -31,8 +31,8 @@ inline std::size_t nextCorner(const PieceRing& ring, std::size_t corner) {
 /// The edge of a piece from one point to another; nothing if there is none. Linear in the corners.
 std::optional<RingEdge> findEdge(const PieceRings& rings, std::uint32_t from, std::uint32_t to);
 
-/// Rebuilds the rings of an area whose rings may touch themselves and each other in points: one entry for each
-/// connected part of the area. Its rings do not touch themselves, and touch each other only in points that do not
+/// Rebuilds the rings of an area whose rings may touch themselves and each other at points: one entry for each
+/// connected part of the area. Its rings do not touch themselves, and touch each other only at points that do not
 /// disconnect it. Rings of fewer than three corners are dropped.
 std::vector<PieceRings> connectedParts(std::vector<PieceRing> rings, std::span<const Vec2> points);
 

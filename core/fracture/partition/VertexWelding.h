@@ -24,9 +24,9 @@ struct Coincidences {
     double weldDistance = 0.0;  // m
 };
 
-/// Welds coincident points and removes what degenerates: edges without length, spikes without width, pieces without
+/// Welds coincident points and removes degenerate elements: edges of zero length, spikes of zero width, pieces of zero
 /// area. The pieces on either side of them become neighbours, so that the partition stays one planar subdivision and
-/// loses no more than the weld distance. A ring that touches itself in a point is split there. O(n log n) of the
+/// loses no more than the weld distance. A ring that touches itself at a point is split there. O(n log n) in the
 /// corners for each of the few edges that are removed or split in a piece.
 ///
 /// Returns the number of edges visited, a measure of its work that does not depend on the machine.

@@ -20,8 +20,8 @@
 
 namespace rubble {
 
-/// The parameters of a layer: one struct per kind, see LayerKind.h. Hashes hold the index of a kind: add new ones at
-/// the end.
+/// The parameters of a layer: one struct per kind, see LayerKind.h. Hashes contain the index of a kind: append new
+/// kinds at the end.
 using LayerParameters =
     std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters, RadialPattern,
                  ImpactScatter, DensityImage, BrickBond, Slices, CrackLines, Grain, WeightedLloyd, HexagonalLattice>;

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// Manual changes to single seeds of a pattern. A seed placed by hand is changed itself; a scattered one gets an
+/// Manual changes to single seeds of a pattern. A seed placed by hand is changed directly; a scattered one gets an
 /// override. Ids of layers that do not exist are ignored.
 
 /// Moves a seed, even if it is deleted, to a position.

@@ -99,7 +99,7 @@ private:
             m_all.diagnostics.push_back(vanishedReport(m_all.partition, piece, whole));
         }
         m_all.diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},
-                                               "The gap between pieces takes " +
+                                               "The gap between fragments takes " +
                                                    quantityText(QuantityKind::Volume, m_all.gapArea * m_all.depth) +
                                                    " from them.",
                                                m_all.gapArea));

@@ -24,7 +24,7 @@ struct PieceRecord;
 /// One solid piece of a prism. Its own frame has the prism's axes and its centre of mass as origin.
 ///
 /// A view, valid while the Fragments object exists and is not moved: outline, bonds and hulls are computed from the
-/// partition on each call, in O(n log n) of the piece's corners.
+/// partition on each call, in O(n log n) in the piece's corners.
 class Fragment {
 public:
     Fragment(const Fragments& all, std::uint32_t index) : m_all(&all), m_index(index) {}
@@ -40,8 +40,8 @@ public:
     std::vector<std::uint32_t> edgeNeighbours() const;  // of each edge, ring after ring: a fragment; kNone: outside
     std::vector<Bond> bonds() const;                    // ascending fragment
 
-    /// The convex hulls that fill the fragment, in its frame: one if its outline is convex, else one per convex part.
-    /// Corners on straight sides, or reflex by no more than rounding, are omitted.
+    /// The convex hulls that fill the fragment, in its frame: one if its outline is convex, otherwise one per convex
+    /// part. Corners on straight sides, or reflex by no more than rounding, are omitted.
     std::vector<Polytope> hulls() const;
 
     /// The fragments that this is a view of, and its piece there.

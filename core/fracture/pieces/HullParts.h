@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// What the hulls of a piece may omit, in m.
+/// The tolerances for omitting details from the hulls of a piece, in m.
 struct HullTolerance {
     double minWidth = 0.0;  // narrower parts have no hull, see widthOf
     double flatness = 0.0;  // distance of a reflex corner from the line of its neighbours that counts as convex

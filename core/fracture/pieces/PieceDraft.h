@@ -22,7 +22,7 @@ public:
     /// Whether two pieces share an edge.
     bool areNeighbours(std::uint32_t piece, std::uint32_t other) const;
 
-    /// Merges groups of pieces. `receivers`: of each piece, the one that it is merged into, itself if it stays. The
+    /// Merges groups of pieces. `receivers`: for each piece, the piece that it is merged into, or the piece itself. The
     /// pieces of a group must be connected by edges.
     void merge(std::span<const std::uint32_t> receivers);
 

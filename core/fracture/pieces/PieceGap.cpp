@@ -39,7 +39,7 @@ std::vector<ShrunkRing> ringsOf(const Partition& partition, std::uint32_t piece)
 /// The directions of the two edges at a corner, and the angle between them.
 struct Turn {
     Vec2 in, out;
-    double sine;  // > 0: left turn, a convex corner
+    double sine;  // > 0: a convex corner
     double cosine;
 };
 
@@ -103,7 +103,7 @@ double coincidenceDistance(const ShrunkRing& outer) {
     return kOnEdge * std::max(glm::length(box.min), glm::length(box.max));
 }
 
-/// The part of a convex ring at minDistance `margin` to the left of an edge's line. The new edge has the edge's
+/// The part of a convex ring at least `margin` to the left of an edge's line. The new edge has the edge's
 /// neighbour.
 ShrunkRing clipped(const ShrunkRing& ring, Vec2 from, Vec2 to, std::uint32_t neighbour, double margin) {
     const Vec2 inward = perpendicular(glm::normalize(to - from));
@@ -237,7 +237,7 @@ Diagnostic disconnectedReport(const Partition& partition, std::uint32_t piece, c
     double lost = pieceArea(partition, piece);
     for (const ShrunkRing& ring : left.rings) lost -= signedArea(positionsOf(ring));
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
-                      "The gap between pieces cuts a piece of " + cellOf(partition, piece) +
+                      "The gap between fragments cuts a piece of " + cellOf(partition, piece) +
                           " apart; its largest part remains, and " + messageText(lost) + " m² are left out.",
                       lost);
 }
@@ -264,7 +264,8 @@ ShrunkPiece shrunkPiece(const Partition& partition, std::uint32_t piece, double 
 Diagnostic vanishedReport(const Partition& partition, std::uint32_t piece, double lost) {
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
                       "A piece of " + cellOf(partition, piece) +
-                          " is narrower than the gap between pieces; it is omitted with " + messageText(lost) + " m².",
+                          " is narrower than the gap between fragments; it is omitted with " + messageText(lost) +
+                          " m².",
                       lost);
 }
 

@@ -19,7 +19,7 @@ struct Line {
 double signedDistance(const Line& line, Vec2 point);
 
 /// A parallel line, with a direction of unit length, that keeps clear of the corners of a piece: moved by about 2^-40
-/// of the piece's bounding radius where it is too close to one.
+/// of the piece's bounding radius if it is too close to one.
 Line clearOfCorners(const PieceRings& piece, std::span<const Vec2> points, Line line);
 
 /// The parts of a piece cut along chords: from the first to the second crossing, from the third to the fourth, and so

@@ -55,8 +55,6 @@ private:
     std::vector<std::uint32_t> m_receivers;             // of each piece
 };
 
-std::string cellOf(std::uint32_t seed) { return "the cell of seed " + std::to_string(seed); }
-
 Diagnostic mergedReport(const Partition& partition, std::uint32_t piece, std::uint32_t receiver, double area) {
     const std::uint32_t seed = partition.seedOfPiece[piece], of = partition.seedOfPiece[receiver];
     if (seed == kNone) {
@@ -65,19 +63,13 @@ Diagnostic mergedReport(const Partition& partition, std::uint32_t piece, std::ui
     }
     const bool isPart = partOfCell(partition, piece) != kNone;
     return diagnostic(DiagnosticCode::MergedPiece, {.seed = seed, .otherSeed = of},
-                      "The piece of " + messageText(area) + " m² that is " + (isPart ? "a part of " : "") +
-                          cellOf(seed) + " is too small; it is merged into that of " + cellOf(of) + ".",
+                      std::string(isPart ? "Part of the" : "The") + " cell of seed " + std::to_string(seed) +
+                          " is too small (" + messageText(area) + " m²); it is merged into the cell of seed " +
+                          std::to_string(of) + ".",
                       area);
 }
 
 }  // namespace
-
-std::optional<std::string> verifySmallPieces(const SmallPieces& small) {
-    const bool isPart = small.measure == PieceMeasure::FractionOfMean || small.measure == PieceMeasure::FractionOfWhole;
-    if (small.limit > 0.0 && small.limit <= (isPart ? 1.0 : 1e300)) return std::nullopt;
-    return "The size of the smallest piece is " + messageText(small.limit) + ", but it must be above 0" +
-           (isPart ? " and at most 1." : ".");
-}
 
 double minPieceArea(const SmallPieces& small, double area, std::uint32_t count, double depth) {
     if (small.rule == SmallPieceRule::Keep) return 0.0;

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "core/fracture/partition/Partition.h"
-
-#include <optional>
-#include <string>
+#include <cstdint>
+#include <vector>
 
 namespace rubble {
 
-/// How pieces below a minimum size are handled.
+struct Partition;
+
+/// The handling of pieces below a minimum size.
 enum class SmallPieceRule {
     Keep,
     Merge,      // into the neighbour with the longest shared edge
     DropSeeds,  // removes seeds with small cells, whose neighbours grow; small parts of other cells are merged
 };
 
-/// How the minimum size is given.
+/// The measure of the minimum size.
 enum class PieceMeasure {
     Area,             // m^2
     Volume,           // m^3
@@ -30,13 +30,10 @@ struct SmallPieces {
     bool operator==(const SmallPieces&) const = default;
 };
 
-/// A sentence about an invalid limit; nothing if it is valid.
-std::optional<std::string> verifySmallPieces(const SmallPieces& small);
-
 /// The minimum area of pieces in m^2, for `count` pieces with a total of `area` m^2 and a depth of `depth` m.
 double minPieceArea(const SmallPieces& small, double area, std::uint32_t count, double depth);
 
-/// Merges pieces below the limit, the smallest first (the first of equals), into the neighbour with the longest shared
+/// Merges pieces below the limit, the smallest first (ties go to the first), into the neighbour with the longest shared
 /// edge, until none is too small or only one piece is left. The receiver keeps its name; each merged piece is reported
 /// (MergedPiece). Returns the partition unchanged if none is too small. O(corners + merged · log pieces), expected.
 Partition withoutSmallPieces(Partition partition, const SmallPieces& small, double depth);

@@ -11,7 +11,7 @@ std::optional<std::string> verifyGreyImage(const GreyImage& image) {
                " a side are allowed";
     }
     if (image.bits != 8 && image.bits != 16) {
-        return "the image has " + std::to_string(image.bits) + " bits a pixel, but must have 8 or 16";
+        return "the image has " + std::to_string(image.bits) + " bits per pixel, but must have 8 or 16";
     }
     const std::size_t pixels = std::size_t{image.width} * image.height;
     for (const auto* values : {&image.grey, &image.opacity}) {

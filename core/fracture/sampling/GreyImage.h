@@ -25,7 +25,7 @@ struct GreyImage {
 /// Which pixels of an image mean a high density.
 enum class DenseWhere { Bright, Dark };
 
-/// What is wrong with an image, as the end of a sentence that names its layer; nothing if it is valid.
+/// The fault of an image, as the end of a sentence that names its layer; nothing if it is valid.
 std::optional<std::string> verifyGreyImage(const GreyImage& image);
 
 }  // namespace rubble

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// The index of two numbers below this fits in 32 bits.
+/// The limit below which the index of two numbers fits in 32 bits.
 inline constexpr std::uint32_t kMaxPairNumber = 10'000;
 
 /// Enumerates all pairs in growing squares, so that the cell of a column and a row keeps its index when columns or rows

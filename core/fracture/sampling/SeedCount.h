@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// How a seed count is given.
+/// The quantity that determines a seed count.
 enum class CountBy {
     Number,     // a number of seeds
     Density,    // seeds per square metre

@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-/// A spatial hash of points that keep a minimum distance: queries take constant time. Memory depends on the number of
-/// points only, however small the distance in a wide box.
+/// A spatial hash of points that keep a minimum distance: queries take constant time. Memory depends only on the number
+/// of points, however small the distance in a wide box.
 class SeedGrid {
 public:
     /// For points in or near `box`.
@@ -21,7 +21,8 @@ public:
 
     /// Whether no point is closer than the minimum distance.
     bool isFree(Vec2 point) const;
-    /// Whether a single point is closer than the minimum distance to all of a square, so that the square has no room.
+    /// Whether a single point is closer than the minimum distance to all of a square, so that no point of the square is
+    /// free.
     bool isCovered(Vec2 squareMin, double side) const;
 
 private:

@@ -17,14 +17,6 @@ bool intersectsSquare(Vec2 from, Vec2 to, Vec2 centre, double half) {
     return std::abs(cross(along, a)) <= extent * (std::abs(along.x) + std::abs(along.y));
 }
 
-bool intersectsSquare(const Ring& ring, Vec2 centre, double half) {
-    for (std::size_t corner = 0; corner < ring.size(); ++corner) {
-        const Vec2 next = ring[corner + 1 < ring.size() ? corner + 1 : 0];
-        if (intersectsSquare(ring[corner], next, centre, half)) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 VoidCells::VoidCells(const Polygon& domain) : m_domain(domain) {
@@ -38,7 +30,7 @@ std::optional<Vec2> VoidCells::dart(Random& random) const {
     const double u = random.unit();
     const double v = random.unit();
     const Vec2 point = cell.min + m_side * Vec2{u, v};
-    if (!cell.isInside && containment(m_domain, point) == Containment::Outside) return std::nullopt;
+    if (!cell.isInside && m_domain.of(point) == Containment::Outside) return std::nullopt;
     return point;
 }
 
@@ -46,10 +38,10 @@ std::optional<VoidCells::Cell> VoidCells::clippedToDomain(Cell cell) const {
     if (cell.isInside) return cell;
     const double half = m_side / 2.0;
     const Vec2 centre = cell.min + Vec2{half, half};
-    bool isCrossed = intersectsSquare(m_domain.outer, centre, half);
-    for (const Ring& hole : m_domain.holes) isCrossed = isCrossed || intersectsSquare(hole, centre, half);
-    if (isCrossed) return cell;
-    if (containment(m_domain, centre) == Containment::Outside) return std::nullopt;
+    const Vec2 margin(m_side, m_side);  // conservative: intersectsSquare() decides
+    const auto meets = [&](Vec2 from, Vec2 to) { return intersectsSquare(from, to, centre, half); };
+    if (m_domain.hasEdge(centre - margin, centre + margin, meets)) return cell;
+    if (m_domain.of(centre) == Containment::Outside) return std::nullopt;
     return Cell{cell.min, true};
 }
 

@@ -3,21 +3,21 @@
 #include "core/base/Random.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/sampling/SeedGrid.h"
-#include "core/geometry/polygon/Polygon.h"
+#include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <optional>
 #include <vector>
 
 namespace rubble {
 
-/// The void cells of Poisson-disk sampling: where in a domain a seed may still have room. Square cells of one size are
-/// subdivided again and again; cells outside the domain or covered by a seed are removed. The rest converges to the
+/// The void cells of Poisson-disk sampling: the parts of a domain where a seed may still fit. Square cells of equal
+/// size are subdivided repeatedly; cells outside the domain or covered by a seed are removed. The rest converges to the
 /// gaps.
 /// Source: Ebeida, Mitchell, Patney, Davidson, Owens, "A simple algorithm for maximal Poisson-disk sampling in high
 /// dimensions", 2012.
 class VoidCells {
 public:
-    /// Starts with one cell around the domain, which is borrowed.
+    /// Starts with one cell around the domain.
     explicit VoidCells(const Polygon& domain);
 
     bool isEmpty() const { return m_cells.empty(); }
@@ -38,7 +38,7 @@ private:
     };
     std::optional<Cell> clippedToDomain(Cell square) const;
 
-    const Polygon& m_domain;
+    ContainmentIndex m_domain;
     double m_side;
     std::vector<Cell> m_cells;
 };

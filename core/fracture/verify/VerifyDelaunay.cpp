@@ -28,7 +28,7 @@ Fault verifySites(const Delaunay& delaunay, std::span<const Vec2> seeds) {
     }
     for (const auto& [seed, of] : delaunay.duplicates) {
         if (seed >= seeds.size() || of >= seed || isSeen[seed])
-            return "Seed " + text(seed) + " is no duplicate of seed " + text(of) + ".";
+            return "Seed " + text(seed) + " is not a duplicate of seed " + text(of) + ".";
         if (seeds[seed] != seeds[of]) return "Seeds " + text(seed) + " and " + text(of) + " are not equal.";
         isSeen[seed] = true;
     }

@@ -98,13 +98,13 @@ Fault verifyRingsAreSimple(const Partition& p) {
         std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
         std::sort(sorted.begin(), sorted.end());
         if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
-            return "Ring " + text(ring) + " touches itself in point " + text(*twice) + ".";
+            return "Ring " + text(ring) + " touches itself at point " + text(*twice) + ".";
         }
     }
     return std::nullopt;
 }
 
-/// The graph of rings that touch in points is a forest: a cycle would disconnect the piece.
+/// The graph of rings that touch at points is a forest: a cycle would disconnect the piece.
 Fault verifyPiecesAreConnected(const Partition& p) {
     std::vector<std::uint32_t> parentOf(p.cornersOfRing.size());
     for (std::uint32_t ring = 0; ring < parentOf.size(); ++ring) parentOf[ring] = ring;

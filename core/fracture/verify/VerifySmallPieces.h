@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fracture/partition/Partition.h"
 #include "core/fracture/pieces/SmallPieces.h"
 
 #include <optional>

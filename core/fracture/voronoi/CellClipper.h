@@ -23,7 +23,7 @@ struct CellPieces {
     void clear();
 };
 
-/// Clips cells to the outline. Keeps its memory between cells.
+/// Clips cells to the outline. Reuses its memory from cell to cell.
 /// Source: Weiler, Atherton 1977, with exact signs and without degenerate cases.
 class CellClipper {
 public:

@@ -57,7 +57,7 @@ private:
     const Delaunay& m_delaunay;
     std::vector<std::uint32_t> m_outgoing;  // a half-edge of each site
     std::vector<std::uint32_t> m_siteOf;    // of each seed; of a duplicate, the site of the seed that it equals
-    std::uint32_t m_inner = kNone;          // a triangle that is no ghost; kNone if all sites are collinear
+    std::uint32_t m_inner = kNone;          // a triangle that is not a ghost; kNone if all sites are collinear
 };
 
 }  // namespace rubble

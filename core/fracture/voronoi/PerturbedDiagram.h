@@ -46,7 +46,7 @@ private:
     const Delaunay& m_delaunay;
 };
 
-/// The error of computed corners and crossings is at most this times the bounding radius.
+/// The maximum error of computed corners and crossings, relative to the bounding radius.
 inline constexpr double kConstructionError = 0x1p-48;
 
 /// The circumcentre of a counter-clockwise triangle, relative to `origin`, rounded. The error is at most

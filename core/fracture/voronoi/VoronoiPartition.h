@@ -10,7 +10,7 @@
 
 namespace rubble {
 
-/// Two pieces are neighbours if they share at least this fraction of the outline's diameter.
+/// The minimum shared length of neighbouring pieces, relative to the outline's diameter.
 inline constexpr double kMinSharedEdge = kVisibleFraction;
 
 /// The Voronoi cells of the seeds, clipped to the outline, which must be validated(). Seeds may lie outside; without

@@ -27,7 +27,7 @@ struct Polytope {
     bool operator==(const Polytope&) const = default;
 };
 
-/// An edge of a face loop: its index, and +1 if the loop runs from its first vertex to its second, else -1.
+/// An edge of a face loop: its index, and +1 if the loop runs from its first vertex to its second, otherwise -1.
 struct SignedEdge {
     std::uint32_t edge = 0;
     int sign = 1;

@@ -44,8 +44,8 @@ struct Mesh {
 /// The volume of a closed mesh, m^3; negative if its faces point inward.
 double volumeOf(const Mesh& mesh);
 
-/// The triangulated mesh. A face across the z axis (a prism's cap) with four or more corners becomes a fan around a new
-/// vertex at its centre, any other face a fan from its first corner. Faces must be convex.
+/// The triangulated mesh. A face perpendicular to the z axis (a prism's cap) with four or more corners becomes a fan
+/// around a new vertex at its centre, any other face a fan from its first corner. Faces must be convex.
 /// Source: "Creating Realistic Real-Time Destruction Using the Vienna Physics Engine" (bachelor thesis), 4.3.
 Mesh triangulated(const Mesh& mesh);
 

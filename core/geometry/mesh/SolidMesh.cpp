@@ -99,7 +99,7 @@ Result<std::vector<char>> findFlips(const TriangleMesh& mesh, const std::vector<
         }
     }
     if (std::ranges::find(flips, kUnseen) != flips.end())
-        return degenerate("The mesh consists of parts that touch only in single points.");
+        return degenerate("The mesh consists of parts that touch only at single points.");
     return flips;
 }
 

@@ -147,7 +147,7 @@ Result<SourceScene> readSourceScene(std::string_view bytes) {
     const std::size_t objectCount = reader.count(kObjectSize);
     for (std::size_t i = 0; i < objectCount && reader.isGood(); ++i)
         scene.objects.push_back(readObject(reader, scene.materials.size()));
-    if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are no mesh."};
+    if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are not a valid mesh."};
     return scene;
 }
 

@@ -14,7 +14,7 @@ struct TriangleMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;  // point indices
 };
 
-/// The area vector of a triangle times two: along its normal.
+/// Twice the area vector of a triangle, along its normal.
 Vec3 doubleArea(const TriangleMesh& mesh, std::size_t triangle);
 
 /// The bounding box of the points.

@@ -20,11 +20,7 @@ std::vector<std::array<Vec2, 2>> edgesOf(const Polygon& polygon) {
 
 std::vector<Box3> boxesOf(std::span<const std::array<Vec2, 2>> edges) {
     std::vector<Box3> boxes;
-    for (const auto& [from, to] : edges) {
-        Box3& box = boxes.emplace_back();
-        box.include(Vec3(from, 0.0));
-        box.include(Vec3(to, 0.0));
-    }
+    for (const auto& [from, to] : edges) boxes.push_back(boxOf(from, to));
     return boxes;
 }
 

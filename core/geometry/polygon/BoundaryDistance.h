@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// The edges of a polygon in a spatial index, for distances from its boundary. O(n log n) to build; a distance takes
-/// O(log n) unless many edges are nearly as near as the nearest.
+/// O(log n) unless many edges are almost equally near.
 class BoundaryDistance {
 public:
     explicit BoundaryDistance(const Polygon& polygon);

@@ -74,8 +74,9 @@ std::optional<HalfEdgeTriangles> linkTriangles(const std::vector<CornerTriangle>
     return result;
 }
 
-void makeDelaunay(HalfEdgeTriangles& triangles, std::span<const Vec2> points) {
+std::size_t makeDelaunay(HalfEdgeTriangles& triangles, std::span<const Vec2> points) {
     const auto point = [&](std::uint32_t halfEdge) { return points[triangles.origin[halfEdge]]; };
+    std::size_t tested = 0;
     std::vector<std::uint32_t> open;
     for (std::uint32_t halfEdge = 0; halfEdge < triangles.halfEdgeCount(); ++halfEdge)
         if (triangles.twin[halfEdge] != kNone && triangles.twin[halfEdge] > halfEdge) open.push_back(halfEdge);
@@ -83,12 +84,14 @@ void makeDelaunay(HalfEdgeTriangles& triangles, std::span<const Vec2> points) {
         const std::uint32_t halfEdge = open.back(), other = triangles.twin[halfEdge];
         open.pop_back();
         if (other == kNone) continue;
+        ++tested;
         const std::uint32_t after = HalfEdgeTriangles::next(halfEdge), before = HalfEdgeTriangles::previous(halfEdge);
         const std::uint32_t otherBefore = HalfEdgeTriangles::previous(other);
         if (inCircle(point(halfEdge), point(after), point(before), point(otherBefore)) <= 0) continue;
         flip(triangles, halfEdge);
         open.insert(open.end(), {halfEdge, before, other, otherBefore});
     }
+    return tested;
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon/SweepTriangulation.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,8 +27,8 @@ std::optional<HalfEdgeTriangles> linkTriangles(const std::vector<CornerTriangle>
 
 /// Flips inner edges until all are locally Delaunay, which gives the constrained Delaunay triangulation of the polygon.
 /// Edges of cocircular corners are kept. By exact predicates, so that it terminates; O(n^2) flips at worst, typically
-/// about n.
+/// about n. Returns the number of tested edges.
 /// Source: Lawson 1977.
-void makeDelaunay(HalfEdgeTriangles& triangles, std::span<const Vec2> points);
+std::size_t makeDelaunay(HalfEdgeTriangles& triangles, std::span<const Vec2> points);
 
 }  // namespace rubble

@@ -37,9 +37,7 @@ class NearEdges {
 public:
     NearEdges(const IndexedCorners& corners, double distance) : m_corners(corners), m_distance(distance) {
         for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
-            Box3& box = m_boxes.emplace_back();
-            box.include(Vec3(corners.points[edge], 0.0));
-            box.include(Vec3(corners.points[corners.next[edge]], 0.0));
+            m_boxes.push_back(boxOf(corners.points[edge], corners.points[corners.next[edge]]));
         }
     }
 

@@ -38,9 +38,9 @@ struct NarrowFeature {
 /// pieces have. The corners nearest to the line of an edge of a convex ring are adjacent to the edge. O(n).
 bool hasAmpleClearance(std::span<const Vec2> ring, const Clearance& clearance);
 
-/// All narrow features of a polygon without polygonFaults(), sorted; corners near edges are only searched if no edge is
-/// too short. Distances have an error of at most a hundredth of the clearance. O(n log n + k) for k pairs of edges with
-/// nearby bounding boxes.
+/// All narrow features of a polygon without polygonFaults(), sorted; corners near edges are searched for only if no
+/// edge is too short. Distances have an error of at most a hundredth of the clearance. O(n log n + k) for k pairs of
+/// edges with nearby bounding boxes.
 std::vector<NarrowFeature> narrowFeatures(const IndexedCorners& corners, const Clearance& clearance);
 
 }  // namespace rubble

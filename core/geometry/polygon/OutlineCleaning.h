@@ -3,13 +3,15 @@
 #include "core/base/Result.h"
 #include "core/geometry/polygon/Polygon.h"
 
+#include <cstddef>
 #include <span>
 
 namespace rubble {
 
 /// Removes the corners of a ring within the tolerance (m) of the line between the remaining ones. Starts at the corner
-/// farthest from the first one. Empty if fewer than three remain.
-Ring withoutCollinearCorners(std::span<const Vec2> ring, double tolerance);
+/// farthest from the first one. Empty if fewer than three remain. O(n) for straight and for polygonal runs; adds the
+/// number of visited corners to `visited`.
+Ring withoutCollinearCorners(std::span<const Vec2> ring, double tolerance, std::size_t* visited = nullptr);
 
 /// The polygon of boundary rings: the counter-clockwise one is the outline, clockwise ones are holes. Without collinear
 /// corners and without rings of zero area; as fromSmallestCorners().

@@ -1,6 +1,7 @@
 #include "core/geometry/polygon/Polygon.h"
 
 #include "core/geometry/polygon/IndexedCorners.h"
+#include "core/geometry/polygon/RayCrossings.h"
 #include "core/geometry/predicates/Predicates.h"
 
 #include <glm/geometric.hpp>
@@ -37,27 +38,10 @@ Vec2 meanOf(std::span<const Vec2> points) {
     return points[0] + sum / static_cast<double>(points.size());
 }
 
-/// Whether a point lies on a ring, and whether a ray from it to the right crosses the ring an odd number of times.
-struct RayCrossings {
-    bool isOnRing = false;
-    bool isOdd = false;
-};
-
 RayCrossings rayCrossings(std::span<const Vec2> ring, Vec2 point) {
     RayCrossings crossings;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 from = ring[i];
-        const Vec2 to = ring[i + 1 == ring.size() ? 0 : i + 1];
-        if (std::max(from.y, to.y) < point.y || std::min(from.y, to.y) > point.y) continue;
-        const int side = orient2d(from, to, point);
-        if (side == 0 && std::min(from.x, to.x) <= point.x && point.x <= std::max(from.x, to.x)) {
-            crossings.isOnRing = true;
-            return crossings;
-        }
-        const bool goesUp = from.y <= point.y && to.y > point.y;
-        const bool goesDown = to.y <= point.y && from.y > point.y;
-        if ((goesUp && side > 0) || (goesDown && side < 0)) crossings.isOdd = !crossings.isOdd;
-    }
+    for (std::size_t i = 0; i < ring.size() && !crossings.isOnEdge; ++i)
+        crossings.add(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], point);
     return crossings;
 }
 
@@ -131,11 +115,11 @@ Polygon withCanonicalWinding(Polygon polygon) {
 
 Containment containment(const Polygon& polygon, Vec2 point) {
     RayCrossings crossings = rayCrossings(polygon.outer, point);
-    if (crossings.isOnRing) return Containment::OnBoundary;
+    if (crossings.isOnEdge) return Containment::OnBoundary;
     bool isInside = crossings.isOdd;
     for (const Ring& hole : polygon.holes) {
         crossings = rayCrossings(hole, point);
-        if (crossings.isOnRing) return Containment::OnBoundary;
+        if (crossings.isOnEdge) return Containment::OnBoundary;
         isInside = isInside && !crossings.isOdd;
     }
     return isInside ? Containment::Inside : Containment::Outside;

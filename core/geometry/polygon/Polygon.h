@@ -47,7 +47,7 @@ Polygon withCanonicalWinding(Polygon polygon);
 
 /// The position of a point relative to a polygon.
 enum class Containment { Outside, OnBoundary, Inside };
-/// The position of a point, decided exactly. O(n).
+/// The position of a point, decided exactly. O(n); for many points see ContainmentIndex.
 Containment containment(const Polygon& polygon, Vec2 point);
 /// Whether no corner of a counter-clockwise ring is reflex, decided exactly.
 bool isConvex(std::span<const Vec2> ring);

@@ -40,9 +40,9 @@ struct PolygonFault {
 };
 
 /// The faults of the polygon, at most `most` >= 1, in the order of rings and points; empty for a valid polygon. Decided
-/// exactly. O(n log n) for n points, plus O(most · n) with faults. Crossings are searched only if no ring has an
-/// invalid point, the nesting of rings only if none cross or touch. Messages count points and holes from 0, as files
-/// do.
+/// exactly. O(n log n) for n points, plus O(most · n) with faults. Crossings are searched for only if no ring has an
+/// invalid point; the nesting of rings is checked only if none cross or touch. Messages count points and holes from 0,
+/// as files do.
 std::vector<PolygonFault> polygonFaults(const Polygon& polygon, int most = 64);
 
 /// The first of the narrowFeatures() of a polygon without polygonFaults(), as a fault.

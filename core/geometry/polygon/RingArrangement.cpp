@@ -42,7 +42,9 @@ bool intersect(const SweptEdge& a, const SweptEdge& b) {
 /// Orders edges on the sweep line from bottom to top; edges that touch there are equivalent.
 struct IsBelow {
     const std::vector<SweptEdge>* edges;
+    std::size_t* comparisons;
     bool operator()(std::uint32_t first, std::uint32_t second) const {
+        ++*comparisons;
         const SweptEdge& a = (*edges)[first];
         const SweptEdge& b = (*edges)[second];
         if (first == second) return false;
@@ -55,7 +57,7 @@ struct IsBelow {
 class RingSweep {
 public:
     explicit RingSweep(const IndexedCorners& corners)
-        : m_corners(corners), m_edges(edgesOf(corners)), m_status(IsBelow{&m_edges}) {
+        : m_corners(corners), m_edges(edgesOf(corners)), m_status(IsBelow{&m_edges, &m_comparisons}) {
         m_statusEntry.resize(m_edges.size(), m_status.end());
         m_isSuspect.resize(m_edges.size(), false);
         m_isCounterClockwise.resize(corners.ringCount(), false);
@@ -76,7 +78,7 @@ public:
         std::sort(m_contacts.begin(), m_contacts.end());
         m_contacts.erase(std::unique(m_contacts.begin(), m_contacts.end()), m_contacts.end());
         if (!m_contacts.empty()) m_parent.clear();
-        return {std::move(m_contacts), std::move(m_parent), !m_suspects.empty()};
+        return {std::move(m_contacts), std::move(m_parent), !m_suspects.empty(), m_comparisons};
     }
 
 private:
@@ -141,7 +143,7 @@ private:
         m_isVisited[ring] = true;
         const std::uint32_t before = m_corners.previous[corner];
         if (m_isSuspect[corner] || m_isSuspect[before]) return;
-        m_isCounterClockwise[ring] = IsBelow{&m_edges}(corner, before);
+        m_isCounterClockwise[ring] = m_status.key_comp()(corner, before);
         const auto entry = m_statusEntry[m_isCounterClockwise[ring] ? corner : before];
         if (entry == m_status.begin()) return;
         const std::uint32_t below = *std::prev(entry);
@@ -151,6 +153,7 @@ private:
     }
 
     void compareWithAll(std::uint32_t edge) {
+        m_comparisons += m_edges.size();
         for (std::uint32_t other = 0; other < m_edges.size(); ++other) {
             if (other == edge || !boundsOverlap(m_edges[edge], m_edges[other])) continue;
             if (cross(m_edges[edge], m_edges[other]))
@@ -168,6 +171,7 @@ private:
 
     const IndexedCorners& m_corners;
     std::vector<SweptEdge> m_edges;
+    std::size_t m_comparisons = 0;
     Status m_status;
     std::vector<Status::iterator> m_statusEntry;  // of each edge in the status
     std::vector<bool> m_isSuspect;                // edges that were removed from the sweep

@@ -33,8 +33,10 @@ struct Interval {
 struct IsBelow {
     using is_transparent = void;
     const IndexedCorners* corners;
+    std::size_t* steps;
 
     int side(std::uint32_t edge, Vec2 point) const {
+        ++*steps;
         return orient2d(corners->points[edge], corners->points[corners->next[edge]], point);
     }
     bool operator()(std::uint32_t edge, Vec2 point) const { return side(edge, point) > 0; }
@@ -50,7 +52,7 @@ struct IsBelow {
 class SweepTriangulation {
 public:
     explicit SweepTriangulation(const IndexedCorners& corners)
-        : m_corners(corners), m_status(IsBelow{&corners}), m_intervals(corners.points.size()) {
+        : m_corners(corners), m_status(IsBelow{&corners, &m_steps}), m_intervals(corners.points.size()) {
         m_statusEntry.resize(corners.points.size(), m_status.end());
         m_nodes.reserve(2 * corners.points.size());
         m_triangles.reserve(corners.points.size() + 2 * corners.ringCount());
@@ -69,6 +71,8 @@ public:
         }
         return std::move(m_triangles);
     }
+
+    std::size_t steps() const { return m_steps; }
 
 private:
     using Status = std::set<std::uint32_t, IsBelow>;
@@ -185,25 +189,30 @@ private:
     /// Adds the corner at the bottom of a chain and every triangle visible from it.
     void addBelow(Interval& interval, std::uint32_t corner) {
         const std::uint32_t node = newNode(corner);
-        std::uint32_t near = interval.bottom;
-        for (std::uint32_t far = m_nodes[near].above; far != kNone && addTriangle(node, far, near);
-             far = m_nodes[near].above)
-            near = far;
-        link(node, near);
+        link(node, lastVisible(interval.bottom, &ChainNode::above,
+                               [&](std::uint32_t near, std::uint32_t far) { return addTriangle(node, far, near); }));
         interval.bottom = interval.latest = node;
     }
 
+    /// Adds the corner at the top of a chain and every triangle visible from it.
     void addAbove(Interval& interval, std::uint32_t corner) {
         const std::uint32_t node = newNode(corner);
-        std::uint32_t near = interval.top;
-        for (std::uint32_t far = m_nodes[near].below; far != kNone && addTriangle(node, near, far);
-             far = m_nodes[near].below)
-            near = far;
-        link(near, node);
+        link(lastVisible(interval.top, &ChainNode::below,
+                         [&](std::uint32_t near, std::uint32_t far) { return addTriangle(node, near, far); }),
+             node);
         interval.top = interval.latest = node;
     }
 
+    /// Walks along a chain from an end while `add` adds the triangle of a link; returns the node where it stops.
+    template <class Add>
+    std::uint32_t lastVisible(std::uint32_t near, std::uint32_t ChainNode::*next, Add add) {
+        for (std::uint32_t far = m_nodes[near].*next; far != kNone && add(near, far); far = m_nodes[near].*next)
+            near = far;
+        return near;
+    }
+
     bool addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        ++m_steps;
         const CornerTriangle triangle{m_nodes[a].corner, m_nodes[b].corner, m_nodes[c].corner};
         if (orient2d(point(triangle[0]), point(triangle[1]), point(triangle[2])) <= 0) return false;
         m_triangles.push_back(triangle);
@@ -211,6 +220,7 @@ private:
     }
 
     const IndexedCorners& m_corners;
+    std::size_t m_steps = 0;
     Status m_status;                              // the lower edges on the sweep line
     std::vector<Status::iterator> m_statusEntry;  // of each lower edge
     std::vector<Interval> m_intervals;            // by lower edge
@@ -220,8 +230,11 @@ private:
 
 }  // namespace
 
-std::optional<std::vector<CornerTriangle>> sweepTriangulation(const IndexedCorners& corners) {
-    return SweepTriangulation(corners).run();
+std::optional<std::vector<CornerTriangle>> sweepTriangulation(const IndexedCorners& corners, std::size_t* steps) {
+    SweepTriangulation sweep(corners);
+    std::optional<std::vector<CornerTriangle>> triangles = sweep.run();
+    if (steps) *steps += sweep.steps();
+    return triangles;
 }
 
 }  // namespace rubble

@@ -15,7 +15,7 @@ struct Expansion {
     std::array<double, Capacity> terms;  // the first `count` are set
     int count = 0;
 
-    /// -1, 0 or +1.
+    /// The sign: -1, 0 or +1.
     int sign() const { return count == 0 ? 0 : (terms[count - 1] > 0.0 ? 1 : -1); }
     /// The value rounded, with an error of at most 1 ulp.
     double estimate() const {
@@ -28,7 +28,7 @@ struct Expansion {
     }
 };
 
-/// a + b = sum + error, exactly.
+/// Represents a + b = sum + error exactly.
 struct SumAndError {
     double sum;
     double error;
@@ -38,7 +38,7 @@ inline SumAndError twoSum(double a, double b) {
     const double bVirtual = sum - a;
     return {sum, (a - (sum - bVirtual)) + (b - bVirtual)};
 }
-/// a * b = sum + error, exactly.
+/// Computes a * b = sum + error exactly.
 inline SumAndError twoProduct(double a, double b) {
     constexpr double kSplitter = 134217729.0;  // 2^27 + 1: splits the 53 bits of a double in halves
     const double product = a * b;
@@ -52,7 +52,7 @@ inline Expansion<1> exactly(double value) {
     result.append(value);
     return result;
 }
-/// a - b.
+/// The exact difference a - b.
 inline Expansion<2> exactDifference(double a, double b) {
     const SumAndError difference = twoSum(a, -b);
     Expansion<2> result;
@@ -91,7 +91,7 @@ Expansion<N + M> operator-(const Expansion<N>& a, const Expansion<M>& b) {
     return a + -b;
 }
 
-/// a * factor.
+/// The exact product a * factor.
 template <int N>
 Expansion<2 * N> scaled(const Expansion<N>& a, double factor) {
     Expansion<2 * N> result;

@@ -43,7 +43,7 @@ int nearer(Vec2 p, Vec2 a, Vec2 b);
 /// accurate even for nearly collinear points.
 Vec3 exactCross(Vec3 origin, Vec3 a, Vec3 b);
 
-/// The same predicates without floating-point filter, for callers that have filtered already.
+/// The same predicates without a floating-point filter, for callers that have already filtered.
 int orient2dExact(Vec2 a, Vec2 b, Vec2 c);
 int inCircleExact(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 

@@ -11,7 +11,7 @@ Vec3 worldAxis(int index) {
     return axis;
 }
 
-/// The world axis with the smallest extent; of equals z before x before y.
+/// The world axis with the smallest extent; ties: z before x before y.
 Vec3 thinnestWorldAxis(const TriangleMesh& mesh, double tolerance) {
     const Box3 box = boundsOf(mesh);
     const Vec3 size = box.max - box.min;

@@ -51,7 +51,7 @@ std::vector<Vec3> planarRegionNormals(const TriangleMesh& mesh) {
     return sums;
 }
 
-/// The triangle with the greatest value, the first of equals.
+/// The triangle with the greatest value; ties go to the first.
 template <class Value>
 std::size_t greatest(const TriangleMesh& mesh, Value value) {
     std::size_t best = 0;

@@ -14,7 +14,7 @@ Vec3 snappedAxis(Vec3 axis, double size, double tolerance);
 /// perpendicular to it are a cap and a side, or two sides, whose common direction is the axis. O(n).
 std::vector<Vec3> candidateAxes(const TriangleMesh& mesh, double tolerance);
 
-/// The axes for explaining why a mesh is no prism: the candidates, the world axes, and the normals of its largest
+/// The axes for explaining why a mesh is not a prism: the candidates, the world axes, and the normals of its largest
 /// planar regions.
 std::vector<Vec3> diagnosticAxes(const TriangleMesh& mesh, double tolerance);
 

@@ -29,11 +29,11 @@ struct PrismFit {
 /// its longest edge is. Numbers are rounded to decimals far below the tolerance. O(n log n + n · k) for k corners of
 /// the outline.
 ///
-/// Errors: Degenerate, with the reason and the measured value for the most promising axis, if the mesh is no prism:
+/// Errors: Degenerate, with the reason and the measured value for the most promising axis, if the mesh is not a prism:
 /// missing or shifted caps, oblique or curved sides, a step; those of outlineOf().
-Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis choice, double tolerance);
+Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis axis, double tolerance);
 
-/// The outline to use for a mesh that is no prism.
+/// The outline to use for a mesh that is not a prism.
 enum class PrismFallback {
     Silhouette,  // the projection along the axis
     TopCap,      // the flat face at the end of the axis
@@ -43,9 +43,9 @@ enum class PrismFallback {
 /// depth). The mesh must be welded() but need not be closed. The deviation is not computed.
 ///
 /// Errors: Degenerate if the mesh has no flat face there, or the outline has several parts; those of outlineOf().
-Result<PrismFit> fallbackPrism(const TriangleMesh& mesh, PrismAxis choice, PrismFallback fallback, double tolerance);
+Result<PrismFit> fallbackPrism(const TriangleMesh& mesh, PrismAxis axis, PrismFallback fallback, double tolerance);
 
-/// An axis for a message: "z", or "(0.6, 0.8, 0)" if it is no world axis.
+/// An axis for a message: "z", or "(0.6, 0.8, 0)" if it is not a world axis.
 std::string axisText(Vec3 axis);
 /// A length for a message, in a suitable unit: "3.2 mm", "1.25 m".
 std::string lengthText(double metres);

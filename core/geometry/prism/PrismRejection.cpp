@@ -102,7 +102,7 @@ std::string prismRejection(const AxisView& view, const TriangleMesh& mesh, doubl
     if (view.has(FaceOrientation::Between)) return stepSentence(view, mesh, along);
     const double apart = distanceBetween(canonicalOutline(view, mesh, FaceOrientation::Top, tolerance),
                                          canonicalOutline(view, mesh, FaceOrientation::Bottom, tolerance));
-    return "The caps across " + along + " differ by " + lengthText(apart) + ".";
+    return "The caps perpendicular to " + along + " differ by " + lengthText(apart) + ".";
 }
 
 std::string axisText(Vec3 axis) {

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// Why a solid mesh is no prism along an axis: one sentence with the measured value.
+/// Why a solid mesh is not a prism along an axis: one sentence with the measured value.
 std::string prismRejection(const AxisView& view, const TriangleMesh& mesh, double tolerance);
 
 }  // namespace rubble

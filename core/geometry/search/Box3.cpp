@@ -22,4 +22,6 @@ Vec3 Box3::corner(int index) const {
     return {(index & 1) != 0 ? max.x : min.x, (index & 2) != 0 ? max.y : min.y, (index & 4) != 0 ? max.z : min.z};
 }
 
+Box3 boxOf(Vec2 from, Vec2 to) { return {Vec3(glm::min(from, to), 0.0), Vec3(glm::max(from, to), 0.0)}; }
+
 }  // namespace rubble

@@ -16,4 +16,7 @@ struct Box3 {
     Vec3 centre() const { return min + (max - min) / 2.0; }
 };
 
+/// The box of a segment in the plane, with z = 0.
+Box3 boxOf(Vec2 from, Vec2 to);
+
 }  // namespace rubble

@@ -12,7 +12,7 @@ namespace rubble {
 
 /// A static bounding volume hierarchy over boxes, for nearest and overlap queries; for boxes in the plane, z is 0. O(n
 /// log n) to build; a query visits O(log n) items, plus those found, unless many boxes overlap there. The order of
-/// visits depends on the boxes only.
+/// visits depends only on the boxes.
 class BoxTree {
 public:
     explicit BoxTree(std::span<const Box3> boxes);
@@ -55,9 +55,9 @@ private:
 
 template <class Visit>
 std::size_t BoxTree::visitNear(Vec3 point, Visit visit) const {
-    constexpr double kRounding = 1e-12;  // of the coordinates: thousands of roundings of doubles
+    constexpr double kRelativeMargin = 1e-12;  // of the coordinates: thousands of roundings of doubles
     if (m_items.empty()) return 0;
-    const double margin = kRounding * (m_extent + std::abs(point.x) + std::abs(point.y) + std::abs(point.z));
+    const double margin = kRelativeMargin * (m_extent + std::abs(point.x) + std::abs(point.y) + std::abs(point.z));
     struct Entry {
         std::uint32_t node;
         double distance;

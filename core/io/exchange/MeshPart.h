@@ -37,8 +37,8 @@ struct MeshMaterials {
 /// characters with a special meaning become '_'. Never empty.
 std::string meshName(const std::string& name);
 
-/// Returns the materials of an asset: outside those of the mesh it was imported from, or else "<material>_outside";
-/// inside "<material>_inside". A number makes a name unique.
+/// Returns the materials of an asset: outside those of the mesh it was imported from, or "<material>_outside" if there
+/// is none; inside "<material>_inside". A number makes a name unique.
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material);
 
 }  // namespace rubble

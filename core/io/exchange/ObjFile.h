@@ -8,7 +8,7 @@
 namespace rubble {
 
 /// Returns parts as a Wavefront OBJ file that refers to `materialFile`: y up, metres; each part is an object and a
-/// group of its name, its faces sorted by material, outside first, with flat normals. See docs/formats/obj-glb.md.
+/// group with its name, its faces sorted by material, outside first, with flat normals. See docs/formats/obj-glb.md.
 std::string objFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place,
                     const std::string& materialFile);
 

@@ -33,7 +33,7 @@ public:
 private:
     static constexpr std::size_t kMaxIndexLength = 12;  // "4294967295/", rounded up
     static constexpr std::size_t kMaxCornerLength = 3 * kMaxIndexLength;
-    /// "12/"
+    /// An index with a slash: "12/".
     struct IndexText {
         char text[kMaxNumberLength];
         std::uint32_t length = 0;

@@ -20,7 +20,7 @@ struct FractureInput {
 /// Reads {"outline":[[x,y],...], "holes":[[[x,y],...],...], "depth":d, "seeds":[[x,y],...]}; `holes` is optional. The
 /// prism is validated.
 ///
-/// Errors: BadInput if the text is no such JSON, with the path; those of validated(Prism).
+/// Errors: BadInput if the text is not JSON of this form, with the path; those of validated(Prism).
 Result<FractureInput> readFractureInput(std::string_view json);
 
 /// The method that computes the cells.

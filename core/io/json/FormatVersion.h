@@ -16,7 +16,7 @@ struct FileFormat {
 
 /// Returns the version of a document from its keys `format` and `version`.
 ///
-/// Errors: BadInput if a key is missing or the format is another one; Unsupported if the version is newer.
+/// Errors: BadInput if a key is missing or the format is a different one; Unsupported if the version is newer.
 Result<std::uint32_t> versionOf(JsonDocument& document, const FileFormat& format);
 
 }  // namespace rubble

@@ -74,7 +74,7 @@ private:
 
     std::string_view textAt(std::uint64_t at) const;
     std::string pathOf(std::uint32_t node) const;
-    /// "assets[2].prism: <reason>."
+    /// The error "assets[2].prism: <reason>."
     Error errorAt(std::uint32_t node, const std::string& reason) const;
     std::string described(std::uint32_t node) const;
 
@@ -86,7 +86,7 @@ private:
 /// A value of a document, which knows its path. Reading it as the wrong type sets the document's error.
 class JsonValue {
 public:
-    /// "assets[2].prism.depth"; "the document" at its root.
+    /// The path, "assets[2].prism.depth"; "the document" at its root.
     std::string path() const;
     /// False for a missing key.
     bool isPresent() const { return m_node != kAbsent; }

@@ -35,8 +35,8 @@ enum class JsonLayout {
 ///     json.close();
 ///     return std::move(json).finished();
 ///
-/// Members of an object are given their keys, which must not need escaping, elements of an array an empty one. Objects
-/// and arrays have the layout of their parents unless another is given; those in CompactLines are Compact.
+/// Members of an object take a key, which must not need escaping; elements of an array take an empty one. Objects and
+/// arrays have the layout of their parents unless another is given; those in CompactLines are Compact.
 class JsonWriter {
 public:
     /// Reserves memory for a text of `expectedSize` bytes.

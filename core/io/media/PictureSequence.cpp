@@ -23,7 +23,7 @@ Status checkHoldsNoFilm(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
-        return Error{ErrorCode::BadInput, folder.string() + " already holds a film: " + name +
+        return Error{ErrorCode::BadInput, folder.string() + " already contains a film: " + name +
                                               ". Choose another folder, or remove its pictures."};
     }
     return success();

@@ -27,7 +27,7 @@ public:
     /// Keeps the pictures and folders.
     void keep() { m_isKept = true; }
 
-    /// The format of a picture's file name for printf.
+    /// The printf format of the file names of the pictures.
     static constexpr const char* kFileNameFormat = "frame-%04d.png";
 
 private:

@@ -13,7 +13,7 @@ public:
     SvgWriter& operator<<(std::string_view text);
     SvgWriter& operator<<(char letter);
     SvgWriter& operator<<(double value);
-    /// "x y"
+    /// Writes "x y".
     SvgWriter& operator<<(Vec2 point);
 
     std::string text() && { return std::move(m_text); }

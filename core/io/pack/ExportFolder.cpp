@@ -155,7 +155,7 @@ Status checkReplaceable(const fs::path& folder) {
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error();
     if (!*unexpected) return success();
-    return Error{ErrorCode::BadInput, "The folder " + inQuotes(folder) + " holds " + inQuotes(**unexpected) +
+    return Error{ErrorCode::BadInput, "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
                                           ", which is not part of an export; move it first or export elsewhere."};
 }
 
@@ -181,7 +181,8 @@ std::optional<std::string> verifyExportFolder(const fs::path& folder) {
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error().message;
     if (!*unexpected) return std::nullopt;
-    return "The folder " + inQuotes(folder) + " holds " + inQuotes(**unexpected) + ", which is not part of the export.";
+    return "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
+           ", which is not part of the export.";
 }
 
 Status writeExportFolder(const fs::path& folder, const ContentHash& source, std::span<const ExportFile> files,

@@ -28,8 +28,8 @@ struct AssetExport {
 /// Returns a hash of all inputs of an asset's pack: the source in the manifest of its folder.
 ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options);
 
-/// Writes the packs of `assets`, pack.json and meshes, each into a folder of its name below `folder`. Each variant that
-/// instances use gets a pack of its own ("wall_2") after that of its asset. Folders that are complete, unmodified
+/// Writes the packs of `assets`, pack.json and meshes, each into a folder with its name below `folder`. Each variant
+/// that instances use gets a pack of its own ("wall_2") after that of its asset. Folders that are complete, unmodified
 /// exports of the same source are not rewritten. An asset that fails is reported in its status; the others are written.
 /// Exports up to task.threads assets at once; the bytes do not depend on their number.
 ///

@@ -41,8 +41,8 @@ std::string bodyName(const Asset& asset, std::uint32_t fragment = kNone);
 /// Returns a hash of all inputs of packJson(), without baking. Equal packs have equal hashes.
 ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes);
 
-/// Returns pack.json for a bake: a body a line, every number the shortest that reads back as the same double. The bytes
-/// do not depend on the number of threads. All fields are described in docs/formats/pack.md.
+/// Returns pack.json for a bake: one body per line, every number the shortest that reads back as the same double. The
+/// bytes do not depend on the number of threads. All fields are described in docs/formats/pack.md.
 std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials& material,
                      std::span<const PackMeshFile> meshes, const TaskContext& task = {});
 
@@ -81,8 +81,8 @@ struct Pack {
 
 /// Reads what packJson() wrote, bit for bit.
 ///
-/// Errors: BadInput if the text is no such JSON, with the path ("fragments[3].hulls[0].planes[2]: ..."); Unsupported if
-/// its version is newer; Limit if it is too large.
+/// Errors: BadInput if the text is not JSON of this form, with the path ("fragments[3].hulls[0].planes[2]: ...");
+/// Unsupported if its version is newer; Limit if it is too large.
 Result<Pack> readPack(std::string_view json);
 
 /// Returns the first error in a pack, if there is one: repeated ids or names, missing parents and neighbours,

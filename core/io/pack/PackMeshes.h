@@ -9,10 +9,10 @@
 
 namespace rubble {
 
-/// How fragments are distributed over mesh files.
+/// The distribution of fragments among mesh files.
 enum class FileSplit {
     Single,       // the leaf fragments in one file, the broken fragments of each level in another
-    PerFragment,  // one file a fragment
+    PerFragment,  // one file per fragment
 };
 
 /// The faces of an OBJ file. GLB files always have triangles.

@@ -33,7 +33,7 @@ ErrorText verifyHeader(const Pack& pack) {
         if (mesh.name.empty() || mesh.name.find('/') != std::string::npos) return owner + "is not a file of the pack.";
         const bool isOne = mesh.bodies == PackMeshBodies::Fragment;
         if (isOne != (mesh.fragment != kNone))
-            return owner + "must name a fragment if it holds exactly one, and only then.";
+            return owner + "must name a fragment if it contains exactly one, and only then.";
         if (isOne && mesh.fragment >= pack.fragments.size())
             return owner + "refers to fragment " + std::to_string(mesh.fragment) + ", which does not exist.";
     }

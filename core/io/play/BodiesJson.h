@@ -15,8 +15,8 @@ namespace rubble {
 /// Each hull is the convex hull of its points, in the body's frame; bodies with equal points share their hulls. Only
 /// `bodies`, and `name` and `hulls` of a body, are required; the defaults are those of BodyScene and SceneBody.
 ///
-/// Errors: BadInput if the text is no such JSON, with body and path, also for NaN and Infinity; Degenerate for a hull
-/// of coplanar points; Unsupported for a project; those of verifyBodyScene().
+/// Errors: BadInput if the text is not JSON of this form, with body and path, also for NaN and Infinity; Degenerate for
+/// a hull of coplanar points; Unsupported for a project; those of verifyBodyScene().
 Result<BodyScene> readBodyScene(std::string_view json);
 
 }  // namespace rubble

@@ -14,7 +14,7 @@ std::string attribute(const std::string& name, const std::string& value) {
 
 std::string timeText(double seconds) { return attribute("time", roundedText(seconds, 3)); }
 
-/// The failed expectations with the observed values, a line each.
+/// The failed expectations with the observed values, one per line.
 std::string failureText(const PlayTestOutcome& outcome) {
     std::string text;
     for (const ExpectationOutcome& expectation : outcome.expectations) {

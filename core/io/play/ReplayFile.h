@@ -14,14 +14,14 @@ inline constexpr std::uint32_t kReplayVersion = 1;
 /// Returns the hash that identifies a replay's project: that of projectText().
 ContentHash projectHash(const Project& project);
 
-/// Returns a replay as JSON: the inputs, a step a line, the keyframes, and a checksum of each list. All fields are
+/// Returns a replay as JSON: the inputs, one step per line, the keyframes, and a checksum of each list. All fields are
 /// described in docs/formats/replay.md.
 std::string replayText(const Replay& replay);
 
 /// Reads what replayText() wrote, bit for bit.
 ///
-/// Errors: BadInput if the text is no such JSON, with the path, or if a list does not match its checksum; Unsupported
-/// if its version is newer; Limit if it is too large.
+/// Errors: BadInput if the text is not JSON of this form, with the path, or if a list does not match its checksum;
+/// Unsupported if its version is newer; Limit if it is too large.
 Result<Replay> readReplayText(std::string_view json);
 
 /// Load a replay file, and save one atomically.

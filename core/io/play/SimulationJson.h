@@ -53,7 +53,7 @@ struct SimulationOutcome {
     std::optional<StepMilliseconds> stepMilliseconds;
 };
 
-/// Returns the result of a simulation as JSON, a body a line:
+/// Returns the result of a simulation as JSON, one body per line:
 ///
 ///     {"steps":N,"bodies":[{"name":s,"position":[x,y,z],"orientation":[w,x,y,z],"asleep":false},...],
 ///      "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,

@@ -15,7 +15,7 @@ struct StrengthReport {
     ThresholdInterval interval;
 };
 
-/// Returns reports as JSON, a requirement a line:
+/// Returns reports as JSON, one requirement per line:
 ///
 ///     {"assets":[{"name":s,"threshold":J,
 ///       "intents":[{"outcome":s,"kind":s,...,"sentence":s,"impulse":J},...],

@@ -12,7 +12,15 @@ void writeSpeed(JsonWriter& json, std::string_view key, const PieceSpeed& fastes
     json.close();
 }
 
-void writeSentence(JsonWriter& json, const std::string& sentence) { json.text({}, sentence); }
+/// The messages of a severity.
+void writeMessages(JsonWriter& json, std::string_view key, const std::vector<Diagnostic>& diagnostics,
+                   Severity severity) {
+    json.openArray(key);
+    for (const Diagnostic& one : diagnostics) {
+        if (one.severity == severity) json.text({}, one.message);
+    }
+    json.close();
+}
 
 void writeMeasurements(JsonWriter& json, const SwapAudit& audit) {
     json.wholeNumber("contacts", static_cast<std::uint64_t>(audit.contacts));
@@ -25,8 +33,8 @@ void writeMeasurements(JsonWriter& json, const SwapAudit& audit) {
     json.number("momentumDrift", audit.momentumDrift);
     json.number("angularDrift", audit.angularDrift);
     json.number("energyGain", audit.energyGain);
-    json.list("notices", audit.notices, writeSentence);
-    json.list("faults", audit.faults, writeSentence);
+    writeMessages(json, "notices", audit.diagnostics, Severity::Note);
+    writeMessages(json, "faults", audit.diagnostics, Severity::Warning);
     json.boolean("isClean", audit.isClean());
 }
 

@@ -107,7 +107,7 @@ void addBuiltIn(MaterialLibrary& library) {
     }
 }
 
-/// Adds the preset of a user's file, or replaces the built-in one of its name.
+/// Adds the preset of a user's file, or replaces the built-in one with its name.
 void addFile(const std::filesystem::path& file, MaterialLibrary& library) {
     Result<MaterialPreset> preset = loadMaterialPreset(file);
     if (!preset) return library.errors.push_back(preset.error().message);

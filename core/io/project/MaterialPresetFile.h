@@ -15,7 +15,8 @@ std::string materialPresetText(const MaterialPreset& preset);
 
 /// Reads a material preset, written by materialPresetText() or by hand.
 ///
-/// Errors: BadInput if the text is no such JSON or verifyPreset() finds an error; Unsupported for newer versions.
+/// Errors: BadInput if the text is not JSON of this form or verifyPreset() finds an error; Unsupported for newer
+/// versions.
 Result<MaterialPreset> readMaterialPresetText(std::string_view json);
 
 /// Loads a material preset from a file.

@@ -94,10 +94,10 @@ std::string_view dataKey(const PlacedSeeds&) { return "seeds"; }
 void writeData(JsonWriter& json, const PlacedSeeds& placed) { json.list("seeds", placed.seeds, writeSeed); }
 void readData(const JsonValue& value, PlacedSeeds& placed) { placed.seeds = value.list(readSeed); }
 
-void writeCrackLine(JsonWriter& json, const CrackLines::CrackLine& stroke) {
+void writeCrackLine(JsonWriter& json, const CrackLines::CrackLine& line) {
     json.openObject();
-    json.wholeNumber("index", stroke.index);
-    json.points("points", stroke.points);
+    json.wholeNumber("index", line.index);
+    json.points("points", line.points);
     json.close();
 }
 

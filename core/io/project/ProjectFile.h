@@ -12,15 +12,15 @@ namespace rubble {
 /// The version of the project files that are written. Older ones are read, newer ones rejected.
 inline constexpr std::uint32_t kProjectVersion = 5;
 
-/// Returns a project as JSON: keys in a fixed order, arrays in id order, a small value a line, every number the
-/// shortest that reads back as the same double. Equal projects give equal bytes. The project must pass verifyProject().
-/// All fields are described in docs/formats/project.md.
+/// Returns a project as JSON: keys in a fixed order, arrays in id order, small values on one line each, every number
+/// the shortest that reads back as the same double. Equal projects give equal bytes. The project must pass
+/// verifyProject(). All fields are described in docs/formats/project.md.
 std::string projectText(const Project& project);
 
 /// Reads a project written by projectText() in this version or an older one, bit for bit.
 ///
-/// Errors: BadInput if the text is no such JSON, with the path ("assets[2].prism.depth: ..."), or if verifyProject()
-/// finds an error; Unsupported if its version is newer; Limit if it is too large.
+/// Errors: BadInput if the text is not JSON of this form, with the path ("assets[2].prism.depth: ..."), or if
+/// verifyProject() finds an error; Unsupported if its version is newer; Limit if it is too large.
 Result<Project> readProjectText(std::string_view json);
 
 /// Loads a project file.

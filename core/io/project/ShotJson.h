@@ -20,7 +20,7 @@ PlayTest readPlayTest(const JsonValue& value);
 
 /// Reads an array of shots as in a project file.
 ///
-/// Errors: BadInput if the text is no such JSON, with the path, or if a shot has invalid values.
+/// Errors: BadInput if the text is not JSON of this form, with the path, or if a shot has invalid values.
 Result<std::vector<Shot>> readShotList(std::string_view json);
 
 }  // namespace rubble

@@ -12,7 +12,7 @@ namespace rubble {
 /// Caches the texts of recent numbers: the same coordinates occur many times in a file.
 class NumberTextCache {
 public:
-    /// As writeNumber().
+    /// Does the same as writeNumber().
     char* write(char* at, double value) {
         const auto bits = std::bit_cast<std::uint64_t>(value);
         Entry& entry = m_entries[(bits * 0x9e3779b97f4a7c15u) >> (64 - kEntryBits)];  // multiplicative hash

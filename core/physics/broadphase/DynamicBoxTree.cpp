@@ -48,6 +48,7 @@ std::uint32_t DynamicBoxTree::insert(const Box& box, std::uint32_t number) {
     m_nodes[leaf].box = box;
     m_nodes[leaf].number = number;
     m_nodes[leaf].parent = kPending;
+    pendingIndex(leaf) = static_cast<std::uint32_t>(m_pending.size());
     m_pending.push_back(leaf);
     ++m_leafCount;
     ++m_changes;
@@ -85,10 +86,7 @@ void DynamicBoxTree::remove(std::uint32_t leaf) {
     const std::uint32_t parent = m_nodes[leaf].parent;
     --m_leafCount;
     m_free.push_back(leaf);
-    if (parent == kPending) {
-        std::erase(m_pending, leaf);
-        return;
-    }
+    if (parent == kPending) return removePending(leaf);
     if (parent == kNone) {
         m_root = kNone;
         return;
@@ -103,6 +101,15 @@ void DynamicBoxTree::remove(std::uint32_t leaf) {
     }
     m_nodes[above].children[m_nodes[above].children[1] == parent ? 1 : 0] = sibling;
     refitAncestors(sibling);
+}
+
+/// Keeps the order of the others, in constant time on average: the list is compacted when half of it is removed.
+void DynamicBoxTree::removePending(std::uint32_t leaf) {
+    m_pending[pendingIndex(leaf)] = kNone;
+    if (2 * ++m_removedPending <= m_pending.size()) return;
+    std::erase(m_pending, kNone);
+    m_removedPending = 0;
+    for (std::size_t k = 0; k < m_pending.size(); ++k) pendingIndex(m_pending[k]) = static_cast<std::uint32_t>(k);
 }
 
 void DynamicBoxTree::enlarge(std::uint32_t leaf, const Box& box) {
@@ -173,7 +180,9 @@ void DynamicBoxTree::rebuild() {
     const auto addLeaf = [&](std::uint32_t leaf) {
         m_leaves.push_back({m_nodes[leaf].box.low + m_nodes[leaf].box.high, leaf});
     };
-    for (const std::uint32_t leaf : m_pending) addLeaf(leaf);
+    for (const std::uint32_t leaf : m_pending) {
+        if (leaf != kNone) addLeaf(leaf);
+    }
     std::vector<std::uint32_t>& inner = m_free;  // every inner node becomes free
     inner.reserve(m_nodes.size());
     std::vector<std::uint32_t> open;
@@ -198,9 +207,12 @@ void DynamicBoxTree::update() {
     if (2 * m_changes > m_leafCount) {
         rebuild();
     } else {
-        for (const std::uint32_t leaf : m_pending) attach(leaf);
+        for (const std::uint32_t leaf : m_pending) {
+            if (leaf != kNone) attach(leaf);
+        }
     }
     m_pending.clear();
+    m_removedPending = 0;
 }
 
 }  // namespace rubble

@@ -30,7 +30,7 @@ public:
     std::size_t size() const { return m_leafCount; }
     std::size_t byteCount() const { return m_nodes.size() * sizeof(Node); }
 
-    /// Calls visit(number, box) for each overlapping box, in an order that depends on the tree only.
+    /// Calls visit(number, box) for each overlapping box, in an order that depends only on the tree.
     template <class Visit>
     void visitOverlapping(const Box& box, const Visit& visit) const {
         visitIf([&](const Box& other) { return other.overlaps(box); }, visit);
@@ -41,7 +41,7 @@ public:
     void visitIf(const Accepts& accepts, const Visit& visit) const {
         if (m_root != kNone) visitBelow(m_root, accepts, visit);
         for (const std::uint32_t leaf : m_pending) {
-            if (accepts(m_nodes[leaf].box)) visit(m_nodes[leaf].number, m_nodes[leaf].box);
+            if (leaf != kNone && accepts(m_nodes[leaf].box)) visit(m_nodes[leaf].number, m_nodes[leaf].box);
         }
     }
 
@@ -82,6 +82,9 @@ private:
 
     std::uint32_t newNode();
     std::uint32_t bestSibling(const Box& box) const;
+    /// The index in m_pending of a pending leaf, which has no children.
+    std::uint32_t& pendingIndex(std::uint32_t leaf) { return m_nodes[leaf].children[1]; }
+    void removePending(std::uint32_t leaf);
     void attach(std::uint32_t leaf);
     void refitAncestors(std::uint32_t node);
     struct LeafCentre {
@@ -95,8 +98,9 @@ private:
 
     std::vector<Node> m_nodes;
     std::vector<std::uint32_t> m_free;
-    std::vector<std::uint32_t> m_pending;
-    std::vector<LeafCentre> m_leaves;  // scratch of rebuild()
+    std::vector<std::uint32_t> m_pending;  // leaves in order of insertion; kNone where one was removed
+    std::size_t m_removedPending = 0;      // at most half of them
+    std::vector<LeafCentre> m_leaves;      // scratch of rebuild()
     std::uint32_t m_root = kNone;
     std::size_t m_leafCount = 0;
     std::size_t m_changes = 0;  // insertions and box changes since the last rebuild

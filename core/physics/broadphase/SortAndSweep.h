@@ -37,7 +37,7 @@ private:
         Box box;
         std::uint32_t number;
     };
-    /// By rank, padded with empty boxes.
+    /// The bounds of all boxes by rank, padded with empty boxes.
     struct Extents {
         std::vector<float> low, high;
     };

@@ -73,7 +73,7 @@ inline Floats<W> squareRoot(Floats<W> value) {
     for (int lane = 0; lane < W; ++lane) result[lane] = __builtin_sqrtf(value[lane]);
     return result;
 }
-/// 1 / value where value > 0, else 0.
+/// 1 / value where value > 0, otherwise 0.
 template <int W>
 inline Floats<W> inverseOrZero(Floats<W> value) {
     const Masks<W> positive = value > Floats<W>{};

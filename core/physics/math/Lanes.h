@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// How many constraints the solver computes at once. All widths give the same bits: each lane does what the scalar code
-/// does.
+/// The number of constraints that the solver computes at once. All widths give the same bits: each lane does what the
+/// scalar code does.
 enum class SimdWidth : std::uint8_t {
     Scalar = 1,
     Four = 4,   // SSE2 on x86-64, NEON on ARM

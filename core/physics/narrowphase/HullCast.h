@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// Where a hull that moves without rotating hits a fixed one; in the moving frame of the first.
+/// The point at which a hull that moves without rotating hits a fixed one, in the moving frame of the first.
 struct HullCastHit {
     float fraction = 2.0f;  // of the displacement; above 1 if they miss, 0 if they touch or overlap at the start
     Vec3f point{0.0f, 0.0f, 0.0f};

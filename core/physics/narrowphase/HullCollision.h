@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-/// Hulls nearer than this get a manifold before they touch (speculative contacts), so that they do not overlap first.
+/// The distance below which hulls get a manifold before they touch (speculative contacts), so that they do not overlap
+/// first.
 inline constexpr float kSpeculativeDistance = 0.02f;  // m
 
 /// The result of colliding two hulls.

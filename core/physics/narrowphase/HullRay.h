@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// Where a segment enters a hull.
+/// The point at which a segment enters a hull.
 struct HullRayHit {
     float fraction = 2.0f;  // of the segment; above 1 if it misses or begins inside
     Vec3f normal{0.0f, 0.0f, 0.0f};

@@ -30,7 +30,8 @@ struct SeparatingAxis {
     bool isFace() const { return kind == AxisKind::FirstFace || kind == AxisKind::SecondFace; }
 };
 
-/// By how much an edge pair must separate more than a face, or a face of the second hull more than one of the first, m.
+/// The margin by which an edge pair must separate more than a face, or a face of the second hull more than one of the
+/// first, m.
 inline constexpr float kAxisPreference = 0.0005f;
 
 /// The separating axis test over all face normals of both hulls and all edge pairs that form a face of the Minkowski
@@ -45,7 +46,8 @@ SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const Relat
 /// The first half of separatingAxis(): the best face of either hull.
 SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
                             const SeparatingAxis& guess);
-/// The second half of separatingAxis(): the best edge pair if it is better than `face` by kAxisPreference, else `face`.
+/// The second half of separatingAxis(): the best edge pair if it is better than `face` by kAxisPreference, otherwise
+/// `face`.
 SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
                             float margin);
 
@@ -53,7 +55,7 @@ SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const
 SeparatingAxis faceAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose);
 
 /// An initial guess for hulls that have not been tested yet: the first hull's face along the axis on which the bounding
-/// boxes are farthest apart. None where the boxes overlap clearly on every axis: then no face normal near an axis
+/// boxes are farthest apart. None if the boxes clearly overlap on every axis: no face normal near an axis then
 /// separates the hulls.
 SeparatingAxis initialGuess(const Hull& first, const Hull& second, const RelativePose& pose);
 

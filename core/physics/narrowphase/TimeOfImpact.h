@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// When two hulls that move without rotating begin to touch.
+/// The time at which two hulls that move without rotating begin to touch.
 struct TimeOfImpact {
     SeparatingAxis axis;    // along which they touch; kind None where they do not
     float fraction = 1.0f;  // of the displacement, in [0, 1]

@@ -48,12 +48,13 @@ bool overlapInYz(const HullBox& a, const HullBox& b) {
     return a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-/// Every two hulls that overlap, by their bodies.
-std::vector<BodyOverlap> hullDepths(std::span<const PosedHulls> bodies) {
+/// Every two hulls that overlap, by their bodies. Adds the number of compared boxes to `compared`.
+std::vector<BodyOverlap> hullDepths(std::span<const PosedHulls> bodies, std::size_t& compared) {
     const std::vector<HullBox> boxes = boxesOf(bodies);
     std::vector<BodyOverlap> depths;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
+            ++compared;
             const auto& [a, b] = std::minmax(
                 boxes[i], boxes[k], [](const HullBox& left, const HullBox& right) { return left.body < right.body; });
             if (a.body == b.body || !overlapInYz(a, b) || (!bodies[a.body].isDynamic && !bodies[b.body].isDynamic))
@@ -69,8 +70,10 @@ std::vector<BodyOverlap> hullDepths(std::span<const PosedHulls> bodies) {
 
 }  // namespace
 
-std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies) {
-    std::vector<BodyOverlap> depths = hullDepths(bodies);
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, std::size_t* compared) {
+    std::size_t count = 0;
+    std::vector<BodyOverlap> depths = hullDepths(bodies, count);
+    if (compared) *compared += count;
     // The deepest of each pair of bodies first.
     std::sort(depths.begin(), depths.end(), [](const BodyOverlap& a, const BodyOverlap& b) {
         return std::tuple(a.first, a.second, -a.depth) < std::tuple(b.first, b.second, -b.depth);

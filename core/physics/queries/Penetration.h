@@ -16,7 +16,8 @@ struct PosedHulls {
     bool isDynamic = true;  // overlaps of two bodies that are not dynamic are ignored
 };
 
-/// How deep bodies overlap, over all pairs of overlapping bodies; the depth of a pair is that of its two deepest hulls.
+/// The depths at which bodies overlap, over all pairs of overlapping bodies; the depth of a pair is that of its two
+/// deepest hulls.
 struct Penetration {
     double largest = 0.0;   // m
     double mean = 0.0;      // m
@@ -31,8 +32,9 @@ struct BodyOverlap {
 };
 
 /// All pairs of overlapping bodies, ascending, by hullOverlap() of all pairs of hulls whose bounding boxes overlap:
-/// independent of the simulation's own collision detection. O(n log n + k) for k pairs of hulls that overlap along x.
-std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies);
+/// independent of the simulation's own collision detection. O(n log n + k) for k pairs of hulls that overlap along x;
+/// adds k to `compared`.
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, std::size_t* compared = nullptr);
 
 /// The largest and mean depth of overlapsOf().
 Penetration penetrationOf(std::span<const PosedHulls> bodies);

@@ -10,7 +10,8 @@
 
 namespace rubble {
 
-/// Fragments have hulls of some 12 to 20 corners; larger ones make collision slow without making it better.
+/// The maximum number of corners of a hull. The hulls of fragments have about 12 to 20; larger ones slow collision down
+/// without improving it.
 inline constexpr int kMaxHullCorners = 256;
 
 /// The points x with dot(normal, x) <= offset.
@@ -56,9 +57,9 @@ struct Hull {
     std::span<const HullPlane> sidesOf(int face) const {
         return std::span(sides).subspan(firstInLoop[face], firstInLoop[face + 1] - firstInLoop[face]);
     }
-    /// The support point: the corner farthest along a direction; the first of equals.
+    /// The support point: the corner farthest along a direction; ties go to the first.
     int farthest(Vec3f direction) const;
-    /// The face whose normal is closest to a direction; the first of equals.
+    /// The face whose normal is closest to a direction; ties go to the first.
     int faceAlong(Vec3f direction) const;
 };
 

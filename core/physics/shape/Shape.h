@@ -22,7 +22,7 @@ struct Shape {
 };
 
 /// The shape of convex polytopes in one frame. Mass properties are those of the polytopes, or those given, such as
-/// those of the exact fragment where the polytopes are simplified.
+/// those of the exact fragment if the polytopes are simplified.
 ///
 /// Errors: those of makeHull(); BadInput for no polytope, or mass properties that are not positive and finite.
 Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytopes);

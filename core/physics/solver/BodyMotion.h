@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// What the solver reads and writes of a body in every pass: one cache line of sixteen floats, loaded by rows.
+/// The data of a body that the solver reads and writes in every pass: one cache line of sixteen floats, loaded by rows.
 struct alignas(64) BodyMotion {
     Vec3f velocity{0.0f, 0.0f, 0.0f};         // m/s
     float inverseMass = 0.0f;                 // 1/kg
@@ -18,7 +18,7 @@ struct alignas(64) BodyMotion {
 };
 static_assert(sizeof(BodyMotion) == 64);
 
-/// The pose of a body at the beginning of the step, and what is read with it.
+/// The pose of a body at the beginning of the step, and the data that is read along with it.
 struct alignas(64) BodyPose {
     Vec3f centre{0.0f, 0.0f, 0.0f};  // m, of mass
     float unused = 0.0f;

@@ -8,7 +8,7 @@
 namespace rubble {
 
 /// Contacts are stored and solved in blocks of eight, each in a lane: element i of every row belongs to contact i.
-/// Narrower SIMD widths process a block in parts. A lane without contact has body 0 on both sides, which never moves,
+/// Narrower SIMD widths process a block in parts. A lane without a contact has body 0 on both sides, which never moves,
 /// and no points.
 inline constexpr int kBlockLanes = 8;
 using FloatRow = std::array<float, kBlockLanes>;
@@ -36,7 +36,7 @@ struct alignas(64) PointRows {
     FloatRow unused;
 };
 
-/// Eight contacts: what the solver reads and writes in every pass.
+/// Eight contacts, with the data that the solver reads and writes in every pass.
 struct alignas(64) ContactBlock {
     IndexRow first, second;  // bodies
     IndexRow contact;        // the contact of each lane
@@ -59,7 +59,7 @@ struct alignas(64) ContactBlock {
     FloatRow twist;                                        // N m s about the normal; kept between steps
 };
 
-/// The poses of both bodies when the manifold was computed, which manifold recycling compares with.
+/// The poses of both bodies when the manifold was computed; manifold recycling compares them with the current ones.
 struct alignas(32) ReferenceBlock {
     QuatRow firstRotation, secondRotation;
     Vec3Row centreOffset;                // m, as in ContactBlock

@@ -45,7 +45,7 @@ public:
     /// colour.
     ContactSlot add(std::uint32_t contact, std::uint32_t first, bool firstIsDynamic, std::uint32_t second,
                     bool secondIsDynamic, std::uint32_t pointCount);
-    /// Frees a lane. The last contact of the list moves into it; returns that contact, whose slot is now this, or
+    /// Frees a lane. The last contact of the list moves into it; returns that contact, which is in `slot` now, or
     /// kNone.
     std::uint32_t remove(ContactSlot slot, bool firstIsDynamic, bool secondIsDynamic);
 
@@ -94,7 +94,7 @@ public:
         return slot.list == kOverflow ? 0 : static_cast<int>(slot.index % kBlockLanes);
     }
 
-    /// In solving order; lists 2k and 2k + 1 form one colour.
+    /// The lists in solving order; lists 2k and 2k + 1 form one colour.
     std::span<List> lists() { return m_lists; }
     std::span<const List> lists() const { return m_lists; }
     static std::uint32_t colourOf(std::size_t list) { return static_cast<std::uint32_t>(list / 2); }

@@ -16,7 +16,7 @@ struct Impact {
     double approachSpeed = 0.0;  // m/s along the normal there, at the time of impact
     double effectiveMass = 0.0;  // kg: of both bodies at the point, including rotation
     double restitution = 0.0;    // of the pair
-    /// N s: the impulse that stops the approach and causes restitution.
+    /// The impulse that stops the approach and causes restitution, N s.
     double impulse() const { return (1.0 + restitution) * approachSpeed * effectiveMass; }
 };
 

@@ -11,7 +11,7 @@ namespace rubble {
 /// Whether every coordinate's magnitude is at most `most`; false for NaN.
 bool isWithin(Vec3 v, double most);
 
-/// What is wrong with a pose, as a sentence that names its owner `what`; nothing for a valid one.
+/// Why a pose is invalid, as a sentence that names its owner `what`; nothing for a valid one.
 std::optional<std::string> verifyPose(const Pose& pose, std::string_view what);
 
 /// Why a body cannot be created from a definition, as a sentence; nothing for a valid one.

@@ -64,7 +64,7 @@ struct Contact {
     std::array<std::uint32_t, 4> features{};  // of the manifold's points
 };
 
-/// An awake contact without manifold.
+/// An awake contact without a manifold.
 struct SeparatedContact {
     std::uint32_t contact = kNone;
     std::array<std::uint32_t, 2> bodies{};

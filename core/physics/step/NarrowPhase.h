@@ -17,7 +17,7 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
 /// Writes a manifold to the lane of a contact.
 void storeManifold(WorldState& state, std::uint32_t contact, const HullCollision& collision);
 
-/// Sets when a contact without manifold must be collided again: when its bodies may have closed most of the gap.
+/// Sets when a contact without a manifold must be collided again: when its bodies may have closed most of the gap.
 void storeGap(WorldState& state, std::uint32_t contact, const HullCollision& collision);
 
 /// The collision of a contact.

@@ -3,9 +3,9 @@
 namespace rubble {
 
 /// Decides by measurement whether the steps of a world run on one thread or several. That depends on the machine as
-/// much as on the world: on the distance of the cores' caches (two threads took 0.57 and 0.95 of the time of one for
-/// the same scene, depending on the cores assigned by the host) and on other load. So trials are run, frequent at
-/// first, while bodies fall, and rarer later. Results do not depend on it.
+/// much as on the world: on the distance of the cores' caches (two threads took 57 % or 95 % of the time of one for the
+/// same scene, depending on the cores assigned by the host) and on other load. It therefore runs trials, often at
+/// first, while bodies fall, and less often later. Results do not depend on it.
 class ThreadingHeuristic {
 public:
     /// Whether to run the next step on several threads.

@@ -15,7 +15,7 @@
 
 namespace rubble {
 
-/// Settings of a world. Results do not depend on threads and lanes.
+/// Settings of a world. Results do not depend on the number of threads and the SIMD width.
 struct WorldSettings {
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
     bool sleeping = true;           // bodies at rest are not simulated until something touches them
@@ -48,7 +48,7 @@ public:
     /// Errors: BadInput for a pose or velocity that is not finite, an orientation that is not of length 1, or a
     /// density, friction, restitution or damping out of range.
     Result<BodyId> addBody(const BodyDefinition& definition);
-    /// Removes a body; those that touch it wake.
+    /// Removes a body and wakes those that touch it.
     void removeBody(BodyId body);
     bool contains(BodyId body) const;
     std::size_t bodyCount() const;
@@ -83,7 +83,7 @@ public:
     void release();
 
     /// Finds contacts and the impacts of the coming step. Called again in a step after bodies were added and removed,
-    /// it considers the new ones only.
+    /// it considers only the new ones.
     void collide(double dt);
     /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
     /// the manifolds if these are cached. Call between collide() and solve(), and collide() again after it.
@@ -92,7 +92,7 @@ public:
     std::vector<Impact> impacts();
     /// Simulates dt seconds, after collide().
     void solve(double dt);
-    /// collide() and solve().
+    /// Calls collide() and solve().
     void step(double dt);
 
     const StepEvents& events() const;

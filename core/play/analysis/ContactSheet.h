@@ -19,7 +19,7 @@ enum class SheetMeasure {
 };
 inline constexpr int kSheetMeasures = 6;
 
-/// "smallestPiece", as it stands on command lines and in files.
+/// The name of a measure, such as "smallestPiece", as written on command lines and in files.
 const char* nameOf(SheetMeasure measure);
 
 /// The shots that all variants are played with, and the step at which they are compared.

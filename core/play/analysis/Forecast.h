@@ -25,7 +25,7 @@ struct BodyForecast {
     double largest = 0.0;         // impact ÷ threshold on its surface; it breaks from 1 on
     Vec3 weakest{0.0, 0.0, 0.0};  // where the largest is, in the world
 
-    /// The damage of its own motion by the momentum rule, N·s.
+    /// The damage from its own motion by the momentum rule, N·s.
     double ownMomentum() const;
     /// Impact ÷ threshold at a point of its surface with its outward normal, in the world.
     double at(Vec3 point, Vec3 normal) const;
@@ -36,8 +36,8 @@ struct BodyForecast {
 /// of gravity, and nothing is in the way. 0 on faces that point away from it, and where it is too slow to do damage or
 /// to arrive.
 ///
-/// This is an upper bound. A real projectile is mostly hit off its centre, which rotates it and reduces the impact:
-/// that of a cube's corner can be much smaller against a heavy body.
+/// This is an upper bound. A real projectile usually hits off-centre, which makes it rotate and reduces the impact:
+/// much so for the corner of a cube against a heavy body.
 ///
 /// Errors: BadInput for an invalid throw: see projectileBody(), or if its asset is not in the scene.
 Result<std::vector<BodyForecast>> breakForecast(const Session& session, const Throw& thrown);

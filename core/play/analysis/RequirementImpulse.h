@@ -18,8 +18,8 @@ Result<double> requirementImpulse(const Project& project, const PlayAsset& asset
                                   const StrengthRequirement& requirement);
 
 /// The throw of a hit, in the prism's frame: a cube of 0.2 m, or of a fifth of the outline if that is less, that starts
-/// in head-on contact with the front (z > 0) in front of the centre of mass, or of the nearest point of the outline if
-/// that is open.
+/// in head-on contact with the front (z > 0) in front of the centre of mass, or, if the centre lies outside the
+/// outline, of the nearest point of the outline.
 Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirement& hit);
 
 }  // namespace rubble

@@ -14,7 +14,7 @@ struct ThresholdInterval {
     std::uint32_t highRequirement = kNone;
     std::vector<double> impulses;  // N·s, one per requirement
 
-    /// True where the requirements conflict: no threshold satisfies all of them.
+    /// True if the requirements conflict: no threshold satisfies all of them.
     bool isEmpty() const { return !(low < high); }
     bool contains(double threshold) const { return threshold > low && threshold <= high; }
     /// A threshold with a margin to both sides: the geometric mean of the bounds, or 25 % beyond the only bound.
@@ -22,23 +22,23 @@ struct ThresholdInterval {
     std::optional<double> suggested() const;
 };
 
-/// The interval for the requirements of an asset: surviving an event needs a threshold above its impulse, breaking in
-/// it one that is not above it, see requirementImpulse().
+/// The interval for the requirements of an asset: to survive an event, the threshold must be above its impulse; to
+/// break in it, at most the impulse. See requirementImpulse().
 ///
 /// Errors: those of requirementImpulse(), with the asset's name.
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
 
-/// "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s".
+/// The requirement as text: "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s".
 std::string requirementText(const StrengthRequirement& requirement);
 
 /// The two requirements that conflict most, and by how much, or the one that cannot be met, as a sentence; nothing if
 /// the interval is not empty.
 std::optional<std::string> conflictText(const Asset& asset, const ThresholdInterval& interval);
 
-/// "above 734.5 N·s and at most 980 N·s"; "any" without bounds.
+/// The interval as text: "above 734.5 N·s and at most 980 N·s"; "any" without bounds.
 std::string intervalText(const ThresholdInterval& interval);
 
-/// "734.5 N·s".
+/// The impulse as text: "734.5 N·s".
 std::string impulseText(double impulse);
 
 }  // namespace rubble

@@ -66,11 +66,17 @@ void updateFastest(const Session& session, PieceSpeed& fastest) {
     for (const PlayBody& body : session.bodies()) {
         if (body.role != PlayRole::Piece) continue;
         const double speed = speedOf(session, body);
-        if (fastest.piece.empty() || speed > fastest.speed) fastest = {idOf(body), speed};
+        if (fastest.piece.empty() || speed > fastest.speed) fastest = {idOf(body), placeOf(body), speed};
     }
 }
 
-double exactOverlap(const Session& session) {
+void addWarning(SwapAudit& audit, DiagnosticCode code, const DiagnosticPlace& place, std::string message, double value,
+                double limit) {
+    audit.diagnostics.push_back(diagnostic(code, place, std::move(message), value, limit));
+}
+
+/// Measures the deepest overlap of two bodies, exactly; the diagnostic is about the first of them.
+void measureOverlap(const Session& session, SwapAudit& audit) {
     std::vector<std::vector<Polytope>> hulls;
     std::vector<PosedHulls> placed;
     for (const PlayBody& body : session.bodies()) {
@@ -78,7 +84,17 @@ double exactOverlap(const Session& session) {
         placed.push_back({.pose = session.world().state(body.body).pose});
     }
     for (std::size_t k = 0; k < placed.size(); ++k) placed[k].hulls = hulls[k];
-    return penetrationOf(placed).largest;
+    DiagnosticPlace place;
+    for (const BodyOverlap& overlap : overlapsOf(placed)) {
+        if (overlap.depth <= audit.deepestOverlap) continue;
+        audit.deepestOverlap = overlap.depth;
+        place = placeOf(session.bodies()[overlap.first]);
+    }
+    if (audit.deepestOverlap <= kCleanOverlap) return;
+    addWarning(
+        audit, DiagnosticCode::OverlappingPieces, place,
+        "Two fragments overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) + " mm when they are swapped in.",
+        audit.deepestOverlap, kCleanOverlap);
 }
 
 double massOf(const Session& session) {
@@ -95,7 +111,7 @@ void measureResting(Session session, SwapAudit& audit) {
             const StepCounts counts = session.world().counts();
             audit.contacts = counts.contacts;
             audit.contactPoints = counts.contactPoints;
-            audit.deepestOverlap = exactOverlap(session);
+            measureOverlap(session, audit);
         }
         audit.pieces += static_cast<std::uint32_t>(session.events().born.size());
         step(session, kAuditSteps - 1);
@@ -124,18 +140,15 @@ Hammer offCentreBlow(const PlayAsset& asset, double mass) {
     return {.at = beside + shape.mass.centre, .impulse = mass * Vec3(0.5, 0.3, -1.0)};
 }
 
-/// Advice for a fragment that is pushed, given its id.
-std::string adviceOn(const PlayAsset& asset, const std::string& piece) {
-    const auto isAboutIt = [&](const Diagnostic& one) {
-        return one.place.fragment != kNone && one.place.path == pathOfId(piece);
-    };
+/// Advice for a fragment that is pushed.
+std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& piece) {
+    const auto isAboutIt = [&](const Diagnostic& one) { return one.place.fragment == piece.fragment; };
     if (std::ranges::any_of(asset.diagnostics, isAboutIt)) {
         return " Its collision shape is simplified: move its seed away from its neighbours', or delete it.";
     }
     if (!asset.diagnostics.empty()) {
         return " Neighbours with simplified collision shapes may push it: move their seeds away from their "
-               "neighbours', or "
-               "delete them.";
+               "neighbours', or delete them.";
     }
     return " Move its seed away from its neighbours', or delete it.";
 }
@@ -143,30 +156,30 @@ std::string adviceOn(const PlayAsset& asset, const std::string& piece) {
 void checkSpeed(const PlayAsset& asset, SwapAudit& audit, const std::string& when, const PieceSpeed& fastest,
                 double limit) {
     if (fastest.speed <= limit) return;
-    audit.faults.push_back("Piece " + fastest.piece + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " +
-                           std::to_string(kAuditSteps) + " steps after the swap" + when + "; at most " +
-                           messageText(1e3 * limit) + " mm/s is clean." + adviceOn(asset, fastest.piece));
+    addWarning(audit, DiagnosticCode::PushedPiece, fastest.place,
+               "Fragment " + fastest.piece + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " +
+                   std::to_string(kAuditSteps) + " steps after the swap" + when + "; at most " +
+                   messageText(1e3 * limit) + " mm/s is clean." + adviceOn(asset, fastest.place),
+               fastest.speed, limit);
 }
 
-void checkDrift(SwapAudit& audit, const std::string& what, double drift, double limit) {
+void checkDrift(const PlayAsset& asset, SwapAudit& audit, const std::string& what, double drift, double limit) {
     if (drift <= limit) return;
-    audit.faults.push_back("In flight the swap " + what + " by " + roundedText(drift, 3) + " (relative); at most " +
-                           messageText(limit) + " is clean.");
+    addWarning(audit, DiagnosticCode::SwapDrift, {.asset = asset.bake->asset},
+               "In flight the swap " + what + " by " + roundedText(drift, 3) + " (relative); at most " +
+                   messageText(limit) + " is clean.",
+               drift, limit);
 }
 
 void checkLimits(const PlayAsset& asset, SwapAudit& audit) {
-    if (audit.deepestOverlap > kCleanOverlap) {
-        audit.faults.push_back("Two pieces overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) +
-                               " mm when they are swapped in.");
-    }
     checkSpeed(asset, audit, " without any force", audit.resting, kCleanSpeed);
     checkSpeed(asset, audit, " lying flat on the ground", audit.lying, kCleanLyingSpeed);
     // The gap removes momenta along with mass; far from the centre that is more than its part of the mass.
     const double gap = audit.gapFraction;
-    checkDrift(audit, "changes the mass", audit.massDrift, kCleanDrift + gap);
-    checkDrift(audit, "changes the momentum", audit.momentumDrift, kCleanDrift + kLeverFactor * gap);
-    checkDrift(audit, "changes the angular momentum", audit.angularDrift, kCleanDrift + kLeverFactor * gap);
-    checkDrift(audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
+    checkDrift(asset, audit, "changes the mass", audit.massDrift, kCleanDrift + gap);
+    checkDrift(asset, audit, "changes the momentum", audit.momentumDrift, kCleanDrift + kLeverFactor * gap);
+    checkDrift(asset, audit, "changes the angular momentum", audit.angularDrift, kCleanDrift + kLeverFactor * gap);
+    checkDrift(asset, audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
 }
 
 /// The part of the whole's volume that is removed by the gap between pieces.
@@ -198,6 +211,10 @@ void measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
 
 }  // namespace
 
+bool SwapAudit::isClean() const {
+    return std::ranges::all_of(diagnostics, [](const Diagnostic& one) { return one.severity == Severity::Note; });
+}
+
 Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
     const Asset& authored = *findAsset(project, asset->bake->asset);
     if (asset->fractureOf(kNone) == nullptr) {
@@ -207,11 +224,14 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     Result<Session> floating = started(scene, asset);
     if (!floating) return ofAsset(authored, floating.error());
     const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
-    SwapAudit audit{.gapFraction = gapFractionOf(*asset->bake, authored.shaping.gap)};
-    for (const Diagnostic& one : asset->diagnostics) audit.notices.push_back(one.message);
+    SwapAudit audit{.gapFraction = gapFractionOf(*asset->bake, authored.shaping.gap),
+                    .diagnostics = asset->diagnostics};
     if (audit.gapFraction > 0.0) {
-        audit.notices.push_back("The gap between pieces takes " + roundedText(100.0 * audit.gapFraction, 3) +
-                                " % of the mass and of its momenta.");
+        audit.diagnostics.push_back(diagnostic(DiagnosticCode::GapVolume, {.asset = authored.id},
+                                               "The gap between fragments takes " +
+                                                   roundedText(100.0 * audit.gapFraction, 3) +
+                                                   " % of the mass and of its momenta.",
+                                               audit.gapFraction));
     }
     Result<Session> moving = started(scene, asset);
     if (!moving) return ofAsset(authored, moving.error());

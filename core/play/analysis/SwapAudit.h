@@ -16,11 +16,12 @@ inline constexpr int kAuditSteps = 30;            // of 1/60 s
 
 /// A fragment and its speed.
 struct PieceSpeed {
-    std::string piece;   // its id
+    std::string piece;  // its id
+    DiagnosticPlace place;
     double speed = 0.0;  // m/s, of its fastest corner
 };
 
-/// How much the swap of an asset for its fragments changes mass and motion by itself.
+/// The changes of mass and motion that swapping an asset for its fragments causes by itself.
 struct SwapAudit {
     std::uint32_t pieces = 0;  // fragments of all levels
     int contacts = 0;          // pairs of touching fragments right after the swap of the whole
@@ -32,12 +33,14 @@ struct SwapAudit {
     double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
     double momentumDrift = 0.0;
     double angularDrift = 0.0;
-    double energyGain = 0.0;           // negative: a loss
-    double gapFraction = 0.0;          // of the volume, removed by the gap between pieces: so much may be lost
-    std::vector<std::string> notices;  // fragments with simplified shapes
-    std::vector<std::string> faults;   // violated limits and what to change, as sentences
+    double energyGain = 0.0;   // negative: a loss
+    double gapFraction = 0.0;  // of the volume, removed by the gap between pieces: so much may be lost
+    /// Notes: SimplifiedShape and GapVolume. Then warnings, the violated limits with what to change: OverlappingPieces,
+    /// PushedPiece and SwapDrift.
+    std::vector<Diagnostic> diagnostics;
 
-    bool isClean() const { return faults.empty(); }
+    /// Whether no limit is violated.
+    bool isClean() const;
 };
 
 /// Measures swaps without forces, in sessions with one instance of an asset: floating at rest, lying flat on the

@@ -14,7 +14,7 @@ struct DamageDone {
     std::uint32_t impact = 0;  // index of the impact that causes it
 };
 
-/// The damage by a rule to every body with an impact, by body index; of equal impacts the first is used.
+/// The damage by a rule to every body with an impact, by body index; if several impacts are equal, the first.
 ///
 /// Rule Impact: the largest impact. Rule Momentum: for each impact, the larger of the body's own m |v| (1 - e) and the
 /// other's m |v|, which is 0 for static bodies.

@@ -43,9 +43,10 @@ std::shared_ptr<const PlayAsset> assetToSwap(const SessionParts& parts, const Pe
     const Vec3 local = glm::conjugate(broken.pose.orientation) * (broken.event.point - broken.pose.position);
     Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, Vec2(local), body.number);
     if (cut && (*cut)->fractureOf(kNone) != nullptr) return std::move(*cut);
-    parts.state.events.notices.push_back(
-        "A body broke into the pieces of its pattern, since it cannot be fractured at the point of impact: " +
-        (cut ? std::string("this would give one piece.") : cut.error().message));
+    parts.state.events.diagnostics.push_back(diagnostic(
+        DiagnosticCode::PatternFallback, placeOf(body),
+        "A body broke into the fragments of its pattern, since it cannot be fractured at the point of impact: " +
+            (cut ? std::string("this would give one fragment.") : cut.error().message)));
     return body.asset;
 }
 

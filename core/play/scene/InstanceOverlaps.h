@@ -19,7 +19,7 @@ struct InstanceOverlap {
 /// ones may overlap the ground. A few tenths of a second for 1,000 instances.
 std::vector<InstanceOverlap> instanceOverlaps(const Project& project);
 
-/// "wall 3" and "wall 7" overlap by 12 mm.
+/// The overlap as a sentence: `"wall 3" and "wall 7" overlap by 12 mm.`
 std::string sentenceOf(const InstanceOverlap& overlap, const Project& project);
 
 }  // namespace rubble

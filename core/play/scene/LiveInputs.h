@@ -7,9 +7,9 @@
 
 namespace rubble {
 
-/// The inputs that change a project while it is played into another state of it: thresholds, physical materials and
-/// gravity. Empty if both play alike: names, shots, play-tests and requirements have no effect. Nothing (no vector) if
-/// play must be restarted: for another shape, pattern, placement, surface or rule.
+/// The inputs that change a project into another state of it during play: thresholds, physical materials and gravity.
+/// Empty if both behave the same in play: names, shots, play-tests and requirements have no effect. Nothing (no vector)
+/// if play must be restarted: for another shape, pattern, placement, surface or rule.
 std::optional<std::vector<PlayInput>> liveInputs(const Project& played, const Project& now);
 
 }  // namespace rubble

@@ -48,7 +48,7 @@ Status appendPieces(const BakedFracture& baked, const TaskContext& task, PlayAss
         const DiagnosticPlace place{
             .asset = bake.asset, .level = baked.level, .fragment = baked.first + k, .path = pathOfId(id)};
         Result<std::shared_ptr<const Shape>> shape =
-            namedShape("Piece " + id, solid.hulls(), mass, place, ready.diagnostics);
+            namedShape("Fragment " + id, solid.hulls(), mass, place, ready.diagnostics);
         if (!shape) return shape.error();
         ready.pieces.push_back({.shape = std::move(*shape),
                                 .offset = solid.offset(),

@@ -48,14 +48,14 @@ struct PlayAsset {
     const PlayFracture* fractureOf(std::uint32_t fragment) const;
 };
 
-/// The thresholdScale of a fragment with this fraction of the whole's volume: its power of 2/3, since breaking energy
-/// scales with area.
+/// The thresholdScale of a fragment with this fraction of the whole's volume: the fraction to the power of 2/3, since
+/// breaking energy scales with area.
 double thresholdScaleOf(double volumeFraction);
 
 /// The hulls of the whole in the prism's frame.
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake);
 
-/// When the contacts between fragments are computed, which takes about as long as their first collision.
+/// The time when the contacts between fragments are computed, which takes about as long as their first collision.
 enum class FindContacts : std::uint8_t { InAdvance, OnBreak };
 
 /// Prepares the whole of a baked asset without its fragments, which is enough for strength requirements.
@@ -64,7 +64,7 @@ enum class FindContacts : std::uint8_t { InAdvance, OnBreak };
 Result<PlayAsset> wholePlayAsset(const Asset& asset, std::shared_ptr<const Bake> bake);
 
 /// Prepares a baked asset. A solid with too many corners gets the hull of its extreme ones as its shape, one that is
-/// too thin its bounding box, each with the mass of the exact solid and a notice.
+/// too thin its bounding box, each with the mass of the exact solid and a diagnostic.
 ///
 /// Errors: BadInput if the whole cannot be a body, with the asset's name; Cancelled.
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,

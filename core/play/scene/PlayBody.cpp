@@ -10,6 +10,16 @@ std::string nameOf(const PlayBody& body, const PlayOrigin& origin) {
     return origin.name + id.substr(id.find('/'));
 }
 
+DiagnosticPlace placeOf(const PlayBody& body) {
+    if (body.asset == nullptr) return {};
+    const Bake& bake = *body.asset->bake;
+    if (body.fragment == kNone) return {.asset = bake.asset};
+    return {.asset = bake.asset,
+            .level = bake.fragment(body.fragment).level,
+            .fragment = body.fragment,
+            .path = pathOfId(bake.fragmentId(body.fragment))};
+}
+
 std::vector<Polytope> hullsOf(const PlayBody& body) {
     if (body.asset == nullptr) return {*body.hull};
     const Bake& bake = *body.asset->bake;

@@ -29,7 +29,7 @@ struct PlayBody {
     const PlayFracture* fracture() const { return asset ? asset->fractureOf(fragment) : nullptr; }
 };
 
-/// The unbroken solid that bodies come from: an instance, or something thrown.
+/// The unbroken solid that bodies come from: an instance or a projectile.
 struct PlayOrigin {
     std::string name;
     Id instance = 0;            // 0: the ground, or thrown
@@ -37,8 +37,11 @@ struct PlayOrigin {
     std::uint32_t variant = 0;  // of the asset
 };
 
-/// "front 1.1", or with the fragment's path: "front 1.1/5.17".
+/// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17".
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin);
+
+/// The asset and fragment that a body is; neither for the ground and plain projectiles.
+DiagnosticPlace placeOf(const PlayBody& body);
 
 /// The exact convex hulls of a body, in its own frame.
 std::vector<Polytope> hullsOf(const PlayBody& body);

@@ -40,8 +40,9 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
         const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
         Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
         if (!ready) return ready.error();
-        for (const Diagnostic& one : (*ready)->diagnostics) {
-            scene->notices.push_back(ownerText("Asset", asset.id, asset.name) + ": " + one.message);
+        for (Diagnostic one : (*ready)->diagnostics) {
+            one.message = ownerText("Asset", asset.id, asset.name) + ": " + one.message;
+            scene->diagnostics.push_back(std::move(one));
         }
         scene->assets[variant] = std::move(*ready);
     }

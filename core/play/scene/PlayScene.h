@@ -9,7 +9,7 @@ namespace rubble {
 struct PlayScene {
     Project project;
     std::map<AssetVariant, std::shared_ptr<const PlayAsset>> assets;
-    std::vector<std::string> notices;  // of all assets, each with the asset's name
+    std::vector<Diagnostic> diagnostics;  // of all assets, each message with the asset's name
 };
 
 /// Prepares a project with its bakes. Assets without a bake must not be used by instances and shots.

@@ -28,7 +28,7 @@ struct Trajectory {
     std::optional<CastHit> hit;  // the first of the centre, with the bodies as they are now
 };
 
-/// The trajectory of a throw in the session's current state, up to the first hit or for at most so many seconds.
+/// The trajectory of a throw in the session's current state, up to the first hit or for at most `seconds`.
 Trajectory trajectoryOf(const Session& session, const Throw& thrown, double seconds);
 
 }  // namespace rubble

@@ -17,18 +17,20 @@ bool hasLeftTheWorld(const SessionParts& parts, const PlayBody& body) {
              glm::dot(position, position) < kWorldRadius * kWorldRadius);  // also for NaN
 }
 
-/// Adds the debris that exceeds a number of pieces: sleeping first, then the smallest, then the oldest.
-void addExcess(const SessionParts& parts, std::uint32_t maxPieces, std::vector<std::uint32_t>& gone) {
+/// Adds the debris that exceeds a number of pieces: sleeping first, then the smallest, then the oldest. Returns the
+/// number of bodies visited.
+std::size_t addExcess(const SessionParts& parts, std::uint32_t maxPieces, std::vector<std::uint32_t>& gone) {
     std::vector<std::tuple<bool, double, std::uint32_t>> debris;  // awake, volume, number
     for (const PlayBody& body : parts.state.bodies) {
         if (!body.isDebris() || std::ranges::binary_search(gone, body.number)) continue;
         debris.emplace_back(!parts.world.state(body.body).asleep, parts.world.shape(body.body).mass.volume,
                             body.number);
     }
-    if (debris.size() <= maxPieces) return;
+    if (debris.size() <= maxPieces) return parts.state.bodies.size();
     const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - maxPieces);
     std::ranges::nth_element(debris, end);
     for (auto one = debris.begin(); one != end; ++one) gone.push_back(std::get<2>(*one));
+    return parts.state.bodies.size();
 }
 
 }  // namespace
@@ -41,20 +43,23 @@ double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, do
     return left <= 0.0 ? 1.0 : 1.0 - left / fade;
 }
 
-void removeDebris(const SessionParts& parts) {
+std::size_t removeDebris(const SessionParts& parts) {
     const Debris& debris = parts.scene.project.debris;
     std::vector<std::uint32_t> gone;
+    std::size_t visited = parts.state.bodies.size();
     for (const PlayBody& body : parts.state.bodies) {
         const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
         if (isFaded || hasLeftTheWorld(parts, body)) gone.push_back(body.number);
     }
-    if (debris.maxPieces) addExcess(parts, *debris.maxPieces, gone);
+    if (debris.maxPieces) visited += addExcess(parts, *debris.maxPieces, gone);
     std::ranges::sort(gone);
     for (const std::uint32_t number : gone) {
         parts.state.events.removed.push_back(*findBody(parts.state, number));
         removeFromWorld(parts, number);
+        ++visited;
     }
-    if (!gone.empty()) eraseRemovedBodies(parts.state);
+    if (!gone.empty()) visited += eraseRemovedBodies(parts.state);
+    return visited;
 }
 
 }  // namespace rubble

@@ -2,11 +2,14 @@
 
 #include "core/play/state/SessionState.h"
 
+#include <cstddef>
+
 namespace rubble {
 
-/// In [0, 1]: how much of a body has faded out.
+/// How far a body has faded out, in [0, 1].
 double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt);
 /// Removes debris that has faded out or exceeds Debris::maxPieces, and bodies that have left the world.
-void removeDebris(const SessionParts& parts);
+/// Returns the number of bodies visited, a measure of its work that does not depend on the machine.
+std::size_t removeDebris(const SessionParts& parts);
 
 }  // namespace rubble

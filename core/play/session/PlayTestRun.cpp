@@ -90,17 +90,22 @@ private:
         }
         return first;
     }
+    static std::string noBreakText(const Expectation& expectation) {
+        return expectation.instance == 0 ? "nothing broke" : "it did not break";
+    }
     std::string brokeText(std::uint32_t origin) const {
         return '"' + m_session.origins()[origin].name + "\" broke " + when(m_brokenAt[origin]);
     }
 
     ExpectationOutcome standsUntouched(const Expectation& expectation) const {
-        ExpectationOutcome outcome{.expected = nameOf(expectation.instance, "everything") + " stands untouched for " +
+        ExpectationOutcome outcome{.expected = nameOf(expectation.instance, "everything") + " stays intact for " +
                                                messageText(expectation.value) + " s"};
         const auto until = static_cast<std::uint64_t>(std::floor(expectation.value / m_session.stepLength() + 1e-6));
         outcome.step = std::min(until, m_session.stepsDone());
         outcome.isMet = until <= m_session.stepsDone();
-        outcome.seen = outcome.isMet ? "it stood" : "the test is over before";
+        outcome.seen = !outcome.isMet              ? "the test ended earlier"
+                       : expectation.instance == 0 ? "everything stayed intact"
+                                                   : "it stayed intact";
         for (const Move& move : m_firstMoves) {
             if (move.step > outcome.step || !matches(move.origin, expectation.instance)) continue;
             outcome = {false, outcome.expected,
@@ -118,14 +123,16 @@ private:
     ExpectationOutcome breaks(const Expectation& expectation) const {
         const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
         return {broken.has_value(), nameOf(expectation.instance, "something") + " breaks",
-                broken ? brokeText(*broken) : "nothing of it broke",
+                broken ? brokeText(*broken) : noBreakText(expectation),
                 broken ? m_brokenAt[*broken] : m_session.stepsDone()};
     }
 
     ExpectationOutcome doesNotBreak(const Expectation& expectation) const {
         const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
-        return {!broken, nameOf(expectation.instance, "anything") + " does not break",
-                broken ? brokeText(*broken) : "it stayed whole", broken ? m_brokenAt[*broken] : m_session.stepsDone()};
+        return {!broken,
+                expectation.instance == 0 ? "nothing breaks" : nameOf(expectation.instance, "") + " does not break",
+                broken ? brokeText(*broken) : noBreakText(expectation),
+                broken ? m_brokenAt[*broken] : m_session.stepsDone()};
     }
 
     ExpectationOutcome breaksInto(const Expectation& expectation) const {
@@ -135,8 +142,9 @@ private:
         }
         return {most >= expectation.value,
                 nameOf(expectation.instance, "something") + " breaks into at least " + messageText(expectation.value) +
-                    " pieces",
-                most == 1 ? "it stayed whole" : "it was in " + std::to_string(most) + " pieces", m_session.stepsDone()};
+                    " fragments",
+                most == 1 ? noBreakText(expectation) : "it broke into " + std::to_string(most) + " fragments",
+                m_session.stepsDone()};
     }
 
     /// The matching dynamic body with the largest value of a measure.
@@ -156,8 +164,8 @@ private:
         const auto [body, height] =
             largest(expectation.instance, [&](const PlayBody& one) { return topHeight(one, m_session.world()); });
         return {body == nullptr || height <= expectation.value,
-                "nothing" + ofText(expectation.instance) + " is higher than " + messageText(expectation.value) +
-                    " m at the end",
+                nameOf(expectation.instance, "everything") + " ends below a height of " +
+                    messageText(expectation.value) + " m",
                 body == nullptr ? "nothing was left"
                                 : '"' + m_session.nameOf(*body) + "\" reached up to " + roundedText(height, 4) + " m",
                 m_session.stepsDone()};
@@ -168,14 +176,12 @@ private:
             return lengthOf(m_session.world().state(one.body).velocity);
         });
         return {body == nullptr || speed <= expectation.value,
-                "nothing" + ofText(expectation.instance) + " is faster than " + messageText(expectation.value) +
-                    " m/s at the end",
+                nameOf(expectation.instance, "everything") + " ends below a speed of " +
+                    messageText(expectation.value) + " m/s",
                 body == nullptr ? "nothing was left"
                                 : '"' + m_session.nameOf(*body) + "\" moved at " + roundedText(speed, 4) + " m/s",
                 m_session.stepsDone()};
     }
-
-    std::string ofText(Id instance) const { return instance == 0 ? "" : " of " + nameOf(instance, ""); }
 
     const Session& m_session;
     std::vector<Start> m_starts;

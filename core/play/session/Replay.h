@@ -64,7 +64,7 @@ private:
     Replay m_replay;
 };
 
-/// Plays inputs (ascending step) for so many steps from the start and records them.
+/// Plays inputs (ascending step) for the given number of steps from the start and records them.
 ///
 /// Errors: those of Session::start() and Timeline::seek(); Cancelled.
 Result<Replay> recordReplay(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings,
@@ -80,7 +80,7 @@ struct Divergence {
         double metres = 0.0;  // of the body farthest from its recorded position
     };
     std::optional<Distance> distance;  // at the next keyframe, once it has been played
-    /// `At step 12 "front 4.1" diverged from the recording.`
+    /// The divergence as a sentence: `At step 12 "front 4.1" diverged from the recording.`
     std::string sentence() const;
 };
 
@@ -94,7 +94,7 @@ public:
 
     const Replay& replay() const { return m_replay; }
     const Session& session() const { return m_timeline.session(); }
-    /// Goes to the state after so many steps, at most the length of the replay.
+    /// Goes to the state after `step` steps, at most the length of the replay.
     ///
     /// Errors: those of Timeline::seek().
     Status seek(std::uint64_t step, const TaskContext& task = {});

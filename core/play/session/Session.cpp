@@ -1,7 +1,7 @@
 #include "core/play/session/Session.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/base/Assert.h"
-#include "core/base/MessageText.h"
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/session/DebrisRemoval.h"
@@ -41,9 +41,8 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 Result<Session> Session::start(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings) {
-    if (!(settings.dt >= kShortestStep && settings.dt <= kLongestStep)) {
-        return Error{ErrorCode::BadInput, "A step must be from " + messageText(kShortestStep) + " to " +
-                                              messageText(kLongestStep) + " s long."};
+    if (const NumberRange& range = rangeOf(ProjectNumber::StepLength); !range.contains(settings.dt)) {
+        return Error{ErrorCode::BadInput, "A step must be " + rangeText(range) + " s long."};
     }
     Session session(std::move(scene), settings);
     const Status placed = placeScene({*session.m_scene, session.m_settings, *session.m_state, session.m_world});

@@ -12,7 +12,8 @@ namespace rubble {
 /// The same scene, inputs and step length give the same bits, on any number of threads and lanes.
 class Session {
 public:
-    /// Errors: BadInput for a step length outside [kShortestStep, kLongestStep] or an instance that cannot be placed.
+    /// Errors: BadInput for a step length out of range (ProjectNumber::StepLength), or an instance that cannot be
+    /// placed.
     static Result<Session> start(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings = {});
     ~Session();
     Session(Session&&) noexcept;
@@ -44,7 +45,7 @@ public:
     std::string nameOf(const PlayBody& body) const;
     /// The smallest damage that breaks a body, N·s; infinite if it does not break.
     double thresholdOf(const PlayBody& body) const;
-    /// In [0, 1]: how much of a body has faded out.
+    /// How far a body has faded out, in [0, 1].
     double fadeOf(const PlayBody& body) const;
     bool hasDestruction() const;
 
@@ -70,9 +71,6 @@ private:
     World m_world;
     double m_swapMilliseconds = 0.0;
 };
-
-inline constexpr double kShortestStep = 1e-5;  // s: rounding dominates shorter steps
-inline constexpr double kLongestStep = 0.1;    // s: longer ones do not resolve motion
 
 inline constexpr double kRecentTime = 1.0;  // s
 

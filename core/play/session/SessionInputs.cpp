@@ -96,6 +96,13 @@ Sentence faultOfInput(const DragInput& input, const PlayScene&, const SessionSta
 
 Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
 
+/// Reports an input without effect; `body`: the one it was for, if any.
+void addUnapplied(const SessionParts& parts, const PlayBody* body, std::string message) {
+    DiagnosticPlace place = body != nullptr ? placeOf(*body) : DiagnosticPlace{};
+    parts.state.events.diagnostics.push_back(
+        diagnostic(DiagnosticCode::UnappliedInput, std::move(place), std::move(message)));
+}
+
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
     RUBBLE_ASSERT(definition.hasValue());
@@ -107,9 +114,9 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
     } else {
         body.hull = std::make_shared<const Polytope>(projectileHull(thrown));
     }
-    const Result<std::uint32_t> added = addBody(parts, *definition, std::move(body));
+    const Result<std::uint32_t> added = addBody(parts, *definition, body);
     if (!added) {
-        parts.state.events.notices.push_back("Shot \"" + name + "\": " + added.error().message);
+        addUnapplied(parts, &body, "Shot \"" + name + "\": " + added.error().message);
         return;
     }
     parts.state.origins.push_back(std::move(origin));
@@ -127,7 +134,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
     const Vec3 direction = hammer.impulse / size;
     std::optional<CastHit> hit = hitBy(parts.world, hammer, direction);
     if (!hit) {
-        parts.state.events.notices.push_back("The blow \"" + name + "\" hit nothing.");
+        addUnapplied(parts, nullptr, "The blow \"" + name + "\" hit nothing.");
         return;
     }
     double remaining = size;
@@ -193,7 +200,7 @@ void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<Pe
     const PlayBody* body = findBody(parts.state, input.body);
     const auto isPending = [&](const PendingBreak& one) { return one.event.body.number == input.body; };
     if (body == nullptr || body->fracture() == nullptr || std::ranges::any_of(breaks, isPending)) {
-        parts.state.events.notices.push_back("Nothing was broken: the body has no fragments, or it is gone.");
+        addUnapplied(parts, body, "Nothing was broken: the body has no fragments, or it is gone.");
         return;
     }
     breaks.push_back(pendingBreak(parts, *body));
@@ -207,7 +214,7 @@ void applyInput(const SessionParts& parts, const DestructionInput& input) { part
 void applyInput(const SessionParts& parts, const GrabInput& input) {
     const PlayBody* body = findBody(parts.state, input.body);
     if (body == nullptr || parts.world.kind(body->body) != BodyKind::Dynamic) {
-        parts.state.events.notices.push_back("Nothing was grabbed: the body is fixed, or it broke.");
+        addUnapplied(parts, body, "Nothing was grabbed: the body is fixed, or it broke.");
         return;
     }
     parts.world.grab(body->body, input.point, input.force);

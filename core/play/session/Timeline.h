@@ -8,7 +8,7 @@
 namespace rubble {
 
 inline constexpr std::uint64_t kSnapshotSteps = 60;  // between the most recent snapshots
-/// 256 MiB: ten snapshots of 8,000 bodies, or all 48 of up to 1,500.
+/// The default limit of 256 MiB holds ten snapshots of 8,000 bodies, or all 48 of up to 1,500.
 inline constexpr std::size_t kMaxSnapshotBytes = std::size_t{256} << 20;
 
 /// A session with its history: it can seek to any step and continue from there. Inputs and occasional snapshots are
@@ -37,7 +37,7 @@ public:
     ///
     /// Errors: those of Session::add(), for an input given at construction.
     Status step();
-    /// Goes to the state after so many steps, clamped to [first step, length()]. `afterEach` is called after each step
+    /// Goes to the state after `step` steps, clamped to [first step, length()]. `afterEach` is called after each step
     /// that is played; steps before the restored snapshot are skipped.
     ///
     /// Errors: those of step(); Cancelled.

@@ -4,7 +4,6 @@
 #include "core/play/scene/PlayInput.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace rubble {
@@ -33,14 +32,14 @@ struct PlayImpact {
     Vec3 point{0.0, 0.0, 0.0};
 };
 
-/// What happened in the last step, in a fixed order.
+/// The events of the last step, in a fixed order.
 struct PlayEvents {
     std::vector<TimedInput> inputs;  // applied before it
     std::vector<PlayBreak> breaks;
-    std::vector<PlayImpact> impacts;   // on breakable bodies, by body
-    std::vector<PlayBody> born;        // fragments and projectiles
-    std::vector<PlayBody> removed;     // debris that was removed, and bodies that left the world
-    std::vector<std::string> notices;  // sentences about inputs that could not be applied as given
+    std::vector<PlayImpact> impacts;      // on breakable bodies, by body
+    std::vector<PlayBody> born;           // fragments and projectiles
+    std::vector<PlayBody> removed;        // debris that was removed, and bodies that left the world
+    std::vector<Diagnostic> diagnostics;  // UnappliedInput and PatternFallback
 };
 
 }  // namespace rubble

@@ -108,8 +108,10 @@ void removeFromWorld(const SessionParts& parts, std::uint32_t number) {
     body->body = {};
 }
 
-void eraseRemovedBodies(SessionState& state) {
+std::size_t eraseRemovedBodies(SessionState& state) {
+    const std::size_t visited = state.bodies.size();
     std::erase_if(state.bodies, [](const PlayBody& body) { return body.body.index == 0; });
+    return visited;
 }
 
 Status placeScene(const SessionParts& parts) {

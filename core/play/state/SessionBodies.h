@@ -7,7 +7,7 @@ namespace rubble {
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset);
 /// The physical material of a body of an asset. With the thesis preset every fragment weighs 100 kg.
 BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role);
-/// N·s; infinite for a body that does not break.
+/// The threshold of a body, N·s; infinite for a body that does not break.
 double thresholdOf(const SessionState& state, const PlayScene& scene, const PlayBody& body);
 /// The body with a number; null if it is gone.
 PlayBody* findBody(SessionState& state, std::uint32_t number);
@@ -18,7 +18,8 @@ PlayBody* findBody(SessionState& state, std::uint32_t number);
 Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body);
 /// Removes a body from the world. It stays in the list, without a world id, until eraseRemovedBodies().
 void removeFromWorld(const SessionParts& parts, std::uint32_t number);
-void eraseRemovedBodies(SessionState& state);
+/// Returns the number of bodies visited.
+std::size_t eraseRemovedBodies(SessionState& state);
 
 /// Adds the ground and all instances.
 ///

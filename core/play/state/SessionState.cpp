@@ -1,19 +1,14 @@
 #include "core/play/state/SessionState.h"
 
+#include "core/base/ByteCount.h"
+
 namespace rubble {
-namespace {
-
-template <class... Elements>
-std::size_t sum(const std::vector<Elements>&... vectors) {
-    return (... + (vectors.size() * sizeof(Elements)));
-}
-
-}  // namespace
 
 std::size_t byteCount(const SessionState& state) {
     const PlayEvents& events = state.events;
-    return sizeof(SessionState) + sum(state.bodies, state.origins, state.pending, state.materials, state.recentBreaks) +
-           sum(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.notices);
+    return sizeof(SessionState) +
+           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.recentBreaks) +
+           elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.diagnostics);
 }
 
 }  // namespace rubble

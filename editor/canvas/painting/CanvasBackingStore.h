@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-/// Keeps the painted contents of a canvas: only what changed is repainted, and panning moves what was painted.
+/// Caches the painted contents of a canvas: only changed parts are repainted, and panning shifts the cached image.
 class CanvasBackingStore {
 public:
     void invalidateAll() { m_isStale = true; }

@@ -6,7 +6,7 @@ namespace rubble {
 /// piece.
 enum class CellColouring { None, Piece, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold };
 
-/// What a canvas shows besides the outline.
+/// The elements that a canvas shows besides the outline.
 struct CanvasOverlays {
     bool hasGrid = true;
     bool hasCells = true;

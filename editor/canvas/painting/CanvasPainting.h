@@ -16,7 +16,7 @@
 
 namespace rubble {
 
-/// What a canvas shows of a pattern; repainted only where it changes.
+/// The contents of a canvas; repainted only where they change.
 struct CanvasContents {
     std::shared_ptr<const DrawablePattern> pattern;  // as baked; may be null
     std::shared_ptr<const MovedPart> moved;          // changed since; null if nothing did

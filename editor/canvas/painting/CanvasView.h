@@ -15,7 +15,7 @@ struct CanvasView {
 
     QPointF pixels(Vec2 metres) const;
     Vec2 metres(QPointF pixels) const;
-    /// m.
+    /// The visible part of the plane, m.
     Box2 visibleBox() const;
     bool operator==(const CanvasView&) const = default;
 };
@@ -27,7 +27,7 @@ CanvasView panned(CanvasView view, QPointF pixels);
 /// Fits a box into the view, with a margin in pixels. An empty box changes nothing.
 CanvasView fitted(CanvasView view, const Box2& box, double margin);
 
-/// The smallest 1, 2 or 5 times a power of ten that is at least `minimum` (> 0).
+/// The smallest number that is 1, 2 or 5 times a power of ten and at least `minimum` (> 0).
 double roundStep(double minimum);
 
 }  // namespace rubble

@@ -9,9 +9,9 @@
 namespace rubble {
 
 /// Paints the changed fragments of an asset over its cells: added and reshaped ones are hatched differently, removed
-/// ones have a dashed outline, and moved ones a dashed outline of their old place with an arrow to the new one. Every
-/// change can be told by colour or by marker alone. Fragments of deeper levels are only painted if their parent did not
-/// change.
+/// ones have a dashed outline, and moved ones a dashed outline at their old position with an arrow to the new one.
+/// Every change can be identified by colour or by marker alone. Fragments of deeper levels are only painted if their
+/// parent did not change.
 void paintChanges(QPainter& painter, const CanvasView& view, const ComparedAsset& compared,
                   const CanvasColours& colours);
 

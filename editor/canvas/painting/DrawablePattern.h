@@ -11,7 +11,7 @@
 
 namespace rubble {
 
-/// How a seed got its position.
+/// The origin of the position of a seed.
 enum class SeedOrigin { Scattered, Moved, Placed };
 
 /// A baked pattern prepared for drawing and picking. Built in linear time when the pattern changes; pieces and seeds
@@ -40,7 +40,7 @@ public:
     /// The id of the fragment that the piece becomes: "3/5.17".
     std::string fragmentId(std::uint32_t piece) const;
 
-    /// How the piece is selected: by its seed, or its cell of a cut layer.
+    /// The id by which the piece is selected: that of its seed, or of its cell in a cut layer.
     SeedId cellOf(std::uint32_t piece) const;
 
     /// The pieces of a seed, [begin, end); empty if it has no cell.
@@ -51,7 +51,7 @@ public:
     std::uint32_t pieceAt(Vec2 point) const;
     /// The nearest seed within `radius` metres; kNone if there is none.
     std::uint32_t nearestSeed(Vec2 point, double radius) const;
-    /// The position of a site; with a grain, the triangulation has it elsewhere.
+    /// The position of a site; with a grain, it differs from that in the triangulation.
     Vec2 site(std::uint32_t number) const { return seeds().positions[m_baked->triangulation.seedOf[number]]; }
     /// The triangle (not a ghost) that contains a point; kNone if there is none.
     std::uint32_t triangleAt(Vec2 point) const;
@@ -93,11 +93,12 @@ private:
     void measure(std::uint32_t piece);
     void readDiagnostics();
     void countOrigins();
-    /// Without the density for Mass and the asset's threshold for Threshold, which the pattern does not know.
+    /// The value, without the factors that the pattern does not know: the density (Mass) and the asset's threshold
+    /// (Threshold).
     double value(std::uint32_t piece, CellColouring colouring) const;
 
     std::shared_ptr<const BakedPattern> m_baked;
-    std::vector<Box2> m_boxes;         // this and the following: one a piece
+    std::vector<Box2> m_boxes;         // this and the following: one per piece
     std::vector<double> m_areas;       // m^2
     std::vector<Vec2> m_centroids;     // m
     std::vector<Defect> m_defects;     // one a seed
@@ -107,7 +108,7 @@ private:
 
 void include(Box2& box, const Box2& other);
 
-/// The bounding box of all that two patterns draw differently; empty if they look the same.
+/// The bounding box of everything that two patterns draw differently; empty if there is nothing.
 Box2 differenceBox(const DrawablePattern& before, const DrawablePattern& after);
 
 }  // namespace rubble

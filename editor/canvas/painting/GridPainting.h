@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// The spacing of the grid lines in a view, m: 1, 2 or 5 times a power of ten, wide enough to point at.
+/// The spacing of the grid lines in a view, m: 1, 2 or 5 times a power of ten, wide enough on screen to point at.
 double gridStep(const CanvasView& view);
 
 /// Paints the grid into `part`: minor lines, every fourth or fifth one stronger, and the axes.

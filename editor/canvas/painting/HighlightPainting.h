@@ -9,7 +9,7 @@ namespace rubble {
 
 void paintOutline(QPainter& painter, const Polygon& outline, const CanvasView& view, const CanvasColours& colours);
 
-/// Highlights the selected seeds and the selected ones of their pieces.
+/// Highlights the selected seeds and those of their pieces that are selected.
 void paintSelection(QPainter& painter, const Selection& selection, const CanvasView& view,
                     const CanvasContents& contents, const CanvasColours& colours);
 

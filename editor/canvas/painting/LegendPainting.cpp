@@ -39,7 +39,7 @@ QString scaleTitle(CellColouring colouring) {
         case CellColouring::Area: return tr("Area");
         case CellColouring::Neighbours: return tr("Neighbours");
         case CellColouring::Aspect: return tr("Aspect ratio");
-        case CellColouring::Level: return tr("Further levels");
+        case CellColouring::Level: return tr("Deeper levels");
         case CellColouring::Volume: return tr("Volume");
         case CellColouring::Mass: return tr("Mass");
         case CellColouring::Threshold: return tr("Break threshold");
@@ -70,7 +70,7 @@ public:
         if (contents.overlays.hasTriangles)
             addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
         if (contents.overlays.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
-        if (contents.overlays.hasBonds) addLine(colours.bond, tr("bonds, as wide as the shared edge"));
+        if (contents.overlays.hasBonds) addLine(colours.bond, tr("bonds (width: length of the shared edge)"));
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 

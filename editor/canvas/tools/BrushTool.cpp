@@ -174,7 +174,7 @@ void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
 }
 
 QString BrushTool::hint() const {
-    const QString action = m_isErasing ? tr("Drag: erase") : tr("Drag: paint where seeds are dense");
+    const QString action = m_isErasing ? tr("Drag: erase") : tr("Drag: paint the density of seeds");
     return tr("%1 · Shift: invert · X: switch between paint and erase · [ ]: size · , .: strength %2 %")
         .arg(action)
         .arg(std::lround(100.0 * m_strength));

@@ -29,7 +29,7 @@ public:
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
     bool isDrawing() const { return !m_draft.empty() || !m_path.empty(); }
-    /// Deletes the crack line as a whole if less than two points would be left.
+    /// Deletes the crack line as a whole if fewer than two points would be left.
     void deleteSelectedPoint();
     void deleteSelectedLine();
 

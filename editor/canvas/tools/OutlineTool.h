@@ -41,7 +41,7 @@ public:
     /// Esc cancels. Outlines and holes need an active asset.
     void beginDrawing(Drawing drawing);
     bool isDrawing() const { return m_draft.has_value(); }
-    /// Deletes a hole as a whole if less than three points would be left.
+    /// Deletes a hole as a whole if fewer than three points would be left.
     void deleteSelectedPoint();
     void deleteHole(int ring);
 

@@ -27,8 +27,8 @@ constexpr std::string_view kDirection = "angle";
 QString tr(const char* text) { return QCoreApplication::translate("ParameterHandles", text); }
 
 void paintHandle(QPainter& painter, QPointF at, const QColor& colour) {
-    for (const QColor& stroke : {QColor(255, 255, 255, 200), colour}) {
-        painter.setPen(QPen(stroke, stroke == colour ? kWidth : kHaloWidth));
+    for (const QColor& penColour : {QColor(255, 255, 255, 200), colour}) {
+        painter.setPen(QPen(penColour, penColour == colour ? kWidth : kHaloWidth));
         painter.drawEllipse(at, kRadius, kRadius);
         for (const QPointF towards : {QPointF(1.0, 0.0), QPointF(-1.0, 0.0), QPointF(0.0, 1.0), QPointF(0.0, -1.0)}) {
             painter.drawLine(at + towards * (kRadius - 3.0), at + towards * kCross);
@@ -38,9 +38,9 @@ void paintHandle(QPainter& painter, QPointF at, const QColor& colour) {
 
 /// Paints a line from the handle through the pivot.
 void paintDirection(QPainter& painter, QPointF pivot, QPointF at, const QColor& colour) {
-    for (const QColor& stroke : {QColor(255, 255, 255, 200), colour}) {
-        painter.setPen(
-            QPen(stroke, stroke == colour ? kWidth : kHaloWidth, stroke == colour ? Qt::DashLine : Qt::SolidLine));
+    for (const QColor& penColour : {QColor(255, 255, 255, 200), colour}) {
+        painter.setPen(QPen(penColour, penColour == colour ? kWidth : kHaloWidth,
+                            penColour == colour ? Qt::DashLine : Qt::SolidLine));
         painter.drawLine(pivot - (at - pivot), at);
     }
 }

@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// Keeps the contents of a canvas up to date with document, selection and bakes, and invalidates only the parts of the
-/// picture that change. The refresh…() functions read what their names say from the state.
+/// picture that change. Each refresh…() function updates the part that it is named after.
 class CanvasContentsUpdater {
 public:
     explicit CanvasContentsUpdater(CanvasState& state) : m_state(state) {}
@@ -29,7 +29,7 @@ public:
     void refreshPattern();
     /// The cells that moved since the pattern was baked.
     void refreshMovedPart();
-    /// What follows from the fragments: the surroundings of an entered one, and how often they are fractured further.
+    /// Updates what depends on the fragments: the surroundings of an entered one, and the number of levels below each.
     void refreshFragments();
 
 private:

@@ -38,7 +38,7 @@ public:
     void setSnapping(bool isSnapping) { m_state.isSnapping = isSnapping; }
     const CanvasView& view() const { return m_state.view; }
     void setView(const CanvasView& view);
-    /// Fits the whole outline; resizing keeps it fitted until the user moves the view.
+    /// Fits the whole outline into the view; resizing keeps it fitted until the user moves the view.
     void fit();
     void zoomBy(double factor);
     /// Frames the cells of the selected seeds, and `point` if given, m.

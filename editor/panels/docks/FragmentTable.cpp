@@ -3,16 +3,14 @@
 #include "editor/background/ProblemWatch.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/VolumeHistogram.h"
-#include "editor/widgets/Buttons.h"
+#include "editor/widgets/Action.h"
+#include "editor/widgets/Icon.h"
 #include "editor/widgets/LocalizedQuantity.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSplitter>
@@ -64,6 +62,7 @@ FragmentTable::FragmentTable(Document& document, Selection& selection, const Bak
       m_view(new QTableView(this)),
       m_histogram(new VolumeHistogram(this)),
       m_filter(new QLineEdit(this)),
+      m_buttons(new QHBoxLayout),
       m_totals(new QLabel(this)) {
     buildView();
     buildFilter();
@@ -75,7 +74,9 @@ FragmentTable::FragmentTable(Document& document, Selection& selection, const Bak
     head->setContentsMargins(4, 2, 4, 2);
     head->setSpacing(2);
     head->addWidget(m_filter, 1);
-    addButtons(*head);
+    head->addLayout(m_buttons);
+    m_buttons->setSpacing(2);
+    m_buttons->addWidget(newButton(m_invert));
     layout->addLayout(head);
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->addWidget(m_view);
@@ -113,7 +114,6 @@ void FragmentTable::buildView() {
     m_view->horizontalHeader()->setHighlightSections(false);
     m_view->sortByColumn(0, Qt::AscendingOrder);
     m_view->setSortingEnabled(true);
-    m_view->installEventFilter(this);
     for (int column = 1; column < kFragmentColumns; ++column) m_view->setColumnWidth(column, 0);
     widenColumns();
 }
@@ -121,47 +121,38 @@ void FragmentTable::buildView() {
 void FragmentTable::buildFilter() {
     m_filter->setClearButtonEnabled(true);
     m_filter->setPlaceholderText(tr("Filter, for example: neighbours >= 5"));
-    m_filter->setToolTip(tr("List only fragments that match all parts of names and conditions, such as mass < 2 kg"));
+    m_filter->setToolTip(tr("List only fragments that match all words and conditions, such as mass < 2 kg"));
     m_filter->setStatusTip(m_filter->toolTip());
     m_filter->setAccessibleName(tr("Filter Fragments"));
     if (const QIcon icon = iconNamed("filter"); !icon.isNull()) m_filter->addAction(icon, QLineEdit::LeadingPosition);
 }
 
-/// Shortcuts are handled by eventFilter(), so that they act only while the table has the focus.
-QAction* FragmentTable::newAction(const QString& icon, const QString& text, const QString& hint,
-                                  const QKeySequence& key, Slot slot) {
-    auto* action = new QAction(iconNamed(icon), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    action->setShortcutVisibleInContextMenu(true);
-    const QString keyText = key.toString(QKeySequence::NativeText);
-    action->setToolTip(keyText.isEmpty() ? hint : tr("%1 (%2)").arg(hint, keyText));
-    action->setStatusTip(hint);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-}
-
+/// Creates the actions that only the table has. Their names differ from those in the menus, whose icons they share.
 void FragmentTable::buildActions() {
-    m_hide = newAction("hide", tr("Hide"), tr("Hide the selected fragments"), QKeySequence(Qt::Key_H),
-                       &FragmentTable::hideSelected);
-    m_show = newAction("show", tr("Show"), tr("Show the selected fragments"), {}, &FragmentTable::showSelected);
-    m_showAll = newAction("show", tr("Show All"), tr("Show all hidden fragments"), QKeySequence(Qt::ALT | Qt::Key_H),
-                          &FragmentTable::showAll);
-    m_isolate = newAction("isolate", tr("Isolate"), tr("Hide all fragments except the selected ones"),
-                          QKeySequence(Qt::SHIFT | Qt::Key_H), &FragmentTable::isolateSelected);
-    m_invert = newAction("select-invert", tr("Invert Selection"), tr("Invert the selection among the listed fragments"),
-                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), &FragmentTable::invertSelection);
+    m_show = makeAction(this, {"show", tr("Sho&w Fragments"), tr("Show the selected fragments")});
+    m_show->setObjectName("table-show");
+    connect(m_show, &QAction::triggered, this, &FragmentTable::showSelected);
+    m_invert = makeAction(this, {"select-invert", tr("&Invert Selection"),
+                                 tr("Invert the selection among the listed fragments"), QKeySequence("Ctrl+Shift+I")});
+    m_invert->setObjectName("table-invert");
+    m_invert->setShortcutContext(Qt::WidgetShortcut);
+    connect(m_invert, &QAction::triggered, this, &FragmentTable::invertSelection);
+    m_view->installEventFilter(this);
 }
 
-void FragmentTable::addButtons(QBoxLayout& row) {
-    for (QAction* action : {m_hide, m_showAll, m_isolate, m_invert}) {
-        auto* button = new QToolButton(this);
-        button->setDefaultAction(action);
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setAccessibleName(action->text());
-        row.addWidget(button);
-    }
+QToolButton* FragmentTable::newButton(QAction* action) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(action->iconText());
+    return button;
+}
+
+void FragmentTable::setFragmentActions(const QList<QAction*>& visibility, const QList<QAction*>& others) {
+    m_visibilityActions = visibility;
+    m_fragmentActions = others;
+    for (int k = 0; k < visibility.size(); ++k) m_buttons->insertWidget(k, newButton(visibility[k]));
 }
 
 void FragmentTable::connectAll() {
@@ -206,7 +197,8 @@ void FragmentTable::setUnits(const Units& units) {
 void FragmentTable::showMenu(const QPoint& position) {
     QMenu menu;
     menu.setToolTipsVisible(true);
-    menu.addActions({m_hide, m_show, m_showAll, m_isolate});
+    menu.addActions(m_visibilityActions);
+    menu.addAction(m_show);
     menu.addSeparator();
     menu.addAction(m_invert);
     menu.addSeparator();
@@ -214,18 +206,9 @@ void FragmentTable::showMenu(const QPoint& position) {
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }
 
-/// Handles the table's shortcuts before those of the window.
+/// Handles the table's shortcuts before those of the window and the keys of the menu bar.
 bool FragmentTable::eventFilter(QObject* watched, QEvent* event) {
-    const bool isOverride = event->type() == QEvent::ShortcutOverride;
-    if (!isOverride && event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-    const QKeySequence key(static_cast<QKeyEvent*>(event)->keyCombination());
-    for (QAction* action : {m_hide, m_showAll, m_isolate, m_invert}) {
-        if (action->shortcut() != key) continue;
-        event->accept();
-        if (!isOverride) action->trigger();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    return handleShortcut(m_visibilityActions + QList{m_invert}, *event) || QWidget::eventFilter(watched, event);
 }
 
 void FragmentTable::showEvent(QShowEvent* event) {
@@ -368,18 +351,8 @@ void FragmentTable::scrollToSelection() {
     m_view->scrollTo(m_listed->index(static_cast<int>(first - isSelected.begin()), 0));
 }
 
-void FragmentTable::hideSelected() {
-    if (const Bake* bake = currentBake()) rubble::hideSelected(m_selection, *bake);
-}
-
 void FragmentTable::showSelected() {
     if (const Bake* bake = currentBake()) rubble::showSelected(m_selection, *bake);
-}
-
-void FragmentTable::showAll() { showAllFragments(m_selection); }
-
-void FragmentTable::isolateSelected() {
-    if (const Bake* bake = currentBake()) rubble::isolateSelected(m_selection, *bake);
 }
 
 void FragmentTable::invertSelection() {
@@ -399,10 +372,7 @@ const Bake* FragmentTable::currentBake() {
 
 void FragmentTable::updateState() {
     const FragmentSelection &selected = m_selection.fragments(), &hidden = m_selection.hidden();
-    m_hide->setEnabled(!selected.isEmpty());
     m_show->setEnabled(std::ranges::any_of(selected.seeds, [&](SeedId seed) { return hidden.seeds.contains(seed); }));
-    m_showAll->setEnabled(!hidden.isEmpty());
-    m_isolate->setEnabled(!selected.isEmpty());
     m_invert->setEnabled(m_listed->rowCount() > 0);
     m_totals->setText(totals());
     updateHistogram();

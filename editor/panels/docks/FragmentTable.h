@@ -8,10 +8,10 @@
 
 class QAction;
 class QBoxLayout;
-class QKeySequence;
 class QLabel;
 class QLineEdit;
 class QTableView;
+class QToolButton;
 
 namespace rubble {
 
@@ -19,8 +19,7 @@ class ProblemWatch;
 class VolumeHistogram;
 
 /// The dock that lists the fragments of the active asset with their metrics beside a histogram of their volumes. Rows
-/// are sorted by any column, filtered (see fragmentFilter()), selected together with canvas and 3D view, hidden (H),
-/// shown (Alt+H) and isolated (Shift+H).
+/// are sorted by any column, filtered (see fragmentFilter()), and selected and hidden together with canvas and 3D view.
 ///
 /// Selecting a fragment does not select its child fragments, but hiding it hides them. Metrics are computed once per
 /// bake, when the table is visible.
@@ -34,15 +33,11 @@ public:
     /// Shows the problems of the fragments.
     void setProblems(const ProblemWatch& watch);
     void setUnits(const Units& units);
-    /// Sets the context menu's actions that enter and exit a fragment.
-    void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
+    /// Sets the actions on the selected fragments in the context menu. Those that hide and show fragments also get
+    /// buttons, and their shortcuts work while the table has the focus.
+    void setFragmentActions(const QList<QAction*>& visibility, const QList<QAction*>& others);
 
-    /// Hides and deselects the selected fragments.
-    void hideSelected();
     void showSelected();
-    void showAll();
-    /// Hides all fragments but the selected ones.
-    void isolateSelected();
     /// Selects the listed fragments that are not selected, and deselects all others.
     void invertSelection();
 
@@ -51,15 +46,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    using Slot = void (FragmentTable::*)();
-
     void buildView();
     void buildFilter();
     void buildActions();
-    void addButtons(QBoxLayout& row);
+    QToolButton* newButton(QAction* action);
     void connectAll();
-    QAction* newAction(const QString& icon, const QString& text, const QString& hint, const QKeySequence& key,
-                       Slot slot);
     void widenColumns();
     void showMenu(const QPoint& position);
 
@@ -94,12 +85,11 @@ private:
     VolumeHistogram* m_histogram;
     const ProblemWatch* m_watch = nullptr;  // null: problems are not shown
     QLineEdit* m_filter;
+    QBoxLayout* m_buttons;
     QLabel* m_totals;
-    QAction* m_hide = nullptr;
     QAction* m_show = nullptr;
-    QAction* m_showAll = nullptr;
-    QAction* m_isolate = nullptr;
     QAction* m_invert = nullptr;
+    QList<QAction*> m_visibilityActions;
     QList<QAction*> m_fragmentActions;
 
     Units m_units;

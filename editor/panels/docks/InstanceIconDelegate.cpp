@@ -27,7 +27,7 @@ QString tipOf(int role, bool isOn) {
     if (role == ProjectModel::kHiddenRole) {
         return isOn ? InstanceIconDelegate::tr("Show in the 3D view") : InstanceIconDelegate::tr("Hide in the 3D view");
     }
-    return isOn ? InstanceIconDelegate::tr("Unlock for selecting and moving in the 3D view")
+    return isOn ? InstanceIconDelegate::tr("Allow selecting and moving in the 3D view")
                 : InstanceIconDelegate::tr("Prevent selecting and moving in the 3D view");
 }
 

@@ -197,7 +197,6 @@ QWidget* PlayTestPanel::makeExpectationForm() {
     m_kind = m_expectationForm->addRow(tr("Condition"), new QComboBox, tr("Condition that must hold"));
     for (const Kind& kind : kKinds) m_kind->addItem(tr(kind.name));
     m_value = m_expectationForm->addRow(tr("Value"), new NumberField, tr("Limit of the condition"));
-    m_value->setRange(FieldRange::zeroOrAbove());
     connect(m_instance, &QComboBox::activated, this, [this](int row) {
         const Id instance = m_instance->itemData(row).toUInt();
         changeExpectation(tr("Change Expectation"), [=](Expectation& one) { one.instance = instance; });
@@ -303,8 +302,8 @@ void PlayTestPanel::fillForm() {
     const char* unit = kindOf(one.kind).unit;
     m_expectationForm->setRowVisible(m_value, unit != nullptr);
     m_value->setFormat({.unit = unit != nullptr ? QString(unit) : QString()});
-    m_value->setRange(one.kind == ExpectationKind::BreaksIntoAtLeast ? FieldRange::whole(1.0, 1e6)
-                                                                     : FieldRange::zeroOrAbove());
+    const ProjectNumber number = numberOf(one.kind);
+    m_value->setRange(number == ProjectNumber::ExpectedPieces ? wholeFieldRange(number) : fieldRange(number));
     m_value->setValue(one.value);
 }
 

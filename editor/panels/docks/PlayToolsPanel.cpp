@@ -1,6 +1,7 @@
 #include "editor/panels/docks/PlayToolsPanel.h"
 
 #include "editor/widgets/NumberField.h"
+#include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
 
 #include <QComboBox>
@@ -36,17 +37,18 @@ PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& control
     addThrow(*m_throw);
     rows->addWidget(m_throw);
     auto* hammer = new Section("hammer", tr("Hammer (H)"));
-    addField(*hammer, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"),
+    addField(*hammer, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"), ProjectNumber::HammerBlow,
              [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
     rows->addWidget(hammer);
     auto* blast = new Section("blast", tr("Blast (X)"));
     addField(*blast, tr("Impulse"), tr("Impulse per square metre at a distance of 1 m"), tr("N·s/m²"),
+             ProjectNumber::ExplosionImpulse,
              [](PlayToolSettings& tools) -> double& { return tools.explosion.impulse; });
-    addField(*blast, tr("Radius"), tr("Radius of the blast"), tr("m"),
+    addField(*blast, tr("Radius"), tr("Radius of the blast"), tr("m"), ProjectNumber::ExplosionRadius,
              [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });
     rows->addWidget(blast);
     auto* grip = new Section("grip", tr("Grab (drag)"));
-    addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), tr("N"),
+    addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), tr("N"), ProjectNumber::GrabForce,
              [](PlayToolSettings& tools) -> double& { return tools.grabForce; });
     rows->addWidget(grip);
     rows->addStretch(1);
@@ -65,18 +67,20 @@ void PlayToolsPanel::addThrow(Section& section) {
     const std::array labels{tr("Width"), tr("Height"), tr("Length")};
     for (int axis = 0; axis < 3; ++axis) {
         m_sizes << addField(section, labels[static_cast<std::size_t>(axis)], tr("Size of the projectile"), tr("m"),
+                            ProjectNumber::ProjectileSize,
                             [axis](PlayToolSettings& tools) -> double& { return tools.projectile.size[axis]; });
     }
-    m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), tr("kg"),
+    m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), tr("kg"), ProjectNumber::Mass,
                       [](PlayToolSettings& tools) -> double& { return tools.projectile.mass; });
     addField(section, tr("Full speed"), tr("Speed after holding F for one second; a tap gives a fifth of it"),
-             tr("m/s"), [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
+             tr("m/s"), ProjectNumber::ProjectileSpeed,
+             [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
 }
 
 NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint, const QString& unit,
-                                      const std::function<double&(PlayToolSettings&)>& member) {
+                                      ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member) {
     auto* field = new NumberField;
-    field->setRange(FieldRange::aboveZero());
+    field->setRange(fieldRange(number));
     field->setFormat({.unit = unit});
     section.addRow(label, field, hint);
     connect(field, &NumberField::edited, this, [this, member](double value) {

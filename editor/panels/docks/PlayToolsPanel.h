@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/project/Ranges.h"
 #include "editor/document/Document.h"
 #include "editor/play/PlayController.h"
 #include "editor/widgets/Units.h"
@@ -26,7 +27,7 @@ signals:
 
 private:
     NumberField* addField(Section& section, const QString& label, const QString& hint, const QString& unit,
-                          const std::function<double&(PlayToolSettings&)>& member);
+                          ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member);
     void addThrow(Section& section);
     void applyKind(int index);
     void refreshAssets();

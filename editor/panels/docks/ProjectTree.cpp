@@ -105,7 +105,7 @@ void ProjectTree::showMenu(const QPoint& position) {
     fillAddMenu(*menu.addMenu(iconNamed("add"), tr("Add")));
     menu.addSeparator();
     QAction* rename =
-        menuAction(menu, "edit-rename", tr("Rename"), tr("Rename the current element"), [this] { renameCurrent(); });
+        menuAction(menu, "edit-rename", tr("Rename"), tr("Rename the current row"), [this] { renameCurrent(); });
     rename->setShortcut(kRenameKey);
     QAction* duplicate =
         menuAction(menu, "edit-copy", tr("Duplicate"), tr("Duplicate the selection"), [this] { duplicateSelected(); });

@@ -90,13 +90,13 @@ QToolButton* StrengthPanel::makeAddButton() {
     button->setText(tr("Add Requirement"));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setToolTip(tr("Add an event that the asset must survive or break by"));
+    button->setToolTip(tr("Add an event that the asset must survive or break in"));
     auto* menu = new QMenu(button);
     const std::pair<QString, StrengthRequirement> kinds[] = {
         {tr("Survives &Drop"), {RequirementOutcome::Survives, DropRequirement{}}},
-        {tr("&Breaks by Drop"), {RequirementOutcome::Breaks, DropRequirement{.height = 3.0}}},
+        {tr("&Breaks in Drop"), {RequirementOutcome::Breaks, DropRequirement{.height = 3.0}}},
         {tr("Survives &Impact"), {RequirementOutcome::Survives, HitRequirement{}}},
-        {tr("B&reaks by Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}}};
+        {tr("B&reaks in Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}}};
     for (const auto& [text, requirement] : kinds) {
         connect(menu->addAction(text), &QAction::triggered, this,
                 [this, added = requirement] { addRequirement(added); });
@@ -199,7 +199,7 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
 }
 
 void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome) {
-    QComboBox* box = comboBox({tr("Survives"), tr("Breaks by")}, tr("Whether the asset must survive or break"));
+    QComboBox* box = comboBox({tr("Survives"), tr("Breaks in")}, tr("Whether the asset must survive or break"));
     box->setCurrentIndex(static_cast<int>(outcome));
     box->setAccessibleName(tr("Outcome"));
     connect(box, &QComboBox::activated, this, [this, index](int row) {
@@ -260,7 +260,7 @@ void StrengthPanel::applySuggested() {
     if (!m_suggested) return;
     change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) {
         changed.threshold = threshold;
-        changed.contactTime.reset();  // a typed threshold
+        changed.contactTime.reset();  // an entered threshold
     });
 }
 
@@ -274,7 +274,9 @@ void StrengthPanel::refreshAudit() {
         return m_auditText->setText(tr("Not audited since the last change"));
     }
     QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
-    for (const std::string& fault : audit->faults) lines << textOf(fault).toHtmlEscaped();
+    for (const Diagnostic& one : audit->diagnostics) {
+        if (one.severity != Severity::Note) lines << textOf(one.message).toHtmlEscaped();
+    }
     lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
                  .arg(audit->contacts)
                  .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap));
@@ -292,12 +294,11 @@ std::optional<SeedId> StrengthPanel::faultySeed() const {
     const SwapAudit* audit = asset() != nullptr ? m_audits.auditOf(asset()->id) : nullptr;
     const auto baked = asset() != nullptr ? m_bakes.findPattern(asset()->id) : nullptr;
     if (audit == nullptr || audit->isClean() || !baked) return std::nullopt;
-    const std::string& piece = fastestOf(*audit).piece;
-    const std::string seed = piece.substr(piece.find('/') + 1);  // "asset/layer.index", possibly with a suffix
-    for (const SeedId id : baked->seeds.ids) {
-        if (seed == id.text() || seed.starts_with(id.text() + '.') || seed.starts_with(id.text() + '/')) return id;
+    const std::optional<PieceName> name = pieceNameOf(childOnPath({}, fastestOf(*audit).place.path));
+    if (!name || !name->cells.empty() || std::ranges::find(baked->seeds.ids, name->seed) == baked->seeds.ids.end()) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    return name->seed;
 }
 
 void StrengthPanel::deleteFaultySeed() {

@@ -64,7 +64,7 @@ private:
     QPushButton* m_fix = nullptr;
     QLabel* m_auditText;
     std::optional<double> m_suggested;  // N·s
-    /// What the rows show.
+    /// The contents of the rows.
     struct Shown {
         Id asset = 0;
         std::vector<StrengthRequirement> requirements;

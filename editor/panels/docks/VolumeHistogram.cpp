@@ -26,7 +26,7 @@ constexpr double kMinHeight = 2.0;  // of a bar that is not empty
 VolumeHistogram::VolumeHistogram(QWidget* parent) : QWidget(parent), m_axisButton(new QToolButton(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Volume Histogram"));
-    setStatusTip(tr("Click a bar, or drag over several, to select the fragments of these volumes"));
+    setStatusTip(tr("Click a bar, or drag over several, to select the fragments with these volumes"));
     m_axisButton->setObjectName("histogram-axis");
     connect(m_axisButton, &QToolButton::clicked, this,
             [this] { setAxis(m_axis == HistogramAxis::Linear ? HistogramAxis::Logarithmic : HistogramAxis::Linear); });

@@ -15,7 +15,7 @@ namespace rubble {
 
 namespace {
 
-constexpr Id kTyped = 1;  // sources of the threshold
+constexpr Id kEntered = 1;  // sources of the threshold
 constexpr Id kDerived = 2;
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
@@ -90,14 +90,14 @@ void AssetPage::buildThreshold(Section& section) {
         m_threshold, tr("Set Threshold"),
         [this](const Asset& asset) { return thresholdOf(m_document.project(), asset); },
         [](Asset& asset, double entered) { asset.threshold = entered; });
-    auto* sources =
-        section.addRow(tr("Source"), new QComboBox, tr("Whether the threshold is typed or derived from strength"));
-    setItems(*sources, {{kTyped, tr("Typed"), {}}, {kDerived, tr("Derived from strength"), {}}});
+    auto* sources = section.addRow(tr("Source"), new QComboBox,
+                                   tr("Whether the threshold is entered or derived from the strength"));
+    setItems(*sources, {{kEntered, tr("Entered"), {}}, {kDerived, tr("Derived from strength"), {}}});
     m_form.bind(
-        sources, tr("Set Threshold Source"), [](const Asset& asset) { return asset.contactTime ? kDerived : kTyped; },
+        sources, tr("Set Threshold Source"), [](const Asset& asset) { return asset.contactTime ? kDerived : kEntered; },
         [this](Asset& asset, Id source) {
             if (asset.contactTime && source == kDerived) return;
-            asset.threshold = thresholdOf(m_document.project(), asset);  // keeps its value when it becomes typed
+            asset.threshold = thresholdOf(m_document.project(), asset);  // keeps its value when it becomes entered
             asset.contactTime.reset();
             if (source == kDerived) asset.contactTime = kDefaultContactTime;
         });
@@ -129,7 +129,7 @@ void AssetPage::showThreshold(const Asset& asset) {
     };
     if (!isDerived) {
         return m_derivation->setText(
-            tr("Material \"%1\" has no strength, so the typed threshold is used. Enter its strength.")
+            tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")
                 .arg(textOf(material.name)));
     }
     m_derivation->setText(tr("%1 × %2 × %3 = %4")

@@ -16,8 +16,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMaxVariant = 9999.0;
-
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
 double assetThreshold(const Project& project, const Instance& instance) {
@@ -64,12 +62,12 @@ void InstancePage::buildInstance(Section& section) {
     m_form.bind(
         m_name, tr("Rename"), [](const Instance& instance) { return textOf(instance.name); },
         [](Instance& instance, const QString& entered) { instance.name = entered.trimmed().toStdString(); });
-    m_asset = section.addRow(tr("Asset"), new QComboBox, tr("Asset that is placed here"));
+    m_asset = section.addRow(tr("Asset"), new QComboBox, tr("Asset of the instance"));
     m_form.bind(m_asset, tr("Set Asset"), &Instance::asset);
     auto* variant =
         section.addRow(tr("Variant"), new NumberField,
                        tr("Fracture variant: 0 for the asset's own pattern, other numbers for other random seeds"));
-    variant->setRange(FieldRange::whole(0.0, kMaxVariant));
+    variant->setRange(wholeFieldRange(ProjectNumber::InstanceVariant));
     m_form.bind(
         variant, tr("Set Variant"), [](const Instance& instance) { return static_cast<double>(instance.variant); },
         [](Instance& instance, double entered) {
@@ -109,7 +107,7 @@ void InstancePage::buildTransform(Section& section) {
 }
 
 void InstancePage::buildStrength(Section& section) {
-    auto* isOwn = new QCheckBox(tr("Own Threshold"));
+    auto* isOwn = new QCheckBox(tr("Override Threshold"));
     isOwn->setToolTip(tr("Override the asset's threshold"));
     section.addWide(isOwn);
     m_form.bind(

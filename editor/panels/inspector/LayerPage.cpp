@@ -35,8 +35,9 @@ LayerPage::LayerPage(Document& document, QWidget* parent)
 LayerPage::~LayerPage() = default;
 
 void LayerPage::buildPicture() {
-    m_picture = m_common->addRow(tr("Picture"), new PictureField,
-                                 tr("Grey picture that controls the density of seeds, stretched over the outline"));
+    m_picture =
+        m_common->addRow(tr("Picture"), new PictureField,
+                         tr("Greyscale picture that controls the density of seeds, stretched to fit the outline"));
     connect(m_picture, &PictureField::refused, this, &LayerPage::refused);
     connect(m_picture, &PictureField::picked, this, [this](const PictureField::Picture& picture) {
         std::vector<PatternLayer> layers = selected();

@@ -112,7 +112,7 @@ QWidget* LayerSection::addNumber(const LayerParameter& parameter, const QString&
 void LayerSection::addCount(const LayerParameter& parameter, const QString& step) {
     const QString caption = patternText(parameter.caption), hint = patternText(parameter.hint);
     auto* by = addRow(tr("%1 by").arg(caption), new QComboBox,
-                      tr("How the number of seeds is given: directly, or by the area to fill"));
+                      tr("Whether to enter the number of seeds, their density or the size of fragments"));
     by->addItem(tr("Number"), static_cast<Id>(CountBy::Number));
     by->addItem(tr("Seeds per m²"), static_cast<Id>(CountBy::Density));
     by->addItem(tr("Fragment Size"), static_cast<Id>(CountBy::PieceSize));
@@ -150,7 +150,7 @@ void LayerSection::addCount(const LayerParameter& parameter, const QString& step
                  tr("Number of seeds per square metre of the outline")));
     bound(CountBy::PieceSize, Quantity::Length,
           addRow(tr("Fragment size"), new SliderField(FieldRange::aboveZero(), 0.005, 2.0, SliderScale::Logarithmic),
-                 tr("Side length of a square as large as the average fragment")));
+                 tr("Side length of a square with the area of the average fragment")));
 }
 
 QWidget* LayerSection::addOption(const LayerParameter& parameter, const QString& step) {

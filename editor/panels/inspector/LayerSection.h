@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// The parameters of one kind of layer, a row each, built from the kind's description.
+/// The parameters of one kind of layer, one per row, built from the kind's description.
 class LayerSection : public Section {
     Q_OBJECT
 public:

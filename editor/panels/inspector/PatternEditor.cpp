@@ -85,7 +85,7 @@ QWidget* PatternEditor::patternRow() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     m_patterns->setAccessibleName(tr("Pattern"));
-    m_patterns->setToolTip(tr("Pattern to edit: of the asset, of a fracture level or of one fragment"));
+    m_patterns->setToolTip(tr("Pattern to edit: that of the asset, a fracture level or a single fragment"));
     auto* add = panelButton("add", tr("Add Level"), tr("Add a fracture level"), row);
     m_removeLevel =
         panelButton("remove", tr("Delete Level"), tr("Delete this level, or this fragment's own pattern"), row);

@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace rubble {
 
-/// A thumbnail of a grey picture with a button that loads another one.
+/// A thumbnail of a greyscale picture with a button that loads another one.
 class PictureField : public QWidget {
     Q_OBJECT
 public:

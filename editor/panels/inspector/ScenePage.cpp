@@ -88,7 +88,7 @@ void ScenePage::buildDamage(Section& section) {
     isThesis->setToolTip(
         tr("<p>Simulate with the method of the bachelor thesis that Rubble is based on, for comparison:</p>"
            "<ul><li>one threshold for all bodies instead of those of assets and instances</li>"
-           "<li>a body breaks by its momentum, m·|v|·(1 − e), not by the impulse of the impact</li>"
+           "<li>the damage to a body is its momentum, m·|v|·(1 − e), not the impulse of the impact</li>"
            "<li>every fragment has a mass of 100 kg</li>"
            "<li>all fragments start with the velocity of the body's centre, without its rotation</li>"
            "<li>breaking a body does not slow the body that hits it</li></ul>"));

@@ -55,7 +55,7 @@ std::vector<Asset> ShapingSection::selected() const {
 }
 
 void ShapingSection::buildSmallPieces() {
-    auto* rule = addRow(tr("Small fragments"), new QComboBox, tr("What happens to fragments below a size"));
+    auto* rule = addRow(tr("Small fragments"), new QComboBox, tr("What to do with fragments below the minimum size"));
     addItem(*rule, SmallPieceRule::Keep, tr("Keep"));
     addItem(*rule, SmallPieceRule::Merge, tr("Merge"));
     addItem(*rule, SmallPieceRule::DropSeeds, tr("Delete Their Seeds"));
@@ -81,16 +81,17 @@ void ShapingSection::buildSmallPieces() {
             [](Asset& asset, double entered) { asset.shaping.smallPieces.limit = entered; });
         return control;
     };
-    const FieldRange part{.min = 0.0, .max = 1.0, .isMinExcluded = true, .step = 0.05};
+    const FieldRange part = fieldRange(ProjectNumber::SmallPieceFraction, 0.05);
     m_fraction = bindLimit(addRow(tr("Minimum size"), new SliderField(part, 0.001, 1.0, SliderScale::Logarithmic),
                                   tr("Fraction below which fragments are small")));
     m_limit = bindLimit(addRow(tr("Minimum size"), new NumberField, tr("Size below which fragments are small")));
-    m_limit->setRange(FieldRange::aboveZero());
+    m_limit->setRange(fieldRange(ProjectNumber::SmallPieceSize));
 }
 
 void ShapingSection::buildRoughness() {
-    m_amplitude = addRow(tr("Roughness"), new NumberField,
-                         tr("Amplitude of bumps on fracture surfaces, drawn and exported but not in collision hulls"));
+    m_amplitude =
+        addRow(tr("Roughness"), new NumberField,
+               tr("Amplitude of bumps on fracture surfaces; affects rendering and export, not collision hulls"));
     m_amplitude->setRange(fieldRange(ProjectNumber::RoughnessAmplitude));
     m_form.bind(
         m_amplitude, tr("Set Roughness"), [](const Asset& asset) { return asset.shaping.roughness.amplitude; },
@@ -104,7 +105,7 @@ void ShapingSection::buildRoughness() {
         frequency, tr("Set Frequency"), [](const Asset& asset) { return asset.shaping.roughness.frequency; },
         [](Asset& asset, double entered) { asset.shaping.roughness.frequency = entered; });
     auto* octaves = addRow(tr("Octaves"), new SliderField(wholeFieldRange(ProjectNumber::RoughnessOctaves), 1, 8),
-                           tr("Number of sizes of bumps, each half as large as the previous one"));
+                           tr("Number of noise octaves, each with bumps half as large as the previous one"));
     m_form.bind(
         octaves, tr("Set Octaves"),
         [](const Asset& asset) { return static_cast<double>(asset.shaping.roughness.octaves); },

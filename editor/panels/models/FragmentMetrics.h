@@ -31,10 +31,10 @@ struct FragmentSum {
     double mass = 0.0;    // kg
 };
 
-/// The measured values of all fragments of a bake, in one array a column.
+/// The measured values of all fragments of a bake, in one array per column.
 class FragmentMetrics {
 public:
-    /// Of no fragments.
+    /// The metrics of no fragments.
     FragmentMetrics() = default;
     /// Measures on `threads` threads; O(n log n) in the corners of a fragment.
     FragmentMetrics(std::shared_ptr<const Bake> bake, double density, int threads);
@@ -50,7 +50,7 @@ public:
 
     /// Counts the problems of each fragment and keeps their messages.
     void setProblems(std::span<const Diagnostic> problems);
-    /// The messages of a fragment's problems, a line each.
+    /// The messages of a fragment's problems, one per line.
     std::string problemText(std::uint32_t fragment) const;
 
     double density() const { return m_density; }

@@ -41,7 +41,7 @@ QString hintOf(FragmentColumn column) {
         case FragmentColumn::Neighbours:
             return FragmentModel::tr("Number of fragments of the same fracture that it touches");
         case FragmentColumn::Level:
-            return FragmentModel::tr("Fracture level: 0 for fragments of the asset, 1 for fragments of those");
+            return FragmentModel::tr("Fracture level: 0 for fragments of the asset, 1 for their fragments");
         case FragmentColumn::Problems:
             return FragmentModel::tr("Number of problems with the fragment; the Problems dock lists them");
     }

@@ -26,7 +26,7 @@ public:
 
     /// Makes views and proxy models read all rows again.
     void reset();
-    /// One flag a fragment: the selection contains it.
+    /// One flag per fragment: whether the selection contains it.
     FragmentSet fragmentsOf(const FragmentSelection& selection) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -40,7 +40,7 @@ private:
 
     FragmentMetrics m_metrics;
     Units m_units;
-    std::vector<bool> m_isHidden;  // one flag a fragment
+    std::vector<bool> m_isHidden;  // one flag per fragment
     FragmentSelection m_hidden;
 };
 

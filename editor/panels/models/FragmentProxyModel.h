@@ -16,12 +16,12 @@ public:
 
     void setFilter(FragmentFilter filter);
     std::uint32_t fragmentAt(int row) const;
-    /// One flag a fragment: it has a row.
+    /// One flag per fragment: whether it has a row.
     FragmentSet listedFragments() const;
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
-    /// By value; fragments with equal values stay in ascending order of their ids.
+    /// Compares by value; fragments with equal values stay in ascending order of their ids.
     bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
 private:

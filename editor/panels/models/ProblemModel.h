@@ -13,7 +13,7 @@ namespace rubble {
 /// The translated name of a kind: "Sliver".
 QString textOf(DiagnosticCode kind);
 
-/// Problems as a table, in the order given. kSortRole is what a proxy model sorts each column by: numbers by badness().
+/// Problems as a table, in the order given. A proxy model sorts each column by kSortRole: numbers by badness().
 class ProblemModel : public QAbstractTableModel {
     Q_OBJECT
 public:

@@ -14,7 +14,7 @@ namespace rubble {
 class ProjectModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    /// What a row shows.
+    /// The kinds of rows.
     enum class Kind { Materials, Assets, Scene, Material, Asset, Layer, Instance };
     struct Node {
         Kind kind = Kind::Scene;

@@ -18,7 +18,7 @@ void paintHandle(QPainter& painter, GizmoHandle handle, const GizmoView& view, b
 /// Paints edges between points of the world; those behind the eye are left out.
 void paintEdges(QPainter& painter, const std::vector<std::array<Vec3, 2>>& edges, const ViewportWidget& viewport);
 
-/// Paints a text beside the pointer, within the view.
+/// Paints text beside the pointer, within the view.
 void paintPointerLabel(QPainter& painter, QPointF pointer, const QString& text, QSize viewSize);
 
 }  // namespace rubble

@@ -20,7 +20,7 @@ public:
     PlacementTool(Workspace& workspace, ViewportWidget& viewport);
 
     void setOn(bool isOn);
-    /// From now on an instance of an asset follows the pointer; each click places one, R rotates it by 15° about the
+    /// Starts placing an asset: an instance follows the pointer, each click places one, R rotates it by 15° about the
     /// vertical, with Shift the other way. Esc and the right button end it.
     void begin(Id asset);
     void end();

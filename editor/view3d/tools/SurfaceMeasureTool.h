@@ -29,7 +29,7 @@ public:
     const std::optional<Point>& to() const { return m_to; }
     /// The point under the pointer.
     const std::optional<Point>& pointed() const { return m_pointed; }
-    /// m; nothing unless both points are set.
+    /// The distance, m; nothing unless both points are set.
     std::optional<double> distance() const;
 
     bool press(const QMouseEvent& event) override;

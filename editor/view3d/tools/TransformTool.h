@@ -28,7 +28,7 @@ public:
     void setOn(bool isOn);
     GizmoMode mode() const { return m_mode; }
     void setMode(GizmoMode mode);
-    /// From now on the pointer moves or rotates the selected instances.
+    /// Starts moving or rotating the selected instances with the pointer.
     void startMove() { startWithPointer(GizmoHandle::MoveInView); }
     void startRotation() { startWithPointer(GizmoHandle::RotateY); }
     bool isDragging() const { return m_drag.has_value(); }

@@ -36,15 +36,15 @@ constexpr Id kWall = 2;
 constexpr Id kLayer = 3;
 
 /// The current pieces of some seeds.
-std::vector<SelectedPiece> chosen(const Project& project, const std::set<SeedId>& seeds) {
+std::vector<SelectedPiece> selectedOf(const Project& project, const std::set<SeedId>& seeds) {
     const Asset& asset = *findAsset(project, kWall);
     const PlanarFracture cut = *planarFracture(recipeOf(asset), asset.prism, {});
     return selectedPieces(cut.partition, cut.seeds, seeds);
 }
 
 /// The same in a fragment's pattern.
-std::vector<SelectedPiece> chosenInside(const Project& project, const FragmentPath& fragment,
-                                        const std::set<SeedId>& seeds) {
+std::vector<SelectedPiece> selectedInside(const Project& project, const FragmentPath& fragment,
+                                          const std::set<SeedId>& seeds) {
     const Bake baked = *bake(*findAsset(project, kWall));
     const std::uint32_t number = *fragmentAt(baked, fragment);
     const BakedFracture& fracture = *baked.fractureOf(number);
@@ -73,7 +73,7 @@ class FragmentEditsTest : public QObject {
     const std::string m_before = projectText(columns());
     const Asset& wall() const { return *findAsset(m_document.project(), kWall); }
     std::vector<SelectedPiece> pieces(const std::set<SeedId>& seeds) const {
-        return chosen(m_document.project(), seeds);
+        return selectedOf(m_document.project(), seeds);
     }
     std::vector<FragmentPath> paths() const {
         std::vector<FragmentPath> paths;
@@ -174,7 +174,7 @@ private slots:
     void piecesInAFragmentHavePathAndOffset() {
         m_document.push(addLevel(m_document.project(), kWall));
         const SeedId inner{wall().levels[0].pattern.layers[0].id, 0};
-        const std::vector<SelectedPiece> one = chosenInside(m_document.project(), "3.3", {inner});
+        const std::vector<SelectedPiece> one = selectedInside(m_document.project(), "3.3", {inner});
         QCOMPARE(one.size(), std::size_t{1});
         QCOMPARE(one[0].path, FragmentPath("3.3/" + inner.text()));
         const Bake before = *bake(wall());

@@ -58,7 +58,7 @@ private slots:
         const RingArray ring{.count = 4, .centre = {-1.0, 0.0}, .angle = std::numbers::pi / 2.0};
         const Project changed = after(boxes(1), arrayInRing(boxes(1), kFirst, ring));
         QCOMPARE(changed.instances.size(), std::size_t{4});
-        // A quarter turn about y takes x to -z.
+        // A rotation by 90 degrees about y maps x to -z.
         const Pose& quarter = changed.instances[1].pose;
         QVERIFY(glm::distance(quarter.position, Vec3(-1.0, 0.0, -1.0)) < 1e-12);
         QVERIFY(glm::distance(quarter.orientation * Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, -1.0)) < 1e-12);

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -20,9 +21,10 @@ using namespace rubble;
 
 namespace {
 
+constexpr int kPatience = 60000;  // ms, for searching on a busy machine
 const QString kMeshes = QString(RUBBLE_SOURCE_DIR) + "/tests/data/meshes/";
 
-/// A visible import dialog for an empty project.
+/// A visible import dialog for an empty project, after its first search.
 struct ImportBench {
     explicit ImportBench(const QString& path) : dialog(path, project, {.isSmooth = false}, nullptr) {
         isRead = dialog.read(RUBBLE_IMPORTER);
@@ -30,6 +32,7 @@ struct ImportBench {
         dialog.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
         QApplication::setActiveWindow(&dialog);  // there is no window manager
+        waitForSearch();
     }
 
     QTableWidget& table() { return *dialog.findChild<QTableWidget*>(); }
@@ -47,18 +50,28 @@ struct ImportBench {
         }
         return cells;
     }
+    bool isSearching() { return dialog.findChild<QProgressBar*>()->isVisible(); }
+    void waitForSearch() { QTRY_VERIFY_WITH_TIMEOUT(!isSearching(), kPatience); }
     bool shows(const QString& sentence) {
         return std::ranges::any_of(dialog.findChildren<QLabel*>(), [&](const QLabel* label) {
             return label->isVisible() && label->text().replace(QChar::Nbsp, ' ').contains(sentence);
         });
     }
-    /// Selects an item by keys, in the combo box with the mnemonic.
+    /// Selects an item in the combo box that has it.
+    void setItem(const QString& item) {
+        for (auto* box : dialog.findChildren<QComboBox*>()) {
+            if (box->findText(item) >= 0) return box->setCurrentText(item);
+        }
+        qFatal("Item not found.");
+    }
+    /// Selects an item by keys, in the combo box with the mnemonic, and waits for the result.
     void selectItem(Qt::Key mnemonic, const QString& item) {
         QTest::keyClick(&dialog, mnemonic, Qt::AltModifier);
         auto* box = qobject_cast<QComboBox*>(QApplication::focusWidget());
         QVERIFY(box);
         while (box->currentText() != item && box->currentIndex() + 1 < box->count()) QTest::keyClick(box, Qt::Key_Down);
         QCOMPARE(box->currentText(), item);
+        waitForSearch();
     }
     /// The number of pixels of the 3D view with a property.
     template <class Predicate>
@@ -153,6 +166,36 @@ private slots:
         QVERIFY(bench.view().camera().distance < 1.0);
         bench.selectItem(Qt::Key_P, "Z");
         QCOMPARE(bench.row(0).at(3), QString("y"));
+    }
+    void resultOfTheNewestOptionsIsShown() {
+        ImportBench bench(kMeshes + "wall.obj");
+        const QStringList before = bench.row(0);
+        bench.setItem("Feet");
+        bench.setItem("Centimetres");
+        QVERIFY(bench.isSearching() && !bench.importButton().isEnabled());
+        QCOMPARE(bench.row(0), before);
+        QTest::keyClick(&bench.dialog, Qt::Key_Return);
+        QVERIFY(bench.dialog.isVisible());
+        bench.waitForSearch();
+        QVERIFY(bench.importButton().isEnabled());
+        QCOMPARE(bench.row(0), (QStringList{"Wall", "10 mm × 10 mm", "5 mm", "z"}));
+        QVERIFY(std::abs(sizeOf(bench.view().scene(), 0).x - 0.01) < 1e-9);
+    }
+    void meshesOfAReplacedSearchAreStillUpdated() {
+        ImportBench bench(kMeshes + "wall.obj");
+        bench.setItem("Centimetres");
+        bench.setItem("X");
+        bench.waitForSearch();
+        QCOMPARE(bench.row(0), (QStringList{"Wall", "5 mm × 10 mm", "10 mm", "x"}));
+        QVERIFY(std::abs(sizeOf(bench.view().scene(), 0).y - 0.01) < 1e-9);
+    }
+    void closingCancelsTheSearch() {
+        ImportBench bench(kMeshes + "wall.obj");
+        const QStringList before = bench.row(0);
+        bench.setItem("Centimetres");
+        bench.dialog.reject();
+        QTest::qWait(200);  // more than the search takes
+        QCOMPARE(bench.row(0), before);
     }
     void boxIsExtrudedAlongTheSelectedAxis() {
         ImportBench bench(kMeshes + "wall.obj");

@@ -198,7 +198,7 @@ private slots:
         for (int k = 0; k < compareActions().panel().list().count(); ++k)
             rows += compareActions().panel().list().item(k)->text();
         QVERIFY2(rows.filter("were 11").size() >= 1, qPrintable(rows.join('\n')));
-        QVERIFY2(rows.filter("gone").size() >= 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter("removed").size() >= 1, qPrintable(rows.join('\n')));
         m_window->findChild<QDockWidget*>("dock-changes")->close();
         QVERIFY(!compareActions().comparison().isOn());
     }

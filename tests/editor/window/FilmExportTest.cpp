@@ -93,10 +93,7 @@ private slots:
     }
     void ffmpegEncodesAFilm() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("hit.mp4"), 60, 90, 15.0);
-            dialog.accept();
-        });
+        exportFilm(m_folder->filePath("hit.mp4"), 60, 90, 15.0);
         QTRY_VERIFY_WITH_TIMEOUT(!films().isBusy(), kPatience);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"hit.mp4"});
@@ -106,10 +103,7 @@ private slots:
     }
     void cancelledFilmLeavesNoFiles() {
         const test::Ffmpeg none;
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("film"), 0, 90, 200.0);
-            dialog.accept();
-        });
+        exportFilm(m_folder->filePath("film"), 0, 90, 200.0);
         QTRY_VERIFY_WITH_TIMEOUT(progress().value() > 0, kPatience);
         QVERIFY(QFile::exists(m_folder->filePath("film/frame-0000.png")));
         QTest::mouseClick(window().findChild<QToolButton*>("film-cancel"), Qt::LeftButton);
@@ -119,41 +113,22 @@ private slots:
     void unwritableTargetIsReported() {
         const test::Ffmpeg none;
         QVERIFY(QFile(m_folder->filePath("file")).open(QIODevice::WriteOnly));
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("file/film"), 0, 90, 2.0);
-            dialog.accept();
-        });
-        QString error;
-        test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
-            error = box.text();
-            box.accept();
-        });
-        QTRY_VERIFY_WITH_TIMEOUT(!error.isEmpty(), kPatience);
+        exportFilm(m_folder->filePath("file/film"), 0, 90, 2.0);
+        const QString error = exportError();
         QVERIFY2(error.startsWith("Cannot create the folder"), qPrintable(error));
         QVERIFY(!films().isBusy());
     }
     void fullDiskIsReportedAndLeavesNoFiles() {
         const test::Ffmpeg none;
         const FileSizeLimit full(2000);
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("film"), 0, 90, 2.0);
-            dialog.accept();
-        });
-        QString error;
-        test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
-            error = box.text();
-            box.accept();
-        });
-        QTRY_VERIFY_WITH_TIMEOUT(!error.isEmpty(), kPatience);
+        exportFilm(m_folder->filePath("film"), 0, 90, 2.0);
+        const QString error = exportError();
         QVERIFY2(error.contains("File too large"), qPrintable(error));
         QVERIFY(QDir(m_folder->path()).isEmpty());
     }
     void closingTheWindowDuringExportAsksFirst() {
         const test::Ffmpeg none;
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("film"), 0, 90, 200.0);
-            dialog.accept();
-        });
+        exportFilm(m_folder->filePath("film"), 0, 90, 200.0);
         test::onNextDialog<QMessageBox>([](QMessageBox& box) { box.reject(); });
         QVERIFY(!window().close());
         QVERIFY(films().isBusy());
@@ -173,6 +148,22 @@ private:
     void ask(const std::function<void(FilmDialog&)>& answer) {
         test::onNextDialog<FilmDialog>(answer);
         film().trigger();
+    }
+    void exportFilm(const QString& path, int first, int last, double rate) {
+        ask([path, first, last, rate](FilmDialog& dialog) {
+            fill(dialog, path, first, last, rate);
+            dialog.accept();
+        });
+    }
+    /// Accepts the error box that follows and returns its text; empty if there is none.
+    static QString exportError() {
+        QString error;
+        test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
+            error = box.text();
+            box.accept();
+        });
+        (void)QTest::qWaitFor([&error] { return !error.isEmpty(); }, kPatience);
+        return error;
     }
     static QString summary(FilmDialog& dialog) { return dialog.findChild<QLabel*>("film-summary")->text(); }
     static QPushButton& okButton(FilmDialog& dialog) {

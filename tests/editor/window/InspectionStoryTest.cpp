@@ -1,4 +1,5 @@
 // Tests editor/actions/SelectActions.cpp and editor/views/Views.cpp.
+#include "editor/panels/docks/FragmentTable.h"
 #include "editor/panels/docks/ProblemPanel.h"
 #include "editor/panels/docks/VolumeHistogram.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
@@ -9,6 +10,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
+#include <QTableView>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -67,6 +69,22 @@ private slots:
         QTest::keyClick(&canvas(), Qt::Key_H, Qt::AltModifier);
         QCOMPARE(text(), m_before);  // visibility is not saved
         QCOMPARE(stack().count(), 0);
+    }
+    void tableHidesAndShowsByTheSameActions() {
+        auto& table = *window().findChild<FragmentTable*>();
+        selection().setSeeds({{3, 1}});
+        QTest::keyClick(&table.view(), Qt::Key_H);
+        QVERIFY((selection().hidden() == FragmentSelection{{{3, 1}}, std::nullopt}));
+        QTest::keyClick(&table.view(), Qt::Key_H, Qt::AltModifier);
+        QVERIFY(selection().hidden().isEmpty());
+        selection().setSeeds({{3, 2}});
+        QTest::keyClick(&table.view(), Qt::Key_H, Qt::ShiftModifier);
+        QVERIFY((selection().hidden().seeds == Selection::Seeds{{3, 0}, {3, 1}, {3, 3}}));
+        const QList<QToolButton*> buttons = table.findChildren<QToolButton*>();
+        const auto show = std::ranges::find(buttons, action("show"), &QToolButton::defaultAction);
+        QVERIFY(show != buttons.end());
+        QTest::mouseClick(*show, Qt::LeftButton);
+        QVERIFY(selection().hidden().isEmpty());
     }
     void shortcutsInTheViewApplyToTheClickedFragment() {
         if (!hasView()) QSKIP("OpenGL is not available.");

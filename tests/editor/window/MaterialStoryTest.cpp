@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(limit.text().simplified(), QString("6.226 mm"));  // half as strong: four times as deep
         stack().undo();
     }
-    void withoutStrengthTheTypedThresholdApplies() {
+    void withoutStrengthTheEnteredThresholdApplies() {
         selection().setMaterial(wall().material);
         type("Strength", "0");
         QVERIFY(!findMaterial(project(), wall().material)->tensileStrength);

@@ -72,7 +72,8 @@ inline Pose panelPose(double side, double alongRidge) {
     const double above = kRoofDepth / 2.0 + kRoofGap;
     const Vec3 position{side * (cosine * kRoofSlope / 2.0 + sine * above),
                         kWallHeight + gableHeight() - sine * kRoofSlope / 2.0 + cosine * above, alongRidge};
-    // A quarter turn about x lays the panel flat; then the slope rotates it about z by an angle with a known cosine.
+    // A rotation by 90 degrees about x lays the panel flat; then the slope rotates it about z by an angle with a known
+    // cosine.
     const double w = std::sqrt((1.0 + cosine) / 4.0);
     const double z = sine / (4.0 * w);
     const Quat right{w, -w, z, -z};

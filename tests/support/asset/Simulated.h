@@ -50,7 +50,7 @@ inline bool areAllAsleep(const SceneWorld& moved) {
 
 inline double energyOf(const World& world) { return world.momenta().kinetic + world.momenta().potential; }
 
-/// True where the long runs were asked for: ctest -C Long.
+/// True if the long runs are enabled: ctest -C Long.
 inline bool isLongRun() { return qEnvironmentVariableIsSet("RUBBLE_LONG"); }
 
 }  // namespace rubble::test

@@ -53,6 +53,7 @@ protected:
     }
 
     MainWindow& window() { return *m_window; }
+    PreferenceStore& preferences() { return m_program->preferences(); }
     ViewportWidget& viewport() { return m_window->views().scene().viewport(); }
     PatternCanvas& canvas() { return m_window->views().canvas(); }
     Selection& selection() { return m_window->workspace().selection(); }

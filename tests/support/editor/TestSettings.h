@@ -6,7 +6,7 @@
 
 namespace rubble::test {
 
-/// From now on the program's settings are files in a folder, not those of who runs the test.
+/// From now on the program's settings are files in a folder, not the user's.
 inline void keepSettingsIn(const QString& folder) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);

@@ -24,7 +24,7 @@ nlohmann::json schemaFile(const std::string& name) {
 
 Schema::Schema(const std::string& name) : m_compiled(std::make_unique<Compiled>()) {
     const nlohmann::json json = schemaFile(name);
-    // One schema may speak of parts of another, which lies beside it.
+    // One schema may refer to parts of another, which lies beside it.
     const auto fetch = [](const std::string& uri) {
         return new nlohmann::json(schemaFile(uri.substr(uri.rfind('/') + 1)));
     };

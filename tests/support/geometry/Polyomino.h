@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// A set of unit lattice cells, for polygons that touch themselves in points.
+/// A set of unit lattice cells, for polygons that touch themselves at points.
 class Polyomino {
 public:
     Polyomino(int width, int height) : m_width(width), m_height(height), m_cells(width * height) {}

@@ -133,9 +133,10 @@ private slots:
             QVERIFY(std::abs(scene.colourRange->least - range.least) <= 1e-9 * range.least);
             QVERIFY(std::abs(scene.colourRange->most - range.most) <= 1e-9 * range.most);
             for (std::size_t body = 0; body < scene.picks.size(); ++body) {
-                const double share =
+                const double fraction =
                     (figureOf(colouring, scene.picks[body].fragment) - range.least) / (range.most - range.least);
-                QVERIFY(colourDistance(scene.appearances[body].outside, packed(rampColour(share))) <= 1);  // rounding
+                QVERIFY(colourDistance(scene.appearances[body].outside, packed(rampColour(fraction))) <=
+                        1);  // rounding
             }
         }
         QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Piece}).colourRange);
@@ -156,8 +157,8 @@ private slots:
         QCOMPARE(scene.lines.size(), bonds / 2);
         QCOMPARE(scene.largestBondArea, largest);
         float widest = 0.0f;
-        for (const SceneLine& stroke : scene.lines) {
-            widest = std::max(widest, stroke.from.w);
+        for (const SceneLine& line : scene.lines) {
+            widest = std::max(widest, line.from.w);
             const auto isMiddle = [&](const glm::vec4& end) {
                 for (std::uint32_t body = 0; body < scene.poses.size(); ++body) {
                     const Vec3 middle = Vec3(scene.poses[body].position) + explodeOffset(scene, body);
@@ -165,7 +166,7 @@ private slots:
                 }
                 return false;
             };
-            QVERIFY(isMiddle(stroke.from) && isMiddle(stroke.to));
+            QVERIFY(isMiddle(line.from) && isMiddle(line.to));
         }
         QVERIFY(widest > 3.0f);
         const std::uint32_t touching = static_cast<std::uint32_t>(bake.fragment(0).solid.bonds().size());

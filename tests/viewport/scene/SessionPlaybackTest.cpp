@@ -52,11 +52,14 @@ private slots:
         const auto first = playback.sceneAtStep(5);
         QCOMPARE((*playback.sceneAtStep(5))->poses, (*first)->poses);
     }
-    void invalidInputBecomesANotice() {
+    void invalidInputBecomesADiagnostic() {
         SessionPlayback playback = playbackOf({{2, GrabInput{.body = 77, .force = 1.0}}, {3, kThrow}});
         QVERIFY(playback.sceneAtStep(5).hasValue());
-        QCOMPARE(playback.takeNotices(), std::vector<std::string>{"Cannot grab: there is no body 77."});
-        QVERIFY(playback.takeNotices().empty());
+        const std::vector<Diagnostic> reported = playback.drainDiagnostics();
+        QCOMPARE(reported.size(), std::size_t{1});
+        QCOMPARE(reported[0].code, DiagnosticCode::UnappliedInput);
+        QCOMPARE(reported[0].message, std::string("Cannot grab: there is no body 77."));
+        QVERIFY(playback.drainDiagnostics().empty());
         QCOMPARE(test::countOf(playback.session(), PlayRole::Projectile), 1u);
     }
     void canBeCancelled() {

@@ -22,7 +22,8 @@ private slots:
         viewport.setScene(std::make_shared<RenderScene>());
         QTest::mouseClick(&viewport, Qt::LeftButton);
         QTest::keyClick(&viewport, Qt::Key_Home);
-        QCOMPARE(viewport.errorText(), QString("There is no 3D view: the platform \"offscreen\" has no OpenGL."));
+        QCOMPARE(viewport.errorText(),
+                 QString("The 3D view is unavailable: the platform \"offscreen\" does not support OpenGL."));
         QVERIFY(viewport.findChild<QLabel*>()->isVisible());
     }
 };

@@ -36,9 +36,9 @@ Bake randomBake(Random& random, int kind) {
 }
 
 FragmentSet randomSet(const Bake& bake, Random& random) {
-    const double share = random.unit();
+    const double fraction = random.unit();
     FragmentSet set(bake.fragmentCount());
-    for (std::size_t k = 0; k < set.size(); ++k) set[k] = random.unit() < share;
+    for (std::size_t k = 0; k < set.size(); ++k) set[k] = random.unit() < fraction;
     return set;
 }
 
@@ -109,14 +109,14 @@ bool liesAgainst(const Bake& bake, std::uint32_t fragment, std::uint32_t other) 
     return false;
 }
 
-/// Whether a chosen fragment of its level, or of a deeper one if it is not broken, lies against it without being made
+/// Whether a selected fragment of its level, or of a deeper one if it is not broken, lies against it without being made
 /// with it.
 bool touchesAcross(const Bake& bake, const FragmentSet& set, std::uint32_t fragment) {
     const BakedFragment baked = bake.fragment(fragment);
     for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
-        const BakedFragment chosen = bake.fragment(k);
-        const bool isOnLevel = chosen.level == baked.level || (chosen.level > baked.level && baked.childCount == 0);
-        if (!set[k] || !isOnLevel || chosen.parent == baked.parent) continue;
+        const BakedFragment selected = bake.fragment(k);
+        const bool isOnLevel = selected.level == baked.level || (selected.level > baked.level && baked.childCount == 0);
+        if (!set[k] || !isOnLevel || selected.parent == baked.parent) continue;
         if (liesAgainst(bake, fragment, k)) return true;
     }
     return false;
@@ -227,9 +227,9 @@ private slots:
             const FragmentSet smallest = leafFragments(bake);
             const auto all = std::ranges::count(smallest, true);
             FragmentSet before(bake.fragmentCount(), false);
-            for (const double share : {0.0, 0.3, 0.5, 1.0}) {
-                const FragmentSet some = randomFragments(bake, share, 5);
-                QCOMPARE(std::ranges::count(some, true), std::llround(share * static_cast<double>(all)));
+            for (const double fraction : {0.0, 0.3, 0.5, 1.0}) {
+                const FragmentSet some = randomFragments(bake, fraction, 5);
+                QCOMPARE(std::ranges::count(some, true), std::llround(fraction * static_cast<double>(all)));
                 for (std::size_t k = 0; k < some.size(); ++k) QVERIFY(smallest[k] || !some[k]);
                 for (std::size_t k = 0; k < some.size(); ++k) QVERIFY(some[k] || !before[k]);
                 before = some;

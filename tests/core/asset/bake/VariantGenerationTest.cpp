@@ -93,9 +93,9 @@ private slots:
     void lockedSeedsKeepTheirPositions() {
         for (std::uint64_t randomSeed = 0; randomSeed < 10; ++randomSeed) {
             const Asset asset = heaps();
-            const std::vector<SeedId> chosen{{4, 3}, {4, 11}, {5, 0}};
+            const std::vector<SeedId> seeds{{4, 3}, {4, 11}, {5, 0}};
             VariantRecipe recipe{.count = 6, .randomSeed = randomSeed};
-            recipe.locked = lockedIn(*bake(asset), chosen);
+            recipe.locked = lockedIn(*bake(asset), seeds);
             QCOMPARE(recipe.locked.size(), std::size_t{3});
             const std::vector<Asset> made = variants(asset, recipe);
             std::vector<Asset> all = childrenFrom(std::span(made).subspan(1, 2), recipe);
@@ -132,17 +132,17 @@ private slots:
         other.pattern.layers[0].randomSeed = 200;
         other.pattern.layers[0].parameters = Clusters{.clusters = 40, .seedsPerCluster = 5, .radius = 0.02};
         const VariantRecipe recipe{.count = 40, .spread = 0.1};
-        const std::vector<Asset> bred = childrenFrom(std::vector{one, other}, recipe);
-        QVERIFY(bred[0] == one && bred[1] == other);
+        const std::vector<Asset> children = childrenFrom(std::vector{one, other}, recipe);
+        QVERIFY(children[0] == one && children[1] == other);
         std::size_t inherited = 0;
-        for (std::size_t k = 2; k < bred.size(); ++k) {
-            const Clusters& made = clustersOf(bred[k]);
+        for (std::size_t k = 2; k < children.size(); ++k) {
+            const Clusters& made = clustersOf(children[k]);
             const bool isOfOne = made.clusters < 10;
             const double radius = isOfOne ? 0.2 : 0.02, clusters = isOfOne ? 4.0 : 40.0;
             QVERIFY(made.radius >= radius / 1.1 - 1e-12 && made.radius <= radius * 1.1 + 1e-12);
             QVERIFY(std::abs(made.clusters - clusters) <= 0.1 * clusters + 0.5);
-            QVERIFY(!(bred[k] == one) && !(bred[k] == other));
-            const std::uint64_t randomSeed = bred[k].pattern.layers[0].randomSeed;
+            QVERIFY(!(children[k] == one) && !(children[k] == other));
+            const std::uint64_t randomSeed = children[k].pattern.layers[0].randomSeed;
             if (randomSeed == (isOfOne ? 100u : 200u)) ++inherited;
         }
         QVERIFY(inherited > 20);  // two of three
@@ -176,13 +176,13 @@ private slots:
         }
         QCOMPARE(seeds.size(), std::size_t{11});  // the asset's own, and five of each recipe
 
-        const std::vector<Asset> bred =
+        const std::vector<Asset> children =
             childrenFrom(std::vector{made[1], made[2], asset}, {.count = 60, .spread = 0.0});
         std::size_t inherited = 0, fresh = 0;
-        for (std::size_t k = 3; k < bred.size(); ++k) {
-            const PatternLayer& layer = bred[k].levels[0].pattern.layers[0];
+        for (std::size_t k = 3; k < children.size(); ++k) {
+            const PatternLayer& layer = children[k].levels[0].pattern.layers[0];
             const bool isOfParent = std::ranges::any_of(
-                std::span(bred).first(3), [&](const Asset& parent) { return parent.levels == bred[k].levels; });
+                std::span(children).first(3), [&](const Asset& parent) { return parent.levels == children[k].levels; });
             QVERIFY(isOfParent || layer.overrides.empty());
             ++(isOfParent ? inherited : fresh);
         }
@@ -223,9 +223,9 @@ private slots:
         QVERIFY(!made);
         QVERIFY2(QString::fromStdString(made.error().message).contains(word), made.error().message.c_str());
         if (!recipe.varied.empty()) return;  // children may be of another kind
-        const Result<std::vector<Asset>> bred = crossoverVariants(std::vector{heaps()}, recipe);
-        QVERIFY(!bred);
-        QCOMPARE(bred.error().message, made.error().message);
+        const Result<std::vector<Asset>> children = crossoverVariants(std::vector{heaps()}, recipe);
+        QVERIFY(!children);
+        QCOMPARE(children.error().message, made.error().message);
     }
     void crossoverNeedsParents() { QVERIFY(!crossoverVariants({}, {}).hasValue()); }
 };

@@ -3,6 +3,7 @@
 #include "core/base/Random.h"
 #include "core/geometry/hull/AspectRatio.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/DiagnosticGrid.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/asset/RandomAssets.h"
 
@@ -135,6 +136,19 @@ private slots:
                              "has none: the stored one, 72.5 N·s, is used."));
         project.materials[0].tensileStrength = 1e6;
         QVERIFY(problemsOf(project, {}).empty());
+    }
+    /// Of n diagnostics on the second level, none may cost a search among the n pieces.
+    void workIsLinearInTheDiagnostics() {
+        for (const std::uint32_t side : {16u, 48u}) {
+            const Asset asset = test::diagnosticGrid(side);
+            const Bake baked = *bake(asset);
+            std::size_t visited = 0;
+            const auto problems = ofKind(problemsOf(asset, baked, {}, {}, &visited), DiagnosticCode::DuplicateSeed);
+            QCOMPARE(problems.size(), std::size_t{side * side});
+            QCOMPARE(problems.back().place.level, 1u);
+            const std::size_t items = baked.diagnostics.size() + baked.fragmentCount();
+            QVERIFY2(visited >= items && visited <= 4 * items, qPrintable(QString::number(visited)));
+        }
     }
     void everyOutlineFaultIsReported() {
         Asset asset = boxWith({});

@@ -143,9 +143,11 @@ private slots:
             surface->back.material = 1;
             p.assets[0].surface = surface;
         });
-        row("Asset 2 \"wall\": the fracture at the impact has 1 pieces, but there must be 2 to 1000.",
+        row("Asset 2 \"wall\": the number of fragments of the fracture at the impact is 1, but it must be from 2 to "
+            "1000.",
             [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1}; });
-        row("Asset 2 \"wall\": the fracture at the impact has 1001 pieces, but there must be 2 to 1000.",
+        row("Asset 2 \"wall\": the number of fragments of the fracture at the impact is 1001, but it must be from 2 to "
+            "1000.",
             [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1001}; });
         row("Asset 2 \"wall\": the falloff radius of the fracture at the impact is 0, but it must be finite and above "
             "zero.",
@@ -169,11 +171,15 @@ private slots:
         row("The project: the gravity is (0, nan, 0), but it must be finite.", [](Project& p) { p.gravity.y = kNan; });
         row("The project: the thesis threshold is 0, but it must be finite and above zero.",
             [](Project& p) { p.damage.thesisThreshold = 0.0; });
+        row("Play-test 8 \"stands\": the expected value is -1, but it must be finite and not below zero.",
+            [](Project& p) {
+                p.playTests[0].expectations[0] = {.kind = ExpectationKind::StandsUntouched, .value = -1.0};
+            });
         row("The debris: the lifetime is 0, but it must be finite and above zero.",
             [](Project& p) { p.debris.lifetime = 0.0; });
         row("The debris: the fade is -1, but it must be finite and not below zero.",
             [](Project& p) { p.debris.fade = -1.0; });
-        row("The debris: the maximum number of pieces is 0, but it must be at least 1.",
+        row("The debris: the maximum number of fragments is 0, but it must be at least 1.",
             [](Project& p) { p.debris.maxPieces = 0; });
         row("Shot 7 \"box\": the time is -1, but it must be finite and not below zero.",
             [](Project& p) { p.shots[0].time = -1.0; });

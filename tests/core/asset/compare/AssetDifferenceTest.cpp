@@ -75,7 +75,7 @@ private slots:
         QVERIFY(isReported([](Asset& a) { a.insideUvScale = 3.0; }, "inside UV scale"));
         QVERIFY(isReported([](Asset& a) { a.cutAtImpact.reset(); }, "cut at impact"));
         QVERIFY(isReported([](Asset& a) { a.shaping.gap = 0.0; }, "gap"));
-        QVERIFY(isReported([](Asset& a) { a.shaping.smallPieces.limit = 0.5; }, "small pieces"));
+        QVERIFY(isReported([](Asset& a) { a.shaping.smallPieces.limit = 0.5; }, "small fragments"));
         QVERIFY(isReported([](Asset& a) { a.shaping.roughness.octaves = 1; }, "roughness"));
         QVERIFY(isReported([](Asset& a) { a.leaves[0].fragment = "4.4"; }, "fragments with their own pattern"));
         QVERIFY(isReported([](Asset& a) { a.edits.pop_back(); }, "fragments merged or split"));
@@ -111,8 +111,8 @@ private slots:
         other.pattern.layers.erase(other.pattern.layers.begin() + 3);
         const std::vector<RecipeChange> gone = changesOf(asset, other), added = changesOf(other, asset);
         QCOMPARE(gone, (std::vector<RecipeChange>{{"layer 7 (lloyd)", "rounds 4", ""}}));
-        QCOMPARE(sentenceOf(gone[0]), std::string("layer 7 (lloyd) is gone: rounds 4"));
-        QCOMPARE(sentenceOf(added[0]), std::string("layer 7 (lloyd) is new: rounds 4"));
+        QCOMPARE(sentenceOf(gone[0]), std::string("layer 7 (lloyd) removed: rounds 4"));
+        QCOMPARE(sentenceOf(added[0]), std::string("layer 7 (lloyd) added: rounds 4"));
     }
     void seedEditsAreReported() {
         const Asset asset = fullProject().assets[0];
@@ -158,13 +158,13 @@ private slots:
         PieceDifference piece{.path = "5.17", .shift = 0.0125, .volumeBefore = 0.25, .volumeAfter = 0.5};
         QCOMPARE(sentenceOf(piece), std::string("5.17 moved by 12.5 mm, now 0.5 m³, was 0.25 m³"));
         piece.change = PieceChange::Reshaped;
-        QCOMPARE(sentenceOf(piece), std::string("5.17 has another shape, now 0.5 m³, was 0.25 m³"));
+        QCOMPARE(sentenceOf(piece), std::string("5.17 changed shape, now 0.5 m³, was 0.25 m³"));
         piece.change = PieceChange::Gone;
-        QCOMPARE(sentenceOf(piece), std::string("5.17 is gone, was 0.25 m³"));
+        QCOMPARE(sentenceOf(piece), std::string("5.17 removed, was 0.25 m³"));
         piece.change = PieceChange::Added;
-        QCOMPARE(sentenceOf(piece), std::string("5.17 is new, 0.5 m³"));
+        QCOMPARE(sentenceOf(piece), std::string("5.17 added, 0.5 m³"));
         QCOMPARE(sentenceOf(LevelDifference{.before = 1, .after = 1, .unchanged = 1}),
-                 std::string("1 fragment, all as they were"));
+                 std::string("1 fragment, unchanged"));
     }
 };
 

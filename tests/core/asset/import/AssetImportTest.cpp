@@ -35,8 +35,8 @@ ImportOutcome imported(Project project, const SourceScene& scene, const ImportOp
 QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
     const Result<ImportOutcome> outcome = importedInto({}, scene, "file", options, {});
     if (!outcome) return QString::fromStdString(outcome.error().message);
-    if (outcome->refused.empty() || outcome->project != Project{}) return "";
-    return QString::fromStdString(outcome->refused[0].message);
+    if (outcome->rejected.empty() || outcome->project != Project{}) return "";
+    return QString::fromStdString(outcome->rejected[0].message);
 }
 
 }  // namespace
@@ -136,12 +136,12 @@ private slots:
         const ImportOutcome outcome = imported({}, sceneOf({wall, objectOf("Open", open), gable}));
         QVERIFY(outcome.project == imported({}, sceneOf({wall, gable})).project);
         QCOMPARE(outcome.assets.size(), std::size_t{2});
-        QCOMPARE(outcome.refused.size(), std::size_t{1});
-        QCOMPARE(outcome.refused[0].message,
+        QCOMPARE(outcome.rejected.size(), std::size_t{1});
+        QCOMPARE(outcome.rejected[0].message,
                  std::string("\"Open\": The mesh is not closed: 3 edges have one face only."));
         const ImportOutcome parts = imported({}, sceneOf({objectOf("Set", joined(open, wallMesh()))}));
         QCOMPARE(parts.assets.size(), std::size_t{1});
-        QCOMPARE(parts.refused[0].code, ErrorCode::Degenerate);
+        QCOMPARE(parts.rejected[0].code, ErrorCode::Degenerate);
     }
     void otherErrorsAreNamed() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});

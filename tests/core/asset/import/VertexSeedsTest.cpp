@@ -20,18 +20,18 @@ private slots:
     void pointsAreProjectedAlongTheAxis() {
         const auto found = seedsAtVertices(meshOf({{0.25, 0.5, -3.0}, {0.75, 0.5, 7.0}}), {}, unitSquare());
         QCOMPARE(found->seeds, (PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}}));
-        QCOMPARE(found->report(), std::string());
+        QCOMPARE(found->omissionText(), std::string());
     }
     void pointsOutsideAndDuplicatesAreReported() {
         const auto found = seedsAtVertices(
             meshOf({{0.5, 0.5, 0.0}, {2.0, 0.5, 0.0}, {0.5, 0.5, 1.0}, {0.0, 0.5, 0.0}, {-0.0, 0.5, 1.0}}), {},
             unitSquare());
         QCOMPARE(found->seeds.seeds.size(), std::size_t{2});
-        QCOMPARE(found->report(),
+        QCOMPARE(found->omissionText(),
                  std::string(
                      "1 point of the mesh outside the outline and 2 points at the position of others were left out."));
         const auto one = seedsAtVertices(meshOf({{0.5, 0.5, 0.0}, {2.0, 0.5, 0.0}}), {}, unitSquare());
-        QCOMPARE(one->report(), std::string("1 point of the mesh outside the outline was left out."));
+        QCOMPARE(one->omissionText(), std::string("1 point of the mesh outside the outline was left out."));
     }
     void pointsInHolesAreOutside() {
         QCOMPARE(seedsAtVertices(meshOf({{2.0, 2.0, 0.0}, {0.5, 0.5, 0.0}}), {}, squareRing())->outside, 1u);

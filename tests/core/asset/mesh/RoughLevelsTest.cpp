@@ -183,7 +183,7 @@ private slots:
             }
         }
     }
-    /// Where a cut meets the outline at a flat angle, what stands out into the gap would soon be beyond the outline.
+    /// Where a cut meets the outline at a flat angle, bumps in the gap would soon be beyond the outline.
     void noPieceBesideAGapLeavesASteepOutline() {
         Asset asset = boxAsset(3, 5, PlacedSeeds{{{0, {0.25, 2.4}}, {1, {0.75, 2.4}}}});
         asset.prism.outline = {{{0.0, 0.0}, {1.0, 3.8}, {1.0, 4.8}, {0.0, 1.0}}, {}};

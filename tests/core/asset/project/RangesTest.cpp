@@ -56,6 +56,15 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::ExplosionRadius), Explosion().radius);
         QCOMPARE(defaultOf(ProjectNumber::ShotTime), Shot().time);
         QCOMPARE(defaultOf(ProjectNumber::TestDuration), PlayTest().duration);
+        QCOMPARE(defaultOf(ProjectNumber::InstanceVariant), static_cast<double>(Instance().variant));
+        QCOMPARE(defaultOf(numberOf(SmallPieces().measure)), SmallPieces().limit);
+    }
+    void valuesOfExpectationsHaveTheirOwnRanges() {
+        const auto rangeOfKind = [](ExpectationKind kind) { return rangeOf(numberOf(kind)); };
+        QVERIFY(!rangeOfKind(ExpectationKind::StandsUntouched).contains(-1.0));
+        QVERIFY(!rangeOfKind(ExpectationKind::BreaksIntoAtLeast).contains(-1.0));
+        QVERIFY(!rangeOfKind(ExpectationKind::NothingFaster).contains(-1.0));
+        QVERIFY(rangeOfKind(ExpectationKind::NothingAbove).contains(-1.0));
     }
     void endsOfRanges() {
         QVERIFY(!rangeOf(ProjectNumber::Density).contains(0.0));
@@ -78,6 +87,8 @@ private slots:
         QCOMPARE(rangeFault("Shot 1", ProjectNumber::ShotPosition, {0.0, std::nan(""), 1.0}, "start").value(),
                  std::string("Shot 1: the start is (0, nan, 1), but it must be finite."));
         QVERIFY(!rangeFault("Shot 1", {{ProjectNumber::ShotTime, 0.0}}));
+        QCOMPARE(rangeText(rangeOf(ProjectNumber::StepLength)), std::string("from 0.00001 to 0.1"));
+        QCOMPARE(rangeText(rangeOf(ProjectNumber::SmallPieceFraction)), std::string("above 0 and at most 1"));
     }
 };
 

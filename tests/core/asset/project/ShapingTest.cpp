@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace rubble;
@@ -89,12 +90,12 @@ private slots:
                        FragmentSplit{"5.1/6.0", {}}};
         const Bake same = *bake(asset);
         QCOMPARE(idsOf(same).size(), std::size_t{4});
-        QCOMPARE(messagesOf(same), (Ids{"The piece 5.9 is not there; it is not merged into 5.0.",
-                                        "The piece 5.2 does not touch 5.0; it is not merged into it.",
-                                        "The piece 7.0 is not there; nothing is merged into it.",
-                                        "The piece 5.0 is missed by the line that is to split it.",
-                                        "The piece 5.8 is not there; it is not split.",
-                                        "The piece 5.1 is not broken; none of its pieces is merged or split."}));
+        QCOMPARE(messagesOf(same), (Ids{"Fragment 5.9 does not exist; it is not merged into 5.0.",
+                                        "Fragment 5.2 does not touch 5.0; they are not merged.",
+                                        "Fragment 7.0 does not exist; nothing is merged into it.",
+                                        "Fragment 5.0 does not intersect its split line; it is not split.",
+                                        "Fragment 5.8 does not exist; it is not split.",
+                                        "Fragment 5.1 is not fractured; none of its fragments is merged or split."}));
         verified(same, asset);
     }
     void partsOfASplitFragmentAreNumbered() {
@@ -134,7 +135,7 @@ private slots:
         QCOMPARE(leaves.fragment(1).childCount, 0u);
         QCOMPARE(leaves.fragment(2).childCount, 6u);
         QVERIFY(leaves.fragmentId(leaves.fragment(2).firstChild).starts_with("3/5.2/7."));
-        QCOMPARE(messagesOf(leaves), (Ids{"The piece 5.9, which is to be broken in its own way, is not there."}));
+        QCOMPARE(messagesOf(leaves), (Ids{"Fragment 5.9 has its own pattern, but does not exist."}));
         verified(leaves, asset);
     }
     void overridesNestUntilFragmentsAreTooSmall() {
@@ -191,6 +192,18 @@ private slots:
         for (const char* wrong : {"", "5", "5.", "5.1.2.3", "5.1/", "a.1", "05.1", "5.1 ", "5.99999999999"}) {
             QVERIFY2(!isFragmentPath(wrong), wrong);
         }
+    }
+    void minimumSizesOutOfRangeAreNamed() {
+        const auto faultOf = [](PieceMeasure measure, double limit) {
+            return verifyShaping({.smallPieces = {SmallPieceRule::Merge, measure, limit}}).value_or("");
+        };
+        QCOMPARE(faultOf(PieceMeasure::Area, 7.0), std::string());
+        QCOMPARE(faultOf(PieceMeasure::FractionOfMean, 1.0), std::string());
+        QCOMPARE(faultOf(PieceMeasure::FractionOfMean, 1.5),
+                 std::string("The minimum size of fragments is 1.5, but it must be above 0 and at most 1."));
+        QCOMPARE(faultOf(PieceMeasure::Volume, 0.0),
+                 std::string("The minimum size of fragments is 0, but it must be finite and above zero."));
+        QVERIFY(faultOf(PieceMeasure::Area, std::nan("")) != "");
     }
     /// All of it at once, on all kinds of outlines: two levels, leaves, merges, splits, small pieces, gaps.
     void randomShapedAssetsVerify() {

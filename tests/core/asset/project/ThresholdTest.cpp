@@ -69,7 +69,7 @@ private slots:
         other.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 500}}};
         QCOMPARE(thresholdOf(other, strongMaterial()), 400.0);
     }
-    void withoutStrengthTheTypedThresholdIsUsed() {
+    void withoutStrengthTheEnteredThresholdIsUsed() {
         Material unknown = strongMaterial();
         unknown.tensileStrength.reset();
         QCOMPARE(thresholdOf(derivedWall(), unknown), 55.0);

@@ -67,7 +67,8 @@ private slots:
         QCOMPARE(loose[0].value, 0.25);
         QCOMPARE(loose[1].place.index, 2u);
         QCOMPARE(loose[1].value, 0.25);
-        QCOMPARE(loose[0].message, std::string("Cut 0 of layer 7 parts nothing along 0.25 m, which are left out."));
+        QCOMPARE(loose[0].message,
+                 std::string("Cut 0 of layer 7 separates nothing along 0.25 m; this part is omitted."));
     }
     void oneCutToAHoleSeparatesNothing() {
         const auto stages = verifiedStages(only(crackLinesAlong({{Vec2(-1.0, 2.0), Vec2(2.0, 2.0)}})), squareRing());
@@ -162,8 +163,8 @@ private slots:
         QCOMPARE(cuts.error().code, ErrorCode::Limit);
         QCOMPARE(
             cuts.error().message,
-            std::string("Layer 7 has bricks more than 5000 courses or columns from its origin: make them larger, or "
-                        "move the origin nearer."));
+            std::string("Layer 7 has bricks more than 5000 courses or columns from its origin: increase their size, or "
+                        "move the origin closer."));
     }
     void invalidCrackLinesAreRejectedWithTheirIndex() {
         QCOMPARE(*verifyPattern(only(CrackLines{{{0, {Vec2(0.0)}}}})),

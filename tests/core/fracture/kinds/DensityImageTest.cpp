@@ -76,8 +76,8 @@ private slots:
             }
         }
         for (double& each : expected) each *= kCount / sum;
-        const double share = chiSquareByLimit(seen, expected);
-        QVERIFY2(share < 1.0, qPrintable(QString::number(share)));
+        const double ratio = chiSquareByLimit(seen, expected);
+        QVERIFY2(ratio < 1.0, qPrintable(QString::number(ratio)));
     }
     void seedsAreUniformInClippedPixels() {
         // One pixel over a triangle: equally many seeds in each of its quarters.
@@ -123,7 +123,7 @@ private slots:
                  std::string("Layer 1: the image has 1025 x 1 pixels, but from 1 to 1024 a side are allowed."));
         image = good;
         image.bits = 12;
-        QCOMPARE(faultOf(image), std::string("Layer 1: the image has 12 bits a pixel, but must have 8 or 16."));
+        QCOMPARE(faultOf(image), std::string("Layer 1: the image has 12 bits per pixel, but must have 8 or 16."));
         image = good;
         image.grey[0] = 256;
         QCOMPARE(faultOf(image), std::string("Layer 1: the image has a value of 256, but 255 is white."));

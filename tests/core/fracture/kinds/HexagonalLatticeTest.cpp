@@ -81,7 +81,7 @@ private slots:
         const auto fine = seedsOf(latticeOf({.spacing = 1e-4}), unitSquare());
         QCOMPARE(fine.error().code, ErrorCode::Limit);
         QCOMPARE(fine.error().message,
-                 std::string("Layer 1 has seeds more than 5000 steps from its centre: make the spacing larger."));
+                 std::string("Layer 1 has seeds more than 5000 steps from its centre: increase the spacing."));
         const auto many = seedsOf(latticeOf({.spacing = 2.5e-4}), unitSquare());
         QCOMPARE(many.error().message, std::string("Layer 1 brings the pattern above 10000000 seeds."));
     }

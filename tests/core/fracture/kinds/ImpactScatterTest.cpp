@@ -27,8 +27,8 @@ std::vector<double> expectedOf(const ImpactScatter& scatter, const Polygon& outl
         for (int x = 0; x < side * kFine; ++x) {
             const Vec2 at = box.min + box.size() * Vec2(x + 0.5, y + 0.5) / static_cast<double>(side * kFine);
             if (containment(outline, at) == Containment::Outside) continue;
-            const double share = std::hypot(at.x - scatter.centre.x, at.y - scatter.centre.y) / scatter.radius;
-            const double density = std::pow(1.0 + share * share, -scatter.falloff / 2.0);
+            const double ratio = std::hypot(at.x - scatter.centre.x, at.y - scatter.centre.y) / scatter.radius;
+            const double density = std::pow(1.0 + ratio * ratio, -scatter.falloff / 2.0);
             expected[static_cast<std::size_t>(y / kFine * side + x / kFine)] += density;
             sum += density;
         }
@@ -64,8 +64,8 @@ private slots:
                 glm::min(glm::floor((seed - box.min) / box.size() * static_cast<double>(kSide)), kSide - 1.0);
             seen[static_cast<std::size_t>(cell.y * kSide + cell.x)] += 1.0;
         }
-        const double share = chiSquareByLimit(seen, expectedOf(scatter, squareRing(), box, kSide));
-        QVERIFY2(share < 1.0, qPrintable(QString::number(share)));
+        const double ratio = chiSquareByLimit(seen, expectedOf(scatter, squareRing(), box, kSide));
+        QVERIFY2(ratio < 1.0, qPrintable(QString::number(ratio)));
     }
     void greaterCountKeepsEarlierSeeds() {
         const Seeds few = scattered({.count = 50}, lShape());

@@ -46,7 +46,7 @@ private slots:
         QVERIFY(connectedParts({ring({0, 1})}, points).empty());
     }
     void figureEightIsTwoParts() {
-        // Two squares that touch in point 2.
+        // Two squares that touch at point 2.
         const std::vector<Vec2> points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {0, 1}};
         QCOMPARE(numbersOf(connectedParts({ring({0, 1, 2, 3, 4, 5, 2, 6})}, points)),
                  (Numbers{{{0, 1, 2, 6}}, {{2, 3, 4, 5}}}));

@@ -147,8 +147,8 @@ QString crackLineFault(const PatternStages& stages, const Polygon& outline, cons
                 forEachEdge(partition, piece, [&](std::uint32_t a, std::uint32_t b, std::uint32_t) {
                     const Vec2 start = partition.points[a] + partition.origin,
                                edge = partition.points[b] - partition.points[a];
-                    const double share = std::clamp(glm::dot(place - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
-                    nearest = std::min(nearest, glm::distance(place, start + share * edge));
+                    const double fraction = std::clamp(glm::dot(place - start, edge) / glm::dot(edge, edge), 0.0, 1.0);
+                    nearest = std::min(nearest, glm::distance(place, start + fraction * edge));
                 });
             }
             inside += glm::length(along) / kSamples;

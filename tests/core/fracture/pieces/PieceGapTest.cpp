@@ -53,7 +53,7 @@ private slots:
         QCOMPARE(halves[0].volume(), 0.75);
         QCOMPARE(halves.gapArea, 0.25);
         QCOMPARE(QString::fromStdString(halves.diagnostics.back().message),
-                 QString("The gap between pieces takes 0.5 m³ from them."));
+                 QString("The gap between fragments takes 0.5 m³ from them."));
         QVERIFY(!verifyFragments(halves, {unitSquare(), 2.0}));
         QVERIFY(!verifyGap(halves, 0.25));
         QVERIFY(verifyGap(halves, 0.26));

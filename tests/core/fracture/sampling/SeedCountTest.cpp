@@ -40,9 +40,9 @@ private slots:
     void invalidAmountsAreRejected() {
         QCOMPARE(faultOf(0), std::string());
         QCOMPARE(faultOf({CountBy::Density, 0.0}),
-                 std::string("Layer 1: \"Count\" is 0 a square metre, but must be finite and above zero."));
+                 std::string("Layer 1: \"Count\" is 0 per square metre, but must be finite and above zero."));
         QCOMPARE(faultOf({CountBy::PieceSize, -1.0}),
-                 std::string("Layer 1: \"Count\" is -1 m a piece, but must be finite and above zero."));
+                 std::string("Layer 1: \"Count\" is -1 m per fragment, but must be finite and above zero."));
         QCOMPARE(faultOf({CountBy::Number, 2e7}),
                  std::string("Layer 1: \"Count\" is 20000000, but must be from 0 to 10000000."));
     }

@@ -59,7 +59,7 @@ private slots:
         QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) {
                      d.duplicates[0] = {4, 4};
                  }),
-                 std::string("Seed 4 is no duplicate of seed 4."));
+                 std::string("Seed 4 is not a duplicate of seed 4."));
     }
     void wrongTwinsAreFound() {
         const std::string fault = faultAfter(

@@ -52,7 +52,7 @@ private slots:
         const TriangleMesh one{
             {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 5, 4}, {0, 4, 6}, {0, 6, 5}, {4, 5, 6}}};
-        QCOMPARE(faultOf(one), "The mesh consists of parts that touch only in single points.");
+        QCOMPARE(faultOf(one), "The mesh consists of parts that touch only at single points.");
     }
     void projectivePlaneIsNotOrientable() {
         const TriangleMesh plane{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}},

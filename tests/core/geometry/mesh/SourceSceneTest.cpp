@@ -34,7 +34,7 @@ private slots:
         for (std::size_t size = 0; size < bytes.size(); ++size)
             QVERIFY(!readSourceScene(std::string_view(bytes).substr(0, size)).hasValue());
         QVERIFY(!readSourceScene(bytes + " ").hasValue());
-        QCOMPARE(readSourceScene("").error().message, std::string("The bytes are no mesh."));
+        QCOMPARE(readSourceScene("").error().message, std::string("The bytes are not a valid mesh."));
     }
     void invalidValuesAreRejected() {
         SourceScene scene = twoObjects();

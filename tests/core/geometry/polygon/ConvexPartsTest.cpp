@@ -1,6 +1,7 @@
 #include "core/geometry/polygon/ConvexParts.h"
 
 #include "core/base/Random.h"
+#include "core/geometry/polygon/HalfEdgeTriangles.h"
 #include "core/geometry/polygon/IndexedCorners.h"
 #include "core/geometry/polygon/PolygonFaults.h"
 #include "core/geometry/predicates/Predicates.h"
@@ -11,10 +12,10 @@
 #include <QTest>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 using namespace rubble;
 
@@ -112,7 +113,7 @@ Ring randomStar(Random& random, std::uint64_t corners, Vec2 centre, double radiu
     Ring ring;
     for (std::uint64_t i = 0; i < corners; ++i) {
         const double angle =
-            6.283185307179586 * (static_cast<double>(i) + random.unit()) / static_cast<double>(corners);
+            2.0 * std::numbers::pi * (static_cast<double>(i) + random.unit()) / static_cast<double>(corners);
         ring.push_back(centre + Vec2(std::cos(angle), std::sin(angle)) * radius * random.between(0.2, 1.0));
     }
     return ring;
@@ -330,19 +331,26 @@ private slots:
         }
         QVERIFY(pinched > 300);
     }
-    void elevenThousandCornersTakeMilliseconds() {
+    void stepsGrowLikeNLogN() {
         Random random(logged(105));
-        const Polygon polygon = starWithHoles(random, 1000, 20, 25);  // 11,000 corners
-        QVERIFY(polygonFaults(polygon).empty());
-        const auto start = std::chrono::steady_clock::now();
-        const Result<IndexLoops> parts = convexParts(polygon);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        qInfo("%.1f ms for %zu parts", taken.count() * 1e3, parts->size());
-        QVERIFY(taken.count() < 1.0);  // ear clipping without a grid takes longer
-        QCOMPARE(faultOf(polygon, *parts), std::string());
+        const Polygon small = starWithHoles(random, 1000, 20, 25), large = starWithHoles(random, 4000, 40, 25);
+        const auto [sweep, flips] = stepsFor(small);  // 11,000 corners
+        const auto [largeSweep, largeFlips] = stepsFor(large);
+        qInfo("sweep: %zu, then %zu steps; Delaunay: %zu, then %zu tests", sweep, largeSweep, flips, largeFlips);
+        QVERIFY(sweep > 0 && largeSweep < 6 * sweep);  // 16 times if quadratic
+        QVERIFY(flips > 0 && largeFlips < 6 * flips);
+        QCOMPARE(faultOf(small), std::string());
+        QCOMPARE(faultOf(large), std::string());
     }
 
 private:
+    /// The steps of the sweep, and the edges tested by makeDelaunay().
+    static std::pair<std::size_t, std::size_t> stepsFor(const Polygon& polygon) {
+        const IndexedCorners corners = indexedCorners(polygon);
+        std::size_t steps = 0;
+        std::optional<HalfEdgeTriangles> triangles = linkTriangles(*sweepTriangulation(corners, &steps), corners);
+        return {steps, makeDelaunay(*triangles, corners.points)};
+    }
     static std::uint64_t logged(std::uint64_t seed) {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         return seed;

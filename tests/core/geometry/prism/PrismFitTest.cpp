@@ -11,20 +11,23 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+#include <numbers>
+
 using namespace rubble;
 
 namespace {
 
-Result<PrismFit> found(const TriangleMesh& mesh, PrismAxis choice = PrismAxis::Thinnest) {
+Result<PrismFit> found(const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {
     const Result<WeldedMesh> one = welded(mesh);
     if (!one) return one.error();
     const Result<SolidMesh> solid = orientedSolid(one->mesh, one->tolerance);
     if (!solid) return solid.error();
-    return fitPrism(solid->mesh, choice, one->tolerance);
+    return fitPrism(solid->mesh, axis, one->tolerance);
 }
 
-QString faultOf(const TriangleMesh& mesh, PrismAxis choice = PrismAxis::Thinnest) {
-    const Result<PrismFit> prism = found(mesh, choice);
+QString faultOf(const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {
+    const Result<PrismFit> prism = found(mesh, axis);
     return prism ? "It is a prism." : QString::fromStdString(prism.error().message);
 }
 
@@ -47,12 +50,12 @@ Pose anyPose(Random& random) {
 
 /// A star-shaped outline with random radii between 0.5 and 1.5, every second one larger.
 Polygon star(Random& random) {
-    constexpr double kTurn = 6.283185307179586;
     const int count = 3 + static_cast<int>(random.below(20));
     Polygon polygon;
     for (int k = 0; k < count; ++k) {
         const double radius = k % 2 == 0 ? random.between(0.5, 0.8) : random.between(1.0, 1.5);
-        polygon.outer.push_back({radius * std::cos(kTurn * k / count), radius * std::sin(kTurn * k / count)});
+        const double angle = 2.0 * std::numbers::pi * k / count;
+        polygon.outer.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     return polygon;
 }
@@ -64,16 +67,15 @@ TriangleMesh box(Vec3 size) {
 
 /// A faceted ball: rings of points around the y axis.
 TriangleMesh ball(int segments, int rings) {
-    constexpr double kPi = 3.14159265358979323846;
     TriangleMesh mesh;
     mesh.points = {{0, 1, 0}, {0, -1, 0}};
     const auto point = [&](int ring, int segment) {
         return static_cast<std::uint32_t>(2 + ring * segments + (segment + segments) % segments);
     };
     for (int ring = 0; ring < rings; ++ring) {
-        const double polar = kPi * (ring + 1) / (rings + 1);
+        const double polar = std::numbers::pi * (ring + 1) / (rings + 1);
         for (int k = 0; k < segments; ++k) {
-            const double turn = 2.0 * kPi * k / segments;
+            const double turn = 2.0 * std::numbers::pi * k / segments;
             mesh.points.push_back(
                 {std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn)});
         }

@@ -53,7 +53,7 @@ private slots:
         const auto second = PictureSequence::create(folder().toStdString());
         QCOMPARE(second.error().code, ErrorCode::BadInput);
         QCOMPARE(QString::fromStdString(second.error().message),
-                 folder() + " already holds a film: frame-0000.png. Choose another folder, or remove its pictures.");
+                 folder() + " already contains a film: frame-0000.png. Choose another folder, or remove its pictures.");
     }
     void folderThatCannotBeCreatedIsAnError() {
         QFile::setPermissions(m_place->path(), QFile::ReadOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther);

@@ -64,7 +64,7 @@ private slots:
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         QCOMPARE(fault(), std::string());
         QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
-        QCOMPARE(fault(), "The folder \"" + folder + "\" holds \"notes.txt\", which is not part of the export.");
+        QCOMPARE(fault(), "The folder \"" + folder + "\" contains \"notes.txt\", which is not part of the export.");
         QVERIFY(writeFileAtomically(m_pack / "wall.mtl", "newmtl b\n"));
         QCOMPARE(fault(), "\"" + folder + "/wall.mtl\" was modified after the export.");
         fs::remove(m_pack / "wall.obj");
@@ -96,9 +96,10 @@ private slots:
         QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
         const Status status = writeExportFolder(m_pack, kSecond, kFiles);
         QCOMPARE(status.error().code, ErrorCode::BadInput);
-        QCOMPARE(status.error().message, "The folder \"" + m_pack.string() +
-                                             "\" holds \"notes.txt\", which is not part of an export; move it first or "
-                                             "export elsewhere.");
+        QCOMPARE(status.error().message,
+                 "The folder \"" + m_pack.string() +
+                     "\" contains \"notes.txt\", which is not part of an export; move it first or "
+                     "export elsewhere.");
         QCOMPARE(*readFile(m_pack / "notes.txt"), std::string("mine"));
         QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
     }

@@ -2,7 +2,7 @@
 #include "docs/formats/rubble_pack.hpp"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Packs.h"
-#include "tests/support/files/JsonMutations.h"
+#include "tests/support/files/WrongValues.h"
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -119,35 +119,29 @@ private slots:
         }
     }
     void indicesOutOfRangeAreRejected_data() {
-        QTest::addColumn<QString>("place");
-        QTest::addColumn<QString>("value");
-        const auto row = [](const char* fault, const char* place, const char* value) {
-            QTest::newRow(fault) << QString(place) << QString(value);
-        };
-        row("version: this header reads version 1.", "/version", "2");
-        row("units.length: \"cm\" is not known to this reader.", "/units/length", "\"cm\"");
-        row("meshes[1].fragment: expected a whole number below 20.", "/meshes/1/fragment", "20");
-        row("fragments[0].parent: expected a whole number below 0.", "/fragments/0/parent", "0");
-        row("fragments[9].parent: expected a whole number below 9.", "/fragments/9/parent", "1.5");
-        row("fragments[0].neighbours[0].fragment: expected a whole number below 20.",
-            "/fragments/0/neighbours/0/fragment", "20");
-        row("fragments[0].hulls[0].edges[0][1]: expected a whole number below 10.", "/fragments/0/hulls/0/edges/0/1",
-            "10");
-        row("fragments[0].hulls[0].faces[1][0]: expected a whole number below 10.", "/fragments/0/hulls/0/faces/1/0",
-            "-1");
-        row("fragments[0].hulls[0].signedEdges[1][0]: expected an edge that is there.",
-            "/fragments/0/hulls/0/signedEdges/1/0/0", "99");
-        row("fragments[0].hulls[0].signedEdges[1][0]: expected an edge, then 1 or -1.",
-            "/fragments/0/hulls/0/signedEdges/1/0/1", "0");
-        row("fragments[0].hulls[0]: faces, signed edges and planes do not agree.", "/fragments/0/hulls/0/planes", "[]");
-        row("fragments[0]: expected at least one hull.", "/fragments/0/hulls", "[]");
+        test::addWrongValueColumns();
+        test::addWrongValue("version: this header reads version 1.", "/version", "2");
+        test::addWrongValue("units.length: \"cm\" is not known to this reader.", "/units/length", "\"cm\"");
+        test::addWrongValue("meshes[1].fragment: expected a whole number below 20.", "/meshes/1/fragment", "20");
+        test::addWrongValue("fragments[0].parent: expected a whole number below 0.", "/fragments/0/parent", "0");
+        test::addWrongValue("fragments[9].parent: expected a whole number below 9.", "/fragments/9/parent", "1.5");
+        test::addWrongValue("fragments[0].neighbours[0].fragment: expected a whole number below 20.",
+                            "/fragments/0/neighbours/0/fragment", "20");
+        test::addWrongValue("fragments[0].hulls[0].edges[0][1]: expected a whole number below 10.",
+                            "/fragments/0/hulls/0/edges/0/1", "10");
+        test::addWrongValue("fragments[0].hulls[0].faces[1][0]: expected a whole number below 10.",
+                            "/fragments/0/hulls/0/faces/1/0", "-1");
+        test::addWrongValue("fragments[0].hulls[0].signedEdges[1][0]: expected an edge that is there.",
+                            "/fragments/0/hulls/0/signedEdges/1/0/0", "99");
+        test::addWrongValue("fragments[0].hulls[0].signedEdges[1][0]: expected an edge, then 1 or -1.",
+                            "/fragments/0/hulls/0/signedEdges/1/0/1", "0");
+        test::addWrongValue("fragments[0].hulls[0]: faces, signed edges and planes do not agree.",
+                            "/fragments/0/hulls/0/planes", "[]");
+        test::addWrongValue("fragments[0]: expected at least one hull.", "/fragments/0/hulls", "[]");
     }
     void indicesOutOfRangeAreRejected() {
-        QFETCH(QString, place);
-        QFETCH(QString, value);
         const nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));
-        QCOMPARE(faultOf(test::changedText(json, place.toStdString(), value.toStdString())),
-                 std::string(QTest::currentDataTag()));
+        QCOMPARE(faultOf(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
     }
     void invalidJsonIsRejected() {
         const std::string json = packOf(boxAsset(3, 4, PlacedSeeds{}));

@@ -4,6 +4,7 @@
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/JsonMutations.h"
 #include "tests/support/files/Schemas.h"
+#include "tests/support/files/WrongValues.h"
 
 #include <QTest>
 
@@ -89,37 +90,35 @@ private slots:
         QCOMPARE(test::untoldMutation(json, schema, fits, faultOf), std::string());
     }
     void wrongValuesAreReported_data() {
-        QTest::addColumn<QString>("place");
-        QTest::addColumn<QString>("value");
-        const auto value = [](const char* sentence, const char* place, const char* text) {
-            QTest::newRow(sentence) << QString(place) << QString(text);
-        };
-        value("format: expected \"rubble-pack\", found \"rubble-project\".", "/format", "\"rubble-project\"");
-        value("The pack has version 7, but this program reads versions up to 1; open it with a newer one.", "/version",
-              "7");
-        value("units.length: expected \"m\", found \"cm\".", "/units/length", "\"cm\"");
-        value("axes.up: expected \"y\", found \"z\".", "/axes/up", "\"z\"");
-        value("threshold: expected a number above 0, found 0.", "/threshold", "0");
-        value("material.restitution: expected a number from 0 to 1, found 1.1.", "/material/restitution", "1.1");
-        value("meshes[0].bodies: expected \"whole\", \"fragments\" or \"fragment\", found \"all\".", "/meshes/0/bodies",
-              "\"all\"");
-        value("fragments[1].volume: expected a number above 0, found -1.", "/fragments/1/volume", "-1");
-        value("fragments[0].inertia: expected an array of 3 rows.", "/fragments/0/inertia", "[[1, 0, 0]]");
-        value("fragments[0].hulls[0].edges[2]: expected an array of 2 vertices.", "/fragments/0/hulls/0/edges/2",
-              "[1, 2, 3]");
-        value("fragments[0].hulls[0].signedEdges[1][2]: expected an array of an edge and a sign.",
-              "/fragments/0/hulls/0/signedEdges/1/2", "[1]");
-        value("fragments[0].hulls[0].signedEdges[1][2][1]: expected 1 or -1.", "/fragments/0/hulls/0/signedEdges/1/2",
-              "[1, 0]");
-        value("fragments[0].hulls[0].faces[1][0]: expected a whole number from 0 to 4294967295, found -3.",
-              "/fragments/0/hulls/0/faces/1/0", "-3");
+        test::addWrongValueColumns();
+        test::addWrongValue("format: expected \"rubble-pack\", found \"rubble-project\".", "/format",
+                            "\"rubble-project\"");
+        test::addWrongValue(
+            "The pack has version 7, but this program reads versions up to 1; open it with a newer one.", "/version",
+            "7");
+        test::addWrongValue("units.length: expected \"m\", found \"cm\".", "/units/length", "\"cm\"");
+        test::addWrongValue("axes.up: expected \"y\", found \"z\".", "/axes/up", "\"z\"");
+        test::addWrongValue("threshold: expected a number above 0, found 0.", "/threshold", "0");
+        test::addWrongValue("material.restitution: expected a number from 0 to 1, found 1.1.", "/material/restitution",
+                            "1.1");
+        test::addWrongValue("meshes[0].bodies: expected \"whole\", \"fragments\" or \"fragment\", found \"all\".",
+                            "/meshes/0/bodies", "\"all\"");
+        test::addWrongValue("fragments[1].volume: expected a number above 0, found -1.", "/fragments/1/volume", "-1");
+        test::addWrongValue("fragments[0].inertia: expected an array of 3 rows.", "/fragments/0/inertia",
+                            "[[1, 0, 0]]");
+        test::addWrongValue("fragments[0].hulls[0].edges[2]: expected an array of 2 vertices.",
+                            "/fragments/0/hulls/0/edges/2", "[1, 2, 3]");
+        test::addWrongValue("fragments[0].hulls[0].signedEdges[1][2]: expected an array of an edge and a sign.",
+                            "/fragments/0/hulls/0/signedEdges/1/2", "[1]");
+        test::addWrongValue("fragments[0].hulls[0].signedEdges[1][2][1]: expected 1 or -1.",
+                            "/fragments/0/hulls/0/signedEdges/1/2", "[1, 0]");
+        test::addWrongValue(
+            "fragments[0].hulls[0].faces[1][0]: expected a whole number from 0 to 4294967295, found -3.",
+            "/fragments/0/hulls/0/faces/1/0", "-3");
     }
     void wrongValuesAreReported() {
-        QFETCH(QString, place);
-        QFETCH(QString, value);
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        QCOMPARE(faultOf(test::changedText(json, place.toStdString(), value.toStdString())),
-                 std::string(QTest::currentDataTag()));
+        QCOMPARE(faultOf(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
     }
     void verificationReportsErrors_data() {
         QTest::addColumn<Change>("change");
@@ -128,7 +127,7 @@ private slots:
         row("The mesh \"../box.obj\" is not a file of the pack.", [](Pack& p) { p.meshes[0].name = "../box.obj"; });
         row("The mesh \"box0.obj\" refers to fragment 999, which does not exist.",
             [](Pack& p) { p.meshes[1].fragment = 999; });
-        row("The mesh \"box0.obj\" must name a fragment if it holds exactly one, and only then.",
+        row("The mesh \"box0.obj\" must name a fragment if it contains exactly one, and only then.",
             [](Pack& p) { p.meshes[1].fragment = kNone; });
         row("Fragment 2 \"3/4.0\": the id \"3/4.0\" is used twice.",
             [](Pack& p) { p.fragments[0].id = p.fragments[2].id = "3/4.0"; });

@@ -9,6 +9,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/JsonMutations.h"
 #include "tests/support/files/Schemas.h"
+#include "tests/support/files/WrongValues.h"
 #include "tests/support/fracture/VerifiedPartition.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -247,33 +248,35 @@ private slots:
         QCOMPARE(test::untoldMutation(barestJson(), schema, fits, faultOf), std::string());
     }
     void wrongValuesAreReported_data() {
-        QTest::addColumn<QString>("place");
-        QTest::addColumn<QString>("value");
-        const auto row = [](const char* sentence, const char* place, const char* value) {
-            QTest::newRow(sentence) << QString(place) << QString(value);
-        };
-        row("format: expected \"rubble-material\", found \"rubble-project\".", "/format", "\"rubble-project\"");
-        row("The material has version 2, but this program reads versions up to 1; open it with a newer one.",
+        test::addWrongValueColumns();
+        test::addWrongValue("format: expected \"rubble-material\", found \"rubble-project\".", "/format",
+                            "\"rubble-project\"");
+        test::addWrongValue(
+            "The material has version 2, but this program reads versions up to 1; open it with a newer one.",
             "/version", "2");
-        row("The material has no name.", "/name", "\"\"");
-        row("Material \"glass\": the density is 0, but it must be finite and above zero.", "/density/value", "0");
-        row("Material \"glass\": the friction is 2, but its range goes from 0.4 to 0.94.", "/friction/value", "2");
-        row("Material \"glass\": the restitution is 1.5, but it must be from 0 to 1.", "/restitution/value", "1.5");
-        row("tensileStrength.range: expected an array of 2 numbers, found an array of 1.", "/tensileStrength/range",
-            "[1]");
-        row("fractureToughness: the key \"value\" is missing.", "/fractureToughness", "{\"source\": \"a book\"}");
-        row("density: unknown key \"unit\".", "/density", "{\"value\": 2, \"unit\": \"t\"}");
-        row("Material \"glass\": the inside colour is 2, but it must be from 0 to 1.", "/inside", "[0, 2, 0]");
-        row("Material \"glass\": layer 2 of the pattern has the id 9; those of a preset are 1, 2, 3 and so on.",
+        test::addWrongValue("The material has no name.", "/name", "\"\"");
+        test::addWrongValue("Material \"glass\": the density is 0, but it must be finite and above zero.",
+                            "/density/value", "0");
+        test::addWrongValue("Material \"glass\": the friction is 2, but its range goes from 0.4 to 0.94.",
+                            "/friction/value", "2");
+        test::addWrongValue("Material \"glass\": the restitution is 1.5, but it must be from 0 to 1.",
+                            "/restitution/value", "1.5");
+        test::addWrongValue("tensileStrength.range: expected an array of 2 numbers, found an array of 1.",
+                            "/tensileStrength/range", "[1]");
+        test::addWrongValue("fractureToughness: the key \"value\" is missing.", "/fractureToughness",
+                            "{\"source\": \"a book\"}");
+        test::addWrongValue("density: unknown key \"unit\".", "/density", "{\"value\": 2, \"unit\": \"t\"}");
+        test::addWrongValue("Material \"glass\": the inside colour is 2, but it must be from 0 to 1.", "/inside",
+                            "[0, 2, 0]");
+        test::addWrongValue(
+            "Material \"glass\": layer 2 of the pattern has the id 9; those of a preset are 1, 2, 3 and so on.",
             "/pattern/1/id", "9");
-        row("Material \"glass\": Layer 2: \"Count\" is -5 a square metre, but must be finite and above zero.",
+        test::addWrongValue(
+            "Material \"glass\": Layer 2: \"Count\" is -5 per square metre, but must be finite and above zero.",
             "/pattern/1/parameters/count", "{\"perSquareMetre\": -5}");
     }
     void wrongValuesAreReported() {
-        QFETCH(QString, place);
-        QFETCH(QString, value);
-        QCOMPARE(faultOf(test::changedText(glassJson(), place.toStdString(), value.toStdString())),
-                 std::string(QTest::currentDataTag()));
+        QCOMPARE(faultOf(test::withWrongValue(glassJson())), std::string(QTest::currentDataTag()));
     }
     void invalidPresetIsNotSaved() {
         MaterialPreset preset = presetOf(emptyProject().materials[0], {});

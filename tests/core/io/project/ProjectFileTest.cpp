@@ -6,6 +6,7 @@
 #include "tests/support/files/FileLimits.h"
 #include "tests/support/files/JsonMutations.h"
 #include "tests/support/files/Schemas.h"
+#include "tests/support/files/WrongValues.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -225,87 +226,102 @@ private slots:
         QCOMPARE(test::untoldMutation(fullJson(), schema, fits, faultOf, isOfKind), std::string());
     }
     void wrongValuesAreReported_data() {
-        QTest::addColumn<QString>("place");
-        QTest::addColumn<QString>("value");
-        const auto row = [](const char* sentence, const char* place, const char* value) {
-            QTest::newRow(sentence) << QString(place) << QString(value);
-        };
-        row("format: expected \"rubble-project\", found \"rubble-pack\".", "/format", "\"rubble-pack\"");
-        row("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version", "0");
-        row("The project has version 6, but this program reads versions up to 5; open it with a newer one.", "/version",
+        test::addWrongValueColumns();
+        test::addWrongValue("format: expected \"rubble-project\", found \"rubble-pack\".", "/format",
+                            "\"rubble-pack\"");
+        test::addWrongValue("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version",
+                            "0");
+        test::addWrongValue(
+            "The project has version 6, but this program reads versions up to 5; open it with a newer one.", "/version",
             "6");
-        row("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
-        row("materials[1].id: expected a whole number from 0 to 4294967295, found -1.", "/materials/1/id", "-1");
-        row("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
-        row("assets[0].prism.depth: expected a number, found \"two\".", "/assets/0/prism/depth", "\"two\"");
-        row("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
-            "/assets/0/prism/outline/2", "[1, 2, 3]");
-        row("assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
+        test::addWrongValue("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
+        test::addWrongValue("materials[1].id: expected a whole number from 0 to 4294967295, found -1.",
+                            "/materials/1/id", "-1");
+        test::addWrongValue("gravity: expected an array of 3 numbers, found an array of 2.", "/gravity", "[0, 1]");
+        test::addWrongValue("assets[0].prism.depth: expected a number, found \"two\".", "/assets/0/prism/depth",
+                            "\"two\"");
+        test::addWrongValue("assets[0].prism.outline[2]: expected an array of 2 numbers, found an array of 3.",
+                            "/assets/0/prism/outline/2", "[1, 2, 3]");
+        test::addWrongValue(
+            "assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
             "\"clusters\", \"radial\", \"impact\", \"densityImage\", \"bricks\", \"slices\", \"strokes\", \"grain\", "
             "\"weightedLloyd\" or \"hexagonal\", found \"tiles\".",
             "/assets/0/pattern/0/kind", "\"tiles\"");
-        row("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind", "\"placed\"");
-        row("assets[0].pattern[0].parameters.count: unknown key \"each\".", "/assets/0/pattern/0/parameters/count",
-            "{\"each\": 5}");
-        row("assets[0].pattern[0].parameters.count: unknown key \"perSquareMetre\".",
-            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": 5, \"pieceSize\": 1}");
-        row("Asset 3 \"wall\": Layer 4: \"Count\" is -5 a square metre, but must be finite and above zero.",
+        test::addWrongValue("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind",
+                            "\"placed\"");
+        test::addWrongValue("assets[0].pattern[0].parameters.count: unknown key \"each\".",
+                            "/assets/0/pattern/0/parameters/count", "{\"each\": 5}");
+        test::addWrongValue("assets[0].pattern[0].parameters.count: unknown key \"perSquareMetre\".",
+                            "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": 5, \"pieceSize\": 1}");
+        test::addWrongValue(
+            "Asset 3 \"wall\": Layer 4: \"Count\" is -5 per square metre, but must be finite and above zero.",
             "/assets/0/pattern/0/parameters/count", "{\"perSquareMetre\": -5}");
-        row("assets[0].levels[1].pattern[6].parameters.image.bits: expected 8 or 16.",
-            "/assets/0/levels/1/pattern/6/parameters/image/bits", "12");
-        row("assets[0].levels[1].pattern[6].parameters.image.grey[1]: expected 4 hexadecimal digits, 0 to f.",
+        test::addWrongValue("assets[0].levels[1].pattern[6].parameters.image.bits: expected 8 or 16.",
+                            "/assets/0/levels/1/pattern/6/parameters/image/bits", "12");
+        test::addWrongValue(
+            "assets[0].levels[1].pattern[6].parameters.image.grey[1]: expected 4 hexadecimal digits, 0 to f.",
             "/assets/0/levels/1/pattern/6/parameters/image/grey/1", "\"ffFF\"");
-        row("assets[0].levels[1].pattern[6].parameters.image.opacity: expected 2 rows.",
-            "/assets/0/levels/1/pattern/6/parameters/image/opacity", "[\"ffff\"]");
-        row("assets[0].surface.triangles[1].uvs: expected an array of 3 points.", "/assets/0/surface/triangles/1/uvs",
-            "[[0, 1], [1, 0]]");
-        row("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
-        row("Asset 3 \"wall\" refers to material 9, which does not exist.", "/assets/0/insideMaterial", "9");
-        row("assets[0].shaping.smallPieces.rule: expected \"keep\", \"merge\" or \"dropSeeds\", found \"eat\".",
+        test::addWrongValue("assets[0].levels[1].pattern[6].parameters.image.opacity: expected 2 rows.",
+                            "/assets/0/levels/1/pattern/6/parameters/image/opacity", "[\"ffff\"]");
+        test::addWrongValue("assets[0].surface.triangles[1].uvs: expected an array of 3 points.",
+                            "/assets/0/surface/triangles/1/uvs", "[[0, 1], [1, 0]]");
+        test::addWrongValue("shots[0].action: unknown key \"asset\".", "/shots/0/kind", "\"hammer\"");
+        test::addWrongValue("Asset 3 \"wall\" refers to material 9, which does not exist.", "/assets/0/insideMaterial",
+                            "9");
+        test::addWrongValue(
+            "assets[0].shaping.smallPieces.rule: expected \"keep\", \"merge\" or \"dropSeeds\", found \"eat\".",
             "/assets/0/shaping/smallPieces/rule", "\"eat\"");
-        row("Asset 3 \"wall\": The size of the smallest piece is 2, but it must be above 0 and at most 1.",
+        test::addWrongValue(
+            "Asset 3 \"wall\": The minimum size of fragments is 2, but it must be above 0 and at most 1.",
             "/assets/0/shaping/smallPieces/limit", "2");
-        row("Asset 3 \"wall\": The shape of pieces: the gap is -1, but it must be finite and not below zero.",
+        test::addWrongValue(
+            "Asset 3 \"wall\": The shape of fragments: the gap is -1, but it must be finite and not below zero.",
             "/assets/0/shaping/gap", "-1");
-        row("Asset 3 \"wall\": The roughness has 9 octaves, but it must have from 1 to 8.",
-            "/assets/0/shaping/roughness/octaves", "9");
-        row("Asset 3 \"wall\": \"4.x\" is not a fragment path.", "/assets/0/leaves/0/fragment", "\"4.x\"");
-        row("Asset 3 \"wall\": the settings of fragment 6.0 come after those of 6.0; paths must ascend.",
+        test::addWrongValue("Asset 3 \"wall\": The roughness has 9 octaves, but it must have from 1 to 8.",
+                            "/assets/0/shaping/roughness/octaves", "9");
+        test::addWrongValue("Asset 3 \"wall\": \"4.x\" is not a fragment path.", "/assets/0/leaves/0/fragment",
+                            "\"4.x\"");
+        test::addWrongValue(
+            "Asset 3 \"wall\": the settings of fragment 6.0 come after those of 6.0; paths must ascend.",
             "/assets/0/leaves/0/fragment", "\"6.0\"");
-        row("Asset 3 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
-            "/assets/0/leaves/1/level/minimumVolume", "-1");
-        row("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not siblings.",
-            "/assets/0/edits/0/merged/0", "\"6.5/8.0\"");
-        row("assets[0].edits[0]: unknown key \"into\".", "/assets/0/edits/0/kind", "\"split\"");
-        row("Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
+        test::addWrongValue("Asset 3 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+                            "/assets/0/leaves/1/level/minimumVolume", "-1");
+        test::addWrongValue("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not siblings.",
+                            "/assets/0/edits/0/merged/0", "\"6.5/8.0\"");
+        test::addWrongValue("assets[0].edits[0]: unknown key \"into\".", "/assets/0/edits/0/kind", "\"split\"");
+        test::addWrongValue(
+            "Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
             "/assets/0/edits/1/direction", "[0, 0]");
-        row("Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be finite and above zero.",
+        test::addWrongValue(
+            "Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be finite and above zero.",
             "/materials/1/tensileStrength", "0");
-        row("materials[1].fractureToughness: expected a number, found \"high\".", "/materials/1/fractureToughness",
-            "\"high\"");
-        row("Asset 3 \"wall\": the contact time is -1, but it must be finite and above zero.", "/assets/0/contactTime",
-            "-1");
-        row("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact", "{\"pieces\": 5}");
-        row("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
-            "/assets/0/cutAtImpact/pieces", "2.5");
-        row("assets[0].intents[0]: unknown key \"mass\".", "/assets/0/intents/0/kind", "\"drop\"");
-        row("assets[0].intents[1]: the key \"mass\" is missing.", "/assets/0/intents/1",
-            "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
-        row("assets[0].intents[0].kind: expected \"drop\" or \"hit\", found \"push\".", "/assets/0/intents/0/kind",
-            "\"push\"");
-        row("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
-            "/assets/0/intents/1/outcome", "\"falls\"");
-        row("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.", "/debris/mostPieces", "-1");
-        row("The debris: the fade is -1, but it must be finite and not below zero.", "/debris/fade", "-1");
-        row("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule", "\"thesis\"");
-        row("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
-        row("Instance 21 \"right\" refers to asset 8, which does not exist.", "/instances/1/asset", "8");
+        test::addWrongValue("materials[1].fractureToughness: expected a number, found \"high\".",
+                            "/materials/1/fractureToughness", "\"high\"");
+        test::addWrongValue("Asset 3 \"wall\": the contact time is -1, but it must be finite and above zero.",
+                            "/assets/0/contactTime", "-1");
+        test::addWrongValue("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact",
+                            "{\"pieces\": 5}");
+        test::addWrongValue("assets[0].cutAtImpact.pieces: expected a whole number from 0 to 4294967295, found 2.5.",
+                            "/assets/0/cutAtImpact/pieces", "2.5");
+        test::addWrongValue("assets[0].intents[0]: unknown key \"mass\".", "/assets/0/intents/0/kind", "\"drop\"");
+        test::addWrongValue("assets[0].intents[1]: the key \"mass\" is missing.", "/assets/0/intents/1",
+                            "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
+        test::addWrongValue("assets[0].intents[0].kind: expected \"drop\" or \"hit\", found \"push\".",
+                            "/assets/0/intents/0/kind", "\"push\"");
+        test::addWrongValue("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
+                            "/assets/0/intents/1/outcome", "\"falls\"");
+        test::addWrongValue("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.",
+                            "/debris/mostPieces", "-1");
+        test::addWrongValue("The debris: the fade is -1, but it must be finite and not below zero.", "/debris/fade",
+                            "-1");
+        test::addWrongValue("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule",
+                            "\"thesis\"");
+        test::addWrongValue("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
+        test::addWrongValue("Instance 21 \"right\" refers to asset 8, which does not exist.", "/instances/1/asset",
+                            "8");
     }
     void wrongValuesAreReported() {
-        QFETCH(QString, place);
-        QFETCH(QString, value);
-        QCOMPARE(faultOf(test::changedText(fullJson(), place.toStdString(), value.toStdString())),
-                 std::string(QTest::currentDataTag()));
+        QCOMPARE(faultOf(test::withWrongValue(fullJson())), std::string(QTest::currentDataTag()));
     }
     void newerVersionsAreRejected() {
         nlohmann::json json = fullJson();

@@ -34,20 +34,20 @@ private slots:
         DynamicBoxTree tree;
         std::vector<std::pair<std::uint32_t, Box>> kept;  // leaf and box, by number
         for (int round = 0; round < 4000; ++round) {
-            const auto choice = random.below(10);
-            if (choice < 4 || kept.empty()) {
+            const auto action = random.below(10);
+            if (action < 4 || kept.empty()) {
                 const Box box = randomBox(random);
                 kept.push_back({tree.insert(box, static_cast<std::uint32_t>(kept.size())), box});
-            } else if (choice < 7) {
+            } else if (action < 7) {
                 auto& [leaf, box] = kept[random.below(kept.size())];
                 if (leaf == kNone) continue;
-                box = choice == 4 ? joined(box, randomBox(random)) : randomBox(random);
+                box = action == 4 ? joined(box, randomBox(random)) : randomBox(random);
                 tree.move(leaf, box);
-            } else if (choice == 7) {
+            } else if (action == 7) {
                 auto& leaf = kept[random.below(kept.size())].first;
                 if (leaf != kNone) tree.remove(leaf);
                 leaf = kNone;
-            } else if (choice == 8) {
+            } else if (action == 8) {
                 tree.update();
             }
             const Box window = randomBox(random);
@@ -57,6 +57,25 @@ private slots:
             }
             QVERIFY(found(tree, window) == expected);
         }
+    }
+    /// With so many, a search for each removed box would exceed the time limit of any test.
+    void pendingBoxesKeepTheirOrderWhenOthersAreRemoved() {
+        constexpr std::uint32_t kCount = 2'000'000;
+        DynamicBoxTree tree;
+        std::vector<std::uint32_t> leaves, expected, visited;
+        for (std::uint32_t i = 0; i < kCount; ++i) leaves.push_back(tree.insert({Vec3f(0.0f), Vec3f(1.0f)}, i));
+        for (std::uint32_t i = kCount; i-- > 0;) {
+            if (i % 1000 != 7) tree.remove(leaves[i]);
+        }
+        for (std::uint32_t i = 7; i < kCount; i += 1000) expected.push_back(i);
+        expected.push_back(kCount);
+        tree.insert({Vec3f(0.0f), Vec3f(1.0f)}, kCount);
+        const Box all{Vec3f(-1.0f), Vec3f(2.0f)};
+        tree.visitOverlapping(all, [&](std::uint32_t number, const Box&) { visited.push_back(number); });
+        QCOMPARE(visited, expected);
+        QCOMPARE(tree.size(), expected.size());
+        tree.update();
+        QCOMPARE(found(tree, all), expected);
     }
     void rowOfBoxesIsVisitedCompletely() {
         DynamicBoxTree tree;

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace rubble;
 
 namespace {
@@ -54,6 +56,16 @@ private slots:
         const Penetration found = penetrationAsPlaced(scene);
         QCOMPARE(found.pairs, std::size_t{1});
         QCOMPARE(found.largest, 0.375);
+    }
+    void bodiesOfARowAreComparedWithTheirNeighboursOnly() {
+        constexpr std::size_t kCount = 1000;
+        const std::array<Polytope, 1> box{test::boxOf({1.0, 1.0, 1.0})};
+        std::vector<PosedHulls> bodies;
+        for (std::size_t k = 0; k < kCount; ++k)
+            bodies.push_back({box, {.position = {0.75 * static_cast<double>(k), 0.0, 0.0}}});
+        std::size_t compared = 0;
+        QCOMPARE(overlapsOf(bodies, &compared).size(), kCount - 1);
+        QCOMPARE(compared, kCount - 1);
     }
 };
 

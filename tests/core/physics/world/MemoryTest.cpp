@@ -125,7 +125,7 @@ private slots:
         QFETCH(int, threads);
         SceneWorld moved = test::worldOf(test::heapScene(600), {.sleeping = sleeping, .threads = threads});
         test::simulate(moved.world, 10.0);
-        // A worker of the thread library takes memory of its own when it first gets a share, which on a busy machine
+        // A worker of the thread library takes memory of its own when it first gets work, which on a busy machine
         // may be late.
         long least = allocationsOf(moved.world, 120);
         for (int turn = 1; turn < threads + 2 && least > 0; ++turn) {

@@ -83,7 +83,7 @@ double worstOfMany(const BodyForecast& forecast, const Prism& prism, const Pose&
     return worst;
 }
 
-double share(const std::vector<BodyForecast>& forecast, const PlayBreak& event) {
+double ratio(const std::vector<BodyForecast>& forecast, const PlayBreak& event) {
     const auto found = std::ranges::find(forecast, event.body.number, &BodyForecast::body);
     return event.impact / event.threshold / found->at(event.point, -event.normal);
 }
@@ -260,7 +260,7 @@ private slots:
             const std::vector<BodyForecast> forecast = forecastOf(session, thrown);
             const PlayBreak event = firstBreak(session, thrown);
             QVERIFY(event.pieces > 0);
-            worst = std::max(worst, std::abs(share(forecast, event) - 1.0));
+            worst = std::max(worst, std::abs(ratio(forecast, event) - 1.0));
         }
         qInfo("worst: off by %.3f %%", 100.0 * worst);
         QVERIFY(worst < 0.01);
@@ -289,7 +289,7 @@ private slots:
             const std::vector<BodyForecast> forecast = forecastOf(session, thrown);
             const PlayBreak event = firstBreak(session, thrown);
             QVERIFY(event.pieces > 0);
-            const double part = share(forecast, event);
+            const double part = ratio(forecast, event);
             least = std::min(least, part);
             most = std::max(most, part);
             sum += part;

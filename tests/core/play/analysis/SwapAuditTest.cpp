@@ -40,16 +40,24 @@ Project twoPieces() {
     return project;
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
+/// The messages of a severity, a line each.
+std::string joined(const SwapAudit& audit, Severity severity = Severity::Warning) {
     std::string text;
-    for (const std::string& sentence : sentences) text += sentence + '\n';
+    for (const Diagnostic& one : audit.diagnostics) {
+        if (one.severity == severity) text += one.message + '\n';
+    }
     return text;
 }
 
-/// The diagnostic of a fragment, given its id, that collides with a simplified shape.
-Diagnostic simplified(const std::string& id) {
-    return diagnostic(DiagnosticCode::SimplifiedShape, {.fragment = 0, .path = pathOfId(id)},
-                      "Piece " + id + ": It collides as a box.");
+/// The first diagnostic of a code.
+Diagnostic found(const SwapAudit& audit, DiagnosticCode code) {
+    const auto first = std::ranges::find(audit.diagnostics, code, &Diagnostic::code);
+    return first != audit.diagnostics.end() ? *first : Diagnostic{};
+}
+
+/// The diagnostic of a fragment that collides with a simplified shape.
+Diagnostic simplified(std::uint32_t fragment) {
+    return diagnostic(DiagnosticCode::SimplifiedShape, {.fragment = fragment}, "It collides as a box.");
 }
 
 }  // namespace
@@ -67,7 +75,7 @@ private slots:
         QFETCH(Project, project);
         for (const SwapAudit& audit : auditsOf(project)) {
             tell(audit);
-            QVERIFY2(audit.isClean(), joined(audit.faults).c_str());
+            QVERIFY2(audit.isClean(), joined(audit).c_str());
         }
     }
     void allPatternsSwapCleanly() {
@@ -80,7 +88,7 @@ private slots:
                 test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(40))}});
             const SwapAudit audit = auditsOf(project)[0];
             tell(audit);
-            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit)).c_str());
         }
     }
     void shapedPiecesSwapCleanly() {
@@ -97,7 +105,7 @@ private slots:
             asset.shaping.roughness.amplitude = 0.05;
             const SwapAudit audit = auditsOf(project)[0];
             tell(audit);
-            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit.faults)).c_str());
+            QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit)).c_str());
             QCOMPARE(audit.gapFraction > 0.0, asset.shaping.gap > 0.0);
         }
     }
@@ -106,8 +114,8 @@ private slots:
         project.assets[0].shaping.gap = 0.02;  // of a block of 1 m in two
         const SwapAudit audit = auditsOf(project)[0];
         QVERIFY2(std::abs(audit.gapFraction - 0.02) < 1e-9, QByteArray::number(audit.gapFraction));
-        QCOMPARE(joined(audit.notices),
-                 std::string("The gap between pieces takes 2 % of the mass and of its momenta.\n"));
+        QCOMPARE(joined(audit, Severity::Note),
+                 std::string("The gap between fragments takes 2 % of the mass and of its momenta.\n"));
         QVERIFY(std::abs(audit.massDrift - 0.02) < 1e-6);
     }
     void contactsAreCounted() {
@@ -136,9 +144,12 @@ private slots:
         damaged.pieces[0].offset.x += 0.01;
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
         QVERIFY(audit.hasValue());
-        const std::string faults = joined(audit->faults);
+        const std::string faults = joined(*audit);
         QVERIFY2(std::abs(audit->deepestOverlap - 0.01) < 1e-4, QByteArray::number(audit->deepestOverlap));
-        QVERIFY2(faults.find("Two pieces overlap by 10 mm when they are swapped in.") != std::string::npos,
+        const Diagnostic overlap = found(*audit, DiagnosticCode::OverlappingPieces);
+        QVERIFY(overlap.place.asset == project.assets[0].id && !overlap.place.path.empty());
+        QCOMPARE(overlap.value, audit->deepestOverlap);
+        QVERIFY2(faults.find("Two fragments overlap by 10 mm when they are swapped in.") != std::string::npos,
                  faults.c_str());
         QVERIFY2(faults.find("In flight the swap changes the momentum by ") != std::string::npos, faults.c_str());
         QVERIFY2(faults.find("In flight the swap changes the angular momentum by ") != std::string::npos,
@@ -150,13 +161,17 @@ private slots:
         PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
         damaged.pieces[0].shape = *makeShape(std::vector{test::boxOf({0.62, 1.0, 0.5})}, damaged.pieces[0].shape->mass);
         for (PlayContact& pair : damaged.fractures[0].neighbours) pair.manifolds.clear();
-        const std::string lighter = damaged.bake->fragmentId(1), wider = damaged.bake->fragmentId(0);
+        const std::uint32_t wider = 0, lighter = 1;
         damaged.diagnostics = {simplified(wider)};
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
         QVERIFY(audit.hasValue());
         tell(*audit);
-        const std::string faults = joined(audit->faults);
-        QCOMPARE(audit->resting.piece, lighter);
+        const std::string faults = joined(*audit);
+        QCOMPARE(audit->resting.piece, damaged.bake->fragmentId(lighter));
+        const Diagnostic pushed = found(*audit, DiagnosticCode::PushedPiece);
+        QCOMPARE(pushed.place.fragment, lighter);
+        QCOMPARE(pushed.place.path, pathOfId(damaged.bake->fragmentId(lighter)));
+        QCOMPARE(pushed.value, audit->resting.speed);
         QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
         QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos, faults.c_str());
         QVERIFY(!audit->lying.piece.empty());
@@ -166,21 +181,21 @@ private slots:
         const Result<SwapAudit> other = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
         damaged.diagnostics.clear();
         const Result<SwapAudit> third = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
-        QVERIFY2(joined(third->faults).find("is clean. Move its seed away from its neighbours', or delete it.") !=
+        QVERIFY2(joined(*third).find("is clean. Move its seed away from its neighbours', or delete it.") !=
                      std::string::npos,
-                 joined(third->faults).c_str());
-        QVERIFY2(joined(other->faults).find("Its collision shape is simplified: move its seed") != std::string::npos,
-                 joined(other->faults).c_str());
+                 joined(*third).c_str());
+        QVERIFY2(joined(*other).find("Its collision shape is simplified: move its seed") != std::string::npos,
+                 joined(*other).c_str());
     }
     /// A fragment with the shape and mass of the whole.
     void faultsSayWhatToChange() {
         const Project project = test::floatingBlock(6);
         PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
         damaged.pieces[0].shape = damaged.whole.shape;
-        damaged.diagnostics = {simplified("2/3.0")};
+        damaged.diagnostics = {simplified(0)};
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
         QVERIFY(audit.hasValue() && !audit->isClean());
-        const std::string faults = joined(audit->faults);
+        const std::string faults = joined(*audit);
         QVERIFY2(faults.find(" mm/s 30 steps after the swap without any force; at most 1 mm/s is clean.") !=
                      std::string::npos,
                  faults.c_str());

@@ -4,7 +4,9 @@
 #include "tests/support/editor/Pane.h"
 #include "tests/support/editor/Sessions.h"
 
+#include <algorithm>
 #include <set>
+#include <variant>
 
 using namespace rubble;
 
@@ -38,6 +40,33 @@ double speedAfterSwap(Session& session) {
     return fastest(session);
 }
 
+const std::string kChaoticShot = "block under the roof";
+
+/// What a shot breaks within a second.
+struct Broken {
+    std::set<std::string> first;     // within a step of the coarsest rate
+    std::set<std::string> decisive;  // by at least twice its threshold, while pieces are still in the air
+    std::set<std::string> all;
+};
+
+Broken brokenBy(const std::shared_ptr<const PlayScene>& scene, const Shot& shot, int rate) {
+    constexpr double kCoarsestStep = 1.0 / 60.0, kFlight = 0.5;  // s
+    constexpr double kDecisive = 2.0;
+    Session session = Session::start(scene, {.dt = 1.0 / rate}).value();
+    if (!session.add(shot)) qFatal("The shot cannot be fired.");
+    Broken broken;
+    double firstTime = 0.0;
+    for (const PlayBreak& one : test::breaksWithin(session, rate + rate / 2)) {  // shots are fired after half a second
+        const double time = static_cast<double>(one.step) / rate;
+        const std::string name = session.nameOf(one.body);
+        if (broken.all.empty()) firstTime = time;
+        if (time < firstTime + kCoarsestStep) broken.first.insert(name);
+        if (time < firstTime + kFlight && one.impact >= kDecisive * one.threshold) broken.decisive.insert(name);
+        broken.all.insert(name);
+    }
+    return broken;
+}
+
 }  // namespace
 
 class SwapTest : public QObject {
@@ -68,26 +97,38 @@ private slots:
     void breaksAreIndependentOfTheStepLength() {
         const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::house());
         for (const Shot& shot : scene->project.shots) {
-            std::optional<std::set<std::string>> first, all;
-            for (const int rate : {60, 120, 240}) {
-                Result<Session> session = Session::start(scene, {.dt = 1.0 / rate});
-                QVERIFY(session->add(shot).hasValue());
-                std::set<std::string> together, broken;
-                for (const PlayBreak& one : test::breaksWithin(*session, rate + rate / 2)) {  // within the first second
-                    // What breaks within a step of the coarsest rate breaks first together.
-                    const double time = static_cast<double>(one.step) / rate;
-                    if (broken.empty() || time < m_firstTime + 1.0 / 60.0) together.insert(session->nameOf(one.body));
-                    if (broken.empty()) m_firstTime = time;
-                    broken.insert(session->nameOf(one.body));
-                }
-                if (!all) all = broken;
-                // The heavy block drives what it broke across the house within that second: which block of the far wall
-                // the tumbling pieces hit first is chance, and differs with the last bits.
-                if (shot.name != "block under the roof") QCOMPARE(broken, *all);
-                if (!first) first = together;
-                QCOMPARE(together, *first);
+            const Broken expected = brokenBy(scene, shot, 60);
+            for (const int rate : {120, 240}) {
+                const Broken broken = brokenBy(scene, shot, rate);
+                QCOMPARE(broken.first, expected.first);
+                QCOMPARE(broken.decisive, expected.decisive);
+                if (shot.name != kChaoticShot) QCOMPARE(broken.all, expected.all);
             }
         }
+    }
+    /// Why that shot is left out above. The heavy block drives the pieces of the four blocks that it hits across the
+    /// house. These hit the far wall 0.4 s later with 1.0 to 1.7 times the thresholds of its blocks: whether one breaks
+    /// depends on how a piece tumbles and which of its corners comes first. A real wall would be no different: with the
+    /// same steps, a millimetre more to one side changes what breaks, but not what the block itself breaks. Beside the
+    /// hole it grazes two more blocks, with up to 1.6 times their thresholds if steps are short, with less than them if
+    /// not.
+    void farBreaksOfAHeavyBlockDependOnAMillimetre() {
+        constexpr int kRate = 120;
+        std::set<std::set<std::string>> all;
+        std::set<std::string> decisive;
+        for (const double shift : {-1e-3, 0.0, 1e-3}) {
+            Project project = test::house();
+            const auto shot = std::ranges::find(project.shots, kChaoticShot, &Shot::name);
+            Throw& thrown = std::get<Throw>(shot->action);
+            thrown.from.z += shift;
+            thrown.to.z += shift;
+            const Broken broken = brokenBy(test::playSceneOf(project), *shot, kRate);
+            if (decisive.empty()) decisive = broken.decisive;
+            QCOMPARE(broken.decisive, decisive);
+            all.insert(broken.all);
+        }
+        QCOMPARE(decisive, (std::set<std::string>{"left 3.2", "left 3.3", "left 4.2", "left 4.3"}));
+        QVERIFY2(all.size() > 1, "no longer sensitive: compare all breaks in breaksAreIndependentOfTheStepLength()");
     }
     void memoryStaysBoundedOverTenMinutes() {
         constexpr int kSeconds = 600;
@@ -108,9 +149,6 @@ private slots:
         }
         QVERIFY(test::countOf(session, PlayRole::Instance) < 77);
     }
-
-private:
-    double m_firstTime = 0.0;
 };
 
 RUBBLE_TEST(SwapTest)

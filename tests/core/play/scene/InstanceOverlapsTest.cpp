@@ -3,7 +3,6 @@
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Projects.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 using namespace rubble;
@@ -59,12 +58,8 @@ private slots:
         const Project project = rowOf(2, 1.0);
         QCOMPARE(sentenceOf({10, 11, 1.5}, project), std::string("\"wall 1\" and \"wall 2\" overlap by 1.5 m."));
     }
-    void thousandInstancesAreFast() {
-        const Project project = rowOf(1000, 0.999);
-        QElapsedTimer timer;
-        timer.start();
-        QCOMPARE(instanceOverlaps(project).size(), std::size_t{999});
-        QVERIFY(timer.elapsed() < 5000);  // a tenth of it on a machine that does nothing else
+    void everyTwoNeighboursOfAThousandAreFound() {
+        QCOMPARE(instanceOverlaps(rowOf(1000, 0.999)).size(), std::size_t{999});
     }
 };
 

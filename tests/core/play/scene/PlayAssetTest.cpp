@@ -21,14 +21,14 @@ private slots:
         double volume = 0.0;
         for (const PlayPiece& piece : asset.pieces) {
             volume += piece.shape->mass.volume;
-            const double share = piece.shape->mass.volume / 0.5;
-            QVERIFY(std::abs(piece.thresholdScale - std::pow(share, 2.0 / 3.0)) < 1e-12);
+            const double fraction = piece.shape->mass.volume / 0.5;
+            QVERIFY(std::abs(piece.thresholdScale - std::pow(fraction, 2.0 / 3.0)) < 1e-12);
         }
         QVERIFY(std::abs(volume - asset.whole.shape->mass.volume) < 1e-12);
         QCOMPARE(asset.fractureOf(kNone)->count, 9u);
         QVERIFY(asset.fractureOf(kNone)->neighbours.size() >= 8);
         QVERIFY(asset.fractureOf(0) == nullptr);
-        QVERIFY(scene->notices.empty());
+        QVERIFY(scene->diagnostics.empty());
     }
     void oneSeedGivesNoFracture() {
         const auto scene = test::playSceneOf(test::floatingBlock(1));
@@ -43,9 +43,12 @@ private slots:
             ring.push_back({0.5 * cosine(angle), 0.5 * sine(angle)});
         }
         const auto scene = test::playSceneOf(project);
-        QVERIFY(!scene->notices.empty());
-        QVERIFY2(scene->notices[0].starts_with("Asset 2 \"block\": The whole: It collides as a hull of"),
-                 scene->notices[0].c_str());
+        QVERIFY(!scene->diagnostics.empty());
+        const Diagnostic& whole = scene->diagnostics[0];
+        QVERIFY2(whole.message.starts_with("Asset 2 \"block\": The whole: It collides as a hull of"),
+                 whole.message.c_str());
+        QCOMPARE(whole.code, DiagnosticCode::SimplifiedShape);
+        QCOMPARE(whole.place, (DiagnosticPlace{.asset = 2}));
         const Shape& shape = *scene->assets.begin()->second->whole.shape;
         QVERIFY(std::abs(shape.mass.volume - scene->assets.begin()->second->bake->whole.volume) < 1e-12);
     }

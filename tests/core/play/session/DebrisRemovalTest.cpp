@@ -1,5 +1,9 @@
+#include "core/play/session/DebrisRemoval.h"
+
+#include "core/play/state/SessionBodies.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
+#include "tests/support/geometry/Hulls.h"
 
 using namespace rubble;
 
@@ -127,6 +131,40 @@ private slots:
         for (int step = 0; step < 100; ++step) session.step();  // 2 km after 4 s
         QCOMPARE(test::countOf(session, PlayRole::Projectile), 0u);
         QCOMPARE(test::countOf(session, PlayRole::Instance), 1u);
+    }
+    void workIsLinearInTheBodies_data() {
+        QTest::addColumn<int>("bodies");
+        QTest::addColumn<bool>("isFaded");
+        for (const int bodies : {1000, 64000}) {
+            QTest::addRow("%d faded", bodies) << bodies << true;
+            QTest::addRow("%d too many", bodies) << bodies << false;
+        }
+    }
+    void workIsLinearInTheBodies() {
+        QFETCH(int, bodies);
+        QFETCH(bool, isFaded);
+        PlayScene scene;
+        if (isFaded) scene.project.debris.lifetime = 1.0;
+        if (!isFaded) scene.project.debris.maxPieces = 1;
+        const SessionSettings settings;
+        SessionState state;
+        state.lowest = -100.0;
+        World world;
+        const SessionParts parts{scene, settings, state, world};
+        const std::array<Polytope, 1> box{test::boxOf({0.1, 0.1, 0.1})};
+        const std::shared_ptr<const Shape> shape = *makeShape(box);
+        for (int k = 0; k < bodies; ++k) {
+            const Vec3 position(k % 256, 0.0, k / 256);
+            if (!addBody(parts, {.shape = shape, .pose = {.position = position}}, {.role = PlayRole::Piece}))
+                QFAIL("The body cannot be added.");
+        }
+        state.step = 1000;  // all have faded out, where they fade
+        const auto count = static_cast<std::size_t>(bodies);
+        const std::size_t visited = removeDebris(parts);
+        QCOMPARE(state.bodies.size(), std::size_t{isFaded ? 0u : 1u});
+        QCOMPARE(state.events.removed.size(), count - state.bodies.size());
+        QCOMPARE(world.bodyCount(), state.bodies.size());
+        QVERIFY2(visited >= count && visited <= 4 * count, qPrintable(QString::number(visited)));
     }
     void fallenBodiesAreRemoved() {
         Project project = test::floatingBlock();

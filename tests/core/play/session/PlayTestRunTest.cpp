@@ -51,20 +51,20 @@ private slots:
             QTest::newRow(name) << static_cast<int>(m_cases.size()) << isMet << QString(seen);
             m_cases.push_back(one);
         };
-        add("stands", {"", StandsUntouched, "", 3.0}, true, "it stood");
-        add("rattles", {kBall, StandsUntouched, "roof back left", 3.0}, true, "it stood");
+        add("stands", {"", StandsUntouched, "", 3.0}, true, "everything stayed intact");
+        add("rattles", {kBall, StandsUntouched, "roof back left", 3.0}, true, "it stayed intact");
         add("does not stand", {kRoof, StandsUntouched, "", 2.0}, false, "\"left 3.2\" broke at step 38 (0.6333 s)");
-        add("stands until then", {kRoof, StandsUntouched, "", 0.6}, true, "it stood");
-        add("too short", {"", StandsUntouched, "", 9.0, 1.0}, false, "the test is over before");
+        add("stands until then", {kRoof, StandsUntouched, "", 0.6}, true, "everything stayed intact");
+        add("too short", {"", StandsUntouched, "", 9.0, 1.0}, false, "the test ended earlier");
         add("breaks", {kDoor, Breaks, "front 4.1"}, true, "\"front 4.1\" broke at step 47 (0.7833 s)");
         add("any breaks", {kDoor, Breaks}, true, "\"front 4.1\" broke at step 47 (0.7833 s)");
-        add("another breaks", {kDoor, Breaks, "back 1.1"}, false, "nothing of it broke");
-        add("does not break", {kDoor, DoesNotBreak, "back 1.1"}, true, "it stayed whole");
-        add("nothing breaks", {kBall, DoesNotBreak}, true, "it stayed whole");
+        add("another breaks", {kDoor, Breaks, "back 1.1"}, false, "it did not break");
+        add("does not break", {kDoor, DoesNotBreak, "back 1.1"}, true, "it did not break");
+        add("nothing breaks", {kBall, DoesNotBreak}, true, "nothing broke");
         add("something breaks", {kDoor, DoesNotBreak}, false, "\"front 4.1\" broke at step 47 (0.7833 s)");
-        add("into four", {kDoor, BreaksIntoAtLeast, "front 4.1", 4.0}, true, "it was in 4 pieces");
-        add("into five", {kDoor, BreaksIntoAtLeast, "front 4.1", 5.0}, false, "it was in 4 pieces");
-        add("into any", {kDoor, BreaksIntoAtLeast, "back 1.1", 2.0}, false, "it stayed whole");
+        add("into four", {kDoor, BreaksIntoAtLeast, "front 4.1", 4.0}, true, "it broke into 4 fragments");
+        add("into five", {kDoor, BreaksIntoAtLeast, "front 4.1", 5.0}, false, "it broke into 4 fragments");
+        add("into any", {kDoor, BreaksIntoAtLeast, "back 1.1", 2.0}, false, "it did not break");
         add("high", {"", NothingAbove, "", 5.0}, false, "");
         add("not so high", {"", NothingAbove, "", 6.0}, true, "");
         add("at rest", {"", NothingFaster, "", 0.01}, true, "");
@@ -81,7 +81,7 @@ private slots:
 
     void outcomeDescribesExpectedAndObserved() {
         const ExpectationOutcome outcome = outcomeOf({kDoor, ExpectationKind::NothingAbove, "front gable", 4.5});
-        QCOMPARE(outcome.expected, std::string("nothing of \"front gable\" is higher than 4.5 m at the end"));
+        QCOMPARE(outcome.expected, std::string("\"front gable\" ends below a height of 4.5 m"));
         QVERIFY2(outcome.seen.starts_with("\"front gable\" reached up to 5.4"), outcome.seen.c_str());
         QCOMPARE(outcome.step, 180u);
     }

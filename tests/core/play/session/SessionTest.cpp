@@ -49,7 +49,10 @@ private slots:
         test::addInput(session, BreakInput{1});
         session.step();
         QCOMPARE(session.events().breaks.size(), std::size_t{1});
-        QCOMPARE(session.events().notices.size(), std::size_t{1});
+        const std::vector<Diagnostic>& reported = session.events().diagnostics;
+        QCOMPARE(reported.size(), std::size_t{1});
+        QCOMPARE(reported[0].code, DiagnosticCode::UnappliedInput);
+        QCOMPARE(reported[0].place, (DiagnosticPlace{.asset = 2}));
         QCOMPARE(session.bodies().size(), std::size_t{6});  // the pieces and the ground
     }
     void impactAtTheThresholdBreaks_data() {
@@ -82,7 +85,7 @@ private slots:
         Session session = sessionOf(project, {.sleeping = false});
         const std::uint32_t block = session.bodies()[1].number;
         const auto hit = [&](Vec3 at, Vec3 impulse) { addInput(session, ShotInput{"hit", Hammer{at, impulse}}); };
-        hit({0.4, 5.3, 0.25}, {0.0, 0.0, -90.0});  // each below its threshold: it flies and turns about all axes
+        hit({0.4, 5.3, 0.25}, {0.0, 0.0, -90.0});  // each below its threshold: it flies and rotates about all axes
         hit({0.5, 5.2, 0.1}, {-90.0, 0.0, 0.0});
         hit({0.3, 5.5, 0.2}, {0.0, -90.0, 0.0});
         for (int step = 0; step < 20; ++step) session.step();
@@ -130,7 +133,7 @@ private slots:
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 10.0)});
         QCOMPARE(test::breaksWithin(session, 30).size(), 1u);
         const BodyState box = session.world().state(projectileOf(session).body);
-        QVERIFY2(box.velocity.z < -9.0, QByteArray::number(box.velocity.z));  // 20 N s of 1000 were paid
+        QVERIFY2(box.velocity.z < -9.0, QByteArray::number(box.velocity.z));  // 20 N s of 1000 were transferred
         QVERIFY(box.centre.z < -1.0);
     }
 
@@ -152,7 +155,7 @@ private slots:
     void impactorLosesTheBreakImpulse() {
         Project project = floatingBlock();
         project.assets[0].prism.depth = 0.05;  // 50 kg
-        project.assets[0].threshold = 200.0;   // of the 400 N s that 100 kg at 12 m/s addInput it
+        project.assets[0].threshold = 200.0;   // of the 400 N s that the box applies
         Session session = sessionOf(project);
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 12.0)});
         QCOMPARE(test::breaksWithin(session, 20).size(), 1u);
@@ -253,7 +256,8 @@ private slots:
         QVERIFY(std::abs(struck.world().momenta().linear.z + 249.0) < 1e-2);
         addInput(struck, ShotInput{"miss", Hammer{.at = {9.0, 5.0, 0.25}, .impulse = {0.0, 0.0, -150.0}}});
         struck.step();
-        QCOMPARE(struck.events().notices.size(), 1u);
+        QCOMPARE(struck.events().diagnostics.size(), 1u);
+        QCOMPARE(struck.events().diagnostics[0].code, DiagnosticCode::UnappliedInput);
 
         Session blown = sessionOf(project);
         addInput(blown, ShotInput{"bomb", Explosion{.at = {0.0, 5.0, 2.0}, .impulse = 2000.0, .radius = 5.0}});

@@ -59,7 +59,7 @@ private slots:
         QCOMPARE(bench.document.undoStack().count(), 1);
         QVERIFY(centre() == bench.metres({0.3, 0.4}));
         QVERIFY(bench.selection.seeds().empty());
-        QVERIFY(bench.seedAt(0) == centre());  // the centre's seed moves along: the layer was scattered again
+        QVERIFY(bench.seedAt(0) == centre());  // the centre's seed moves along: the layer was evaluated again
         bench.press({0.3, 0.4});
         QVERIFY(bench.canvas.hint().contains("Esc"));
         bench.moveTo({0.7, 0.7});

@@ -241,15 +241,15 @@ private slots:
         QVERIFY(bench.selection.fragments().isEmpty());
         bench.drag(0.9 * box.min, 0.9 * box.max);
         QCOMPARE(bench.selection.seeds().size(), std::size_t{3});
-        const FragmentSet chosen = fragmentsOf(bench.selection.fragments(), bench.bake());
+        const FragmentSet selected = fragmentsOf(bench.selection.fragments(), bench.bake());
         const BakedFracture& fracture = *bench.bake().fractureOf(*fragmentAt(bench.bake(), "3.3"));
-        for (std::uint32_t k = 0; k < chosen.size(); ++k) {
-            QCOMPARE(chosen[k], k >= fracture.first && k < fracture.first + fracture.fragments.count());
+        for (std::uint32_t k = 0; k < selected.size(); ++k) {
+            QCOMPARE(selected[k], k >= fracture.first && k < fracture.first + fracture.fragments.count());
         }
         bench.canvas.seedTool().invertSelection();
         QVERIFY(bench.selection.fragments().isEmpty());
         bench.canvas.seedTool().selectAll();
-        QCOMPARE(fragmentsOf(bench.selection.fragments(), bench.bake()), chosen);
+        QCOMPARE(fragmentsOf(bench.selection.fragments(), bench.bake()), selected);
     }
     void escapeClearsTheSelectionThenExits() {
         FragmentBench bench;

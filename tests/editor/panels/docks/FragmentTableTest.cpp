@@ -1,16 +1,20 @@
 #include "editor/document/FragmentSeeds.h"
+#include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/FragmentTable.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
 #include "tests/support/asset/Projects.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 
 #include <optional>
 
@@ -82,6 +86,7 @@ struct Desk {
         QTest::mouseClick(view.viewport(), Qt::LeftButton, modifiers, view.visualRect(model.index(row, 1)).center());
     }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&view, key, modifiers); }
+    const Bake& currentBake() const { return *bakes.find(2)->bake; }
     bool isFaded(int row) const { return model.data(model.index(row, 0), Qt::ForegroundRole).isValid(); }
 };
 
@@ -292,25 +297,44 @@ private slots:
     void hiddenFragmentsAreFaded() {
         Desk desk(boxOfLevels());
         desk.click(1);
-        desk.key(Qt::Key_H);
+        hideSelected(desk.selection, desk.currentBake());
         QVERIFY((desk.selection.hidden() == FragmentSelection{{{3, 0}}, {{"2/3.0/4.0"}}}));
         QVERIFY(desk.selection.seeds().empty());
         QVERIFY(!desk.isFaded(0) && desk.isFaded(1) && !desk.isFaded(2));
         desk.click(2);
-        desk.key(Qt::Key_H);  // with all children hidden the parent is hidden, too
+        hideSelected(desk.selection, desk.currentBake());  // with all children hidden the parent is hidden, too
         QVERIFY((desk.selection.hidden() == FragmentSelection{{{3, 0}}, std::nullopt}));
         QVERIFY(desk.isFaded(0) && desk.isFaded(2) && !desk.isFaded(3));
         desk.click(3);
-        desk.key(Qt::Key_H, Qt::ShiftModifier);
+        isolateSelected(desk.selection, desk.currentBake());
         QVERIFY((desk.selection.hidden() == FragmentSelection{{{3, 0}, {3, 2}}, std::nullopt}));
         desk.key(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY((desk.selection.seeds() == Selection::Seeds{{3, 0}, {3, 2}}));
         desk.table.showSelected();
         QVERIFY(desk.selection.hidden().isEmpty());
-        desk.table.hideSelected();
-        desk.key(Qt::Key_H, Qt::AltModifier);
-        QVERIFY(desk.selection.hidden().isEmpty());
+        hideSelected(desk.selection, desk.currentBake());
+        QVERIFY(desk.isFaded(0));
+        showAllFragments(desk.selection);
         QVERIFY(!desk.isFaded(0));
+    }
+    void visibilityActionsHaveShortcutsAndButtons() {
+        QAction hide("&Hide");
+        hide.setShortcuts({QKeySequence("H"), QKeySequence("/")});
+        hide.setShortcutContext(Qt::WidgetShortcut);
+        QSignalSpy triggered(&hide, &QAction::triggered);
+        Desk desk(boxOfTwo());
+        desk.table.setFragmentActions({&hide}, {});
+        desk.key(Qt::Key_H);
+        QCOMPARE(triggered.count(), 1);
+        desk.key(Qt::Key_Slash);
+        QCOMPARE(triggered.count(), 2);
+        for (QToolButton* button : desk.table.findChildren<QToolButton*>()) {
+            if (button->defaultAction() == &hide) QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QCOMPARE(triggered.count(), 3);
+        hide.setEnabled(false);
+        desk.key(Qt::Key_H);
+        QCOMPARE(triggered.count(), 3);
     }
     void invertingAffectsListedFragmentsOnly() {
         Desk desk(boxOfLevels());
@@ -348,7 +372,7 @@ private slots:
         int selectedRows = 0;
         for (const QItemSelectionRange& range : desk.view.selectionModel()->selection()) selectedRows += range.height();
         QCOMPARE(selectedRows, 25'000);
-        desk.table.hideSelected();
+        hideSelected(desk.selection, desk.currentBake());
         desk.filter.setText("99 neighbours > 6");
         QVERIFY(desk.model.rowCount() > 0);
         desk.key(Qt::Key_A, Qt::ControlModifier);

@@ -255,18 +255,18 @@ private slots:
         Desk desk;
         desk.selection.setAsset(9);  // a square metre
         const auto count = [&] { return std::get<UniformScatter>(desk.asset().pattern.layers[0].parameters).count; };
-        const auto choose = [&](int way) {
+        const auto select = [&](int way) {
             auto& box = desk.control<QComboBox>("Count by");
             box.setCurrentIndex(way);
             emit box.activated(way);
         };
         desk.type("Count", "25");
-        choose(1);
+        select(1);
         QVERIFY(count() == SeedCount(CountBy::Density, 25.0));
-        choose(2);
+        select(2);
         QVERIFY(count() == SeedCount(CountBy::PieceSize, 0.2));
         desk.type("Fragment size", "0.1");
-        choose(0);
+        select(0);
         QVERIFY(count() == SeedCount(100));
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
@@ -348,22 +348,22 @@ private slots:
         Desk desk;
         desk.selection.setAsset(9);
         QVERIFY(!desk.control<SliderField>("Minimum size").isVisible());
-        const auto choose = [&](const QString& name, int row) {
+        const auto select = [&](const QString& name, int row) {
             auto& box = desk.control<QComboBox>(name);
             box.setCurrentIndex(row);
             emit box.activated(row);
         };
-        choose("Small fragments", 1);
+        select("Small fragments", 1);
         QCOMPARE(desk.asset().shaping.smallPieces.rule, SmallPieceRule::Merge);
         QVERIFY(desk.control<SliderField>("Minimum size").isVisible());
-        choose("Measured by", 2);
+        select("Measured by", 2);
         QCOMPARE(desk.asset().shaping.smallPieces.measure, PieceMeasure::Area);
         QCOMPARE(desk.asset().shaping.smallPieces.limit, 0.001);
         desk.type("Gap", "0.004");
         QCOMPARE(desk.asset().shaping.gap, 0.004);
         desk.type("Roughness", "0.01");
         QCOMPARE(desk.asset().shaping.roughness.amplitude, 0.01);
-        choose("Inside", 2);
+        select("Inside", 2);
         QCOMPARE(desk.asset().insideMaterial, Id{2});
         QVERIFY(!verifyProject(desk.document.project()));
         desk.undoAll();

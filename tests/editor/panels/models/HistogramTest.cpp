@@ -3,7 +3,6 @@
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 using namespace rubble;
@@ -59,15 +58,6 @@ private slots:
         QCOMPARE(bars[0].count, 3u);
         QCOMPARE(bars[0].selected, 2u);
         QVERIFY(histogramOf({}, {}, 30, HistogramAxis::Linear).empty());
-    }
-    void twentyThousandNumbersTakeMilliseconds() {
-        Random random(3);
-        const std::vector<double> volumes = randomVolumes(random, 20'000);
-        const std::vector<bool> isSelected(volumes.size(), true);
-        QElapsedTimer timer;
-        timer.start();
-        for (int run = 0; run < 10; ++run) histogramOf(volumes, isSelected, 40, HistogramAxis::Logarithmic);
-        QVERIFY2(timer.elapsed() < 500, qPrintable(QString::number(timer.elapsed())));  // a fiftieth of it, undisturbed
     }
 };
 

@@ -1,0 +1,144 @@
+#include "app/cli/options/Command.h"
+
+#include "app/cli/options/CommonOptions.h"
+#include "core/asset/project/Ranges.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+/// Returns a check of texts for values of a type.
+template <class Value>
+std::function<std::string(const std::string&)> rangeCheck(ProjectNumber number, const std::string& kind) {
+    return [&range = rangeOf(number), kind](const std::string& given) {
+        Value value{};
+        if (CLI::detail::lexical_cast(given, value) && range.contains(value)) return std::string();
+        return '"' + given + "\" is not a " + kind + " " + rangeText(range);
+    };
+}
+
+}  // namespace
+
+CommandOption CommandOption::required() const {
+    m_option->required();
+    return *this;
+}
+
+CommandOption CommandOption::valueName(const std::string& text) const {
+    m_option->option_text(text);
+    return *this;
+}
+
+CommandOption CommandOption::typeName(const std::string& text) const {
+    m_option->type_name(text);
+    return *this;
+}
+
+CommandOption CommandOption::single() const {
+    m_option->expected(1);
+    return *this;
+}
+
+CommandOption CommandOption::repeatable() const {
+    m_option->expected(1)->take_all();
+    return *this;
+}
+
+CommandOption CommandOption::separatedBy(char separator) const {
+    m_option->delimiter(separator);
+    return *this;
+}
+
+CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const {
+    return check([words](const std::string& given) {
+        if (std::ranges::find(words, given) != words.end()) return std::string();
+        return '"' + given + "\" is not one of " + joinedText(words);
+    });
+}
+
+CommandOption CommandOption::inRange(ProjectNumber number) const { return check(rangeCheck<double>(number, "number")); }
+
+CommandOption CommandOption::wholeInRange(ProjectNumber number) const {
+    return check(rangeCheck<int>(number, "whole number"));
+}
+
+CommandOption CommandOption::check(std::function<std::string(const std::string&)> check) const {
+    m_option->check(CLI::Validator(std::move(check), ""));
+    return *this;
+}
+
+CommandOption CommandOption::convert(std::function<std::string(std::string&)> convert) const {
+    m_option->transform(CLI::Validator(std::move(convert), ""));
+    return *this;
+}
+
+CommandOption CommandOption::needs(CommandOption other) const {
+    m_option->needs(other.m_option);
+    return *this;
+}
+
+CommandOption CommandOption::excludes(CommandOption other) const {
+    m_option->excludes(other.m_option);
+    return *this;
+}
+
+Command::Command(CLI::App& program, const std::string& name, const std::string& description, const std::string& footer)
+    : m_app(program.add_subcommand(name, description)) {
+    m_app->footer(footer);
+    m_app->group("Verbs");
+}
+
+void Command::alias(const std::string& name) { m_app->alias(name); }
+
+bool Command::isParsed() const { return m_app->parsed(); }
+
+template <class Value>
+CommandOption Command::argument(const std::string& name, Value& value, const std::string& help) {
+    return option(name, value, help).typeName("");
+}
+
+template <class Value>
+CommandOption Command::option(const std::string& name, Value& value, const std::string& help) {
+    return CommandOption(m_app->add_option(name, value, help));
+}
+
+CommandOption Command::callback(const std::string& name, std::function<void(const std::string&)> apply,
+                                const std::string& help) {
+    return CommandOption(m_app->add_option_function<std::string>(name, apply, help));
+}
+
+CommandOption Command::flag(const std::string& name, bool& value, const std::string& help) {
+    return CommandOption(m_app->add_flag(name, value, help));
+}
+
+CommandOption Command::operator[](const std::string& name) const { return CommandOption(m_app->get_option(name)); }
+
+bool isNumberInRange(const std::string& text, const NumberRange& range) {
+    double number = 0.0;
+    return CLI::detail::lexical_cast(text, number) && range.contains(number);
+}
+
+using Path = std::filesystem::path;
+using Texts = std::vector<std::string>;
+
+template CommandOption Command::argument(const std::string& name, std::string& value, const std::string& help);
+template CommandOption Command::argument(const std::string& name, Path& value, const std::string& help);
+template CommandOption Command::argument(const std::string& name, Texts& value, const std::string& help);
+
+template CommandOption Command::option(const std::string& name, int& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, double& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::uint32_t& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::uint64_t& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::optional<int>& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::optional<double>& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::string& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, Path& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, Texts& value, const std::string& help);
+
+}  // namespace rubble

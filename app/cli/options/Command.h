@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace rubble {
+
+enum class ProjectNumber;
+struct NumberRange;
+
+/// An option, a flag or a positional argument of a command, which owns it. Each function returns the option itself.
+class CommandOption {
+public:
+    explicit CommandOption(CLI::Option* option) : m_option(option) {}
+
+    CommandOption required() const;
+    /// Sets the name of the value in --help, which then mentions no other property of the option.
+    CommandOption valueName(const std::string& text) const;
+    /// Sets the name of the value in --help, which also mentions the options that this one needs or excludes.
+    CommandOption typeName(const std::string& text) const;
+    /// Takes a single value wherever it is given.
+    CommandOption single() const;
+    /// Takes a single value wherever it is given, and may be given repeatedly.
+    CommandOption repeatable() const;
+    /// Splits a value at each `separator`.
+    CommandOption separatedBy(char separator) const;
+
+    /// Accepts these words only.
+    CommandOption oneOf(const std::vector<std::string>& words) const;
+    /// Accept numbers, or whole numbers, in the range of a number only.
+    CommandOption inRange(ProjectNumber number) const;
+    CommandOption wholeInRange(ProjectNumber number) const;
+    /// Accepts texts for which `check` returns no error.
+    CommandOption check(std::function<std::string(const std::string& text)> check) const;
+    /// Replaces the text by means of `convert`, which returns an error for an invalid one.
+    CommandOption convert(std::function<std::string(std::string& text)> convert) const;
+
+    CommandOption needs(CommandOption other) const;
+    CommandOption excludes(CommandOption other) const;
+
+private:
+    CLI::Option* m_option;
+};
+
+/// The command line of a verb: its options, arguments and help. CLI11, which takes seconds to compile, is included by
+/// Command.cpp and Cli.cpp only.
+class Command {
+public:
+    /// Adds a subcommand to the program, which owns it.
+    Command(CLI::App& program, const std::string& name, const std::string& description, const std::string& footer);
+
+    void alias(const std::string& name);
+    bool isParsed() const;
+
+    /// Adds a positional argument or an option. `value` holds the default and must outlive the command. A Value is a
+    /// std::string, a number, an optional number, a path, or a vector of std::string.
+    template <class Value>
+    CommandOption argument(const std::string& name, Value& value, const std::string& help);
+    template <class Value>
+    CommandOption option(const std::string& name, Value& value, const std::string& help);
+    /// Adds an option whose text is given to `apply`.
+    CommandOption callback(const std::string& name, std::function<void(const std::string& text)> apply,
+                           const std::string& help);
+    CommandOption flag(const std::string& name, bool& value, const std::string& help);
+
+    /// Returns the option that was added with a name.
+    CommandOption operator[](const std::string& name) const;
+
+private:
+    CLI::App* m_app;
+};
+
+/// Returns whether `text` is a number in the range.
+bool isNumberInRange(const std::string& text, const NumberRange& range);
+
+}  // namespace rubble

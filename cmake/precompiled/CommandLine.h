@@ -1,6 +1,0 @@
-#pragma once
-// What nearly every verb includes.
-
-#include "Geometry.h"
-
-#include <CLI/CLI.hpp>

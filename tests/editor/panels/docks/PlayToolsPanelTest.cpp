@@ -1,0 +1,45 @@
+#include "editor/panels/docks/PlayToolsPanel.h"
+
+#include "core/asset/project/Ranges.h"
+#include "editor/widgets/NumberField.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/PlayStage.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace rubble;
+
+class PlayToolsPanelTest : public QObject {
+    Q_OBJECT
+private slots:
+    void fieldsHaveTheRangesOfShots_data() {
+        QTest::addColumn<QString>("label");
+        QTest::addColumn<int>("number");
+        const auto row = [](const char* label, ProjectNumber number) {
+            QTest::newRow(label) << QString(label) << static_cast<int>(number);
+        };
+        row("Width", ProjectNumber::ProjectileSize);
+        row("Mass", ProjectNumber::Mass);
+        row("Full speed", ProjectNumber::ProjectileSpeed);
+        row("Radius", ProjectNumber::ExplosionRadius);
+        row("Force", ProjectNumber::GrabForce);
+    }
+    void fieldsHaveTheRangesOfShots() {
+        QFETCH(QString, label);
+        QFETCH(int, number);
+        test::Stage stage;
+        const PlayToolsPanel panel(stage.document, stage.controller);
+        const auto fields = panel.findChildren<NumberField*>();
+        const auto field = std::ranges::find(fields, label, &QWidget::accessibleName);
+        QVERIFY(field != fields.end());
+        const NumberRange& range = rangeOf(static_cast<ProjectNumber>(number));
+        QCOMPARE((*field)->range().min, range.min);
+        QCOMPARE((*field)->range().max, range.max);
+        QCOMPARE((*field)->range().isMinExcluded, range.isMinExcluded);
+    }
+};
+
+RUBBLE_TEST_WITH(PlayToolsPanelTest, QApplication)
+#include "PlayToolsPanelTest.moc"

@@ -1,0 +1,75 @@
+// Tests editor/dialogs/PreferencesDialog.cpp and Views::applyPreferences().
+#include "editor/dialogs/PreferencesDialog.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+using namespace rubble;
+
+/// Preferences take effect at once in the 3D view of an open window.
+class PreferencesStoryTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void initTestCase() { openBaked(boxProject(UniformScatter{.count = 4})); }
+    void cleanup() { preferences().setPreferences({}); }
+    void cleanupTestCase() { close(); }
+
+    void dialogSetsAntiAliasingAndCancelRestoresIt() {
+        const int before = viewport().settings().msaa;
+        int during = -1;
+        test::onNextDialog<PreferencesDialog>([&](PreferencesDialog& dialog) {
+            for (auto* box : dialog.findChildren<QComboBox*>()) {
+                if (box->findText("4×") >= 0) box->setCurrentText("4×");
+            }
+            during = viewport().settings().msaa;
+            dialog.reject();
+        });
+        action("edit-preferences")->trigger();
+        QCOMPARE(during, 4);
+        QCOMPARE(viewport().settings().msaa, before);
+    }
+    void navigationStyleChangesMouseButtons() {
+        const Camera before = viewport().camera();
+        preferences().setPreferences({.navigation = NavigationStyle::Maya});
+        dragWithMiddleButton();
+        QCOMPARE(viewport().camera().azimuth, before.azimuth);
+        preferences().setPreferences({.navigation = NavigationStyle::Blender});
+        dragWithMiddleButton();
+        QVERIFY(viewport().camera().azimuth != before.azimuth);
+    }
+    void cameraJumpsUnlessViewChangesAreSmooth() {
+        viewport().alignTo(StandardView::Isometric);
+        QTRY_COMPARE(viewport().shownCamera().azimuth, viewport().camera().azimuth);
+        preferences().setPreferences({.isSmooth = false});
+        viewport().alignTo(StandardView::Right);
+        QCOMPARE(viewport().shownCamera().azimuth, viewport().camera().azimuth);
+        preferences().setPreferences({.isSmooth = true});
+        viewport().alignTo(StandardView::Front);
+        QVERIFY(viewport().shownCamera().azimuth != viewport().camera().azimuth);
+    }
+    void softLightIsRefined() {
+        if (!hasView()) QSKIP("OpenGL is not available.");
+        auto* refining = viewport().findChild<QOpenGLWidget*>()->findChild<QTimer*>();
+        preferences().setPreferences({.refining = ProgressiveRendering::Never});
+        QTRY_VERIFY_WITH_TIMEOUT(!refining->isActive(), kPatience);
+        preferences().setPreferences({.refining = ProgressiveRendering::Always});
+        QTRY_VERIFY_WITH_TIMEOUT(refining->isActive(), kPatience);
+    }
+
+private:
+    void dragWithMiddleButton() {
+        const QPoint middle = viewport().rect().center();
+        QTest::mousePress(&viewport(), Qt::MiddleButton, {}, middle);
+        QTest::mouseMove(&viewport(), middle + QPoint(80, 20));
+        QTest::mouseRelease(&viewport(), Qt::MiddleButton, {}, middle + QPoint(80, 20));
+    }
+};
+
+RUBBLE_TEST_WITH(PreferencesStoryTest, QApplication)
+#include "PreferencesStoryTest.moc"
