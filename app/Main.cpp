@@ -1,4 +1,5 @@
 // The editor: rubble [FILE...]
+#include "editor/document/FilePath.h"
 #include "editor/widgets/Icon.h"
 #include "editor/window/Program.h"
 
@@ -6,12 +7,12 @@
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
 
-int main(int argc, char** argv) {
+int main(int argumentCount, char** argumentList) {
     QApplication::setOrganizationName("Rubble");
     QApplication::setApplicationName("Rubble");
     QApplication::setApplicationVersion(RUBBLE_VERSION);
     QApplication::setDesktopFileName("io.github.rubble.Rubble");
-    QApplication application(argc, argv);
+    QApplication application(argumentCount, argumentList);
     QApplication::setWindowIcon(rubble::iconNamed("rubble"));
 
     QCommandLineParser parser;
@@ -20,7 +21,9 @@ int main(int argc, char** argv) {
                                  "[FILE...]");
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.process(application);
+    QStringList arguments;
+    for (int k = 0; k < argumentCount; ++k) arguments.append(rubble::fromPath(argumentList[k]));
+    parser.process(arguments);  // Qt's own list loses the bytes of paths that are not UTF-8
 
     rubble::Program program;
     program.start(parser.positionalArguments());

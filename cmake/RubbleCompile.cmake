@@ -10,6 +10,11 @@ target_compile_options(rubble_language INTERFACE
   -Wold-style-cast -Woverloaded-virtual $<$<BOOL:${RUBBLE_WERROR}>:-Werror> -ffp-contract=off
   # Structs are made with designated initialisers; what they leave out has its default.
   -Wno-missing-field-initializers)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # The compiler collects its garbage above 512 MiB only, which saves a tenth of its time: each collection visits all of
+  # a precompiled header.
+  target_compile_options(rubble_language INTERFACE "SHELL:--param ggc-min-heapsize=524288")
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms on joining literals and strings: GCC bugs 105329 and 105651.
   target_compile_options(rubble_language INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)

@@ -3,6 +3,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/OutOfMemory.h"
 #include "core/base/Version.h"
 
 #include <CLI/CLI.hpp>
@@ -18,7 +19,7 @@ constexpr const char* kDescription =
     "engines.";
 
 constexpr const char* kFooter = R"(Results go to standard output, errors and warnings to standard error.
-Exit status: 0 success, 1 error, 2 wrong usage, 130 stopped by Ctrl+C.
+Exit status: 0 success, 1 error (also out of memory), 2 wrong usage, 130 stopped by Ctrl+C.
 
 Examples:
   rubble-cli new wall.rubble
@@ -78,7 +79,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
             std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 expects them in reverse order
     } catch (const CLI::Success& request) {
         program.exit(request, context.out, context.err);
-        return finish(writeOutput("-", "", context), context);
+        return finish(printText("", context), context);
     } catch (const CLI::ParseError& error) {
         context.err << usageError(program, error) << '\n';
         return kExitUsage;
@@ -88,7 +89,9 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         context.err << "No verb given; see rubble-cli --help.\n";
         return kExitUsage;
     }
-    return finish(selected->action(context), context);
+    const Status status = orOutOfMemory("running rubble-cli " + program.get_subcommands().front()->get_name(),
+                                        [&] { return selected->action(context); });
+    return finish(status, context);
 }
 
 }  // namespace rubble

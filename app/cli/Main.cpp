@@ -1,15 +1,23 @@
 #include "app/cli/Cli.h"
+#include "app/cli/console/PrintableText.h"
 #include "app/cli/console/Terminal.h"
+#include "core/io/system/ProgramFolder.h"
+
+#include <unistd.h>
 
 #include <iostream>
-#include <system_error>
 
 int main(int argumentCount, char** arguments) {
     std::ios::sync_with_stdio(false);
-    std::error_code ignored;  // no /proc: rubble-importer is then looked for in the current folder
-    rubble::CliContext context{std::cin, std::cout, std::cerr};
-    context.errIsTerminal = rubble::standardErrorIsTerminal();
-    context.programFolder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    rubble::PrintableBuffer outBuffer(std::cout);
+    rubble::PrintableBuffer errBuffer(std::cerr);
+    std::ostream out(&outBuffer);
+    std::ostream err(&errBuffer);
+    err << std::unitbuf;
+    const bool outIsTerminal = rubble::isTerminal(STDOUT_FILENO);
+    rubble::CliContext context{.in = STDIN_FILENO, .out = outIsTerminal ? out : std::cout, .err = err};
+    if (rubble::isTerminal(STDERR_FILENO)) context.terminal = &std::cerr;
+    context.programFolder = rubble::programFolder();
     rubble::cancelOnSignals(context.cancel);
     return rubble::runCli({arguments + 1, arguments + argumentCount}, context);
 }

@@ -31,8 +31,6 @@ void keepSupportedFormats(Assimp::Importer& importer) {
     }
 }
 
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 /// Returns the first line of the library's error message, as the end of a sentence.
 std::string reasonOf(const Assimp::Importer& importer) {
     std::string reason = importer.GetErrorString();
@@ -174,27 +172,45 @@ std::optional<std::string> numberError(const SourceScene& scene) {
     return std::nullopt;
 }
 
-Error fileError(ErrorCode code, const std::string& path, const std::string& what) {
-    return {code, "\"" + fileName(path) + "\" " + what + "."};
+Error fileError(ErrorCode code, const std::string& name, const std::string& what) {
+    return {code, "\"" + name + "\" " + what + "."};
+}
+
+std::string outsideText(const std::string& resource) {
+    return "refers to \"" + nameOf(aiString(resource)) +
+           "\", which lies outside its folder; only files in the folder of a mesh and below are read";
+}
+
+/// Returns the error for a file that the library rejected.
+Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const std::string& name) {
+    if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, outsideText(files.refused().front()));
+    const std::string reason = reasonOf(importer);
+    if (reason.starts_with("No suitable reader"))
+        return {ErrorCode::Unsupported, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; \"" + name +
+                                            "\" is none of these, or of a version that is not supported."};
+    return fileError(ErrorCode::Unsupported, name, "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reason);
 }
 
 }  // namespace
 
-Result<SourceScene> readMeshFile(const std::string& path) {
+Result<SourceScene> readMeshFile(MeshPlace place, FileLog log) {
+    const std::string name = place.name;
     Assimp::Importer importer;
     keepSupportedFormats(importer);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    const aiScene* source = importer.ReadFile(path, aiProcess_Triangulate);
-    if (source == nullptr || source->mRootNode == nullptr)
-        return fileError(ErrorCode::Unsupported, path,
-                         "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reasonOf(importer));
+    auto* files = new MeshFiles(std::move(place), log);
+    importer.SetIOHandler(files);                                            // which deletes it
+    const aiScene* source = importer.ReadFile(name, aiProcess_Triangulate);  // no path, so that no message holds one
+    if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, *files, name);
     const Format format = formatOf(importer, *source);
     SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
+    for (const std::string& resource : files->refused())
+        scene.notes.push_back("The file " + outsideText(resource) + ".");
     const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
-    if (!added) return fileError(added.error().code, path, added.error().message);
-    if (scene.objects.empty()) return fileError(ErrorCode::Degenerate, path, "has no triangles");
+    if (!added) return fileError(added.error().code, name, added.error().message);
+    if (scene.objects.empty()) return fileError(ErrorCode::Degenerate, name, "has no triangles");
     if (const std::optional<std::string> error = numberError(scene))
-        return fileError(ErrorCode::BadInput, path, *error);
+        return fileError(ErrorCode::BadInput, name, *error);
     return scene;
 }
 

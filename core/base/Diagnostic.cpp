@@ -30,7 +30,9 @@ const char* nameOf(DiagnosticCode code) {
                                           "GapVolume",
                                           "UnappliedInput",
                                           "PatternFallback",
-                                          "ReplayMismatch"};
+                                          "LeftWorld",
+                                          "ReplayMismatch",
+                                          "RepeatedPoint"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }
@@ -43,7 +45,8 @@ Severity defaultSeverity(DiagnosticCode code) {
         case DiagnosticCode::MergedPiece:
         case DiagnosticCode::DroppedSeed:
         case DiagnosticCode::SimplifiedShape:
-        case DiagnosticCode::GapVolume: return Severity::Note;
+        case DiagnosticCode::GapVolume:
+        case DiagnosticCode::RepeatedPoint: return Severity::Note;
         default: return Severity::Warning;
     }
 }

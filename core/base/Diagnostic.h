@@ -36,9 +36,11 @@ enum class DiagnosticCode {
     GapVolume,          // mass that the gap between pieces removes
     UnappliedInput,     // an input of a session had no effect
     PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
+    LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
     ReplayMismatch,     // a step differs from the recording
+    RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
 };
-inline constexpr int kDiagnosticCodes = 25;
+inline constexpr int kDiagnosticCodes = 27;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);

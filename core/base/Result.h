@@ -18,6 +18,7 @@ enum class ErrorCode {
     Io,           // reading or writing failed
     Limit,        // exceeds a limit of memory, time or count
     Cancelled,    // cancelled by the caller
+    Edited,       // would overwrite what a user changed
 };
 
 /// An error as one sentence that a user can act on, with the values: "The outline crosses itself between points 4 and

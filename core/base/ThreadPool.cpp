@@ -73,6 +73,16 @@ void ThreadPool::runWorker() {
     }
 }
 
+void ThreadPool::keepException() noexcept {
+    if (!m_hasFailed.exchange(true)) m_failure = std::current_exception();
+}
+
+void ThreadPool::throwKept() {
+    if (!m_hasFailed.load()) return;
+    m_hasFailed.store(false);
+    std::rethrow_exception(std::exchange(m_failure, nullptr));
+}
+
 void ThreadPool::takeChunks(std::uint32_t stage, bool isCaller) {
     std::uint64_t bits = m_remaining.load(std::memory_order_acquire);
     while (true) {
@@ -80,7 +90,11 @@ void ThreadPool::takeChunks(std::uint32_t stage, bool isCaller) {
         if (remaining.stage != stage || remaining.first == remaining.end) return;
         const std::uint32_t chunk = isCaller ? remaining.first++ : --remaining.end;
         if (!m_remaining.compare_exchange_weak(bits, packed(remaining), std::memory_order_acq_rel)) continue;
-        (*m_work)(chunk);
+        try {
+            (*m_work)(chunk);
+        } catch (...) {
+            keepException();
+        }
         m_done.fetch_add(1, std::memory_order_release);
         bits = m_remaining.load(std::memory_order_acquire);
     }
@@ -111,6 +125,7 @@ void ThreadPool::waitUntil(const IsDone& isDone) const {
 void ThreadPool::runChunksOnThreads(std::size_t chunks, const std::function<void(std::size_t)>& work) {
     takeChunks(open(work, 0, chunks), true);
     waitUntil([&] { return m_done.load(std::memory_order_acquire) == chunks; });
+    throwKept();
 }
 
 void ThreadPool::waitForAwakeWorkers() const {
@@ -144,9 +159,17 @@ void ThreadPool::runStagesOnThreads(std::size_t stages, std::size_t parts, const
             waitUntil([&] { return m_progress[part].stages.load(std::memory_order_acquire) > stage; });
         }
     };
+    const auto attempt = [&](std::size_t stage, std::size_t part) {
+        if (m_hasFailed.load(std::memory_order_relaxed)) return;
+        try {
+            work(stage, part);
+        } catch (...) {
+            keepException();
+        }
+    };
     const auto runPart = [&](std::size_t part) {
         for (std::size_t stage = 0; stage < stages; ++stage) {
-            work(stage, part);
+            attempt(stage, part);
             finish(stage, part);
             if (stage + 1 < stages) waitForAll(stage);
         }
@@ -155,16 +178,17 @@ void ThreadPool::runStagesOnThreads(std::size_t stages, std::size_t parts, const
     open(runPartReference, 1, parts);
     std::size_t end = 1;  // the caller runs the parts [0, end)
     for (std::size_t stage = 0; stage < stages; ++stage) {
-        work(stage, 0);
+        attempt(stage, 0);
         if (stage == 0) {
             waitForAwakeWorkers();
             end = takeRemainingChunks();
         }
-        for (std::size_t part = 1; part < end; ++part) work(stage, part);
+        for (std::size_t part = 1; part < end; ++part) attempt(stage, part);
         for (std::size_t part = 0; part < end; ++part) finish(stage, part);
         if (stage + 1 < stages) waitForAll(stage);
     }
     waitUntil([&] { return m_done.load(std::memory_order_acquire) == parts - end; });
+    throwKept();
 }
 
 }  // namespace rubble

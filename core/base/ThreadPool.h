@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -16,6 +17,9 @@ namespace rubble {
 /// chunks from the front and the workers from the back, so that each finds most of its data in its own cache from stage
 /// to stage. Where stages are so short that distributing chunks takes longer than working on them, runStages() keeps
 /// each part of all stages on one thread.
+///
+/// An exception of the work, such as std::bad_alloc, is thrown on by the call that runs it, once all threads have left
+/// it; of several exceptions, one. Later stages are left out then.
 class ThreadPool {
 public:
     /// A pool of `size` threads, including the caller's.
@@ -66,6 +70,8 @@ private:
     template <class IsDone>
     void waitUntil(const IsDone& isDone) const;
     void runWorker();
+    void keepException() noexcept;
+    void throwKept();
 
     const std::function<void(std::size_t)>* m_work = nullptr;
     // The stage and its remaining chunks [first, end), in one word: a late worker cannot take chunks of the next stage.
@@ -78,7 +84,9 @@ private:
     std::vector<Progress> m_progress;
     alignas(64) std::atomic<int> m_awake{0};  // workers that are spinning or working, not blocked
     std::atomic<bool> m_isStopping{false};
-    int m_spins = 0;  // before a thread yields
+    std::atomic<bool> m_hasFailed{false};
+    std::exception_ptr m_failure;  // written by the thread that sets m_hasFailed
+    int m_spins = 0;               // before a thread yields
     std::vector<std::thread> m_threads;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon/OutlineShapes.h"
 #include "core/io/mesh/MeshImport.h"
+#include "core/io/system/ProgramFolder.h"
 #include "editor/actions/CompareActions.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
@@ -15,7 +16,6 @@
 #include "editor/widgets/LayerText.h"
 #include "editor/workspace/Workspace.h"
 
-#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -27,7 +27,8 @@ AssetActions::AssetActions(Views& views)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
-      m_menu(new QMenu(tr("&Asset"), &views.window())) {
+      m_menu(new QMenu(tr("&Asset"), &views.window())),
+      m_comparison(new CompareActions(views)) {
     const auto add = actionAdder(*m_menu, this);
     m_rectangle = add({"shape-rectangle", tr("Add &Rectangle…"), tr("Add a prism with a rectangular outline")},
                       &AssetActions::addRectangle);
@@ -58,7 +59,7 @@ AssetActions::AssetActions(Views& views)
     m_needAsset += add({"asset-sheet", tr("Contact S&heet…"), tr("Compare variants of the active asset side by side"),
                         QKeySequence("Ctrl+T")},
                        &AssetActions::showContactSheet);
-    m_menu->addActions((new CompareActions(views))->actions());
+    m_menu->addActions(m_comparison->actions());
     connect(&m_workspace.selection(), &Selection::assetChanged, this, &AssetActions::updateEnabled);
     updateEnabled();
 }
@@ -112,7 +113,7 @@ void AssetActions::addSeedsFromMesh() {
     QWidget* window = &m_views.window();
     const QString path = QFileDialog::getOpenFileName(window, tr("Add Seeds from Mesh"), {}, meshFilter());
     if (path.isEmpty()) return;
-    const std::filesystem::path importer = importerPath(QApplication::applicationDirPath().toStdString());
+    const std::filesystem::path importer = importerPath(programFolder());
     std::optional<SourceScene> mesh = readMesh(path, importer, window);
     if (!mesh) return;
     const Asset& asset = *m_workspace.asset();

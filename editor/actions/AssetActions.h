@@ -10,6 +10,7 @@ class QMenu;
 
 namespace rubble {
 
+class CompareActions;
 class Views;
 class Workspace;
 
@@ -23,6 +24,7 @@ public:
     /// The actions that add an asset.
     QList<QAction*> additions() const { return {m_rectangle, m_triangle, m_polygon, m_draw}; }
     QAction* addInstanceAction() const { return m_addInstance; }
+    CompareActions& comparison() { return *m_comparison; }
 
 private:
     void addRectangle();
@@ -42,6 +44,7 @@ private:
     Views& m_views;
     Workspace& m_workspace;
     QMenu* m_menu;
+    CompareActions* m_comparison;
     QAction* m_rectangle = nullptr;
     QAction* m_triangle = nullptr;
     QAction* m_polygon = nullptr;

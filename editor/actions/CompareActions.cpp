@@ -4,6 +4,7 @@
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/ChangesPanel.h"
 #include "editor/view3d/SceneView.h"
@@ -59,6 +60,10 @@ void CompareActions::updateEnabled() {
 
 void CompareActions::compareWithSaved() {
     if (m_comparison.isOn()) return end();
+    compareWithFileOnDisk();
+}
+
+void CompareActions::compareWithFileOnDisk() {
     const DocumentFile& file = m_workspace.file();
     compareWith(file.path(), tr("%1 as saved").arg(file.name()));
 }
@@ -71,7 +76,7 @@ void CompareActions::compareWithFile() {
 }
 
 void CompareActions::compareWith(const QString& path, const QString& name) {
-    Result<Project> other = loadProject(path.toStdString());
+    Result<Project> other = loadProject(toPath(path));
     if (!other) return showError(&m_views.window(), other.error());
     m_views.showProject();
     m_views.setCanvasVisible(true);

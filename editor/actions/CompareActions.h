@@ -37,6 +37,9 @@ public:
     StateComparison& comparison() { return m_comparison; }
     ChangesPanel& panel() { return *m_panel; }
 
+    /// Compares with the project's file, as it is on the disk.
+    void compareWithFileOnDisk();
+
 private:
     void compareWithSaved();
     void compareWithFile();

@@ -1,6 +1,7 @@
 #include "editor/actions/FileActions.h"
 
 #include "core/io/mesh/MeshImport.h"
+#include "core/io/system/ProgramFolder.h"
 #include "editor/dialogs/ExportDialog.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/ImportDialog.h"
@@ -11,7 +12,6 @@
 #include "editor/workspace/RecentFiles.h"
 #include "editor/workspace/Workspace.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -55,6 +55,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
         &FileActions::quitRequested);
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &FileActions::updateEnabled);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &FileActions::updateEnabled);
+    connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &FileActions::askAboutChangeOnDisk);
     updateEnabled();
 }
 
@@ -77,11 +78,27 @@ void FileActions::openFile(const QString& path) {
 
 bool FileActions::save() {
     DocumentFile& file = m_workspace.file();
-    if (file.path().isEmpty()) return saveAs();
-    const Status saved = file.save();
-    showIfError(&m_views.window(), saved);
-    if (saved) m_views.showStatus(tr("Saved %1.").arg(file.name()));
-    return saved.hasValue();
+    if (file.path().isEmpty() || file.isReadOnly()) return saveAs();
+    return file.diskState() == DiskState::Changed ? saveOverChange() : saveTo(file.path());
+}
+
+/// Asks whether to overwrite a file that another program changed.
+bool FileActions::saveOverChange() {
+    DocumentFile& file = m_workspace.file();
+    enum Answer : std::size_t { kSaveAs, kCompare, kOverwrite, kCancel };
+    m_isAskingAboutDisk = true;
+    const std::size_t answer =
+        ask(&m_views.window(), {.text = tr("%1 was changed by another program.").arg(file.name()),
+                                .informativeText = tr("Overwriting it discards what the other program saved."),
+                                .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
+                                            {tr("Compare"), QMessageBox::AcceptRole},
+                                            {tr("Overwrite"), QMessageBox::DestructiveRole},
+                                            {tr("Cancel"), QMessageBox::RejectRole}},
+                                .defaultAnswer = kSaveAs});
+    m_isAskingAboutDisk = false;
+    if (answer == kCompare) emit compareRequested();
+    if (answer == kSaveAs) return saveAs();
+    return answer == kOverwrite && saveTo(file.path());
 }
 
 bool FileActions::saveAs() {
@@ -91,18 +108,72 @@ bool FileActions::saveAs() {
     dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
     dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : file.name());
     if (dialog.exec() != QDialog::Accepted) return false;
-    const Status saved = file.saveAs(dialog.selectedFiles().first());
-    showIfError(&m_views.window(), saved);
-    if (!saved) return false;
+    if (!saveTo(dialog.selectedFiles().first())) return false;
     m_recentFiles.add(file.path());
-    m_views.showStatus(tr("Saved %1.").arg(file.name()));
     return true;
+}
+
+bool FileActions::saveTo(const QString& path) {
+    DocumentFile& file = m_workspace.file();
+    const Status saved = file.saveAs(path);
+    showIfError(&m_views.window(), saved);
+    if (saved) m_views.showStatus(tr("Saved %1.").arg(file.name()));
+    return saved.hasValue();
 }
 
 void FileActions::revert() {
     const QString question = tr("Discard all changes to %1 since it was last saved?").arg(m_workspace.file().name());
     if (!confirmLoss(&m_views.window(), question, tr("Revert"), tr("Cancel"))) return;
     showIfError(&m_views.window(), m_workspace.file().reload());
+}
+
+void FileActions::askAboutChangeOnDisk() {
+    if (m_isAskingAboutDisk) {
+        m_hasChangedMeanwhile = true;
+        return;
+    }
+    m_isAskingAboutDisk = true;
+    do {
+        m_hasChangedMeanwhile = false;
+        const DiskState state = m_workspace.file().diskState();
+        if (state == DiskState::Changed) askAboutChange();
+        if (state == DiskState::Deleted) askAboutDeletion();
+    } while (m_hasChangedMeanwhile);
+    m_isAskingAboutDisk = false;
+}
+
+/// Unless the answer is Reload, the next save asks again before it overwrites the file.
+void FileActions::askAboutChange() {
+    const bool isModified = m_workspace.document().isModified();
+    enum Answer : std::size_t { kSaveAs, kCompare, kReload, kKeep };
+    const std::size_t answer =
+        ask(&m_views.window(), {.text = tr("%1 was changed by another program.").arg(m_workspace.file().name()),
+                                .informativeText = isModified ? tr("Reloading it discards your unsaved changes.")
+                                                              : tr("You have no unsaved changes."),
+                                .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
+                                            {tr("Compare"), QMessageBox::AcceptRole},
+                                            {tr("Reload"), QMessageBox::DestructiveRole},
+                                            {tr("Keep Current Version"), QMessageBox::RejectRole}},
+                                .defaultAnswer = isModified ? kSaveAs : kReload});
+    if (answer == kReload) {
+        const Status reloaded = m_workspace.file().reload();
+        showIfError(&m_views.window(), reloaded);
+        if (reloaded) return;
+    }
+    m_workspace.document().setUnsaved();
+    if (answer == kSaveAs) saveAs();
+    if (answer == kCompare) emit compareRequested();
+}
+
+void FileActions::askAboutDeletion() {
+    m_workspace.document().setUnsaved();
+    const std::size_t answer = ask(
+        &m_views.window(),
+        {.text = tr("%1 was deleted by another program.").arg(m_workspace.file().name()),
+         .informativeText = tr("The project is still open here. Saving it creates the file again."),
+         .answers = {{tr("Save As…"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}},
+         .defaultAnswer = 1});
+    if (answer == 0) saveAs();
 }
 
 bool FileActions::confirmClose() {
@@ -124,7 +195,7 @@ void FileActions::importWithDialog() {
 
 void FileActions::importMesh(const QString& path) {
     ImportDialog dialog(path, m_workspace.project(), m_preferences.preferences(), &m_views.window());
-    const std::filesystem::path importer = importerPath(QApplication::applicationDirPath().toStdString());
+    const std::filesystem::path importer = importerPath(programFolder());
     if (!dialog.read(importer) || dialog.exec() != QDialog::Accepted) return;
     m_views.showProject();
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));

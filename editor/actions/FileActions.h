@@ -25,7 +25,8 @@ public:
     QAction* openAction() const { return m_open; }
     QAction* importAction() const { return m_import; }
 
-    /// Saves the project, asking for a path if it has none. Returns false if it was not saved.
+    /// Saves the project, asking for a path if it has none or is read-only, and what to do if another program changed
+    /// the file. Returns false if it was not saved.
     bool save();
     bool saveAs();
     /// Asks whether to save unsaved changes. Returns false if the user cancels.
@@ -38,12 +39,19 @@ signals:
     void newProjectRequested();
     void openProjectRequested(const QString& path);
     void quitRequested();
+    /// To compare the project with its file.
+    void compareRequested();
 
 private:
     void openWithDialog();
     void saveTriggered() { save(); }
     void saveAsTriggered() { saveAs(); }
     void revert();
+    bool saveOverChange();
+    bool saveTo(const QString& path);
+    void askAboutChangeOnDisk();
+    void askAboutChange();
+    void askAboutDeletion();
     void importWithDialog();
     void exportWithDialog();
     void exportAgain();
@@ -64,6 +72,8 @@ private:
     QAction* m_revert = nullptr;
     QAction* m_import = nullptr;
     QAction* m_export = nullptr;
+    bool m_isAskingAboutDisk = false;
+    bool m_hasChangedMeanwhile = false;  // the file, while the user is asked about it
 };
 
 }  // namespace rubble

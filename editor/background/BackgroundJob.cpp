@@ -45,7 +45,11 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
         promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
     };
     m_thread.start([promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
-        if (!task.isCancelled()) *delivery = work(task, [&](Call call) { promise->addResult(std::move(call)); });
+        try {
+            if (!task.isCancelled()) *delivery = work(task, [&](Call call) { promise->addResult(std::move(call)); });
+        } catch (const std::bad_alloc&) {
+            qWarning("%s", outOfMemory("working in the background").message.c_str());
+        }
         promise->finish();
     });
 }

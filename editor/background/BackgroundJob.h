@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/OutOfMemory.h"
 #include "core/base/TaskContext.h"
 
 #include <QFutureWatcher>
@@ -31,7 +32,8 @@ public:
     bool isRunning() const { return m_isRunning; }
 
     /// Starts `work(task)`, or `work(task, post)` if it delivers partial results, on the background thread. isRunning()
-    /// is false again when `deliver(result)` is called. A replaced function that ignores task.isCancelled() delays the
+    /// is false again when `deliver(result)` is called. Where memory runs out, a Result has the error of outOfMemory();
+    /// any other result is not delivered. A replaced function that ignores task.isCancelled() delays the
     /// next one.
     template <class Work, class Deliver>
     void start(Work work, Deliver deliver) {
@@ -43,7 +45,13 @@ public:
                     return work(task);
                 }
             };
-            auto result = std::make_shared<decltype(evaluate())>(evaluate());
+            using Value = decltype(evaluate());
+            std::shared_ptr<Value> result;
+            if constexpr (std::is_constructible_v<Value, Error>) {
+                result = std::make_shared<Value>(orOutOfMemory("working in the background", evaluate));
+            } else {
+                result = std::make_shared<Value>(evaluate());
+            }
             return [deliver, result = std::move(result)] { deliver(std::move(*result)); };
         });
     }

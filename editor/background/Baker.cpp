@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
+#include "core/base/OutOfMemory.h"
 #include "editor/document/EnteredFragment.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::shared_ptr<const BakedPattern> patternOf(const PatternRequest& request, con
         pattern->parent = request.parent;
         pattern->offset = request.solid.offset;
     }
-    Result<PlanarFracture> cut = cutFor(request, task);
+    Result<PlanarFracture> cut = orOutOfMemory("computing the pattern", [&] { return cutFor(request, task); });
     if (!cut) {
         if (cut.error().code == ErrorCode::Cancelled) return nullptr;
         pattern->fault = cut.error();
@@ -108,7 +109,7 @@ BakeRequest requestFor(std::shared_ptr<const Asset> asset, const Project& projec
 Result<std::shared_ptr<const Bake>> bakeOf(const Asset& variant, const BakeRequest& request, const TaskContext& task) {
     const auto isSame = [input = bakeInputHash(variant)](const auto& bake) { return bake->input == input; };
     if (const auto same = std::ranges::find_if(request.known, isSame); same != request.known.end()) return *same;
-    Result<Bake> made = bake(variant, task);
+    Result<Bake> made = orOutOfMemory("fracturing asset \"" + variant.name + '"', [&] { return bake(variant, task); });
     if (!made) return made.error();
     return std::make_shared<const Bake>(std::move(*made));
 }

@@ -1,5 +1,9 @@
 #include "editor/commands/GreyImageLoading.h"
 
+#include "core/io/system/AtomicFile.h"
+#include "editor/document/FilePath.h"
+
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QImageReader>
@@ -11,6 +15,9 @@ namespace rubble {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("GreyImageLoading", text); }
+
+/// Formats of pixels alone. A vector picture could name other files, which Qt would open.
+const QByteArrayList kFormats{"png", "jpeg", "jpg", "bmp", "pbm", "pgm", "ppm"};
 
 bool hasMoreThan8Bits(const QImage& picture) {
     switch (picture.format()) {
@@ -64,7 +71,13 @@ QImage pictureOf(const GreyImage& image) {
 Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     const auto fault = [](const QString& sentence) { return Error{ErrorCode::BadInput, sentence.toStdString()}; };
-    QImageReader reader(path);
+    Result<std::string> bytes = readFile(toPath(path));  // refuses pipes and devices, for which Qt would wait
+    if (!bytes) return bytes.error();
+    QByteArray data = QByteArray::fromStdString(*bytes);
+    QBuffer buffer(&data);
+    QImageReader reader(&buffer);
+    if (!kFormats.contains(reader.format()))
+        return fault(tr("%1 is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(name));
     constexpr int kMaxSide = GreyImage::kMaxSide;
     if (const QSize size = reader.size(); size.width() > kMaxSide || size.height() > kMaxSide) {
         return fault(tr("%1 is too large: %2 × %3 pixels. Scale it down to at most %4 pixels a side.")

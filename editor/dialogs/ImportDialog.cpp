@@ -103,8 +103,8 @@ std::vector<Message> ImportDialog::messages() const {
             messages.push_back({.text = textOf(note), .asset = imported.asset});
         }
     }
-    for (const Error& error : m_outcome->rejected) {
-        messages.push_back({.severity = Severity::Error, .text = textOf(error.message)});
+    for (const RejectedObject& rejected : m_outcome->rejected) {
+        messages.push_back({.severity = Severity::Error, .text = textOf(rejected.error.message)});
     }
     return messages;
 }
@@ -211,7 +211,7 @@ void ImportDialog::apply(Found found) {
     QStringList refused;
     if (!found.outcome) refused.append(textOf(found.outcome.error().message));
     if (m_outcome) {
-        for (const Error& error : m_outcome->rejected) refused.append(textOf(error.message));
+        for (const RejectedObject& object : m_outcome->rejected) refused.append(textOf(object.error.message));
     }
     m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
     m_refused->setVisible(!refused.isEmpty());

@@ -45,6 +45,20 @@ std::vector<Id> assetsToExport(const ExportOptions& options, const Project& proj
     return assets;
 }
 
+bool isEdited(const AssetExport& asset) { return !asset.status && asset.status.error().code == ErrorCode::Edited; }
+
+/// Asks whether to replace the folders of assets that hold files changed after their export.
+bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) {
+    QStringList folders;
+    for (const AssetExport& asset : exports) {
+        if (isEdited(asset)) folders.append(QString::fromStdString(asset.folder.filename().string()));
+    }
+    if (folders.isEmpty()) return false;
+    return confirmLoss(parent,
+                       tr("Files in %1 were changed after the last export. Replace them?").arg(folders.join(", ")),
+                       tr("Replace"), tr("Keep"));
+}
+
 /// Shows the assets that failed and returns a sentence about the others.
 QString summary(const std::vector<AssetExport>& exports, const QString& folder, Messages& messages, QWidget* parent) {
     QStringList errors;
@@ -95,10 +109,14 @@ QString exportProject(Workspace& workspace, const ExportOptions& options, Messag
     const Project project = workspace.project();
     const std::vector<Id> assets = assetsToExport(options, project);
     using Outcome = Result<std::vector<AssetExport>>;
-    TaskDialog dialog(tr("Exporting…"), parent);
-    const Outcome outcome = dialog.run<Outcome>([&](const TaskContext& task) {
-        return exportPacks(project, assets, options.folder.toStdString(), options.meshes, task);
-    });
+    const auto run = [&](EditedFiles edited) {
+        TaskDialog dialog(tr("Exporting…"), parent);
+        return dialog.run<Outcome>([&](const TaskContext& task) {
+            return exportPacks(project, assets, options.folder.toStdString(), options.meshes, edited, task);
+        });
+    };
+    Outcome outcome = run(EditedFiles::Kept);
+    if (outcome && confirmReplacing(*outcome, parent)) outcome = run(EditedFiles::Replaced);
     if (outcome) {
         const QString sentence = summary(*outcome, options.folder, messages, parent);
         messages.add({.text = sentence});

@@ -1,30 +1,13 @@
 #pragma once
 
+#include "editor/document/Backup.h"
 #include "editor/document/Document.h"
 
-#include <QDateTime>
-#include <QLockFile>
 #include <QTimer>
 
 #include <chrono>
-#include <vector>
 
 namespace rubble {
-
-/// A backup whose program ended without saving or discarding its changes.
-struct Backup {
-    QString path;         // of the backup
-    QString projectPath;  // the project it backs up; empty if that was never saved
-    QDateTime time;       // when it was written
-};
-
-/// The user's folder for backups.
-QString backupFolder();
-
-/// The backups in a folder whose program has ended, newest first.
-std::vector<Backup> orphanedBackups(const QString& folder);
-/// Removes a backup and its description.
-void removeBackup(const Backup& backup);
 
 /// Writes a backup of a changed document into a folder from time to time, never over the project itself. The backup is
 /// removed when the document is saved or closed.
@@ -36,8 +19,11 @@ public:
 
     /// The maximum time from a change to its backup; zero or less disables backups.
     void setInterval(std::chrono::seconds interval);
-    /// The path of the document's file, stored with the backup.
-    void setProjectPath(const QString& path) { m_projectPath = path; }
+    /// The document's file, stored with the backup.
+    void setOrigin(const BackupOrigin& origin) { m_backup.origin = origin; }
+    /// Takes over the backup that the document was restored from: it covers the document until the next one is wholly
+    /// written, or the document saved or closed.
+    void adopt(const Backup& backup);
     /// Writes changes that are not backed up yet.
     void writeNow();
 
@@ -49,9 +35,7 @@ private:
     void discardBackup();
 
     const Document& m_document;
-    QString m_path;
-    QString m_projectPath;
-    QLockFile m_lock;
+    Backup m_backup;
     QTimer m_timer;
     bool m_hasChange = false;
 };

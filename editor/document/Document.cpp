@@ -39,9 +39,19 @@ void Document::push(Edit edit) {
 }
 
 void Document::replace(Project project) {
+    m_isUnsaved = false;
+    clear(std::move(project));
+}
+
+void Document::replaceUnsaved(Project project) {
+    m_isUnsaved = true;
+    clear(std::move(project));
+}
+
+/// Starts anew with a project and no undo steps.
+void Document::clear(Project project) {
     m_project = std::move(project);
     m_undoStack.clear();
-    m_isUnsaved = false;
     emit changed({{}, true});
     emit modifiedChanged(isModified());
 }

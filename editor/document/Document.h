@@ -25,12 +25,14 @@ public:
     quint64 newMergeKey() { return ++m_lastMergeKey; }
     /// Replaces the project, for example by one read from a file, and clears the undo stack.
     void replace(Project project);
+    /// The same for a project that is in no file, such as a restored backup.
+    void replaceUnsaved(Project project);
 
     /// Whether the project differs from the saved file.
     bool isModified() const { return !m_undoStack.isClean() || m_isUnsaved; }
     /// Marks the current state as saved.
     void setSaved();
-    /// Marks the current state as never saved: a restored backup, for example.
+    /// Marks the current state as never saved: its file was deleted, for example.
     void setUnsaved();
 
 signals:
@@ -40,6 +42,7 @@ signals:
 private:
     class Command;
     void apply(Edit& edit, bool isUndoOrRedo);
+    void clear(Project project);
 
     Project m_project;
     QUndoStack m_undoStack;

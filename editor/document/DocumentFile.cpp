@@ -2,6 +2,7 @@
 
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
+#include "editor/document/FilePath.h"
 
 #include <QFileInfo>
 
@@ -9,95 +10,128 @@ namespace rubble {
 
 namespace {
 
-std::filesystem::path toPath(const QString& path) { return std::filesystem::path(path.toStdU16String()); }
+constexpr std::chrono::milliseconds kWatchDelay{100};
 
-std::optional<ContentHash> hashOnDisk(const QString& path) {
+/// The hash of a file, none if it does not exist.
+///
+/// Errors: those of readFile() but NotFound.
+Result<std::optional<ContentHash>> hashOnDisk(const QString& path) {
     const Result<std::string> bytes = readFile(toPath(path));
-    if (!bytes) return std::nullopt;
-    return contentHash(*bytes);
+    if (bytes) return std::optional(contentHash(*bytes));
+    if (bytes.error().code == ErrorCode::NotFound) return std::optional<ContentHash>();
+    return bytes.error();
 }
 
 }  // namespace
 
 DocumentFile::DocumentFile(Document& document, QObject* parent) : QObject(parent), m_document(document) {
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &DocumentFile::checkForChange);
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DocumentFile::checkForChange);
+    m_watchDelay.setSingleShot(true);
+    m_watchDelay.setInterval(kWatchDelay);
+    const auto checkSoon = [this] { m_watchDelay.start(); };
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, checkSoon);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, checkSoon);
+    connect(&m_watchDelay, &QTimer::timeout, this, &DocumentFile::checkForChange);
 }
 
 QString DocumentFile::name() const { return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName(); }
 
 Status DocumentFile::open(const QString& path) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    Result<Project> project = loadProject(toPath(absolute));
-    if (!project) return project.error();
-    return replaceDocument(std::move(*project), absolute);
+    const ProjectAccess access = accessProject(absolutePath(path));
+    if (access.holder) return Error{ErrorCode::Io, access.readOnlyReason.toStdString()};
+    return open(path, access);
 }
 
-Status DocumentFile::restore(const QString& backupPath, const QString& path) {
-    Result<Project> project = loadProject(toPath(backupPath));
+Status DocumentFile::open(const QString& path, const ProjectAccess& access) {
+    const QString absolute = absolutePath(path);
+    const Result<std::string> text = readFile(toPath(absolute));
+    if (!text) return text.error();
+    Result<Project> project = readProjectText(*text, toPath(absolute));
     if (!project) return project.error();
-    const Status replaced = replaceDocument(std::move(*project), path);
-    if (replaced) m_document.setUnsaved();
-    return replaced;
+    setFile({absolute, contentHash(*text)}, access);
+    m_document.replace(std::move(*project));
+    return success();
+}
+
+Status DocumentFile::restore(const Backup& backup, const ProjectAccess& access) {
+    BackupOrigin origin = backup.origin;
+    if (!origin.hash) {  // an older version wrote the backup, or there was no file
+        const Result<std::optional<ContentHash>> onDisk = hashOnDisk(origin.path);
+        if (onDisk) origin.hash = *onDisk;
+    }
+    return restore(backup, origin, access);
+}
+
+Status DocumentFile::restoreHere(const Backup& backup) {
+    return restore(backup, {m_path, backup.origin.hash ? backup.origin.hash : m_base}, m_access);
+}
+
+Status DocumentFile::restoreWithoutFile(const Backup& backup) { return restore(backup, BackupOrigin(), {}); }
+
+Status DocumentFile::restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access) {
+    Result<Project> project = loadProject(toPath(backup.path));
+    if (!project) return project.error();
+    setFile(origin, access);
+    m_document.replaceUnsaved(std::move(*project));
+    return success();
 }
 
 Status DocumentFile::save() {
+    if (isReadOnly()) return Error{ErrorCode::Io, m_access.readOnlyReason.toStdString()};
     const Status saved = write(m_path);
-    if (saved) watch();  // saving renames a new file into place, which the watcher does not know
+    if (saved) setFile({m_path, m_base}, m_access);
     return saved;
 }
 
 Status DocumentFile::saveAs(const QString& path) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    if (absolute == m_path) return save();
-    const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::acquire(absolute);
-    if (!lock) return lock.error();
+    const QString absolute = absolutePath(path);
+    if (absolute == m_path && !isReadOnly()) return save();
+    const ProjectAccess access = accessProject(absolute);
+    if (access.isReadOnly()) return Error{ErrorCode::Io, access.readOnlyReason.toStdString()};
     const Status saved = write(absolute);
-    if (!saved) return saved;
-    m_lock = *lock;
-    m_path = absolute;
-    watch();
-    emit pathChanged(m_path);
-    return success();
+    if (saved) setFile({absolute, m_base}, access);
+    return saved;
 }
 
 Status DocumentFile::write(const QString& path) {
     const Status saved = saveProject(toPath(path), m_document.project());
     if (!saved) return saved;
-    m_onDisk = hashOnDisk(path);
+    m_base = contentHash(projectText(m_document.project()));
     m_document.setSaved();
     return success();
 }
 
-/// Replaces the document's project; locks and watches its path if it has one.
-Status DocumentFile::replaceDocument(Project project, const QString& path) {
-    if (!path.isEmpty() && path != m_path) {
-        const Result<std::shared_ptr<ProjectLock>> lock = ProjectLock::acquire(path);
-        if (!lock) return lock.error();
-        m_lock = *lock;
-    }
-    if (!path.isEmpty()) {
-        m_path = path;
-        m_onDisk = hashOnDisk(path);
-        watch();
-        emit pathChanged(m_path);
-    }
-    m_document.replace(std::move(project));
-    return success();
+/// Takes over a path, its lock, and the content that later changes are based on; watches the path. Saving renames a new
+/// file into place, which the watcher does not know.
+void DocumentFile::setFile(const BackupOrigin& origin, const ProjectAccess& access) {
+    m_path = origin.path;
+    m_access = access;
+    m_base = m_seen = origin.hash;
+    watch();
+    emit pathChanged(m_path);
+    emit originChanged(origin);
 }
 
 void DocumentFile::watch() {
     const QStringList watched = m_watcher.files() + m_watcher.directories();
     if (!watched.isEmpty()) m_watcher.removePaths(watched);
-    m_watcher.addPaths({m_path, QFileInfo(m_path).absolutePath()});
+    if (m_path.isEmpty()) return;
+    for (const QString& path : {m_path, QFileInfo(m_path).absolutePath()}) {
+        if (QFileInfo::exists(path)) m_watcher.addPath(path);
+    }
+}
+
+DiskState DocumentFile::diskState() {
+    const Result<std::optional<ContentHash>> onDisk = hashOnDisk(m_path);
+    if (!onDisk) return DiskState::Unchanged;
+    m_seen = *onDisk;
+    if (m_seen == m_base) return DiskState::Unchanged;
+    return m_seen ? DiskState::Changed : DiskState::Deleted;
 }
 
 void DocumentFile::checkForChange() {
-    const std::optional<ContentHash> now = hashOnDisk(m_path);
-    if (!m_watcher.files().contains(m_path)) m_watcher.addPath(m_path);
-    if (now == m_onDisk) return;
-    m_onDisk = now;
-    emit changedOnDisk();
+    if (!m_watcher.files().contains(m_path) && QFileInfo::exists(m_path)) m_watcher.addPath(m_path);
+    const std::optional<ContentHash> seen = m_seen;
+    if (diskState() != DiskState::Unchanged && m_seen != seen) emit changedOnDisk();
 }
 
 }  // namespace rubble

@@ -1,13 +1,17 @@
 #pragma once
 
-#include "core/base/Hash.h"
 #include "core/base/Result.h"
+#include "editor/document/Backup.h"
 #include "editor/document/Document.h"
-#include "editor/document/ProjectLock.h"
+#include "editor/document/ProjectAccess.h"
 
 #include <QFileSystemWatcher>
+#include <QTimer>
 
 namespace rubble {
+
+/// A file compared with what was loaded from it or saved to it last.
+enum class DiskState { Unchanged, Changed, Deleted };
 
 /// The file of a document: opens and saves it, holds its lock, and watches for changes by other programs.
 class DocumentFile : public QObject {
@@ -19,38 +23,58 @@ public:
     const QString& path() const { return m_path; }
     /// The name of the file: "house.rubble", or "Untitled".
     QString name() const;
+    /// Whether the file can only be saved to another path.
+    bool isReadOnly() const { return !m_path.isEmpty() && m_access.isReadOnly(); }
+    const QString& readOnlyReason() const { return m_access.readOnlyReason; }
 
     /// Loads a file into the document. On an error nothing changes.
     ///
-    /// Errors: those of loadProject() and ProjectLock::acquire().
+    /// Errors: those of readFile() and readProjectText(); Io if another process holds the lock: the message names it.
     Status open(const QString& path);
-    /// Loads a backup into the document, unsaved, as the project at `path`; empty: a project that was never saved.
-    Status restore(const QString& backupPath, const QString& path);
-    /// Saves to path(), which must not be empty.
+    /// The same with access to the path that the caller has, which may be read-only.
+    Status open(const QString& path, const ProjectAccess& access);
+    /// Loads a backup into the document, unsaved, as the project that it was made of.
+    Status restore(const Backup& backup, const ProjectAccess& access);
+    /// Loads a backup into the document, unsaved, as the project that is open, or as one without a file.
+    Status restoreHere(const Backup& backup);
+    Status restoreWithoutFile(const Backup& backup);
+    /// Saves to path(), which must not be empty, whatever is on the disk.
+    ///
+    /// Errors: those of saveProject(); Io if the file is read-only.
     Status save();
     /// Saves to another path, which becomes path().
     ///
-    /// Errors: those of saveProject() and ProjectLock::acquire().
+    /// Errors: those of saveProject(); Io if the path cannot be locked.
     Status saveAs(const QString& path);
     /// Loads the file again and discards unsaved changes.
-    Status reload() { return open(m_path); }
+    Status reload() { return open(m_path, m_access); }
+
+    /// Reads the file; changedOnDisk() does not report the same content again. A file that cannot be read counts as
+    /// unchanged.
+    DiskState diskState();
 
 signals:
+    /// The path or the right to write to it.
     void pathChanged(const QString& path);
+    /// The path, or the content of the file that later changes are based on.
+    void originChanged(const rubble::BackupOrigin& origin);
     /// Another program wrote or removed the file.
     void changedOnDisk();
 
 private:
-    Status replaceDocument(Project project, const QString& path);
+    Status restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);
+    void setFile(const BackupOrigin& origin, const ProjectAccess& access);
     Status write(const QString& path);
     void watch();
     void checkForChange();
 
     Document& m_document;
     QString m_path;
-    std::shared_ptr<ProjectLock> m_lock;
+    ProjectAccess m_access;
     QFileSystemWatcher m_watcher;
-    std::optional<ContentHash> m_onDisk;  // of the bytes last read or written
+    QTimer m_watchDelay;                // other programs remove and write in several steps
+    std::optional<ContentHash> m_base;  // of the file that was loaded or saved last; none: there was no file
+    std::optional<ContentHash> m_seen;  // of the file when it was last compared; none: there was no file
 };
 
 }  // namespace rubble

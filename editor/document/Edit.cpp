@@ -1,8 +1,10 @@
 #include "editor/document/Edit.h"
 
+#include "core/asset/project/Ids.h"
 #include "core/base/Assert.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace rubble {
@@ -97,6 +99,7 @@ bool Changes::touches(Part part, Id id) const {
 
 Id Edit::allocateId(const Project& project) {
     const Id id = nextId.value_or(project.nextId);
+    if (id == std::numeric_limits<Id>::max()) return lastReused = lowestUnusedId(project, lastReused);
     nextId = id + 1;
     return id;
 }

@@ -54,10 +54,12 @@ struct Edit {
     QString text;                // of the undo step: "Move Seed"
     std::vector<AnySwap> swaps;  // of different elements
     std::optional<Id> nextId;    // if ids were allocated
+    Id lastReused = 0;           // the last id allocated when the project's nextId could not advance any more
     quint64 mergeKey = 0;        // edits with the same key, those of one drag, become one undo step; 0: no merging
     bool isEmpty() const { return swaps.empty(); }
 
-    /// Returns a fresh id: the project's next one, or the one after the last allocated here.
+    /// Returns a fresh id: the project's next one, or the one after the last allocated here; the lowest unused one if
+    /// that is the greatest id.
     Id allocateId(const Project& project);
 };
 

@@ -1,5 +1,7 @@
 #include "editor/play/PlayThread.h"
 
+#include "core/base/OutOfMemory.h"
+
 #include <chrono>
 #include <utility>
 
@@ -144,7 +146,12 @@ void PlayThread::run() {
     while (!m_isQuitting) {
         if (isWorkWaiting()) {
             m_isBusy = true;
-            work(lock);
+            try {
+                work(lock);
+            } catch (const std::bad_alloc&) {
+                if (!lock.owns_lock()) lock.lock();
+                stopAfter(outOfMemory("simulating"));
+            }
             m_isBusy = false;
             continue;
         }
@@ -159,6 +166,15 @@ void PlayThread::run() {
     }
     lock.unlock();
     m_engine.reset();
+}
+
+/// Ends the simulation because of an error.
+void PlayThread::stopAfter(const Error& error) {
+    m_engine.reset();
+    m_isStarted = m_hasEngine = false;
+    m_tasks.clear();
+    m_seek.reset();
+    emit failed(QString::fromStdString(error.message));
 }
 
 void PlayThread::work(std::unique_lock<std::mutex>& lock) {
@@ -197,10 +213,7 @@ void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
     lock.lock();
     if (m_isQuitting || m_isStopping || m_factory) return;  // superseded meanwhile
     if (!made) {
-        m_isStarted = false;
-        m_tasks.clear();
-        m_seek.reset();
-        emit failed(QString::fromStdString(made.error().message));
+        stopAfter(made.error());
         return;
     }
     m_engine = std::move(*made);

@@ -61,6 +61,7 @@ private:
     void run();
     bool isWorkWaiting() const;
     void work(std::unique_lock<std::mutex>& lock);
+    void stopAfter(const Error& error);
     void createEngine(std::unique_lock<std::mutex>& lock);
     void playStep(std::unique_lock<std::mutex>& lock);
     void publish(std::unique_lock<std::mutex>& lock, double shownFor);

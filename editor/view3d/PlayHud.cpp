@@ -120,7 +120,7 @@ void PlayHud::paintHeat(QPainter& painter, QSize size) const {
     if (!m_content.hasHeat) return;
     const QFontMetrics lines(painter.font());
     const QString breaks = tr("breaks"),
-                  title = m_content.isForecast ? tr("forecast: impact ÷ threshold") : tr("impact ÷ threshold");
+                  title = m_content.isForecast ? tr("Forecast: impact ÷ threshold") : tr("Impact ÷ threshold");
     const int square = kChargeHeight;
     const int width =
         std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));

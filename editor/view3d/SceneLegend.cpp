@@ -58,7 +58,7 @@ QStringList SceneLegend::texts() const {
         if (most > least) texts.append(valueText(m_content.colouring, most));
     }
     if (m_content.largestBondArea > 0.0)
-        texts.append(tr("Contact area %1").arg(localizedQuantity(QuantityKind::Area, m_content.largestBondArea)));
+        texts.append(tr("Contact area up to %1").arg(localizedQuantity(QuantityKind::Area, m_content.largestBondArea)));
     return texts;
 }
 

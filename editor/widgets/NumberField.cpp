@@ -34,6 +34,7 @@ double stepOf(const FieldRange& range, double value, int direction) {
 }  // namespace
 
 bool FieldRange::contains(double value) const {
+    if (value > 0.0 && value < leastAboveZero) return false;
     return value >= min && value <= max && !(isMinExcluded && value == min) && !(isWhole && value != std::floor(value));
 }
 
@@ -94,6 +95,10 @@ QString NumberField::rangeSentence() const {
     const auto text = [&](double value) { return withUnit(exactText(value, m_format, locale()), m_format); };
     constexpr double kMost = std::numeric_limits<double>::max();
     if (m_range.isMinExcluded && m_range.max == kMost) return tr("Enter a number above %1.").arg(text(m_range.min));
+    if (m_range.isMinExcluded)
+        return tr("Enter a number above %1 and at most %2.").arg(text(m_range.min), text(m_range.max));
+    if (m_range.leastAboveZero > 0.0)
+        return tr("Enter 0, or a number from %1 to %2.").arg(text(m_range.leastAboveZero), text(m_range.max));
     if (m_range.max == kMost) return tr("Enter a number of at least %1.").arg(text(m_range.min));
     if (m_range.isWhole) return tr("Enter a whole number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
     return tr("Enter a number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
@@ -138,6 +143,7 @@ void NumberField::stepBy(int steps) {
     for (int k = 0; k < std::abs(steps); ++k)
         value = roundedTo(kStepDigits, value + direction * stepOf(m_range, value, direction));
     value = std::clamp(value, m_range.min, m_range.max);
+    if (value > 0.0 && value < m_range.leastAboveZero) value = direction > 0 ? m_range.leastAboveZero : 0.0;
     if (m_range.isMinExcluded && value <= m_range.min) return;
     if (m_steps.startsNew()) emit editingStarted();
     enter(value);

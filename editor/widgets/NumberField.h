@@ -13,10 +13,11 @@ namespace rubble {
 struct FieldRange {
     double min = -std::numeric_limits<double>::max();
     double max = std::numeric_limits<double>::max();
-    bool isMinExcluded = false;  // "above 0"
-    bool isWhole = false;        // no fractions
-    double step = 0.0;           // of arrows and wheel; 0: one in the value's second digit
-    double stepAtZero = 0.1;     // if the value is 0
+    bool isMinExcluded = false;   // "above 0"
+    bool isWhole = false;         // no fractions
+    double step = 0.0;            // of arrows and wheel; 0: one in the value's second digit
+    double stepAtZero = 0.1;      // if the value is 0
+    double leastAboveZero = 0.0;  // smaller numbers are not allowed, except 0
     bool contains(double value) const;
 
     static FieldRange aboveZero() { return {.min = 0.0, .isMinExcluded = true}; }

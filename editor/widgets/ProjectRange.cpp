@@ -4,7 +4,11 @@ namespace rubble {
 
 FieldRange fieldRange(ProjectNumber number, double step) {
     const NumberRange& range = rangeOf(number);
-    return {.min = range.min, .max = range.max, .isMinExcluded = range.isMinExcluded, .step = step};
+    return {.min = range.min,
+            .max = range.max,
+            .isMinExcluded = range.isMinExcluded,
+            .step = step,
+            .leastAboveZero = range.leastAboveZero};
 }
 
 FieldRange wholeFieldRange(ProjectNumber number) {
@@ -14,6 +18,8 @@ FieldRange wholeFieldRange(ProjectNumber number) {
 
 FieldRange optionalFieldRange(ProjectNumber number) {
     FieldRange range = fieldRange(number);
+    range.leastAboveZero = range.min;
+    range.min = 0.0;
     range.isMinExcluded = false;
     return range;
 }

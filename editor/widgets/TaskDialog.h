@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/OutOfMemory.h"
 #include "core/base/TaskContext.h"
 
 #include <QProgressDialog>
@@ -17,11 +18,14 @@ class TaskDialog : public QProgressDialog {
 public:
     TaskDialog(const QString& label, QWidget* parent);
 
-    /// Returns what `task` returns. Cancel is signalled to the task by its TaskContext.
+    /// Returns what `task` returns, a Result; outOfMemory() where memory runs out. Cancel is signalled to the task by
+    /// its TaskContext.
     template <class Outcome>
     Outcome run(std::function<Outcome(const TaskContext&)> task) {
         std::optional<Outcome> outcome;
-        runAndWait([&](const TaskContext& context) { outcome.emplace(task(context)); });
+        runAndWait([&](const TaskContext& context) {
+            outcome.emplace(orOutOfMemory("working in the background", [&] { return task(context); }));
+        });
         return std::move(*outcome);
     }
 

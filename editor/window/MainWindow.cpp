@@ -1,6 +1,7 @@
 #include "editor/window/MainWindow.h"
 
 #include "editor/actions/AssetActions.h"
+#include "editor/actions/CompareActions.h"
 #include "editor/actions/EditActions.h"
 #include "editor/actions/FileActions.h"
 #include "editor/actions/FilmActions.h"
@@ -12,7 +13,6 @@
 #include "editor/actions/SelectActions.h"
 #include "editor/actions/ViewActions.h"
 #include "editor/dialogs/FileFilters.h"
-#include "editor/dialogs/MessageBoxes.h"
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
 #include "editor/window/StartPage.h"
@@ -116,6 +116,8 @@ void MainWindow::addActions() {
     });
     connect(m_fileActions, &FileActions::openProjectRequested, this, &MainWindow::openProjectRequested);
     connect(m_fileActions, &FileActions::quitRequested, this, &MainWindow::quitRequested);
+    connect(m_fileActions, &FileActions::compareRequested, &m_assetActions->comparison(),
+            &CompareActions::compareWithFileOnDisk);
 }
 
 void MainWindow::addStartPage() {
@@ -166,6 +168,10 @@ void MainWindow::addStatusBar() {
         statusBar()->addPermanentWidget(widget);
         widget->hide();
     }
+    m_readOnly = new QLabel(tr("Read-only"));
+    m_readOnly->setObjectName("read-only");
+    m_readOnly->hide();
+    statusBar()->addPermanentWidget(m_readOnly);
     statusBar()->addPermanentWidget(m_position);
     statusBar()->addPermanentWidget(m_counts);
     connect(m_views, &Views::hintChanged, m_hint, &QLabel::setText);
@@ -182,8 +188,6 @@ void MainWindow::restoreWindow() {
 void MainWindow::connectWorkspace() {
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &MainWindow::updateTitle);
-    connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &MainWindow::askAboutChangeOnDisk,
-            Qt::QueuedConnection);
     connect(&m_workspace.autosave(), &Autosave::failed, this, &MainWindow::showStatus);
     connect(&m_workspace.baker(), &Baker::progressed, this, &MainWindow::updateBakeProgress);
     connect(&m_workspace.bakes(), &Bakes::changed, this, &MainWindow::updateCounts);
@@ -246,9 +250,13 @@ void MainWindow::applyPreferences() {
 }
 
 void MainWindow::updateTitle() {
-    setWindowTitle(m_workspace.file().name() + "[*] – " + QApplication::applicationDisplayName());
+    const DocumentFile& file = m_workspace.file();
+    const QString name = file.name() + "[*]" + (file.isReadOnly() ? tr(" (read-only)") : QString());
+    setWindowTitle(name + " – " + QApplication::applicationDisplayName());
+    m_readOnly->setVisible(file.isReadOnly());
+    m_readOnly->setToolTip(file.readOnlyReason());
     setWindowModified(m_workspace.document().isModified());
-    setWindowFilePath(m_workspace.file().path());
+    setWindowFilePath(file.path());
 }
 
 void MainWindow::updateCounts() {
@@ -273,19 +281,6 @@ void MainWindow::updateBakeProgress(Id asset, double fraction) {
     m_bakeProgress->setValue(static_cast<int>(100.0 * fraction));
     if (const Asset* baked = findAsset(m_workspace.project(), asset)) {
         m_bakeProgress->setToolTip(tr("Baking %1").arg(QString::fromStdString(baked->name)));
-    }
-}
-
-void MainWindow::askAboutChangeOnDisk() {
-    const Question question{
-        .text = tr("%1 was changed by another program.").arg(m_workspace.file().name()),
-        .informativeText = m_workspace.document().isModified() ? tr("Reloading it discards your unsaved changes.")
-                                                               : tr("You have no unsaved changes."),
-        .answers = {{tr("Reload"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}}};
-    if (ask(this, question) != 0) return m_workspace.document().setUnsaved();
-    if (const Status reloaded = m_workspace.file().reload(); !reloaded) {
-        showError(this, reloaded.error());
-        m_workspace.document().setUnsaved();
     }
 }
 

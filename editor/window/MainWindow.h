@@ -64,7 +64,6 @@ private:
     void updateCounts();
     void updateBakeProgress(Id asset, double fraction);
     void showStatus(const QString& sentence);
-    void askAboutChangeOnDisk();
 
     PreferenceStore& m_preferences;
     RecentFiles& m_recentFiles;
@@ -83,6 +82,7 @@ private:
     QLabel* m_hint = nullptr;
     QLabel* m_position = nullptr;
     QLabel* m_counts = nullptr;
+    QLabel* m_readOnly = nullptr;
     QProgressBar* m_bakeProgress = nullptr;
     QToolButton* m_cancelBake = nullptr;
 };

@@ -2,32 +2,46 @@
 
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 #include "editor/actions/FileActions.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
 #include "editor/document/Translations.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Theme.h"
+#include "editor/window/LockQuestion.h"
 #include "editor/window/MainWindow.h"
 
 #include <QApplication>
 #include <QDir>
-#include <QFileInfo>
 #include <QLocale>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace rubble {
 
 namespace {
 
+bool isFolderGone(const Backup& backup) {
+    std::error_code error;
+    return !std::filesystem::is_directory(toPath(backup.origin.path).parent_path(), error);
+}
+
 QString backupQuestion(const Backup& backup) {
     const QString time = QLocale().toString(backup.time, QLocale::ShortFormat);
-    if (backup.projectPath.isEmpty()) {
+    if (backup.origin.path.isEmpty()) {
         return Program::tr(
                    "Rubble was not closed properly while an unsaved project was open. Restore its backup of %1?")
             .arg(time);
     }
     return Program::tr("Rubble was not closed properly while \"%1\" was open. Restore its backup of %2?")
-        .arg(QDir::toNativeSeparators(backup.projectPath), time);
+        .arg(QDir::toNativeSeparators(backup.origin.path), time);
+}
+
+QString backupNote(const Backup& backup) {
+    if (backup.origin.path.isEmpty() || !isFolderGone(backup)) return {};
+    return Program::tr("The folder of the project no longer exists. Save the restored project to another one.");
 }
 
 }  // namespace
@@ -80,19 +94,28 @@ MainWindow* Program::open(const QString& path, MainWindow* from) {
         window->activateWindow();
         return window;
     }
+    const std::optional<ProjectAccess> access = askForAccess(absolutePath(path), from);
+    if (!access) return nullptr;
     MainWindow* window = windowFor(from);
-    if (const Status opened = window->workspace().file().open(path); !opened) {
+    if (const Status opened = window->workspace().file().open(path, *access); !opened) {
         showError(window, opened.error());
         return nullptr;
     }
     m_recentFiles.add(window->workspace().file().path());
-    window->views().showProject();
+    showOpened(*window);
     return window;
+}
+
+/// Shows the project of a window, and why it is read-only if it is.
+void Program::showOpened(MainWindow& window) {
+    window.views().showProject();
+    const DocumentFile& file = window.workspace().file();
+    if (file.isReadOnly()) window.views().showStatus(file.readOnlyReason());
 }
 
 MainWindow* Program::openCopy(const QString& path, MainWindow* from) {
     MainWindow* window = windowFor(from);
-    Result<Project> project = loadProject(path.toStdString());
+    Result<Project> project = loadProject(toPath(path));
     if (!project) {
         showError(window, project.error());
         return nullptr;
@@ -106,6 +129,7 @@ void Program::offerBackups() {
     for (const Backup& backup : orphanedBackups(backupFolder())) {
         enum Answer : std::size_t { kRestore, kDelete, kLater };
         const std::size_t answer = ask(nullptr, {.text = backupQuestion(backup),
+                                                 .informativeText = backupNote(backup),
                                                  .answers = {{tr("Restore"), QMessageBox::AcceptRole},
                                                              {tr("Delete Backup"), QMessageBox::DestructiveRole},
                                                              {tr("Ask Again Later"), QMessageBox::RejectRole}},
@@ -115,15 +139,25 @@ void Program::offerBackups() {
     }
 }
 
+/// Restores a backup into the window that has its project open; if there is none, into a window of its own. The backup
+/// stays until the project is saved.
 void Program::restoreBackup(const Backup& backup) {
-    MainWindow* window = showProject(emptyProject());
-    if (const Status restored = window->workspace().file().restore(backup.path, backup.projectPath); !restored) {
-        showError(window, restored.error());
-        window->close();
-        return;
+    const bool hasFile = !backup.origin.path.isEmpty() && !isFolderGone(backup);
+    MainWindow* opened = hasFile ? windowWith(backup.origin.path) : nullptr;
+    std::optional<ProjectAccess> access;
+    if (hasFile && !opened) {
+        access = askForAccess(backup.origin.path, nullptr);
+        if (!access) return;
     }
-    window->workspace().autosave().writeNow();  // a backup of this process replaces the old one
-    removeBackup(backup);
+    const bool isFree = opened && !opened->workspace().document().isModified();
+    MainWindow* window = isFree ? opened : windowFor(pristineWindow());
+    DocumentFile& file = window->workspace().file();
+    const Status restored = isFree   ? file.restoreHere(backup)
+                            : access ? file.restore(backup, *access)
+                                     : file.restoreWithoutFile(backup);
+    if (!restored) return showError(window, restored.error());
+    window->workspace().autosave().adopt(backup);
+    showOpened(*window);
 }
 
 void Program::quit() {
@@ -135,12 +169,18 @@ void Program::quit() {
 MainWindow* Program::windowFor(MainWindow* from) { return from && from->isPristine() ? from : showStartPage(); }
 
 MainWindow* Program::windowWith(const QString& path) const {
-    const QFileInfo file(path);
+    const std::filesystem::path lock = lockPathOf(toPath(path));
     for (MainWindow* window : windows()) {
         const QString opened = window->workspace().file().path();
-        if (!opened.isEmpty() && QFileInfo(opened) == file) return window;
+        if (!opened.isEmpty() && lockPathOf(toPath(opened)) == lock) return window;
     }
     return nullptr;
+}
+
+MainWindow* Program::pristineWindow() const {
+    const QList<MainWindow*> all = windows();
+    const auto found = std::ranges::find_if(all, &MainWindow::isPristine);
+    return found == all.end() ? nullptr : *found;
 }
 
 QList<MainWindow*> Program::windows() const {

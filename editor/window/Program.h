@@ -26,7 +26,8 @@ public:
     /// Opens a window with the start page.
     MainWindow* showStartPage();
     /// Opens a project file: in the window that has it already open, otherwise in `from` if that is pristine, otherwise
-    /// in a new one. Shows an error and returns null if the file cannot be opened.
+    /// in a new one. If another process holds its lock, asks what to do. Shows an error and returns null if the file
+    /// cannot be opened.
     MainWindow* open(const QString& path, MainWindow* from = nullptr);
     /// Opens a copy of a project file, such as an example. The copy has no file yet.
     MainWindow* openCopy(const QString& path, MainWindow* from = nullptr);
@@ -38,8 +39,10 @@ private:
     void applyPreferences();
     void offerBackups();
     void restoreBackup(const Backup& backup);
+    void showOpened(MainWindow& window);
     MainWindow* windowFor(MainWindow* from);
     MainWindow* windowWith(const QString& path) const;
+    MainWindow* pristineWindow() const;
     QList<MainWindow*> windows() const;
 
     PreferenceStore m_preferences;

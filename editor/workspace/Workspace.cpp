@@ -19,7 +19,7 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
     connect(&m_document, &Document::changed, &m_selection, [this] { m_selection.prune(m_document.project()); });
     connect(&m_document, &Document::changed, &m_selection, exitRemoved);
     connect(&m_bakes, &Bakes::changed, &m_selection, exitRemoved);
-    connect(&m_file, &DocumentFile::pathChanged, &m_autosave, &Autosave::setProjectPath);
+    connect(&m_file, &DocumentFile::originChanged, &m_autosave, &Autosave::setOrigin);
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -31,6 +32,17 @@ Project largeProject() {
     return project;
 }
 
+/// Returns whether a process is rubble-cli, not this program before it starts the other, and handles SIGINT itself.
+bool catchesInterrupts(qint64 process) {
+    const QString folder = "/proc/" + QString::number(process);
+    QFile status(folder + "/status");
+    if (QFileInfo(folder + "/exe").symLinkTarget() != QFileInfo(RUBBLE_CLI).canonicalFilePath()) return false;
+    if (!status.open(QIODevice::ReadOnly)) return false;
+    const QByteArray text = status.readAll();
+    const QByteArray mask = text.mid(text.indexOf("SigCgt:") + 7, 17).trimmed();
+    return (mask.toULongLong(nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+}
+
 }  // namespace
 
 class InterruptTest : public QObject {
@@ -38,14 +50,11 @@ class InterruptTest : public QObject {
 private slots:
     void controlCLeavesNoFiles() {
         QTemporaryDir place;
-        const QString project = place.filePath("pipe.rubble");
-        QCOMPARE(mkfifo(project.toUtf8().constData(), 0600), 0);
+        const QString project = place.filePath("large.rubble");
+        QVERIFY(saveProject(project.toStdString(), largeProject()));
         QProcess program;
         program.start(RUBBLE_CLI, {"export", project, "--out", place.filePath("packs")});
-        QFile pipe(project);
-        QVERIFY(pipe.open(QIODevice::WriteOnly));  // returns when the program reads it
-        pipe.write(QByteArray::fromStdString(projectText(largeProject())));
-        pipe.close();
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(place.filePath("packs")), 60000);  // the export has begun
         kill(static_cast<pid_t>(program.processId()), SIGINT);
         QVERIFY(program.waitForFinished(60000));
         QCOMPARE(program.exitStatus(), QProcess::NormalExit);
@@ -53,6 +62,34 @@ private slots:
         QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));
         QCOMPARE(program.readAllStandardOutput(), QByteArray());
         QVERIFY(!QFileInfo::exists(place.filePath("packs")));
+    }
+    /// A pipe that nobody writes to is read until the first signal.
+    void controlCInterruptsReading_data() {
+        QTest::addColumn<QString>("input");
+        QTest::newRow("standard input") << "-";
+        QTest::newRow("pipe") << "{pipe}";
+    }
+    void controlCInterruptsReading() {
+        QFETCH(QString, input);
+        QTemporaryDir place;
+        const QString pipe = place.filePath("pipe");
+        QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
+        QProcess program;
+        program.start(RUBBLE_CLI, {"fracture", input.replace("{pipe}", pipe)});
+        QTRY_VERIFY_WITH_TIMEOUT(catchesInterrupts(program.processId()), 60000);
+        kill(static_cast<pid_t>(program.processId()), SIGINT);
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(program.exitCode(), 130);
+        QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));
+    }
+    void pipeIsNoProject() {
+        QTemporaryDir place;
+        const QString pipe = place.filePath("pipe.rubble");
+        QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
+        const ProgramOutcome outcome = runProgram(RUBBLE_CLI, {"check", pipe});
+        QCOMPARE(outcome.exit, 1);
+        QCOMPARE(outcome.error, "Cannot read \"" + pipe + "\": it is a pipe, not a file.\n");
     }
 };
 

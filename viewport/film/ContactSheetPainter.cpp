@@ -1,5 +1,6 @@
 #include "viewport/film/ContactSheetPainter.h"
 
+#include "core/base/OutOfMemory.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include <cmath>
@@ -146,8 +147,10 @@ Status drawContactSheet(const SheetRequest& request, const SheetStyle& style,
     EntryQueue queue;
     TaskContext making{.cancel = task.cancel, .progress = {}, .threads = task.threads};
     std::jthread generator([&] {
-        queue.end(makeContactSheet(
-            request, [&](SheetEntry entry) { queue.push(std::move(entry)); }, making));
+        queue.end(orOutOfMemory("making the contact sheet", [&] {
+            return makeContactSheet(
+                request, [&](SheetEntry entry) { queue.push(std::move(entry)); }, making);
+        }));
     });
     Status drawn = success();
     std::size_t done = 0;

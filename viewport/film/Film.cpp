@@ -2,12 +2,12 @@
 
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
+#include "core/io/system/Temporary.h"
 #include "viewport/render/OffscreenRenderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <system_error>
 
 namespace rubble {
 
@@ -52,15 +52,6 @@ Status renderTo(std::span<SessionPlayback> playbacks, const FilmPlan& plan, Pict
     return success();
 }
 
-/// An unused hidden folder beside a film.
-fs::path frameFolder(const fs::path& film) {
-    std::error_code ignored;
-    for (int k = 0;; ++k) {
-        const fs::path folder = film.parent_path() / ("." + film.filename().string() + "." + std::to_string(k));
-        if (!fs::exists(folder, ignored)) return folder;
-    }
-}
-
 }  // namespace
 
 int frameCount(double first, double last, double stepsPerFrame) {
@@ -80,11 +71,14 @@ Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, 
 
 Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& film,
                   const TaskContext& task) {
-    const fs::path folder = frameFolder(film);
-    const auto sequence = PictureSequence::create(folder);  // removes the folder when destroyed
+    removeLeftovers(film.parent_path());
+    const auto folder = TemporaryFolder::create(film.parent_path());
+    if (!folder) return folder.error();
+    const fs::path pictures = (*folder)->path() / "pictures";  // the folder itself is locked already
+    const auto sequence = PictureSequence::create(pictures);
     if (!sequence) return sequence.error();
     const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
-    return rendered ? encodeFilm(folder, plan.frameRate, film, task) : rendered;
+    return rendered ? encodeFilm(pictures, plan.frameRate, film, task) : rendered;
 }
 
 }  // namespace rubble

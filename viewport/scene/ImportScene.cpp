@@ -32,11 +32,12 @@ void addBatch(RenderScene& scene, SceneBatch batch, const Pose& pose, const Body
     scene.batches.push_back(std::move(batch));
 }
 
-/// A cone along z.
-Polytope arrowHead(double width, double base, double tip) {
+/// A cone along z; nothing if it is too small or too large for the predicates of hulls.
+std::vector<Polytope> arrowHead(double width, double base, double tip) {
     std::vector<Vec3> points{{0.0, 0.0, tip}};
     for (const Vec2 corner : regularPolygonOutline(kArrowSides, width).outer) points.emplace_back(corner, base);
-    return convexHull(points).value();
+    Result<Polytope> hull = convexHull(points);
+    return hull ? std::vector{std::move(*hull)} : std::vector<Polytope>();
 }
 
 /// An arrow through the prism along its z axis, in its frame.
@@ -46,7 +47,9 @@ std::shared_ptr<const SceneGeometry> arrowOf(const PrismFit& prism) {
     const double end = prism.depth / 2.0 + kArrowOverhang * extent, base = end - kHeadLength * extent;
     const auto geometry = std::make_shared<SceneGeometry>();
     const Ring shaft = regularPolygonOutline(kArrowSides, kArrowWidth * extent).outer;
-    addPiece(*geometry, std::vector{extruded(shaft, -end, base), arrowHead(kHeadWidth * extent, base, end)});
+    std::vector<Polytope> parts = arrowHead(kHeadWidth * extent, base, end);
+    parts.push_back(extruded(shaft, -end, base));
+    addPiece(*geometry, parts);
     return geometry;
 }
 

@@ -6,9 +6,9 @@
 namespace rubble {
 
 // Texts over the 3D view are written on dark plates, which are readable over any background in both themes.
-inline const QColor kPlateColour(20, 22, 26, 150);
+inline const QColor kPlateColour(20, 22, 26, 190);
 inline const QColor kPlateText(245, 246, 248);
-inline const QColor kPlateSecondaryText(245, 246, 248, 190);
+inline const QColor kPlateSecondaryText(245, 246, 248, 215);
 inline constexpr int kPlatePadding = 7;  // points
 
 /// Paints a plate and returns the rectangle for its content.

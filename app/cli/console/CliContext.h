@@ -17,10 +17,10 @@ enum ExitCode : int {
 
 /// The streams and the environment of a run of rubble-cli; tests pass their own.
 struct CliContext {
-    std::istream& in;
-    std::ostream& out;  // results
-    std::ostream& err;  // errors, warnings and progress
-    bool errIsTerminal = false;
+    int in;                               // a file descriptor
+    std::ostream& out;                    // results
+    std::ostream& err;                    // errors and warnings
+    std::ostream* terminal = nullptr;     // for progress, which moves the cursor; null: none is shown
     std::filesystem::path programFolder;  // of rubble-cli; rubble-importer is looked for from there
     CancelToken cancel;
 };

@@ -1,25 +1,31 @@
 #include "app/cli/console/InputOutput.h"
 
+#include "app/cli/console/PrintableText.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/StreamReading.h"
+#include "core/io/system/Temporary.h"
 
-#include <istream>
-#include <iterator>
 #include <ostream>
 
 namespace rubble {
 
 Result<std::string> readInput(const std::string& path, const CliContext& context) {
-    if (path != "-") return readFile(path);
-    std::string text{std::istreambuf_iterator<char>(context.in), {}};
-    if (context.in.bad()) return Error{ErrorCode::Io, "Standard input cannot be read."};
-    return text;
+    if (path == "-") return readStream(context.in, "standard input", context.cancel);
+    return readFileOrStream(path, context.cancel);
 }
 
 Status writeOutput(const std::string& path, std::string_view text, const CliContext& context) {
-    if (path != "-") return writeFileAtomically(path, text);
+    if (path != "-") {
+        removeLeftovers(std::filesystem::path(path).parent_path());
+        return writeFileAtomically(path, text);
+    }
     context.out << text << std::flush;
     if (!context.out) return Error{ErrorCode::Io, "Standard output cannot be written. Is the disk full?"};
     return success();
+}
+
+Status printText(std::string_view text, const CliContext& context) {
+    return writeOutput("-", printableText(text), context);
 }
 
 }  // namespace rubble

@@ -8,14 +8,19 @@
 
 namespace rubble {
 
-/// Returns the contents of a file, or of `context.in` where `path` is "-".
+/// Returns the contents of a file, pipe or device, or of `context.in` where `path` is "-".
 ///
-/// Errors: those of readFile(); Io if the input cannot be read.
+/// Errors: those of readFileOrStream().
 Result<std::string> readInput(const std::string& path, const CliContext& context);
 
 /// Writes text to a file atomically, or to `context.out` where `path` is "-".
 ///
 /// Errors: those of writeFileAtomically(); Io if the output cannot be written.
 Status writeOutput(const std::string& path, std::string_view text, const CliContext& context);
+
+/// Writes printableText() of a result, a line or JSON, to `context.out`.
+///
+/// Errors: Io if the output cannot be written.
+Status printText(std::string_view text, const CliContext& context);
 
 }  // namespace rubble

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// Shows the progress of a task in a line on the terminal, which is erased at the end. Does nothing if `context.err` is
-/// not a terminal. Not thread-safe.
+/// Shows the progress of a task in a line on the terminal, which is erased at the end. Does nothing without
+/// `context.terminal`. Not thread-safe.
 class ProgressLine {
 public:
     ProgressLine(const CliContext& context, std::string task) : m_context(context), m_task(std::move(task)) {}

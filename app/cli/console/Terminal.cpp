@@ -20,13 +20,19 @@ void cancel(int signal) {
 
 }  // namespace
 
-bool standardErrorIsTerminal() { return isatty(STDERR_FILENO) == 1; }
+bool isTerminal(int descriptor) { return ::isatty(descriptor) == 1; }
 
 void cancelOnSignals(const CancelToken& token) {
     static const CancelToken kept = token;
     cancelledBySignal = &kept;
-    std::signal(SIGINT, cancel);
-    std::signal(SIGTERM, cancel);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction old {};
+        const bool isIgnored = ::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;
+        if (signal == SIGHUP && isIgnored) continue;  // under nohup
+        struct sigaction action {};
+        action.sa_handler = cancel;  // without SA_RESTART: a system call that waits is interrupted
+        ::sigaction(signal, &action, nullptr);
+    }
     std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -4,11 +4,11 @@
 
 namespace rubble {
 
-/// Returns whether standard error is a terminal, which can show progress.
-bool standardErrorIsTerminal();
+/// Returns whether a file descriptor is a terminal.
+bool isTerminal(int descriptor);
 
-/// Makes SIGINT and SIGTERM cancel `token`; the second signal ends the program. Makes a write beyond the file size
-/// limit fail instead of ending the program.
+/// Makes SIGINT, SIGTERM and SIGHUP cancel `token`; the second signal ends the program. Makes a write beyond the file
+/// size limit fail instead of ending the program.
 void cancelOnSignals(const CancelToken& token);
 
 }  // namespace rubble

@@ -9,7 +9,7 @@
 namespace rubble {
 
 void addAssetOption(Command& command, std::vector<std::string>& names) {
-    command.option("--asset", names, "Only this asset; repeatable").repeatable().valueName("NAME");
+    command.option("-a,--asset", names, "Only this asset; repeatable").repeatable().valueName("NAME");
 }
 
 Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector<std::string>& names) {

@@ -41,7 +41,7 @@ void addJsonOption(Command& command, bool& isJson) { command.flag("--json", isJs
 
 void addThreadsOption(Command& command, int& threads) {
     threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    command.option("--threads", threads, "The number of threads (default: all processors)")
+    command.option("-j,--threads", threads, "The number of threads (default: all processors)")
         .wholeInRange(ProjectNumber::Threads)
         .valueName("N");
 }

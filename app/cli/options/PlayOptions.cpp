@@ -3,6 +3,7 @@
 #include "app/cli/options/Command.h"
 #include "core/asset/project/Ranges.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace rubble {
@@ -38,7 +39,12 @@ Result<Session> createSession(const PreparedProject& play, const PlayOptions& op
 }
 
 void printMessages(const std::vector<Diagnostic>& diagnostics, const CliContext& context) {
-    for (const Diagnostic& one : diagnostics) context.err << one.message << '\n';
+    constexpr std::size_t kMaxPrinted = 20;
+    const std::size_t printed = std::min(diagnostics.size(), kMaxPrinted);
+    for (std::size_t k = 0; k < printed; ++k) context.err << diagnostics[k].message << '\n';
+    if (printed < diagnostics.size()) {
+        context.err << diagnostics.size() - printed << " more messages are not shown.\n";
+    }
 }
 
 void printWarnings(SessionPlayback& playback, const CliContext& context) {

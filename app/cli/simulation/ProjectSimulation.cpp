@@ -37,6 +37,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     if (!session) return session.error();
     StepRecord record(plan.simulation);
     ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));
+    ReplaySize recorded;
     SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -44,7 +45,10 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         session->step();
         const auto end = std::chrono::steady_clock::now();
         record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count());
-        if (plan.isRecorded) recorder.add(*session);
+        if (plan.isRecorded) {
+            recorder.add(*session);
+            if (const Status fits = recorded.add(recorder.replay()); !fits) return fits.error();
+        }
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }

@@ -106,7 +106,7 @@ Status audit(const AuditOptions& options, const CliContext& context) {
     if (!audits) return audits.error();
     std::string text;
     for (const NamedAudit& named : *audits) text += textOf(named);
-    const Status written = writeOutput("-", options.isJson ? swapAuditJson(*audits) : text, context);
+    const Status written = printText(options.isJson ? swapAuditJson(*audits) : text, context);
     return written ? statusOf(*audits) : written;
 }
 

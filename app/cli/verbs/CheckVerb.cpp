@@ -13,6 +13,7 @@
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FolderReading.h"
 #include "core/play/scene/InstanceOverlaps.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ Status printResults(const std::vector<CheckResult>& results, const CliContext& c
         summary += result.summary;
         if (!result.status) errors += (errors.empty() ? "" : "\n") + result.status.error().message;
     }
-    if (const Status written = writeOutput("-", summary, context); !written) return written;
+    if (const Status written = printText(summary, context); !written) return written;
     if (!errors.empty()) return Error{ErrorCode::BadInput, errors};
     return success();
 }
@@ -132,12 +133,12 @@ bool isPack(const fs::path& folder) {
 Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     if (isPack(folder)) return std::vector{folder};
     std::vector<fs::path> packs;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
+    if (!entries) return entries.error();
+    for (const fs::directory_entry& entry : *entries) {
         if (isPack(entry.path())) packs.push_back(entry.path());
     }
     const std::string name = '"' + folder.string() + '"';
-    if (error) return Error{ErrorCode::Io, "Cannot read " + name + ": " + error.message() + "."};
     if (packs.empty())
         return Error{ErrorCode::NotFound, name + " is not a pack and contains none: it has no " + kPackName + "."};
     std::ranges::sort(packs);

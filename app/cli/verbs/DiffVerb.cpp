@@ -112,7 +112,7 @@ Status diff(const DiffOptions& options, const CliContext& context) {
     line.clear();
     std::string text;
     for (const AssetDifference& difference : differences) text += textOf(difference, options.isAll);
-    const Status written = writeOutput("-", options.isJson ? assetDifferenceJson(differences) : text, context);
+    const Status written = printText(options.isJson ? assetDifferenceJson(differences) : text, context);
     return written ? statusOf(differences) : written;
 }
 

@@ -34,14 +34,14 @@ PatternSvgOptions svgOptions(const std::vector<std::string>& words) {
     return {.cells = has("cells"), .triangles = has("triangles"), .seeds = has("seeds")};
 }
 
-/// Fractures the asset in the plane and prints the warnings.
-Result<PatternPanel> panelOf(const Asset& asset, const std::string& project, const CliContext& context) {
+/// Fractures the asset in the plane and adds its warnings.
+Result<PatternPanel> panelOf(const Asset& asset, std::vector<AssetWarnings>& all, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
     Result<PlanarFracture> cut = planarFracture(recipeOf(asset), asset.prism, task);
     if (!cut) return cut.error();
     std::vector<Diagnostic> warnings = cut->seeds.diagnostics;
     warnings.insert(warnings.end(), cut->partition.diagnostics.begin(), cut->partition.diagnostics.end());
-    printWarnings(context, asset.name, warnings, project);
+    all.push_back({asset.name, std::move(warnings)});
     return PatternPanel{.title = asset.name,
                         .prism = std::move(cut->prism),
                         .seeds = std::move(cut->seeds.positions),
@@ -52,12 +52,14 @@ Result<PatternPanel> panelOf(const Asset& asset, const std::string& project, con
 Result<std::vector<PatternPanel>> panelsOf(const Project& project, std::span<const Id> assets, const std::string& file,
                                            const CliContext& context) {
     std::vector<PatternPanel> panels;
+    std::vector<AssetWarnings> warnings;
     for (const Id id : assets) {
         const Asset& asset = *findAsset(project, id);
-        Result<PatternPanel> panel = panelOf(asset, file, context);
+        Result<PatternPanel> panel = panelOf(asset, warnings, context);
         if (!panel) return ofAsset(asset, panel.error());
         panels.push_back(std::move(*panel));
     }
+    printWarnings(context, warnings, file);
     return panels;
 }
 
@@ -76,7 +78,7 @@ Verb addDraw(CLI::App& program) {
     const auto options = std::make_shared<DrawOptions>();
     addProjectArgument(command, options->file);
     addAssetOption(command, options->assets);
-    command.option("--out", options->out, "The picture to write (default: -, standard output)").valueName("FILE");
+    command.option("-o,--out", options->out, "The picture to write (default: -, standard output)").valueName("FILE");
     command.option("--show", options->shown, "What to draw: cells, triangles, seeds (default: all)")
         .separatedBy(',')
         .oneOf({"cells", "triangles", "seeds"})

@@ -18,8 +18,10 @@ namespace {
 
 constexpr const char* kFooter =
     R"(Writes each asset into a folder with its name: pack.json, which describes the whole and its fragments; meshes;
-and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole.
-If an asset has many warnings, only the first three are printed; rubble-cli check prints all.
+and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole,
+unless a file in them was changed since or is not part of an export. Files that engines write beside meshes
+(.import, .uid, .meta) are kept. If there are many warnings, only the first three are printed; rubble-cli check
+prints all.
 
 Examples:
   rubble-cli export house.rubble --out packs
@@ -33,6 +35,7 @@ struct ExportArguments {
     std::vector<std::string> assets;
     Formats formats = Formats::Both;
     MeshOptions meshes;
+    bool isOverwriting = false;
     int threads = 1;
 };
 
@@ -63,22 +66,27 @@ std::string summaryOf(const AssetExport& asset) {
            asset.folder.string() + '\n';
 }
 
-/// Prints the result of every asset; returns an error with a line for each that failed.
+std::string errorOf(const AssetExport& asset) {
+    const Error& error = asset.status.error();
+    return error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "");
+}
+
+/// Prints the result of every asset; returns an error with a line for each of the first that failed.
 Status printResults(const std::vector<AssetExport>& assets, const std::string& project, const CliContext& context) {
     std::string summary;
-    std::optional<Error> error;
+    std::vector<AssetWarnings> warnings;
+    std::vector<std::string> errors;
     for (const AssetExport& asset : assets) {
-        printWarnings(context, asset.name, asset.diagnostics, project);
+        warnings.push_back({asset.name, asset.diagnostics});
         if (asset.status) {
             summary += summaryOf(asset);
-        } else if (!error) {
-            error = asset.status.error();
-        } else if (!error->message.ends_with(asset.status.error().message)) {  // all fail alike if the folder does
-            error->message += '\n' + asset.status.error().message;
+        } else if (errors.empty() || errors.back() != errorOf(asset)) {  // all fail alike if the folder does
+            errors.push_back(errorOf(asset));
         }
     }
-    if (const Status written = writeOutput("-", summary, context); !written) return written;
-    if (error) return *error;
+    printWarnings(context, warnings, project);
+    if (const Status written = printText(summary, context); !written) return written;
+    if (!errors.empty()) return Error{ErrorCode::BadInput, firstLinesOf(errors)};
     return success();
 }
 
@@ -89,9 +97,10 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();
+    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
     ProgressLine line(context, "Exporting");
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
-    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, task);
+    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, edited, task);
     line.clear();
     return assets ? printResults(*assets, arguments.project, context) : assets.error();
 }
@@ -103,7 +112,7 @@ Verb addExport(CLI::App& program) {
     const auto arguments = std::make_shared<ExportArguments>();
     MeshOptions& meshes = arguments->meshes;
     addProjectArgument(command, arguments->project);
-    command.option("--out", arguments->out, "The output folder, with a subfolder for each asset")
+    command.option("-o,--out", arguments->out, "The output folder, with a subfolder for each asset")
         .required()
         .valueName("FOLDER");
     addAssetOption(command, arguments->assets);
@@ -118,6 +127,7 @@ Verb addExport(CLI::App& program) {
         {{"assembled", PartPlacement::Assembled}, {"centred", PartPlacement::Centred}}, meshes.place);
     addEnumOption<FaceShape>(command, "--faces", "The faces in OBJ files (default: polygons)",
                              {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
+    command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
 }

@@ -105,10 +105,9 @@ Status film(const FilmOptions& options, const CliContext& context) {
     line.clear();
     for (SessionPlayback& playback : *playbacks) printWarnings(playback, context);
     if (!shot) return shot;
-    return writeOutput("-",
-                       countText(static_cast<std::size_t>(plan->frames), "picture", "pictures") + " written to " +
-                           options.output + "\n",
-                       context);
+    return printText(countText(static_cast<std::size_t>(plan->frames), "picture", "pictures") + " written to " +
+                         options.output + "\n",
+                     context);
 }
 
 }  // namespace
@@ -122,7 +121,7 @@ Verb addFilm(CLI::App& program) {
     command.option("--from", options->first, "The step of the first picture (default: 0)")
         .wholeInRange(ProjectNumber::Step)
         .valueName("STEP");
-    command.option("--steps", options->steps, "The number of steps to simulate")
+    command.option("-n,--steps", options->steps, "The number of steps to simulate")
         .required()
         .wholeInRange(ProjectNumber::Step)
         .valueName("N");

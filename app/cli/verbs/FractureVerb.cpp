@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kFooter =
     R"(Input, from FILE or standard input:
   {"outline":[[x,y],...], "holes":[[[x,y],...],...], "depth":d, "seeds":[[x,y],...]}
-"holes" is optional; rings are not closed by a repeated point; lengths are in metres.
+"holes" is optional; points that close a ring or repeat the one before are left out; lengths are in metres.
 
 Output, on one line:
   {"cells":[{"seed":i,"area":a,"centroid":[x,y],"pieces":[{"outer":[...],"holes":[...]}],"neighbours":[...]},...],
@@ -34,7 +34,7 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
     const FractureMethod method = options.method == "thesis" ? FractureMethod::Thesis : FractureMethod::Exact;
     const Result<std::string> json = fractureJson(*input, method, {.cancel = context.cancel});
     if (!json) return json.error();
-    return writeOutput("-", *json, context);
+    return printText(*json, context);
 }
 
 }  // namespace

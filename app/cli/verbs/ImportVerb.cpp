@@ -5,6 +5,7 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@ namespace rubble {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 1 GiB and 10 s. Each object that
+    R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 2 GiB and 30 s. Each object that
 is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
 asset and an instance at the position of the mesh. Prints what was imported, merged and ignored. An object that is
 rejected does not keep others from being imported; the reason goes to standard error. If all are rejected,
@@ -47,15 +48,25 @@ struct Target {
     Project project;
 };
 
-Result<Target> targetOf(const ImportVerbOptions& options) {
-    const bool isNamed = !options.project.empty();
-    Target target{.path = isNamed ? options.project : std::filesystem::path(options.mesh).replace_extension(".rubble")};
+std::filesystem::path targetPath(const ImportVerbOptions& options) {
+    if (!options.project.empty()) return options.project;
+    return std::filesystem::path(options.mesh).replace_extension(".rubble");
+}
+
+/// Fails if the project was not named and exists.
+Status checkTarget(const ImportVerbOptions& options) {
+    std::error_code ignored;
+    const std::filesystem::path path = targetPath(options);
+    if (!options.project.empty() || !std::filesystem::exists(path, ignored)) return success();
+    return Error{ErrorCode::BadInput,
+                 "\"" + path.string() + "\" already exists; use --into to import into it or into another project."};
+}
+
+Result<Target> openTarget(const ImportVerbOptions& options) {
+    if (const Status isFree = checkTarget(options); !isFree) return isFree.error();
+    Target target{.path = targetPath(options)};
     std::error_code ignored;
     if (!std::filesystem::exists(target.path, ignored)) return target;
-    if (!isNamed)
-        return Error{
-            ErrorCode::BadInput,
-            "\"" + target.path.string() + "\" already exists; use --into to import into it or into another project."};
     Result<Project> project = loadProject(target.path);
     if (!project) return project.error();
     target.project = std::move(*project);
@@ -63,7 +74,7 @@ Result<Target> targetOf(const ImportVerbOptions& options) {
 }
 
 ImportOptions importOptions(const ImportVerbOptions& given) {
-    ImportOptions options{.metresPerUnit = given.metresPerUnit, .asset = given.asset};
+    ImportOptions options{.metresPerUnit = given.metresPerUnit, .asset = given.asset, .findsFallbacks = true};
     if (given.up == "z") options.up = UpAxis::Z;
     if (given.axis == "x") options.axis = PrismAxis::X;
     if (given.axis == "y") options.axis = PrismAxis::Y;
@@ -73,15 +84,25 @@ ImportOptions importOptions(const ImportVerbOptions& given) {
     return options;
 }
 
-/// Returns a line for each rejected object, with advice if it is not a prism.
-std::string rejections(const ImportOutcome& outcome, const ImportVerbOptions& options) {
+/// Returns the options that import a rejected object.
+std::string optionsOf(const WorkingFallback& working, const ImportOptions& options) {
+    const std::string fallback =
+        working.fallback == PrismFallback::Silhouette ? "--fallback silhouette" : "--fallback cap";
+    if (working.axis == options.axis) return fallback;
+    return fallback + " --axis " +
+           std::string(1, "xyz"[static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X)]);
+}
+
+/// Returns a line for each rejected object, with advice where a fallback imports it.
+std::string rejections(const ImportOutcome& outcome, const ImportOptions& options) {
     std::string text;
-    for (const Error& error : outcome.rejected) {
-        std::string message = error.message;
-        if (error.code == ErrorCode::Degenerate && options.fallback.empty()) {
-            if (message.ends_with('.')) message.pop_back();
-            message += "; use --fallback silhouette or --fallback cap to import its outline.";
-        }
+    for (const RejectedObject& rejected : outcome.rejected) {
+        std::string message = rejected.error.message;
+        std::string advice;
+        for (const WorkingFallback& working : rejected.fallbacks)
+            advice += (advice.empty() ? "" : " or ") + optionsOf(working, options);
+        if (!advice.empty() && message.ends_with('.')) message.pop_back();
+        if (!advice.empty()) message += "; use " + advice + " to import its outline.";
         text += (text.empty() ? "" : "\n") + message;
     }
     return text;
@@ -99,18 +120,22 @@ Status checkIsNoProject(const std::filesystem::path& mesh) {
 Status import(const ImportVerbOptions& options, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
     if (const Status isMesh = checkIsNoProject(options.mesh); !isMesh) return isMesh;
-    Result<Target> target = targetOf(options);
-    if (!target) return target.error();
+    if (const Status isFree = checkTarget(options); !isFree) return isFree;
     const Result<SourceScene> scene = importMesh(options.mesh, importerPath(context.programFolder), task);
     if (!scene) return scene.error();
+    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(targetPath(options), context.cancel);
+    if (!lock) return lock.error();
+    Result<Target> target = openTarget(options);
+    if (!target) return target.error();
+    const ImportOptions wanted = importOptions(options);
     const Result<ImportOutcome> outcome =
-        importedInto(std::move(target->project), *scene, options.mesh.stem().string(), importOptions(options), task);
+        importedInto(std::move(target->project), *scene, options.mesh.stem().string(), wanted, task);
     if (!outcome) return outcome.error();
-    const std::string rejected = rejections(*outcome, options);
+    const std::string rejected = rejections(*outcome, wanted);
     if (outcome->assets.empty()) return Error{ErrorCode::BadInput, rejected};
     if (!rejected.empty()) context.err << rejected << '\n';
     if (const Status saved = saveProject(target->path, outcome->project); !saved) return saved.error();
-    return writeOutput("-", importSummary(*outcome, target->path.string()), context);
+    return printText(importSummary(*outcome, target->path.string()), context);
 }
 
 }  // namespace
@@ -119,13 +144,14 @@ Verb addImport(CLI::App& program) {
     Command command(program, "import", "Import the objects of a mesh file as assets", kFooter);
     const auto options = std::make_shared<ImportVerbOptions>();
     command.argument("FILE", options->mesh, "The mesh file").required();
-    command.option("--into", options->project, "The project to import into, created if missing").valueName("PROJECT");
+    command.option("-i,--into", options->project, "The project to import into, created if missing")
+        .valueName("PROJECT");
     addUnitOption(command, options->metresPerUnit);
     command.option("--up", options->up, "The up axis of the file (default: y)").oneOf({"y", "z"}).valueName("y|z");
     command.option("--axis", options->axis, "Extrude along the axis closest to this one (y is up)")
         .oneOf({"x", "y", "z"})
         .valueName("x|y|z");
-    command.option("--asset", options->asset, "Update this asset, or create it").valueName("NAME");
+    command.option("-a,--asset", options->asset, "Update this asset, or create it").valueName("NAME");
     command
         .option("--fallback", options->fallback, "The outline to use for an object that is not a prism, along --axis")
         .oneOf({"silhouette", "cap"})

@@ -153,7 +153,7 @@ Status printMaterials(const MaterialsOptions& options, const CliContext& context
     if (!library) return library.error();
     const Result<std::vector<LibraryMaterial>> materials = selectedMaterials(*library, options.names);
     if (!materials) return materials.error();
-    if (const Status written = writeOutput("-", textOf(*materials, options), context); !written) return written;
+    if (const Status written = printText(textOf(*materials, options), context); !written) return written;
     std::string errors;
     for (const std::string& error : library->errors) errors += (errors.empty() ? "" : "\n") + error;
     if (!errors.empty()) return Error{ErrorCode::BadInput, errors};

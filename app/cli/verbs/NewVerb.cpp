@@ -3,6 +3,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 
 #include <filesystem>
 #include <memory>
@@ -37,14 +38,16 @@ Result<Project> projectFor(const NewOptions& options) {
 }
 
 Status createProject(const NewOptions& options, const CliContext& context) {
+    const Result<Project> project = projectFor(options);
+    if (!project) return project.error();
+    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.file, context.cancel);
+    if (!lock) return lock.error();
     std::error_code ignored;  // saving will report the error
     if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored))) {
         return Error{ErrorCode::BadInput, "\"" + options.file + "\" already exists; choose another name or delete it."};
     }
-    const Result<Project> project = projectFor(options);
-    if (!project) return project.error();
     if (const Status saved = saveProject(options.file, *project); !saved) return saved;
-    return writeOutput("-", "Created " + options.file + ".\n", context);
+    return printText("Created " + options.file + ".\n", context);
 }
 
 }  // namespace

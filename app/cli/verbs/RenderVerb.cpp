@@ -132,8 +132,10 @@ Verb addRender(CLI::App& program) {
     Command command(program, "render", "Render fragments in 3D as a PNG picture", kFooter);
     const auto options = std::make_shared<RenderOptions>();
     addProjectArgument(command, options->file);
-    command.option("--out", options->out, "The picture to write; - for standard output").required().valueName("FILE");
-    command.option("--asset", options->assets, "Render this asset instead of the scene").single().valueName("NAME");
+    command.option("-o,--out", options->out, "The picture to write; - for standard output")
+        .required()
+        .valueName("FILE");
+    command.option("-a,--asset", options->assets, "Render this asset instead of the scene").single().valueName("NAME");
     addViewOptions(command, options->picture);
     command.option("--explode", options->explodeFactor, "Explode the fragments: 1 doubles their distances")
         .inRange(ProjectNumber::ExplodeFactor)

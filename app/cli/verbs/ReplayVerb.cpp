@@ -18,7 +18,9 @@ simulation diverges, with the first step and body that differ.
 
 Output:
   {"steps":N,"matches":true,"hash":"..."}
-  {"steps":N,"matches":false,"step":k,"body":s,"hash":"..."}
+  {"steps":N,"matches":false,"step":k,"body":s,"difference":"broke","value":v,"hash":"..."}
+The body is the one that differs most in the first step that differs: "broke" and "didNotBreak" are bodies that broke
+on one side only, with the impact in N*s; "velocity" is in m/s; "unmeasured" is a recording of version 1.
 
 Example:
   rubble-cli simulate house.rubble --steps 600 --shot "box at the door" --record door.replay > after.json
@@ -30,6 +32,16 @@ struct ReplayOptions {
     int threads = 1;
 };
 
+const char* wordOf(DivergenceKind kind) {
+    switch (kind) {
+        case DivergenceKind::Unmeasured: break;
+        case DivergenceKind::Broke: return "broke";
+        case DivergenceKind::DidNotBreak: return "didNotBreak";
+        case DivergenceKind::Velocity: return "velocity";
+    }
+    return "unmeasured";
+}
+
 std::string outcomeJson(const ReplayPlayer& player) {
     JsonWriter json;
     json.openObject();
@@ -38,6 +50,8 @@ std::string outcomeJson(const ReplayPlayer& player) {
     if (player.divergence()) {
         json.wholeNumber("step", player.divergence()->step);
         json.text("body", player.divergence()->body);
+        json.text("difference", wordOf(player.divergence()->kind));
+        json.number("value", player.divergence()->difference);
     }
     json.text("hash", player.session().hash().hex());
     json.close();
@@ -74,8 +88,8 @@ Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
     const Status played = player->seek(player->replay().steps.size(), task);
     line.clear();
     if (!played) return played.error();
-    if (const Status written = writeOutput("-", outcomeJson(*player), context); !written) return written.error();
-    if (player->divergence()) return Error{ErrorCode::BadInput, player->divergence()->sentence()};
+    if (const Status written = printText(outcomeJson(*player), context); !written) return written.error();
+    if (player->divergence()) return Error{ErrorCode::BadInput, player->divergence()->diagnostic().message};
     return success();
 }
 

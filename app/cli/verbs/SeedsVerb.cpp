@@ -3,9 +3,11 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/VertexSeeds.h"
+#include "core/asset/project/Ids.h"
 #include "core/base/QuantityText.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 
 #include <algorithm>
 #include <memory>
@@ -32,12 +34,14 @@ struct SeedsOptions {
 
 Status addSeeds(const SeedsOptions& options, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
+    const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
+    if (!mesh) return mesh.error();
+    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
+    if (!lock) return lock.error();
     Result<Project> project = loadProject(options.project);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
     if (!selected) return selected.error();
-    const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
-    if (!mesh) return mesh.error();
     VertexView view = options.view;
     if (options.along != "z") view.along = options.along == "x" ? FileAxis::X : FileAxis::Y;
     Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
@@ -45,13 +49,12 @@ Status addSeeds(const SeedsOptions& options, const CliContext& context) {
     if (!found) return found.error();
     const std::size_t count = found->seeds.seeds.size();
     const std::string omissions = found->omissionText();
-    const Id layer = project->nextId++;
+    const Id layer = allocateId(*project);
     asset.pattern.layers.push_back({.id = layer, .randomSeed = layer, .parameters = std::move(found->seeds)});
     if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    return writeOutput("-",
-                       "\"" + asset.name + "\" has a new layer of " + countText(count, "seed", "seeds") + "." +
-                           (omissions.empty() ? "" : " " + omissions) + "\nSaved " + options.project.string() + "\n",
-                       context);
+    return printText("\"" + asset.name + "\" has a new layer of " + countText(count, "seed", "seeds") + "." +
+                         (omissions.empty() ? "" : " " + omissions) + "\nSaved " + options.project.string() + "\n",
+                     context);
 }
 
 }  // namespace
@@ -60,8 +63,8 @@ Verb addSeeds(CLI::App& program) {
     Command command(program, "seeds", "Place seeds at the vertices of a mesh", kFooter);
     const auto options = std::make_shared<SeedsOptions>();
     command.argument("FILE", options->mesh, "The mesh file").required();
-    command.option("--into", options->project, "The project of the asset").required().valueName("PROJECT");
-    command.option("--asset", options->asset, "The asset").required().valueName("NAME");
+    command.option("-i,--into", options->project, "The project of the asset").required().valueName("PROJECT");
+    command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");
     addUnitOption(command, options->view.metresPerUnit);
     command.option("--along", options->along, "The axis of the file to project along (default: z)")
         .oneOf({"x", "y", "z"})

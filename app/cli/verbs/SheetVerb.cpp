@@ -130,7 +130,7 @@ Status sheet(const SheetOptions& options, const CliContext& context) {
     const Result<std::string> png = pngOf(contactSheetPage(page, theme));
     if (!png) return png.error();
     if (const Status written = writeOutput(options.out, *png, context); !written) return written;
-    return writeOutput("-", options.isJson ? jsonOf(entries) : tableOf(entries), context);
+    return printText(options.isJson ? jsonOf(entries) : tableOf(entries), context);
 }
 
 }  // namespace
@@ -139,8 +139,8 @@ Verb addSheet(CLI::App& program) {
     Command command(program, "sheet", "Draw and measure variants of an asset side by side", kFooter);
     const auto options = std::make_shared<SheetOptions>();
     addProjectArgument(command, options->file);
-    command.option("--asset", options->asset, "The asset").required().valueName("NAME");
-    command.option("--out", options->out, "The picture to write").required().valueName("FILE");
+    command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");
+    command.option("-o,--out", options->out, "The picture to write").required().valueName("FILE");
     command.option("--variants", options->recipe.count, "The number of variants, including the asset (default: 12)")
         .wholeInRange(ProjectNumber::Variants)
         .valueName("N");

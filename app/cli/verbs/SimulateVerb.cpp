@@ -73,8 +73,12 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
         return Error{ErrorCode::BadInput,
                      "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
     }
-    return withProgress(options, context,
-                        [&](const TaskContext& task) { return runBodies(scene, planOf(options), task); });
+    std::vector<Diagnostic> diagnostics;
+    Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
+        return runBodies(scene, planOf(options), task, diagnostics);
+    });
+    printMessages(diagnostics, context);
+    return run;
 }
 
 Result<SimulationRun> simulateProject(const std::string& text, const SimulateOptions& options,
@@ -107,7 +111,7 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
     if (run->replay) {
         if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
     }
-    return writeOutput("-", simulationJson(run->outcome), context);
+    return printText(simulationJson(run->outcome), context);
 }
 
 }  // namespace
@@ -116,7 +120,7 @@ Verb addSimulate(CLI::App& program) {
     Command command(program, "simulate", "Simulate a project or a scene of bodies", kFooter);
     const auto options = std::make_shared<SimulateOptions>();
     command.argument("FILE", options->input, "The project or scene (default: -, standard input)");
-    command.option("--steps", options->steps, "The number of steps to simulate")
+    command.option("-n,--steps", options->steps, "The number of steps to simulate")
         .required()
         .wholeInRange(ProjectNumber::Steps)
         .valueName("N");

@@ -86,7 +86,7 @@ Status strength(const StrengthOptions& options, const CliContext& context) {
     if (!reports) return reports.error();
     std::string text;
     for (const StrengthReport& report : *reports) text += textOf(report);
-    const Status written = writeOutput("-", options.isJson ? strengthReportJson(*reports) : text, context);
+    const Status written = printText(options.isJson ? strengthReportJson(*reports) : text, context);
     return written ? statusOf(*reports) : written;
 }
 

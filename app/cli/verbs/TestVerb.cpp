@@ -83,7 +83,7 @@ Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTe
     const std::string file =
         (std::filesystem::path(options.pictures) / ("play-test-" + std::to_string(test.id) + ".png")).string();
     if (const Status written = writeFileAtomically(file, *png); !written) return written;
-    return writeOutput("-", "        after step " + std::to_string(outcome.failedAt()) + ": " + file + '\n', context);
+    return printText("        after step " + std::to_string(outcome.failedAt()) + ": " + file + '\n', context);
 }
 
 Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::vector<PlayTest>& tests,
@@ -101,7 +101,7 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
         line.clear();
         if (!outcome) return outcome.error();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        if (const Status written = writeOutput("-", resultText(*outcome), context); !written) return written.error();
+        if (const Status written = printText(resultText(*outcome), context); !written) return written.error();
         if (!outcome->isPassed() && !options.pictures.empty()) {
             const Status rendered = renderFailure(*scene, test, *outcome, options, context);
             if (!rendered) return rendered.error();

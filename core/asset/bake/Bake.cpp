@@ -1,9 +1,12 @@
 #include "core/asset/bake/Bake.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/PrismHulls.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/Parallel.h"
+#include "core/fracture/pattern/PieceEstimate.h"
 
 #include <algorithm>
 #include <set>
@@ -55,8 +58,8 @@ struct LevelWork {
     std::vector<std::optional<Result<FractureResult>>> fractures;
 };
 
-LevelWork fracturedLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const Bake& bake,
-                         const TaskContext& task) {
+/// The fragments of a level to fracture, from `first` on.
+LevelWork levelWork(const Asset& asset, std::uint32_t level, std::uint32_t first, const Bake& bake) {
     LevelWork work;
     for (std::uint32_t k = first; k < bake.fragmentCount(); ++k) {
         const FragmentPath path = asset.leaves.empty() ? FragmentPath() : pathOfId(bake.fragmentId(k));
@@ -65,6 +68,22 @@ LevelWork fracturedLevel(const Asset& asset, std::uint32_t level, std::uint32_t 
         work.parents.push_back(k);
         work.levels.push_back(by);
     }
+    return work;
+}
+
+/// Refuses a level that makes the bake too large.
+Status checkSize(const LevelWork& work, const Bake& bake) {
+    BakeEstimate estimate{static_cast<double>(bake.fragmentCount()), static_cast<double>(bake.fractures.size())};
+    for (std::size_t k = 0; k < work.parents.size(); ++k) {
+        const Fragment solid = bake.fragment(work.parents[k]).solid;
+        estimate.fragments += estimatedPieces(work.levels[k]->pattern, solid.volume() / solid.depth());
+        estimate.fractures += 1.0;
+    }
+    if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
+    return success();
+}
+
+void fracture(const Asset& asset, const Bake& bake, const TaskContext& task, LevelWork& work) {
     work.fractures.resize(work.parents.size());
     TaskContext quiet;  // the calling thread reports progress, level by level
     quiet.cancel = task.cancel;
@@ -74,12 +93,13 @@ LevelWork fracturedLevel(const Asset& asset, std::uint32_t level, std::uint32_t 
         const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], Vec2{solid.offset()});
         work.fractures[k] = fractureResult(recipe, {solid.outline(), solid.depth()}, quiet);
     });
-    return work;
 }
 
 /// Fractures the fragments of a level, from `first` on. One that would give a single piece stays as it is.
 Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake) {
-    LevelWork work = fracturedLevel(asset, level, first, bake, task);
+    LevelWork work = levelWork(asset, level, first, bake);
+    if (const Status checked = checkSize(work, bake); !checked) return checked;
+    fracture(asset, bake, task, work);
     bake.fractures.reserve(bake.fractures.size() + work.parents.size());
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         Result<FractureResult>& fracture = *work.fractures[k];
@@ -169,6 +189,12 @@ const BakedFracture* Bake::fractureOf(std::uint32_t parent) const {
 }
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
+    if (const std::optional<std::string> fault = prismRangeFault("Asset \"" + asset.name + '"', asset.prism)) {
+        return Error{ErrorCode::BadInput, *fault};
+    }
+    if (const std::optional<std::string> fault = sizeFault(estimateOf(asset))) {
+        return ofAsset(asset, {ErrorCode::Limit, *fault});
+    }
     const std::size_t levels = maxLevels(asset);
     Result<FractureResult> first =
         fractureResult(recipeOf(asset), asset.prism, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));

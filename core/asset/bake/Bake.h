@@ -57,7 +57,9 @@ struct Bake {
 
 /// Carries out an asset's recipe: seeds, partition and fragments, level by level.
 ///
-/// Errors: those of validated(Prism), seedsOf() and triangulate(), each with the asset's name; Cancelled.
+/// Errors, each with the asset's name: BadInput for a prism out of range (prismRangeFault()); those of
+/// validated(Prism), seedsOf() and triangulate(); Limit if the bake would be too large (sizeFault()), before it starts
+/// or before a level; Cancelled.
 Result<Bake> bake(const Asset& asset, const TaskContext& task = {});
 
 }  // namespace rubble

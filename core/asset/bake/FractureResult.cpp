@@ -1,10 +1,12 @@
 #include "core/asset/bake/FractureResult.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/FragmentEditing.h"
 #include "core/base/Hash.h"
 #include "core/base/Random.h"
 #include "core/fracture/pattern/PatternCuts.h"
 #include "core/fracture/pattern/PatternPartition.h"
+#include "core/fracture/pattern/PieceEstimate.h"
 #include "core/fracture/pieces/Extrusion.h"
 
 namespace rubble {
@@ -60,6 +62,8 @@ double gapOf(const Recipe& recipe) { return std::max(recipe.shaping.gap, jointWi
 Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
     if (!valid) return valid.error();
+    const BakeEstimate estimate{estimatedPieces(recipe.pattern, area(valid->outline)), 1.0};
+    if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
     Result<Seeds> seeds = seedsOf(recipe.pattern, valid->outline, task.stage(0.0, 0.25));
     if (!seeds) return seeds.error();
     PlanarFracture cut{.prism = std::move(*valid), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};

@@ -45,7 +45,8 @@ Error ofAsset(const Asset& asset, const Error& error);
 
 /// Prism, seeds, triangulation and partition: pieces are merged and split by hand, then small pieces are removed.
 ///
-/// Errors: those of validated(Prism), seedsOf() and triangulate(); Cancelled.
+/// Errors: those of validated(Prism), seedsOf() and triangulate(); Limit if it would be too large (sizeFault());
+/// Cancelled.
 Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task);
 
 /// All stages, fragments included.

@@ -38,13 +38,17 @@ Sentence faultOf(const Material& material) {
     return colourFault(owner, material.inside);
 }
 
-bool isFinite(Vec2 value) { return std::isfinite(value.x) && std::isfinite(value.y); }
-
-bool isFinite(const SurfaceTriangle& triangle) {
-    for (const Vec3& corner : triangle.corners) {
-        if (!isFinite(Vec2{corner}) || !std::isfinite(corner.z)) return false;
+Sentence cornerFault(const std::string& triangle, const SurfaceTriangle& surface) {
+    for (const Vec3& corner : surface.corners) {
+        if (Sentence fault = rangeFault(triangle, ProjectNumber::OutlineCoordinate, corner, "corner")) return fault;
     }
-    return isFinite(triangle.uvs[0]) && isFinite(triangle.uvs[1]) && isFinite(triangle.uvs[2]);
+    for (const Vec2& uv : surface.uvs) {
+        if (Sentence fault = rangeFault(triangle, {{ProjectNumber::TextureCoordinate, uv.x, "texture coordinate u"},
+                                                   {ProjectNumber::TextureCoordinate, uv.y, "texture coordinate v"}})) {
+            return fault;
+        }
+    }
+    return std::nullopt;
 }
 
 Sentence surfaceFault(const std::string& owner, const Surface& surface) {
@@ -55,15 +59,17 @@ Sentence surfaceFault(const std::string& owner, const Surface& surface) {
         return owner + ": a material of the surface has a name that is not text in UTF-8.";
     }
     for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
-        const std::string triangle = owner + ": triangle " + std::to_string(k) + " of the surface ";
-        if (!isFinite(surface.triangles[k])) return triangle + "has a coordinate that is not finite.";
-        if (!isNamed(surface.triangles[k].material)) return triangle + "refers to a material that does not exist.";
+        const std::string triangle = owner + ": triangle " + std::to_string(k) + " of the surface";
+        if (Sentence fault = cornerFault(triangle, surface.triangles[k])) return fault;
+        if (!isNamed(surface.triangles[k].material)) return triangle + " refers to a material that does not exist.";
     }
     for (const CapUv* cap : {&surface.front, &surface.back}) {
-        const std::string name = owner + ": the surface's " + (cap == &surface.front ? "front" : "back") + " cap ";
-        if (!isNamed(cap->material)) return name + "refers to a material that does not exist.";
+        const std::string name = owner + ": the surface's " + (cap == &surface.front ? "front" : "back") + " cap";
+        if (!isNamed(cap->material)) return name + " refers to a material that does not exist.";
         for (const double coefficient : cap->map.coefficients) {
-            if (!std::isfinite(coefficient)) return name + "has a UV map that is not finite.";
+            if (Sentence fault = rangeFault(name, {{ProjectNumber::TextureCoordinate, coefficient, "UV map"}})) {
+                return fault;
+            }
         }
     }
     return std::nullopt;
@@ -102,6 +108,7 @@ Sentence faultOf(const Asset& asset) {
                                             {ProjectNumber::InsideUvScale, asset.insideUvScale}})) {
         return fault;
     }
+    if (Sentence fault = prismRangeFault(owner, asset.prism)) return fault;
     if (const Result<Prism> prism = validated(asset.prism); !prism) return owner + ": " + prism.error().message;
     if (Sentence fault = verifyPattern(asset.pattern)) return owner + ": " + *fault;
     if (asset.surface) {

@@ -1,6 +1,7 @@
 #include "core/asset/import/AssetImport.h"
 
 #include "core/asset/import/ImportedSolid.h"
+#include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
@@ -55,7 +56,7 @@ Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::
     const auto same = std::ranges::find(project.materials, source.name, &Material::name);
     if (same != project.materials.end()) return same->id;
     const Colour colour{source.colour.x, source.colour.y, source.colour.z};
-    Material material{.id = project.nextId++, .name = source.name.empty() ? "default" : source.name};
+    Material material{.id = allocateId(project), .name = source.name.empty() ? "default" : source.name};
     material.outside = material.inside = colour;
     notes.push_back("The material \"" + material.name + "\" was added, with a density of " +
                     messageText(material.density) + " kg/m³.");
@@ -65,13 +66,13 @@ Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::
 
 /// The pattern of a new asset.
 Pattern defaultPattern(Project& project) {
-    const Id id = project.nextId++;
+    const Id id = allocateId(project);
     return {{{.id = id, .randomSeed = id, .parameters = UniformScatter{}}}};
 }
 
 void placeInstance(Project& project, const Asset& asset, const Pose& pose) {
     const std::string name = uniqueName(project.instances, asset.name);
-    project.instances.push_back({.id = project.nextId++, .name = name, .asset = asset.id, .pose = pose});
+    project.instances.push_back({.id = allocateId(project), .name = name, .asset = asset.id, .pose = pose});
 }
 
 /// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
@@ -93,21 +94,52 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     if (asset.name != part.name)
         result.notes.push_back("The name \"" + part.name + "\" is taken; the asset is named \"" + asset.name + "\".");
     asset.material = materialFor(scene.materials[solid.material], project, result.notes);
-    asset.id = result.asset = project.nextId++;
-    asset.pattern = defaultPattern(project);
-    placeInstance(project, asset, solid.prism.pose);
+    asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
+    project.assets.back().pattern = defaultPattern(project);
+    placeInstance(project, project.assets.back(), solid.prism.pose);
     return result;
+}
+
+/// The fallbacks that import a part, each along the requested axis or else the first world axis that works.
+std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis requested) {
+    std::vector<WorkingFallback> working;
+    for (const PrismFallback fallback : {PrismFallback::Silhouette, PrismFallback::TopCap}) {
+        for (const PrismAxis axis : {requested, PrismAxis::X, PrismAxis::Y, PrismAxis::Z}) {
+            if (!fallbackPrism(part.mesh, axis, fallback, part.tolerance)) continue;
+            working.push_back({fallback, axis});
+            break;
+        }
+    }
+    return working;
+}
+
+/// A solid in a wrong unit is often too large or too small for a project.
+std::optional<std::string> solidRangeFault(const std::string& name, const ImportedSolid& solid) {
+    const std::string owner = '"' + name + '"';
+    if (auto fault = prismRangeFault(owner, {solid.prism.outline, solid.prism.depth})) return fault;
+    return rangeFault(owner, ProjectNumber::InstancePosition, solid.prism.pose.position);
 }
 
 void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options, ImportOutcome& outcome) {
     if (!part) {
-        outcome.rejected.push_back(part.error());
+        outcome.rejected.push_back({part.error(), {}});
     } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
-        outcome.rejected.push_back(namedError(part->name, solid.error()));
+        RejectedObject& rejected =
+            outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}});
+        if (options.findsFallbacks && !options.fallback) rejected.fallbacks = workingFallbacks(*part, options.axis);
+    } else if (const auto fault = solidRangeFault(part->name, *solid)) {
+        outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
     } else {
         outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
     }
+}
+
+/// Ids that are used again may be lower than those before them.
+void sortById(Project& project) {
+    std::ranges::sort(project.materials, {}, &Material::id);
+    std::ranges::sort(project.assets, {}, &Asset::id);
+    std::ranges::sort(project.instances, {}, &Instance::id);
 }
 
 }  // namespace
@@ -117,8 +149,8 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     const double inFile = scene.metresPerUnit > 0.0 ? scene.metresPerUnit : 1.0;
     const double metresPerUnit = options.metresPerUnit.value_or(inFile);
     if (!rangeOf(ProjectNumber::MetresPerUnit).contains(metresPerUnit))
-        return Error{ErrorCode::BadInput,
-                     "The unit is " + messageText(metresPerUnit) + " m; it must be finite and greater than zero."};
+        return Error{ErrorCode::BadInput, "The unit is " + messageText(metresPerUnit) + " m; it must be " +
+                                              rangeText(rangeOf(ProjectNumber::MetresPerUnit)) + "."};
     const Result<std::vector<RequestedPart>> requested = requestedParts(scene, fileName, metresPerUnit, options);
     if (!requested) return requested.error();
     ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
@@ -127,6 +159,11 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
         import(part, scene, options, outcome);
         context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
     }
+    if (!outcome.assets.empty()) {
+        std::vector<std::string>& notes = outcome.assets.front().notes;
+        notes.insert(notes.begin(), scene.notes.begin(), scene.notes.end());
+    }
+    sortById(outcome.project);
     return outcome;
 }
 

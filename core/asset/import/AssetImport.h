@@ -20,6 +20,7 @@ struct ImportOptions {
     PrismAxis axis = PrismAxis::Thinnest;   // of the prism, in the world
     std::optional<PrismFallback> fallback;  // for objects that are not prisms
     std::string asset;                      // the asset to reimport or to create; empty: one per object
+    bool findsFallbacks = false;            // for rejected objects; takes about as long as importing them
 };
 
 /// An asset created or replaced by an import.
@@ -32,11 +33,24 @@ struct ImportedAsset {
     std::vector<std::string> notes;  // sentences: what was merged, flipped, omitted, renamed or replaced
 };
 
+/// A fallback that imports an object that is rejected without it.
+struct WorkingFallback {
+    PrismFallback fallback = PrismFallback::Silhouette;
+    PrismAxis axis = PrismAxis::Thinnest;  // the requested one if it works
+    bool operator==(const WorkingFallback&) const = default;
+};
+
+/// An object, or a part of one, that is not imported.
+struct RejectedObject {
+    Error error;                             // names the object
+    std::vector<WorkingFallback> fallbacks;  // at most one of each kind; empty unless they were to be found
+};
+
 struct ImportOutcome {
     Project project;
     double metresPerUnit = 1.0;
-    std::vector<ImportedAsset> assets;  // in the file's order
-    std::vector<Error> rejected;        // each names its object; in the file's order
+    std::vector<ImportedAsset> assets;     // in the file's order
+    std::vector<RejectedObject> rejected;  // in the file's order
 };
 
 /// Adds the objects of a mesh file to a project as assets, with an instance of each at the mesh's position. Unconnected

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace rubble {
@@ -87,16 +88,29 @@ void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<
     notes.push_back(std::string("The ") + name + " cap takes its UVs from the nearest faces" + why);
 }
 
+/// Whether all points lie in one plane, that of the largest triangle.
+bool isFlat(const TriangleMesh& mesh, double tolerance) {
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < mesh.triangles.size(); ++i)
+        if (glm::length(doubleArea(mesh, i)) > glm::length(doubleArea(mesh, largest))) largest = i;
+    const Vec3 normal = glm::normalize(doubleArea(mesh, largest)), origin = mesh.points[mesh.triangles[largest][0]];
+    return std::ranges::all_of(mesh.points,
+                               [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= tolerance; });
+}
+
 /// The fitted prism, or its fallback.
 Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid, const ImportOptions& options,
                          ImportedSolid& result) {
+    if (isFlat(part.mesh, part.tolerance))
+        return Error{ErrorCode::Degenerate, "The mesh is flat; an asset needs a depth."};
     Result<PrismFit> found = solid ? fitPrism(solid->mesh, options.axis, part.tolerance) : solid.error();
     if (found || !options.fallback) return found;
     const std::string why = found.error().message;
     found = fallbackPrism(part.mesh, options.axis, *options.fallback, part.tolerance);
-    if (!found) return found;
-    result.usesFallback = true;
     const char* what = *options.fallback == PrismFallback::Silhouette ? "silhouette" : "top cap";
+    if (!found)
+        return Error{found.error().code, "Its " + std::string(what) + " cannot replace it: " + found.error().message};
+    result.usesFallback = true;
     result.notes.push_back("Its " + std::string(what) + " along " + axisText(found->axis) + " replaces it: " + why);
     return found;
 }

@@ -63,8 +63,8 @@ Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, const VertexView& v
     const double inFile = mesh.metresPerUnit > 0.0 ? mesh.metresPerUnit : 1.0;
     const double scale = view.metresPerUnit.value_or(inFile);
     if (!rangeOf(ProjectNumber::MetresPerUnit).contains(scale)) {
-        return Error{ErrorCode::BadInput,
-                     "The unit is " + messageText(scale) + " m; it must be finite and greater than zero."};
+        return Error{ErrorCode::BadInput, "The unit is " + messageText(scale) + " m; it must be " +
+                                              rangeText(rangeOf(ProjectNumber::MetresPerUnit)) + "."};
     }
     std::vector<Vec2> projected = projectedPoints(mesh, view.along);
     for (Vec2& point : projected) point *= scale;

@@ -29,7 +29,7 @@ struct VertexSeeds {
 /// Projects the points of all objects of a mesh file along one of its axes. Unless fitted, the origins of file and
 /// prism coincide.
 ///
-/// Errors: BadInput if the unit is not finite and above zero; Degenerate if no point lies in the outline; Limit above
+/// Errors: BadInput if the unit is out of range; Degenerate if no point lies in the outline; Limit above
 /// kMaxSeeds.
 Result<VertexSeeds> seedsAtVertices(const SourceScene& mesh, const VertexView& view, const Polygon& outline);
 

@@ -4,13 +4,9 @@
 #include "core/base/MessageText.h"
 
 #include <array>
-#include <limits>
 
 namespace rubble {
 namespace {
-
-// Any finite number: the range has no tighter bound yet.
-constexpr double kLargest = std::numeric_limits<double>::max();
 
 constexpr const char* kNoNegative = "a negative value has no meaning";
 constexpr const char* kPositive = "zero would make the quantity vanish";
@@ -19,67 +15,84 @@ constexpr const char* kFraction = "a fraction of one";
 constexpr double kMaxSteps = 1e7;
 constexpr const char* kMostSteps = "two days at 60 steps a second";
 
-/// The range of a number that is above zero.
-constexpr NumberRange aboveZero(const char* name, const char* unit, double defaultValue,
+// The simulation's limits: single precision resolves 8 mm at 100 km, 170 m are a step at 10 km/s, and squares and
+// products of masses in this range do not overflow. The same numbers are in core/physics, which this module does not
+// use; RangesTest compares them.
+constexpr double kMaxCoordinate = 1e5;              // m
+constexpr double kMaxSpeed = 1e4;                   // m/s
+constexpr double kMinMass = 1e-9, kMaxMass = 1e15;  // kg
+constexpr double kMaxDensity = 1e6, kMaxFriction = 1e3;
+constexpr double kMaxBlow = 1e15;                      // N·s; it moves a mountain at 1 m/s
+constexpr double kMinExtent = 1e-5, kMaxExtent = 1e4;  // m: a hundredth of a millimetre, a mountain
+constexpr double kLeastOffset = 1e-6;                  // m, of corners: far above rounding at kMaxCoordinate
+
+constexpr NumberRange between(const char* name, const char* unit, double min, double max, double defaultValue,
+                              const char* reason = kPositive) {
+    return {name, unit, min, max, false, defaultValue, reason};
+}
+constexpr NumberRange aboveZero(const char* name, const char* unit, double max, double defaultValue,
                                 const char* reason = kPositive) {
-    return {name, unit, 0.0, kLargest, true, defaultValue, reason};
+    return {name, unit, 0.0, max, true, defaultValue, reason};
 }
-constexpr NumberRange zeroOrAbove(const char* name, const char* unit, double defaultValue,
+constexpr NumberRange zeroOrAbove(const char* name, const char* unit, double max, double defaultValue,
                                   const char* reason = kNoNegative) {
-    return {name, unit, 0.0, kLargest, false, defaultValue, reason};
+    return {name, unit, 0.0, max, false, defaultValue, reason};
 }
-constexpr NumberRange finite(const char* name, const char* unit, double defaultValue) {
-    return {name, unit, -kLargest, kLargest, false, defaultValue, kAny};
+constexpr NumberRange eitherSign(const char* name, const char* unit, double max, double defaultValue) {
+    return {name, unit, -max, max, false, defaultValue, kAny};
 }
 
 // In the order of ProjectNumber.
 constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
-    aboveZero("density", "kg/m³", 1000.0, "a body needs mass"),
-    zeroOrAbove("friction", "", 0.6, "Coulomb friction only opposes motion; rough materials exceed 1"),
+    between("density", "kg/m³", 1e-3, kMaxDensity, 1000.0, "a thousandth of air; fifty times the densest metal"),
+    zeroOrAbove("friction", "", kMaxFriction, 0.6, "Coulomb friction only opposes motion; rough materials exceed 1"),
     {"restitution", "", 0.0, 1.0, false, 0.0, "above 1 an impact would add energy"},
-    aboveZero("tensile strength", "Pa", 1e6),
-    aboveZero("fracture toughness", "Pa·√m", 1e6),
+    between("tensile strength", "Pa", 1.0, 1e12, 1e6, "the strongest fibre has 1e11"),
+    between("fracture toughness", "Pa·√m", 1e-3, 1e12, 1e6, "steel has 1e8"),
     {"colour", "", 0.0, 1.0, false, 0.8, kFraction},
-    aboveZero("depth", "m", 0.5, "a prism needs volume"),
-    aboveZero("size", "m", 1.0, "an outline needs area"),
-    zeroOrAbove("minimum volume", "m³", 0.0),
-    aboveZero("minimum size of fragments", "", 0.1, "nothing is smaller than zero"),
+    between("depth", "m", kMinExtent, kMaxExtent, 0.5, "a prism needs volume"),
+    between("size", "m", kMinExtent, kMaxExtent, 1.0, "an outline needs area"),
+    eitherSign("coordinate", "m", kMaxCoordinate, 0.0),
+    eitherSign("texture coordinate", "", 1e9, 0.0),
+    zeroOrAbove("minimum volume", "m³", 1e12, 0.0),
+    aboveZero("minimum size of fragments", "", 1e12, 0.1, "nothing is smaller than zero"),
     {"minimum size of fragments", "", 0.0, 1.0, true, 0.1, kFraction},
-    zeroOrAbove("gap", "m", 0.0),
-    zeroOrAbove("roughness", "m", 0.0, "0 leaves cuts straight"),
-    aboveZero("frequency", "1/m", 10.0),
+    {"gap", "m", 0.0, kMaxExtent, false, 0.0, "smaller gaps are lost in rounding", kLeastOffset},
+    {"roughness", "m", 0.0, kMaxExtent, false, 0.0, "0 leaves cuts straight; smaller bumps are lost in rounding",
+     kLeastOffset},
+    between("frequency", "1/m", 1e-6, 1e6, 10.0),
     {"octaves", "", 1.0, Roughness::kMaxOctaves, false, 3.0, "each octave halves the bumps; more than 8 are invisible"},
-    aboveZero("threshold", "N·s", 100.0, "at zero a body would break at rest"),
-    aboveZero("contact time", "s", 1e-3),
-    aboveZero("inside UV scale", "1/m", 1.0),
+    between("threshold", "N·s", 1e-9, 1e24, 100.0, "at zero a body would break at rest"),
+    between("contact time", "s", 1e-9, 1e3, 1e-3),
+    between("inside UV scale", "1/m", 1e-6, 1e6, 1.0),
     {"pieces", "", CutAtImpact::kMinPieces, CutAtImpact::kMaxPieces, false, 30.0,
      "a fracture has at least two fragments; more than the maximum take longer than a step"},
-    aboveZero("falloff radius of the fracture at the impact", "m", 0.3),
-    aboveZero("height", "m", 1.0, "a drop needs a height"),
-    aboveZero("mass", "kg", 10.0, "a body needs mass"),
-    aboveZero("speed", "m/s", 10.0, "a hit needs a speed"),
-    finite("position", "m", 0.0),
+    between("falloff radius of the fracture at the impact", "m", 1e-9, kMaxCoordinate, 0.3),
+    between("height", "m", 1e-6, kMaxCoordinate, 1.0, "a drop needs a height"),
+    between("mass", "kg", kMinMass, kMaxMass, 10.0, "a body needs mass"),
+    aboveZero("speed", "m/s", kMaxSpeed, 10.0, "a hit needs a speed"),
+    eitherSign("position", "m", kMaxCoordinate, 0.0),
     {"variant", "", 0.0, 4294967295.0, false, 0.0, "a 32-bit number; 0 is the asset's own pattern"},
-    finite("height", "m", 0.0),
-    finite("gravity", "m/s²", -9.81),
-    aboveZero("lifetime", "s", 10.0),
-    zeroOrAbove("fade", "s", 1.0),
+    eitherSign("height", "m", 1000.0, 0.0),
+    eitherSign("gravity", "m/s²", 1000.0, -9.81),
+    between("lifetime", "s", 1e-9, 1e9, 10.0),
+    zeroOrAbove("fade", "s", 1e9, 1.0),
     {"maximum number of fragments", "", 1.0, 4294967295.0, false, 1000.0,
      "a 32-bit count; without debris use a lifetime"},
-    finite("place", "m", 0.0),
-    aboveZero("size", "m", 0.5, "a projectile needs volume"),
-    zeroOrAbove("speed", "m/s", 10.0, "the direction is given by the target"),
-    finite("impulse", "N·s", 0.0),
-    aboveZero("impulse", "N·s", 1000.0, "the direction is given by the view"),
-    zeroOrAbove("impulse", "N·s", 1000.0, "an explosion pushes outwards"),
-    aboveZero("radius", "m", 2.0),
-    zeroOrAbove("time", "s", 0.0, "a play-test starts at 0"),
-    aboveZero("duration", "s", 5.0),
-    zeroOrAbove("expected value", "s", 1.0, "a play-test starts at 0"),
+    eitherSign("place", "m", kMaxCoordinate, 0.0),
+    between("size", "m", 1e-3, 1e3, 0.5, "a projectile needs volume; larger ones are no projectiles"),
+    zeroOrAbove("speed", "m/s", kMaxSpeed, 10.0, "the direction is given by the target"),
+    eitherSign("impulse", "N·s", kMaxBlow, 0.0),
+    aboveZero("impulse", "N·s", kMaxBlow, 1000.0, "the direction is given by the view"),
+    zeroOrAbove("impulse", "N·s", kMaxBlow, 1000.0, "an explosion pushes outwards"),
+    between("radius", "m", 1e-3, kMaxCoordinate, 2.0),
+    zeroOrAbove("time", "s", 1e5, 0.0, "a play-test starts at 0 and lasts a day at most"),
+    between("duration", "s", 1e-5, 1e5, 5.0, "from the shortest step to a day"),
+    zeroOrAbove("expected value", "s", 1e5, 1.0, "a play-test starts at 0 and lasts a day at most"),
     {"expected value", "", 0.0, 4294967295.0, false, 1.0, "a 32-bit count"},
-    zeroOrAbove("expected value", "m/s", 0.0),
-    finite("expected value", "", 0.0),
-    aboveZero("force", "N", 1000.0),
+    zeroOrAbove("expected value", "m/s", kMaxSpeed, 0.0),
+    eitherSign("expected value", "", kMaxCoordinate, 0.0),
+    aboveZero("force", "N", 1e15, 1000.0),
     {"step length", "s", 1e-5, 0.1, false, 1.0 / 60.0,
      "rounding dominates shorter steps; longer ones do not resolve motion"},
     {"step", "", 0.0, kMaxSteps, false, 0.0, kMostSteps},
@@ -88,7 +101,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     {"number of samples", "", 0.0, 4096.0, false, 0.0, "more change no pixel"},
     {"explode factor", "", 0.0, 100.0, false, 0.0, "1 doubles the distances; farther, fragments vanish"},
     {"number of variants", "", 1.0, 1000.0, false, 12.0, "each is fractured and drawn"},
-    aboveZero("unit", "m", 1.0, "a mesh needs a size"),
+    between("unit", "m", 1e-6, 1e6, 1.0, "a mesh needs a size"),
     {"number of threads", "", 1.0, 1024.0, false, 1.0, "no processor has more"},
 }};
 
@@ -97,18 +110,17 @@ std::string nameOf(ProjectNumber number, const char* name) { return name ? name 
 }  // namespace
 
 bool NumberRange::contains(double value) const {
+    if (value > 0.0 && value < leastAboveZero) return false;
     return (isMinExcluded ? value > min : value >= min) && value <= max;  // false for NaN
 }
 
 const NumberRange& rangeOf(ProjectNumber number) { return kRanges[static_cast<std::size_t>(number)]; }
 
 std::string rangeText(const NumberRange& range) {
-    if (range.max < kLargest) {
-        const std::string min = messageText(range.min), max = messageText(range.max);
-        return range.isMinExcluded ? "above " + min + " and at most " + max : "from " + min + " to " + max;
-    }
-    if (range.min < 0.0) return "finite";
-    return range.isMinExcluded ? "finite and above zero" : "finite and not below zero";
+    const std::string max = messageText(range.max);
+    if (range.leastAboveZero > 0.0) return "0, or from " + messageText(range.leastAboveZero) + " to " + max;
+    const std::string min = messageText(range.min);
+    return range.isMinExcluded ? "above " + min + " and at most " + max : "from " + min + " to " + max;
 }
 
 ProjectNumber numberOf(PieceMeasure measure) {
@@ -141,6 +153,30 @@ std::optional<std::string> rangeFault(const std::string& owner, ProjectNumber nu
     if (range.contains(value.x) && range.contains(value.y) && range.contains(value.z)) return std::nullopt;
     return owner + ": the " + nameOf(number, name) + " is (" + messageText(value.x) + ", " + messageText(value.y) +
            ", " + messageText(value.z) + "), but it must be " + rangeText(range) + ".";
+}
+
+std::optional<std::string> prismRangeFault(const std::string& owner, const Prism& prism) {
+    if (auto fault = rangeFault(owner, {{ProjectNumber::PrismDepth, prism.depth}})) return fault;
+    const auto ringFault = [&](const Ring& ring, const std::string& name) -> std::optional<std::string> {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const std::string point = " of point " + std::to_string(k) + " of " + name;
+            const std::string x = "x" + point, y = "y" + point;
+            if (auto fault = rangeFault(owner, {{ProjectNumber::OutlineCoordinate, ring[k].x, x.c_str()},
+                                                {ProjectNumber::OutlineCoordinate, ring[k].y, y.c_str()}})) {
+                return fault;
+            }
+        }
+        return std::nullopt;
+    };
+    const Polygon& outline = prism.outline;
+    if (auto fault = ringFault(outline.outer, "the outline")) return fault;
+    for (std::size_t k = 0; k < outline.holes.size(); ++k) {
+        if (auto fault = ringFault(outline.holes[k], "hole " + std::to_string(k))) return fault;
+    }
+    if (outline.outer.size() < 3) return std::nullopt;  // told by validated()
+    const Box2 bounds = boundsOf(outline.outer);
+    return rangeFault(owner, {{ProjectNumber::OutlineSize, bounds.max.x - bounds.min.x, "width of the outline"},
+                              {ProjectNumber::OutlineSize, bounds.max.y - bounds.min.y, "height of the outline"}});
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fracture/pieces/Prism.h"
 #include "core/geometry/predicates/Vec.h"
 
 #include <initializer_list>
@@ -18,7 +19,9 @@ enum class ProjectNumber {
     FractureToughness,
     ColourChannel,
     PrismDepth,
-    OutlineSize,
+    OutlineSize,        // width and height
+    OutlineCoordinate,  // of outlines and surfaces
+    TextureCoordinate,
     MinimumVolume,
     SmallPieceSize,      // area or volume
     SmallPieceFraction,  // of the mean or the whole
@@ -65,7 +68,7 @@ enum class ProjectNumber {
     MetresPerUnit,  // of a mesh file
     Threads,
 };
-inline constexpr int kProjectNumbers = 53;
+inline constexpr int kProjectNumbers = 55;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {
@@ -75,12 +78,13 @@ struct NumberRange {
     double max;  // finite
     bool isMinExcluded;
     double defaultValue;
-    const char* reason;  // of the limits
+    const char* reason;           // of the limits
+    double leastAboveZero = 0.0;  // smaller numbers are not allowed, except 0
 
     bool contains(double value) const;
 };
 const NumberRange& rangeOf(ProjectNumber number);
-/// What a value must be: "finite and above zero", "from 0 to 1", "above 0 and at most 1".
+/// What a value must be: "from 0 to 1", "above 0 and at most 1", "0, or from 0.001 to 1".
 std::string rangeText(const NumberRange& range);
 
 enum class PieceMeasure;
@@ -98,10 +102,13 @@ struct NumberValue {
 };
 
 /// The first of an owner's numbers that is out of its range, as a sentence: `Material 1 "brick": the density is 0, but
-/// it must be finite and above zero.`
+/// it must be from 0.001 to 1000000.`
 std::optional<std::string> rangeFault(const std::string& owner, std::initializer_list<NumberValue> values);
 /// The same for the components of a vector.
 std::optional<std::string> rangeFault(const std::string& owner, ProjectNumber number, const Vec3& value,
                                       const char* name = nullptr);
+
+/// The same for a prism: its depth, the coordinates of its outline and holes, and the outline's size.
+std::optional<std::string> prismRangeFault(const std::string& owner, const Prism& prism);
 
 }  // namespace rubble

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::string_view kMagic = "rubble mesh 1\n";
+constexpr std::string_view kMagic = "rubble mesh 2\n";
 
 class ByteWriter {
 public:
@@ -128,6 +128,8 @@ std::string sourceSceneBytes(const SourceScene& scene) {
             writer.add(triangle.material, 4);
         }
     }
+    writer.add(scene.notes.size());
+    for (const std::string& note : scene.notes) writer.add(std::string_view(note));
     return writer.take();
 }
 
@@ -147,6 +149,8 @@ Result<SourceScene> readSourceScene(std::string_view bytes) {
     const std::size_t objectCount = reader.count(kObjectSize);
     for (std::size_t i = 0; i < objectCount && reader.isGood(); ++i)
         scene.objects.push_back(readObject(reader, scene.materials.size()));
+    scene.notes.resize(reader.count(sizeof(std::uint32_t)));
+    for (std::string& note : scene.notes) note = reader.text();
     if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are not a valid mesh."};
     return scene;
 }

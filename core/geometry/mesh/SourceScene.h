@@ -40,6 +40,7 @@ struct SourceScene {
     double metresPerUnit = 0.0;  // 0 if the file does not say
     std::vector<SourceMaterial> materials;
     std::vector<SourceObject> objects;  // each with at least one triangle
+    std::vector<std::string> notes;     // sentences: what was not read
     bool operator==(const SourceScene&) const = default;
 };
 

@@ -59,6 +59,22 @@ private:
 
 }  // namespace
 
+std::vector<std::size_t> removeRepeatedPoints(Ring& ring) {
+    std::size_t end = ring.size();
+    while (end > 1 && ring[end - 1] == ring[0]) --end;
+    std::vector<std::size_t> removed;
+    Ring kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (i >= end || (i > 0 && ring[i] == ring[i - 1])) {
+            removed.push_back(i);
+        } else {
+            kept.push_back(ring[i]);
+        }
+    }
+    ring = std::move(kept);
+    return removed;
+}
+
 Ring withoutCollinearCorners(std::span<const Vec2> ring, double tolerance, std::size_t* visited) {
     if (ring.size() < 3) return {};
     const Ring corners = fromFarthest(ring);

@@ -8,6 +8,10 @@
 
 namespace rubble {
 
+/// Removes the points of a ring that equal the one before, and at its end those that equal the first, as in files that
+/// close rings. Returns their numbers in the ring, ascending.
+std::vector<std::size_t> removeRepeatedPoints(Ring& ring);
+
 /// Removes the corners of a ring within the tolerance (m) of the line between the remaining ones. Starts at the corner
 /// farthest from the first one. Empty if fewer than three remain. O(n) for straight and for polygonal runs; adds the
 /// number of visited corners to `visited`.

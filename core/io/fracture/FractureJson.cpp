@@ -4,6 +4,7 @@
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/geometry/polygon/OutlineCleaning.h"
 #include "core/io/fracture/CellList.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
@@ -63,7 +64,8 @@ Result<std::string> exactJson(const FractureInput& input, const TaskContext& tas
     if (!delaunay) return delaunay.error();
     const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay, task);
     if (!partition) return partition.error();
-    std::vector<Diagnostic> reports = partition->diagnostics;
+    std::vector<Diagnostic> reports = input.diagnostics;
+    reports.insert(reports.end(), partition->diagnostics.begin(), partition->diagnostics.end());
     if (input.seeds.empty()) {
         const double whole = area(input.prism.outline);
         reports.push_back(
@@ -86,6 +88,19 @@ Triangles inOrder(Triangles triangles, std::span<const Vec2> seeds) {
     return triangles;
 }
 
+/// Removes the repeated points of a ring and reports them.
+void cleanRing(Ring& ring, const std::string& name, std::vector<Diagnostic>& diagnostics) {
+    const Ring given = ring;
+    for (const std::size_t i : removeRepeatedPoints(ring)) {
+        const Vec2 point = given[i];
+        const char* equal = i > 0 && point == given[i - 1] ? "the point before it" : "its first point";
+        diagnostics.push_back(
+            diagnostic(DiagnosticCode::RepeatedPoint, {.point = DiagnosticPlace::Point{point.x, point.y}},
+                       "Point " + std::to_string(i) + " of " + name + " repeats " + equal + ", at (" +
+                           messageText(point.x) + ", " + messageText(point.y) + "), and was left out."));
+    }
+}
+
 }  // namespace
 
 Result<FractureInput> readFractureInput(std::string_view json) {
@@ -99,8 +114,16 @@ Result<FractureInput> readFractureInput(std::string_view json) {
     input.prism.depth = root["depth"].number();
     input.seeds = root["seeds"].points();
     if (document->firstError()) return *document->firstError();
+    Polygon& outline = input.prism.outline;
+    cleanRing(outline.outer, "the outline", input.diagnostics);
+    for (std::size_t i = 0; i < outline.holes.size(); ++i)
+        cleanRing(outline.holes[i], "hole " + std::to_string(i), input.diagnostics);
     Result<Prism> prism = validated(std::move(input.prism));
-    if (!prism) return prism.error();
+    if (!prism) {
+        Error error = prism.error();
+        if (!input.diagnostics.empty()) error.message += " Points are counted without those that repeat others.";
+        return error;
+    }
     input.prism = std::move(*prism);
     return input;
 }
@@ -108,7 +131,7 @@ Result<FractureInput> readFractureInput(std::string_view json) {
 Result<std::string> fractureJson(const FractureInput& input, FractureMethod method, const TaskContext& task) {
     if (method == FractureMethod::Exact) return exactJson(input, task);
     const ThesisDiagram diagram = thesisDiagram(input.prism.outline.outer, input.seeds);
-    return outputJson(cellList(diagram), inOrder(diagram.triangles, input.seeds), {});
+    return outputJson(cellList(diagram), inOrder(diagram.triangles, input.seeds), input.diagnostics);
 }
 
 }  // namespace rubble

@@ -21,7 +21,8 @@ std::string quoted(std::string_view text) {
     while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
         --length;  // cut between UTF-8 characters
     std::string result = "\"";
-    for (const char letter : text.substr(0, length)) result += static_cast<unsigned char>(letter) < 32 ? '?' : letter;
+    for (const char letter : text.substr(0, length))
+        result += static_cast<unsigned char>(letter) < 32 || letter == 127 ? '?' : letter;
     return result + (length < text.size() ? "…\"" : "\"");
 }
 

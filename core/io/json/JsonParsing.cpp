@@ -126,6 +126,11 @@ private:
 Result<JsonDocument> JsonDocument::parse(std::string_view text) {
     if (text.size() > kMaxJsonSize)
         return Error{ErrorCode::Limit, "The JSON is larger than 256 MiB: " + std::to_string(text.size()) + " bytes."};
+    if (const std::size_t null = text.find('\0'); null != std::string_view::npos) {  // the library would stop there
+        const TextPosition at = textPosition(text, null + 1);
+        return Error{ErrorCode::BadInput, "The text is not JSON at line " + std::to_string(at.line) + ", column " +
+                                              std::to_string(at.column) + ": it contains a byte of value 0."};
+    }
     JsonDocument document;
     Builder builder(document, text);
     if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return *document.m_error;

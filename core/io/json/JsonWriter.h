@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Assert.h"
 #include "core/geometry/polygon/Polygon.h"
 #include "core/io/text/NumberTextCache.h"
 #include "core/io/text/TextBuffer.h"
@@ -26,7 +27,8 @@ enum class JsonLayout {
 };
 
 /// Writes JSON. Numbers are the shortest that read back as the same double; the sign of a zero is kept in the layouts
-/// Indented and Inline, and dropped in compact ones.
+/// Indented and Inline, and dropped in compact ones. They must be finite; in builds without assertions others are null,
+/// so that the text stays JSON.
 ///
 ///     JsonWriter json;
 ///     json.openObject();
@@ -97,6 +99,8 @@ private:
     char* startLine(char* at) const;
     void open(std::string_view key, char start, char end, std::optional<JsonLayout> layout);
     char* writeValue(char* at, double value, bool hasNegativeZero) {
+        RUBBLE_ASSERT(std::isfinite(value));
+        if (!std::isfinite(value)) return copied("null", at);
         if (hasNegativeZero && value == 0.0 && std::signbit(value)) return copied("-0.0", at);
         return m_numbers.write(at, value);
     }

@@ -2,11 +2,13 @@
 
 #include "core/io/media/PictureSequence.h"
 #include "core/io/system/ChildProcess.h"
+#include "core/io/system/FileErrors.h"
+#include "core/io/system/Temporary.h"
 #include "core/io/text/NumberText.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cerrno>
 #include <system_error>
 
 namespace rubble {
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Practically unlimited: time and memory depend on film and codec, and the user can cancel.
-constexpr ChildLimits kFilmLimits{.memory = std::numeric_limits<std::size_t>::max(), .seconds = 24.0 * 3600.0};
+constexpr ChildLimits kFilmLimits{.memory = ChildLimits::kUnlimited, .seconds = 24.0 * 3600.0};
 
 /// Returns the pattern of a folder's pictures for ffmpeg, in the syntax of printf.
 std::string pictureNames(const fs::path& folder) {
@@ -73,14 +75,18 @@ std::optional<fs::path> findFfmpeg() { return findExecutable("ffmpeg"); }
 Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, const TaskContext& task) {
     const std::optional<fs::path> ffmpeg = findFfmpeg();
     if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a film needs ffmpeg, which is not installed."};
-    const fs::path part = film.parent_path() / ("." + film.stem().string() + ".part" + film.extension().string());
+    removeLeftovers(film.parent_path());
+    const auto folder = TemporaryFolder::create(film.parent_path());  // ffmpeg would follow a link to a file
+    if (!folder) return folder.error();
+    const fs::path part = (*folder)->path() / ("film" + film.extension().string());
     const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(pictures, rate, part), kFilmLimits, task);
-    Status status = outcome ? toStatus(*outcome) : Status(outcome.error());
-    std::error_code error, ignored;
-    if (status) fs::rename(part, film, error);
-    if (error) status = Error{ErrorCode::Io, "Cannot write \"" + film.string() + "\": " + error.message() + "."};
-    if (!status) fs::remove(part, ignored);
-    return status;
+    const Status status = outcome ? toStatus(*outcome) : Status(outcome.error());
+    if (!status) return status;
+    const OpenFile written(part, O_RDONLY);
+    if (!written.isOpen() || ::fsync(written.descriptor()) != 0 || ::rename(part.c_str(), film.c_str()) != 0)
+        return cannotWrite(film, errno);
+    syncFolder(film.parent_path());
+    return success();
 }
 
 }  // namespace rubble

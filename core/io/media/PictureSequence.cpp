@@ -1,7 +1,13 @@
 #include "core/io/media/PictureSequence.h"
 
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
+#include "core/io/system/FolderReading.h"
+#include "core/io/system/Temporary.h"
 
+#include <sys/file.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <system_error>
 
@@ -19,8 +25,9 @@ fs::path pictureFile(const fs::path& folder, int picture) {
 
 /// Fails if a folder already holds the pictures of a film.
 Status checkHoldsNoFilm(const fs::path& folder) {
-    std::error_code ignored;  // a missing folder holds nothing
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
+    if (!entries) return entries.error();
+    for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
         return Error{ErrorCode::BadInput, folder.string() + " already contains a film: " + name +
@@ -32,9 +39,16 @@ Status checkHoldsNoFilm(const fs::path& folder) {
 }  // namespace
 
 Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path& folder) {
-    if (const Status free = checkHoldsNoFilm(folder); !free) return free.error();
     std::unique_ptr<PictureSequence> sequence(new PictureSequence(folder));
     if (const Status created = sequence->m_created.create(folder); !created) return created.error();
+    sequence->m_lock = std::make_unique<OpenFile>(folder, O_RDONLY | O_DIRECTORY);
+    if (!sequence->m_lock->isOpen()) return cannotRead(folder, errno);
+    if (::flock(sequence->m_lock->descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        return Error{ErrorCode::BadInput,
+                     "Another film is being written to \"" + folder.string() + "\". Choose another folder, or wait."};
+    }
+    if (const Status free = checkHoldsNoFilm(folder); !free) return free.error();
+    removeLeftovers(folder);
     return sequence;
 }
 

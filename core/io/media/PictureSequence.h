@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/system/CreatedDirectories.h"
+#include "core/io/system/OpenFile.h"
 
 #include <memory>
 #include <string_view>
@@ -13,9 +14,10 @@ inline constexpr int kMaxPictures = 10'000;  // of a film: names have four digit
 /// the folders created for them, unless keep() was called.
 class PictureSequence {
 public:
-    /// Creates the folder if it is missing.
+    /// Creates the folder if it is missing, and locks it against other films where the file system has locks.
     ///
-    /// Errors: BadInput if it already holds such pictures; those of CreatedDirectories::create().
+    /// Errors: BadInput if it already holds such pictures or another film is being written to it; those of
+    /// CreatedDirectories::create().
     static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder);
     ~PictureSequence();
     PictureSequence(const PictureSequence&) = delete;
@@ -35,6 +37,7 @@ private:
 
     std::filesystem::path m_folder;
     CreatedDirectories m_created;
+    std::unique_ptr<OpenFile> m_lock;
     int m_count = 0;
     bool m_isKept = false;
 };

@@ -4,10 +4,18 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
+#include "core/io/system/FileErrors.h"
+#include "core/io/system/FolderReading.h"
+#include "core/io/system/Temporary.h"
+
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <fstream>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -19,6 +27,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFormat = "rubble-manifest";
 constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kMaxFlushes = 16;  // of single files; above, the whole file system is flushed once
+/// Files that engines write beside those that they import: Godot, Unity.
+constexpr std::array kEngineSuffixes{".import", ".uid", ".meta"};
 
 struct ManifestEntry {
     std::string name;
@@ -34,8 +45,10 @@ struct Manifest {
 
 std::string inQuotes(const fs::path& path) { return "\"" + path.string() + "\""; }
 
-Error cannot(const std::string& what, const fs::path& path, const std::error_code& reason) {
-    return {ErrorCode::Io, "Cannot " + what + " " + inQuotes(path) + ": " + reason.message() + "."};
+bool isEngineFile(const fs::directory_entry& entry) {
+    std::error_code ignored;
+    const std::string suffix = entry.path().extension().string();
+    return std::ranges::find(kEngineSuffixes, suffix) != kEngineSuffixes.end() && entry.is_regular_file(ignored);
 }
 
 std::string manifestJson(const Manifest& manifest) {
@@ -73,6 +86,11 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
         manifest.files.push_back({file["name"].text(), file["size"].wholeNumber(), file["hash"].text()});
     }
     if (document->firstError()) return std::nullopt;
+    const auto isInFolder = [](const ManifestEntry& file) {
+        const fs::path name = file.name;
+        return name == name.filename() && file.name != "." && file.name != "..";
+    };
+    if (!std::ranges::all_of(manifest.files, isInFolder)) return std::nullopt;
     return manifest;
 }
 
@@ -80,72 +98,100 @@ ManifestEntry entryOf(const std::string& name, std::string_view bytes) {
     return {name, bytes.size(), contentHash(bytes).hex()};
 }
 
-/// Returns the name of a file in the folder that its manifest does not list, if there is one.
+/// Returns the name of a file in the folder that its manifest does not list and no engine wrote, if there is one.
 Result<std::optional<std::string>> findUnexpectedFile(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
-    std::error_code error;
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
+    if (!entries) return entries.error();
     std::vector<std::string> unexpected;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
         const auto isListed = [&](const ManifestEntry& file) { return file.name == name; };
         const bool isExpected = manifest && (name == kManifestName || std::ranges::any_of(manifest->files, isListed));
-        if (!isExpected || entry.is_directory()) unexpected.push_back(name);
+        std::error_code ignored;
+        if (isExpected ? entry.is_directory(ignored) : !isEngineFile(entry)) unexpected.push_back(name);
     }
-    if (error) return cannot("read", folder, error);
     if (unexpected.empty()) return std::optional<std::string>();
     return std::optional(*std::ranges::min_element(unexpected));
 }
 
-/// A hidden folder that is removed with its contents by the destructor.
-class HiddenFolder {
-public:
-    /// Creates a folder with an unused name beside `target`.
-    static Result<std::unique_ptr<HiddenFolder>> create(const fs::path& target, const char* purpose) {
-        const std::string stem = "." + target.filename().string() + "." + purpose + "-";
-        for (int number = 0;; ++number) {
-            std::error_code error;
-            const fs::path path = target.parent_path() / (stem + std::to_string(number));
-            if (fs::create_directory(path, error)) return std::make_unique<HiddenFolder>(path);
-            if (error && error != std::errc::file_exists) return cannot("write into", target.parent_path(), error);
-        }
+/// Returns the path of a file of the folder's manifest that was modified, if there is one. Missing files are not.
+Result<std::optional<fs::path>> findEditedFile(const fs::path& folder) {
+    const std::optional<Manifest> manifest = readManifest(folder);
+    if (!manifest) return std::optional<fs::path>();
+    for (const ManifestEntry& file : manifest->files) {
+        const Result<std::string> bytes = readFile(folder / file.name);
+        if (!bytes && bytes.error().code != ErrorCode::NotFound) return bytes.error();
+        if (bytes && entryOf(file.name, *bytes) != file) return std::optional(folder / file.name);
     }
-    explicit HiddenFolder(fs::path path) : m_path(std::move(path)) {}
-    ~HiddenFolder() {
-        std::error_code ignored;  // its name says what a leftover is
-        fs::remove_all(m_path, ignored);
-    }
-    HiddenFolder(const HiddenFolder&) = delete;
-    HiddenFolder& operator=(const HiddenFolder&) = delete;
-    const fs::path& path() const { return m_path; }
+    return std::optional<fs::path>();
+}
 
-private:
-    fs::path m_path;
-};
-
-Status writeNewFile(const fs::path& path, std::string_view bytes) {
-    errno = 0;
-    std::ofstream file(path, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) return cannot("write", path, {errno != 0 ? errno : EIO, std::generic_category()});
+Status writeNewFile(const fs::path& path, std::string_view bytes, bool isFlushed) {
+    OpenFile file(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
+    if (!file.isOpen()) return cannotWrite(path, errno);
+    if (const int code = writeAll(file.descriptor(), bytes)) return cannotWrite(path, code);
+    if (isFlushed && ::fsync(file.descriptor()) != 0) return cannotWrite(path, errno);
+    if (file.close() != 0) return cannotWrite(path, errno);
     return success();
 }
 
-/// Renames `partial` to `folder`, after moving an existing `folder` into `backup`; moves that back on an error.
-Status replaceFolder(const fs::path& partial, const fs::path& folder, const fs::path& backup) {
-    std::error_code ignored;
-    std::error_code error;
-    const fs::path earlier = backup / folder.filename();
-    const bool hadEarlier = fs::exists(fs::symlink_status(folder, ignored));
-    if (hadEarlier) fs::rename(folder, earlier, error);
-    if (error) return cannot("replace", folder, error);
-    fs::rename(partial, folder, error);
-    if (!error) return success();
-    if (hadEarlier) fs::rename(earlier, folder, ignored);
-    return cannot("write", folder, error);
+/// Locks a folder against others that replace folders in it, where the file system has locks, until it is closed.
+Result<OpenFile> lockFolder(const fs::path& folder, const TaskContext& task) {
+    constexpr int kPollMilliseconds = 10;
+    OpenFile lock(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    if (!lock.isOpen()) return cannotRead(folder, errno);
+    while (::flock(lock.descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        ::poll(nullptr, 0, kPollMilliseconds);
+    }
+    return lock;
 }
 
-Status checkReplaceable(const fs::path& folder) {
+/// Adds what engines wrote in `folder` to the export that will replace it: as links to the same files, or as copies
+/// where the file system has no links.
+Status keepEngineFiles(const fs::path& folder, const fs::path& replacement) {
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
+    if (!entries) return entries.error();
+    for (const fs::directory_entry& entry : *entries) {
+        std::error_code error;
+        const fs::path kept = replacement / entry.path().filename();
+        if (!isEngineFile(entry) || fs::exists(kept, error)) continue;
+        if (::link(entry.path().c_str(), kept.c_str()) == 0) continue;
+        fs::copy_file(entry.path(), kept, error);
+        if (error) return cannotWrite(kept, error.value());
+    }
+    return success();
+}
+
+/// Replaces a folder by a new one where the file system cannot exchange them: a process that is killed between the two
+/// renames leaves the old folder to removeLeftovers().
+Status moveAndReplace(const fs::path& replacement, const fs::path& folder) {
+    const auto old = TemporaryFolder::create(folder.parent_path(), TemporaryFolder::Purpose::OldContents);
+    if (!old) return old.error();
+    const fs::path earlier = (*old)->path() / folder.filename();
+    std::error_code error;
+    const bool hadEarlier = fs::exists(fs::symlink_status(folder, error));
+    if (hadEarlier && ::rename(folder.c_str(), earlier.c_str()) != 0) return cannotWrite(folder, errno);
+    if (::rename(replacement.c_str(), folder.c_str()) == 0) return success();
+    const int code = errno;
+    if (hadEarlier && ::rename(earlier.c_str(), folder.c_str()) != 0) (*old)->release();
+    return cannotWrite(folder, code);
+}
+
+/// Gives a new folder its name in one step; afterwards `replacement` holds the old one, if there was one.
+Status replaceFolder(const fs::path& replacement, const fs::path& folder) {
+    const auto rename = [&](unsigned flags) {
+        return ::renameat2(AT_FDCWD, replacement.c_str(), AT_FDCWD, folder.c_str(), flags) == 0 ? 0 : errno;
+    };
+    int code = rename(RENAME_NOREPLACE);
+    if (code == EEXIST) code = rename(RENAME_EXCHANGE);
+    if (code == EINVAL || code == ENOSYS) return moveAndReplace(replacement, folder);
+    if (code != 0) return cannotWrite(folder, code);
+    return success();
+}
+
+Status checkReplaceable(const fs::path& folder, EditedFiles edited) {
     std::error_code ignored;
     if (!fs::exists(folder, ignored)) return success();
     if (!fs::is_directory(folder, ignored)) {
@@ -154,9 +200,31 @@ Status checkReplaceable(const fs::path& folder) {
     }
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error();
-    if (!*unexpected) return success();
-    return Error{ErrorCode::BadInput, "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
-                                          ", which is not part of an export; move it first or export elsewhere."};
+    if (*unexpected) {
+        return Error{ErrorCode::BadInput, "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
+                                              ", which is not part of an export; move it first or export elsewhere."};
+    }
+    if (edited == EditedFiles::Replaced) return success();
+    const Result<std::optional<fs::path>> file = findEditedFile(folder);
+    if (!file) return file.error();
+    if (!*file) return success();
+    return Error{ErrorCode::Edited, inQuotes(**file) +
+                                        " was modified after the export and would be lost; move it first or export "
+                                        "elsewhere."};
+}
+
+/// Checks an earlier export and replaces it, without any other process doing so at the same time.
+Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder, EditedFiles edited,
+                     const TaskContext& task) {
+    const Result<OpenFile> lock = lockFolder(folder.parent_path(), task);
+    if (!lock) return lock.error();
+    if (const Status free = checkReplaceable(folder, edited); !free) return free;
+    struct stat old {};
+    if (::stat(folder.c_str(), &old) == 0) {
+        if (::fchmod(replacement.descriptor(), old.st_mode & 07777) != 0) return cannotWrite(folder, errno);
+        if (const Status kept = keepEngineFiles(folder, replacement.path()); !kept) return kept;
+    }
+    return replaceFolder(replacement.path(), folder);
 }
 
 }  // namespace
@@ -185,27 +253,30 @@ std::optional<std::string> verifyExportFolder(const fs::path& folder) {
            ", which is not part of the export.";
 }
 
-Status writeExportFolder(const fs::path& folder, const ContentHash& source, std::span<const ExportFile> files,
-                         const TaskContext& task) {
-    if (const Status free = checkReplaceable(folder); !free) return free;
+Status writeExportFolder(const fs::path& path, const ContentHash& source, std::span<const ExportFile> files,
+                         EditedFiles edited, const TaskContext& task) {
+    const fs::path folder = linkTarget(path);
     CreatedDirectories parents;
     if (folder.has_parent_path()) {
         if (const Status created = parents.create(folder.parent_path()); !created) return created;
     }
-    const auto partial = HiddenFolder::create(folder, "partial");
+    const auto partial = TemporaryFolder::create(folder.parent_path());
     if (!partial) return partial.error();
 
     Manifest manifest{source.hex(), {}};
+    const bool isFlushed = files.size() <= kMaxFlushes;
     for (const ExportFile& file : files) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        if (const Status written = writeNewFile((*partial)->path() / file.name, file.bytes); !written) return written;
+        const Status written = writeNewFile((*partial)->path() / file.name, file.bytes, isFlushed);
+        if (!written) return written;
         manifest.files.push_back(entryOf(file.name, file.bytes));
     }
-    const Status listed = writeNewFile((*partial)->path() / kManifestName, manifestJson(manifest));
+    const Status listed = writeNewFile((*partial)->path() / kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
-    const auto backup = HiddenFolder::create(folder, "replaced");
-    if (!backup) return backup.error();
-    return replaceFolder((*partial)->path(), folder, (*backup)->path());
+    if (!isFlushed && ::syncfs((*partial)->descriptor()) != 0) return cannotWrite(folder, errno);
+    if (const Status replaced = replaceExport(**partial, folder, edited, task); !replaced) return replaced;
+    syncFolder(folder.parent_path());
+    return success();
 }
 
 }  // namespace rubble

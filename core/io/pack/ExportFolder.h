@@ -17,6 +17,9 @@ struct ExportFile {
     std::string bytes;
 };
 
+/// What happens to files of an earlier export that were modified since.
+enum class EditedFiles { Kept, Replaced };
+
 /// The name of the manifest in every export folder: the hash of its source, and name, size and hash of each file.
 inline constexpr const char* kManifestName = "manifest.json";
 
@@ -24,15 +27,17 @@ inline constexpr const char* kManifestName = "manifest.json";
 bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
 
 /// Returns the first error in an export folder, if there is one: a missing or unreadable manifest, a missing or
-/// modified file, an unexpected file. Reads all files.
+/// modified file, an unexpected file. Files that engines write, such as wall.glb.import, are expected. Reads all files.
 std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
-/// Writes an export folder atomically: into a hidden folder beside `folder`, which is then renamed. An earlier export
-/// is replaced. On an error or a cancellation nothing changes. Creates missing parent folders.
+/// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An earlier
+/// export is replaced, except for what engines wrote in it; a link to a folder stays one. On an error or a cancellation
+/// nothing changes. Creates missing parent folders. Of several processes that write the same folder, the last one wins.
 ///
 /// Errors: Io, with the path and the system's reason; BadInput if the folder holds an unexpected file, with its name;
-/// Cancelled.
+/// Edited if it holds a modified one that is to be kept; Cancelled.
 Status writeExportFolder(const std::filesystem::path& folder, const ContentHash& source,
-                         std::span<const ExportFile> files, const TaskContext& task = {});
+                         std::span<const ExportFile> files, EditedFiles edited = EditedFiles::Kept,
+                         const TaskContext& task = {});
 
 }  // namespace rubble

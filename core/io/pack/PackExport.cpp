@@ -8,6 +8,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "core/io/system/FileName.h"
+#include "core/io/system/Temporary.h"
 
 #include <algorithm>
 #include <iterator>
@@ -81,7 +82,7 @@ private:
 };
 
 Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
-                 const TaskContext& task, AssetExport& result) {
+                 EditedFiles edited, const TaskContext& task, AssetExport& result) {
     const AssetMaterials material = materialsOf(project, asset);
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
@@ -94,11 +95,11 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     result.volume = baked->whole.volume;
     result.diagnostics = std::move(baked->diagnostics);
     task.report(0.9);
-    return writeExportFolder(result.folder, source, files, task);
+    return writeExportFolder(result.folder, source, files, edited, task);
 }
 
 AssetExport exportAsset(const Project& project, const Asset& asset, const std::filesystem::path& folder,
-                        const MeshOptions& options, const TaskContext& task) {
+                        const MeshOptions& options, EditedFiles edited, const TaskContext& task) {
     AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / safeFileName(asset.name)};
     if (task.isCancelled()) {
         result.status = TaskContext::cancelled();
@@ -106,7 +107,7 @@ AssetExport exportAsset(const Project& project, const Asset& asset, const std::f
     }
     const ContentHash source = packSourceHash(project, asset, options);
     result.isUnchanged = isExportOf(result.folder, source);
-    if (!result.isUnchanged) result.status = writePack(project, asset, options, source, task, result);
+    if (!result.isUnchanged) result.status = writePack(project, asset, options, source, edited, task, result);
     task.report(1.0);
     return result;
 }
@@ -147,7 +148,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
 
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const MeshOptions& options,
-                                             const TaskContext& task) {
+                                             EditedFiles edited, const TaskContext& task) {
     for (const Id id : assets) {
         if (findAsset(project, id) != nullptr) continue;
         return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
@@ -155,13 +156,15 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
     CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
     if (const Status status = created.create(folder); !status) return status.error();
+    removeLeftovers(folder);
     std::vector<Asset> packed;
     for (const Id id : assets) std::ranges::move(assetsInVariants(project, {&id, 1}), std::back_inserter(packed));
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), task.threads, [&](std::size_t index) {
-        results[index] = exportAsset(project, packed[index], folder, options, progress.contextOf(index, threadsEach));
+        results[index] =
+            exportAsset(project, packed[index], folder, options, edited, progress.contextOf(index, threadsEach));
     });
     if (task.isCancelled()) return TaskContext::cancelled();
     return results;

@@ -4,6 +4,7 @@
 #include "core/base/Diagnostic.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
+#include "core/io/pack/ExportFolder.h"
 #include "core/io/pack/PackMeshes.h"
 
 #include <filesystem>
@@ -30,7 +31,8 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
 
 /// Writes the packs of `assets`, pack.json and meshes, each into a folder with its name below `folder`. Each variant
 /// that instances use gets a pack of its own ("wall_2") after that of its asset. Folders that are complete, unmodified
-/// exports of the same source are not rewritten. An asset that fails is reported in its status; the others are written.
+/// exports of the same source are not rewritten. Leftovers of killed exports in `folder` are removed. An asset that
+/// fails is reported in its status; the others are written.
 /// Exports up to task.threads assets at once; the bytes do not depend on their number.
 ///
 /// Errors: NotFound if there is no asset with an id; BadInput if two assets would share a folder, ignoring case, with
@@ -38,6 +40,6 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
 /// remains.
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const MeshOptions& options,
-                                             const TaskContext& task = {});
+                                             EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
 
 }  // namespace rubble

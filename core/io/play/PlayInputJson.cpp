@@ -82,6 +82,9 @@ void writeTimedInput(JsonWriter& json, const TimedInput& timed) {
 }
 
 TimedInput readTimedInput(const JsonValue& value) {
+    // Which other keys an input has depends on its kind.
+    value.requireObject({"step", "input"}, {"name", "kind", "action", "asset", "instance", "threshold", "materials",
+                                            "body", "gravity", "on", "point", "force", "to"});
     return {value["step"].wholeNumber(), readInput(value["input"].oneOf(kInputs), value)};
 }
 

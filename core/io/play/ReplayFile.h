@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/json/JsonDocument.h"
 #include "core/play/session/Replay.h"
 
 #include <filesystem>
@@ -8,26 +9,46 @@
 
 namespace rubble {
 
-/// The version of replay files that is written and read.
-inline constexpr std::uint32_t kReplayVersion = 1;
+/// The version of replay files that is written; version 1, without velocities and breaks, is read as well.
+inline constexpr std::uint32_t kReplayVersion = 2;
 
 /// Returns the hash that identifies a replay's project: that of projectText().
 ContentHash projectHash(const Project& project);
 
-/// Returns a replay as JSON: the inputs, one step per line, the keyframes, and a checksum of each list. All fields are
+/// Returns a replay as JSON: the inputs, one step per line, the keyframes, and the seals of each list. All fields are
 /// described in docs/formats/replay.md.
 std::string replayText(const Replay& replay);
 
 /// Reads what replayText() wrote, bit for bit.
 ///
-/// Errors: BadInput if the text is not JSON of this form, with the path, or if a list does not match its checksum;
-/// Unsupported if its version is newer; Limit if it is too large.
+/// Errors: BadInput if the text is not JSON of this form, or with the first input, step or keyframe that does not match
+/// its seal, each with its path; Unsupported if its version is newer; Limit if it is too large.
 Result<Replay> readReplayText(std::string_view json);
 
 /// Load a replay file, and save one atomically.
 ///
-/// Errors, with the path: those of readFile() and readReplayText(); those of writeFileAtomically().
+/// Errors, with the path: those of readFile() and readReplayText(); those of writeFileAtomically(), and Limit where the
+/// text is too large to be read back.
 Result<Replay> loadReplay(const std::filesystem::path& path);
-Status saveReplay(const std::filesystem::path& path, const Replay& replay);
+Status saveReplay(const std::filesystem::path& path, const Replay& replay, std::size_t maxSize = kMaxJsonSize);
+
+/// Follows the size of a recording while it is made, so that it can be ended before it is too large to be read back.
+class ReplaySize {
+public:
+    explicit ReplaySize(std::size_t maxSize = kMaxJsonSize) : m_maxSize(maxSize) {}
+
+    /// Must be called after each step of the recording.
+    ///
+    /// Errors: Limit, with the steps that fit.
+    Status add(const Replay& replay);
+    /// At least the size of replayText(), in bytes.
+    std::size_t bytes() const { return m_bytes; }
+
+private:
+    std::size_t m_maxSize;
+    std::size_t m_bytes = 4096;  // of what is beside the lists
+    std::size_t m_inputs = 0;    // counted so far
+    std::size_t m_keyframes = 0;
+};
 
 }  // namespace rubble

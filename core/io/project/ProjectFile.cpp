@@ -6,6 +6,7 @@
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/Temporary.h"
 
 #include <array>
 
@@ -114,12 +115,21 @@ Result<Project> readProjectText(std::string_view json) {
     return project;
 }
 
+Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path) {
+    Result<Project> project = readProjectText(json);
+    if (project) return project;
+    Error error = withPath("Cannot read", path, project.error());
+    std::error_code ignored;
+    const std::filesystem::path copy = copyBeforeSave(path);
+    if (std::filesystem::exists(copy, ignored))
+        error.message += " Saving it was interrupted; \"" + copy.string() + "\" is the project as it was before.";
+    return error;
+}
+
 Result<Project> loadProject(const std::filesystem::path& path) {
     const Result<std::string> text = readFile(path);
     if (!text) return text.error();
-    Result<Project> project = readProjectText(*text);
-    if (!project) return withPath("Cannot read", path, project.error());
-    return project;
+    return readProjectText(*text, path);
 }
 
 Status saveProject(const std::filesystem::path& path, const Project& project) {
@@ -129,6 +139,7 @@ Status saveProject(const std::filesystem::path& path, const Project& project) {
     if (text.size() > kMaxJsonSize) {
         return withPath("Cannot write", path, {ErrorCode::Limit, "The project is larger than 256 MiB."});
     }
+    removeLeftovers(path.parent_path());
     return writeFileAtomically(path, text);
 }
 

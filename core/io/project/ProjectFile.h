@@ -22,13 +22,15 @@ std::string projectText(const Project& project);
 /// Errors: BadInput if the text is not JSON of this form, with the path ("assets[2].prism.depth: ..."), or if
 /// verifyProject() finds an error; Unsupported if its version is newer; Limit if it is too large.
 Result<Project> readProjectText(std::string_view json);
+/// The same for the text of a file, whose path the errors name, and a copy that an interrupted save left beside it.
+Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path);
 
 /// Loads a project file.
 ///
 /// Errors, with the path: those of readFile() and readProjectText().
 Result<Project> loadProject(const std::filesystem::path& path);
 
-/// Saves a project file atomically.
+/// Saves a project file atomically, and removes what killed programs left beside it.
 ///
 /// Errors, with the path: BadInput if verifyProject() finds an error; Limit if it is too large to be loaded again;
 /// those of writeFileAtomically().

@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -62,6 +65,16 @@ void setLimit(decltype(RLIMIT_AS) resource, std::size_t max) {
     ::setrlimit(resource, &value);
 }
 
+/// Leaves the standard streams only to the program that is executed next.
+void closeOthersAtExec() {
+    constexpr unsigned kFirst = STDERR_FILENO + 1;
+#ifdef CLOSE_RANGE_CLOEXEC
+    if (::close_range(kFirst, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
+#endif
+    const long count = ::sysconf(_SC_OPEN_MAX);  // the kernel is older than 5.11
+    for (int i = kFirst; i < count; ++i) ::fcntl(i, F_SETFD, FD_CLOEXEC);
+}
+
 /// Runs in the child: redirects its streams, sets its limits and executes the program. Makes only calls that are safe
 /// between fork and exec. If exec fails, writes errno to `failure`.
 [[noreturn]] void executeProgram(const char* program, char* const* arguments, const ChildLimits& limits, int output,
@@ -73,8 +86,15 @@ void setLimit(decltype(RLIMIT_AS) resource, std::size_t max) {
     setLimit(RLIMIT_AS, limits.memory);
     setLimit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)));
     setLimit(RLIMIT_CORE, 0);
+    if (limits.fileSize != ChildLimits::kUnlimited) setLimit(RLIMIT_FSIZE, limits.fileSize);
+    closeOthersAtExec();  // before the limit on descriptors, which the highest one may exceed
+    setLimit(RLIMIT_NOFILE, limits.descriptors);
     ::signal(SIGPIPE, SIG_DFL);
-    ::execv(program, arguments);
+#ifdef __linux__
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+#endif
+    char* const empty[] = {nullptr};
+    ::execve(program, arguments, limits.environment == ChildEnvironment::Empty ? empty : environ);
     const int code = errno;
     static_cast<void>(!::write(failure, &code, sizeof code));
     ::_exit(127);
@@ -129,6 +149,7 @@ void setExit(ChildResult& result, ReadEnd readEnd, int status) {
         result.exitCode = WEXITSTATUS(status);
     } else {
         result.exit = ChildExit::Crashed;
+        result.signal = WTERMSIG(status);
     }
 }
 

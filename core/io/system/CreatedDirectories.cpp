@@ -1,5 +1,6 @@
 #include "core/io/system/CreatedDirectories.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace rubble {
@@ -17,8 +18,11 @@ Status CreatedDirectories::create(const fs::path& directory) {
     std::vector<fs::path> missing;
     for (fs::path path = directory; !path.empty() && !fs::exists(path, error); path = path.parent_path())
         missing.push_back(path);
-    m_created.insert(m_created.end(), missing.rbegin(), missing.rend());
-    fs::create_directories(directory, error);
+    std::ranges::reverse(missing);
+    for (const fs::path& path : missing) {
+        if (fs::create_directory(path, error)) m_created.push_back(path);  // else another process did
+    }
+    if (!error) fs::create_directories(directory, error);  // an error if it is a file
     if (!error) return success();
     return Error{ErrorCode::Io, "Cannot create the folder \"" + directory.string() + "\": " + error.message() + "."};
 }

@@ -1,11 +1,29 @@
 #include "core/physics/state/VerifyBody.h"
 
+#include "core/base/MessageText.h"
+
 #include <cmath>
 
 namespace rubble {
 namespace {
 
 constexpr double kUnitTolerance = 1e-3;  // of a rotation's length: it is made a unit
+
+/// Mass properties of single precision, with room for the sums and products of a solver step.
+constexpr double kMinMagnitude = 1e-37, kMaxMagnitude = 1e37;
+
+bool isRepresentable(double value) { return value >= kMinMagnitude && value <= kMaxMagnitude; }
+
+bool hasRepresentableMass(const Shape& shape, double density) {
+    if (!isRepresentable(shape.mass.volume * density)) return false;
+    for (int k = 0; k < 3; ++k) {
+        if (!isRepresentable(shape.mass.inertia[k][k] * density)) return false;
+        if (!isRepresentable(shape.inverseInertia[k][k] / density)) return false;
+    }
+    return true;
+}
+
+bool isNegative(double value) { return !(value >= 0.0 && std::isfinite(value)); }
 
 }  // namespace
 
@@ -26,19 +44,24 @@ std::optional<std::string> verifyPose(const Pose& pose, std::string_view what) {
     return std::nullopt;
 }
 
+std::optional<std::string> verifyMaterial(const BodyMaterial& material, const Shape& shape, BodyKind kind) {
+    if (!(material.density > 0.0 && std::isfinite(material.density))) return "The density of a body must be positive.";
+    if (isNegative(material.friction)) return "The friction of a body must not be negative.";
+    if (!(material.restitution >= 0.0 && material.restitution <= 1.0)) {
+        return "The restitution of a body must lie between 0 and 1.";
+    }
+    if (kind != BodyKind::Dynamic || hasRepresentableMass(shape, material.density)) return std::nullopt;
+    return "The mass of a body is " + messageText(shape.mass.volume * material.density) +
+           " kg; it or its inertia is too small or too large for single precision.";
+}
+
 std::optional<std::string> verifyBodyDefinition(const BodyDefinition& definition) {
-    const auto isNegative = [](double value) { return !(value >= 0.0 && std::isfinite(value)); };
     if (definition.shape == nullptr) return "A body needs a shape.";
     if (const auto fault = verifyPose(definition.pose, "a body")) return fault;
     if (!isWithin(definition.velocity, kMaxSpeed)) return "The velocity of a body must be below 10 km/s.";
     if (!isWithin(definition.angularVelocity, kMaxSpeed))
         return "The angular velocity of a body must be below 10,000 rad/s.";
-    if (!(definition.density > 0.0 && std::isfinite(definition.density)))
-        return "The density of a body must be positive.";
-    if (isNegative(definition.friction)) return "The friction of a body must not be negative.";
-    if (!(definition.restitution >= 0.0 && definition.restitution <= 1.0)) {
-        return "The restitution of a body must lie between 0 and 1.";
-    }
+    if (auto fault = verifyMaterial(definition.material(), *definition.shape, definition.kind)) return fault;
     if (isNegative(definition.linearDamping) || isNegative(definition.angularDamping)) {
         return "The damping of a body must not be negative.";
     }

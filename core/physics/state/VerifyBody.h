@@ -14,6 +14,10 @@ bool isWithin(Vec3 v, double most);
 /// Why a pose is invalid, as a sentence that names its owner `what`; nothing for a valid one.
 std::optional<std::string> verifyPose(const Pose& pose, std::string_view what);
 
+/// Why a material is invalid, as a sentence; nothing for a valid one. The mass properties of a dynamic body of this
+/// shape must be within single precision.
+std::optional<std::string> verifyMaterial(const BodyMaterial& material, const Shape& shape, BodyKind kind);
+
 /// Why a body cannot be created from a definition, as a sentence; nothing for a valid one.
 std::optional<std::string> verifyBodyDefinition(const BodyDefinition& definition);
 

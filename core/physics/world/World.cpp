@@ -17,6 +17,7 @@
 #include "core/physics/world/ThreadingHeuristic.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 namespace {
@@ -72,6 +73,7 @@ struct World::StepContext {
 
 World::World(const WorldSettings& settings)
     : m_state(std::make_unique<WorldState>()), m_context(std::make_unique<StepContext>(settings)) {
+    RUBBLE_ASSERT(isWithin(settings.gravity, kMaxSpeed));
     m_state->gravity = toFloat(settings.gravity);
     m_state->sleeping = settings.sleeping;
     m_state->colours.resizeBodies(1);
@@ -105,6 +107,17 @@ std::vector<BodyId> World::bodies() const {
         if (isAlive(*m_state, body)) ids.push_back(m_state->idOf(body));
     }
     return ids;
+}
+
+bool World::isWithinBounds(BodyId body) const {
+    RUBBLE_ASSERT(contains(body));
+    const BodyPose& pose = m_state->poses[body.index];
+    const BodyMotion& motion = m_state->motions[body.index];
+    const Quatf& q = pose.rotation;
+    // A sum is only finite if all of its terms are.
+    const float sum = q.x + q.y + q.z + q.w + motion.velocity.x + motion.velocity.y + motion.velocity.z +
+                      motion.angularVelocity.x + motion.angularVelocity.y + motion.angularVelocity.z;
+    return isWithin(toDouble(pose.centre), kMaxCoordinate) && std::isfinite(sum);
 }
 
 BodyState World::state(BodyId body) const {

@@ -40,13 +40,14 @@ struct WorldState;
 /// Sources: Catto 2024, "Solver2D" (soft steps); Gregorius 2013 (separating axes of hulls); Tonge 2012 (colouring).
 class World {
 public:
+    /// The gravity must be within kMaxSpeed along each axis.
     explicit World(const WorldSettings& settings = {});
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
 
     /// Errors: BadInput for a pose or velocity that is not finite, an orientation that is not of length 1, or a
-    /// density, friction, restitution or damping out of range.
+    /// density, friction, restitution or damping out of range, or a mass beyond single precision.
     Result<BodyId> addBody(const BodyDefinition& definition);
     /// Removes a body and wakes those that touch it.
     void removeBody(BodyId body);
@@ -54,6 +55,9 @@ public:
     std::size_t bodyCount() const;
     /// All bodies by ascending index.
     std::vector<BodyId> bodies() const;
+    /// Whether a body can be simulated on: its centre is within kMaxCoordinate of the origin along each axis, and its
+    /// motion and orientation are finite. Remove others after each step.
+    bool isWithinBounds(BodyId body) const;
 
     BodyState state(BodyId body) const;
     BodyKind kind(BodyId body) const;
@@ -63,23 +67,42 @@ public:
     double restitution(BodyId body) const;
 
     Vec3 gravity() const;  // m/s^2
-    void setGravity(Vec3 gravity);
+
+    // Nothing that is not finite or out of range gets into the world: the functions below return BadInput and change
+    // nothing.
+
+    /// Errors: BadInput for more than kMaxSpeed m/s^2 along an axis.
+    Status setGravity(Vec3 gravity);
     /// Sets the material; velocities are kept.
-    void setMaterial(BodyId body, const BodyMaterial& material);
-    void setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity);
+    ///
+    /// Errors: BadInput as addBody().
+    Status setMaterial(BodyId body, const BodyMaterial& material);
+    /// Errors: BadInput for more than kMaxSpeed along an axis.
+    Status setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity);
     /// Teleports a body.
-    void setPose(BodyId body, const Pose& pose);
+    ///
+    /// Errors: BadInput as addBody().
+    Status setPose(BodyId body, const Pose& pose);
     void wake(BodyId body);
-    /// Applies an impulse, N s, at a point in world space; wakes the body.
-    void applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
+    /// Applies an impulse, N s, at a point in world space; wakes the body. A body that would become faster than
+    /// kMaxSpeed moves that fast.
+    ///
+    /// Errors: BadInput for more than kMaxImpulse or kMaxCoordinate along an axis.
+    Status applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
     /// The impulses of a blast on all bodies within `radius`, including those that are not dynamic: away from `point`,
-    /// `impulse` N s/m^2 at 1 m on the body's projected area, falling off with the square of the distance.
+    /// `impulse` N s/m^2 at 1 m on the body's projected area, falling off with the square of the distance,
+    /// and no stronger within 0.1 m. A body whose centre of mass is at `point` is pushed against gravity, or along y
+    /// without gravity: no direction leads away from the blast, and it is as strong as right beside it.
     std::vector<BlastImpulse> blast(Vec3 point, double radius, double impulse) const;
-    /// Applies the impulses of blast() to the dynamic bodies.
-    void explode(Vec3 point, double radius, double impulse);
+    /// Applies the impulses of blast() to the dynamic bodies; none becomes faster than kMaxSpeed.
+    ///
+    /// Errors: BadInput for a point or radius beyond kMaxCoordinate, or an impulse beyond kMaxImpulse.
+    Status explode(Vec3 point, double radius, double impulse);
     /// Pulls a point of a body to a target, as a critically damped spring of at most `force` N, until release().
-    void grab(BodyId body, Vec3 point, double force);
-    void dragTo(Vec3 point);
+    ///
+    /// Errors: BadInput for a point beyond kMaxCoordinate or a force beyond kMaxImpulse; so dragTo().
+    Status grab(BodyId body, Vec3 point, double force);
+    Status dragTo(Vec3 point);
     void release();
 
     /// Finds contacts and the impacts of the coming step. Called again in a step after bodies were added and removed,

@@ -1,6 +1,8 @@
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/physics/islands/Sleeping.h"
 #include "core/physics/state/Contacts.h"
+#include "core/physics/state/VerifyBody.h"
 #include "core/physics/state/WorldState.h"
 #include "core/physics/world/Bodies.h"
 #include "core/physics/world/World.h"
@@ -12,11 +14,51 @@ namespace rubble {
 namespace {
 
 constexpr double kMinBlastDistance = 0.1;  // m: a blast is no stronger within
+constexpr double kLeastDistance = 1e-12;   // m: nearer to a centre than single precision resolves, a blast is at it
 
-void applyImpulseAt(WorldState& state, std::uint32_t body, Vec3f impulse, Vec3f arm) {
+Error outOfRange(const std::string& what, double most, const char* unit) {
+    return {ErrorCode::BadInput, what + " must be finite and at most " + messageText(most) + " " + unit + "."};
+}
+
+/// The vector, shortened to a length.
+Vec3 limited(Vec3 v, double most) {
+    const double length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
+/// Applies an impulse that may be too strong for single precision.
+void applyStrongImpulse(WorldState& state, std::uint32_t body, Vec3 impulse, Vec3 arm) {
     BodyMotion& motion = state.motions[body];
-    motion.velocity += impulse * motion.inverseMass;
-    motion.angularVelocity += state.poses[body].inverseInertia * cross(arm, impulse);
+    const SymMat3f& inverse = state.poses[body].inverseInertia;
+    const Vec3 torque = glm::cross(arm, impulse);
+    const Vec3 turned(inverse.xx * torque.x + inverse.xy * torque.y + inverse.xz * torque.z,
+                      inverse.xy * torque.x + inverse.yy * torque.y + inverse.yz * torque.z,
+                      inverse.xz * torque.x + inverse.yz * torque.y + inverse.zz * torque.z);
+    motion.velocity =
+        toFloat(limited(toDouble(motion.velocity) + impulse * static_cast<double>(motion.inverseMass), kMaxSpeed));
+    motion.angularVelocity = toFloat(limited(toDouble(motion.angularVelocity) + turned, kMaxSpeed));
+}
+
+void applyImpulseAt(WorldState& state, std::uint32_t body, Vec3 impulse, Vec3 point) {
+    const Vec3f arm = toFloat(point) - state.poses[body].centre;
+    const BodyMotion& motion = state.motions[body];
+    if (isWithin(impulse, kMaxImpulse)) {
+        BodyMotion moved = motion;
+        const Vec3f push = toFloat(impulse);
+        moved.velocity += push * motion.inverseMass;
+        moved.angularVelocity += state.poses[body].inverseInertia * cross(arm, push);
+        if (isWithin(toDouble(moved.velocity), kMaxSpeed) && isWithin(toDouble(moved.angularVelocity), kMaxSpeed)) {
+            state.motions[body] = moved;
+            return;
+        }
+    }
+    applyStrongImpulse(state, body, impulse, toDouble(arm));
+}
+
+/// The direction that a blast at the centre of a body pushes it in.
+Vec3 upOf(Vec3 gravity) {
+    const double size = glm::length(gravity);
+    return size > 0.0 ? -gravity / size : Vec3(0.0, 1.0, 0.0);
 }
 
 /// Removes a body's contacts, so that the next collide() finds them again.
@@ -29,34 +71,46 @@ void resetContacts(WorldState& state, std::uint32_t body) {
 
 Vec3 World::gravity() const { return toDouble(m_state->gravity); }
 
-void World::setGravity(Vec3 gravity) {
+Status World::setGravity(Vec3 gravity) {
+    if (!isWithin(gravity, kMaxSpeed)) return outOfRange("Gravity", kMaxSpeed, "m/s^2 along each axis");
     m_state->gravity = toFloat(gravity);
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
+    return success();
 }
 
-void World::setMaterial(BodyId body, const BodyMaterial& material) {
-    RUBBLE_ASSERT(contains(body) && material.density > 0.0 && material.friction >= 0.0);
+Status World::setMaterial(BodyId body, const BodyMaterial& material) {
+    RUBBLE_ASSERT(contains(body));
+    if (const auto fault = verifyMaterial(material, shape(body), kind(body))) {
+        return Error{ErrorCode::BadInput, *fault};
+    }
     wake(body);
     wakeNeighbours(*m_state, body.index);
     rubble::setMaterial(*m_state, body.index, material);
     resetContacts(*m_state, body.index);
+    return success();
 }
 
-void World::setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity) {
+Status World::setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity) {
     RUBBLE_ASSERT(contains(body) && kind(body) != BodyKind::Static);
+    if (!isWithin(velocity, kMaxSpeed) || !isWithin(angularVelocity, kMaxSpeed)) {
+        return outOfRange("A velocity", kMaxSpeed, "m/s or rad/s along each axis");
+    }
     BodyMotion& motion = m_state->motions[body.index];
     motion.velocity = toFloat(velocity);
     motion.angularVelocity = toFloat(angularVelocity);
     wake(body);
     if (kind(body) == BodyKind::Kinematic) wakeNeighbours(*m_state, body.index);
+    return success();
 }
 
-void World::setPose(BodyId body, const Pose& pose) {
+Status World::setPose(BodyId body, const Pose& pose) {
     RUBBLE_ASSERT(contains(body));
+    if (const auto fault = verifyPose(pose, "a body")) return Error{ErrorCode::BadInput, *fault};
     wake(body);
     wakeNeighbours(*m_state, body.index);
     rubble::setPose(*m_state, body.index, pose);
     resetContacts(*m_state, body.index);
+    return success();
 }
 
 void World::wake(BodyId body) {
@@ -64,10 +118,13 @@ void World::wake(BodyId body) {
     wakeBody(*m_state, body.index);
 }
 
-void World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
+Status World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
     RUBBLE_ASSERT(contains(body));
+    if (!isWithin(impulse, kMaxImpulse)) return outOfRange("An impulse", kMaxImpulse, "N s along each axis");
+    if (!isWithin(point, kMaxCoordinate)) return outOfRange("A place", kMaxCoordinate, "m along each axis");
     wake(body);
-    applyImpulseAt(*m_state, body.index, toFloat(impulse), toFloat(point) - m_state->poses[body.index].centre);
+    applyImpulseAt(*m_state, body.index, impulse, point);
+    return success();
 }
 
 std::vector<BlastImpulse> World::blast(Vec3 point, double radius, double impulse) const {
@@ -76,34 +133,47 @@ std::vector<BlastImpulse> World::blast(Vec3 point, double radius, double impulse
         const Vec3 centre = toDouble(m_state->poses[body.index].centre);
         const Vec3 displacement = centre - point;
         const double distance = std::sqrt(glm::dot(displacement, displacement));
-        if (distance > radius || distance == 0.0) continue;
+        if (distance > radius) continue;
         const double nearest = std::max(distance, kMinBlastDistance);
         // The mean projected area of a convex body is a quarter of its surface area (Cauchy).
         const double projectedArea = shape(body).surfaceArea / 4.0;
-        impulses.push_back({body, centre, displacement * (impulse * projectedArea / (nearest * nearest * distance))});
+        const double push = impulse * projectedArea / (nearest * nearest * std::max(distance, kLeastDistance));
+        impulses.push_back(
+            {body, centre, distance < kLeastDistance ? kLeastDistance * push * upOf(gravity()) : displacement * push});
     }
     return impulses;
 }
 
-void World::explode(Vec3 point, double radius, double impulse) {
-    for (const BlastImpulse& one : blast(point, radius, impulse)) {
-        if (kind(one.body) == BodyKind::Dynamic) applyImpulse(one.body, one.impulse, one.point);
+Status World::explode(Vec3 point, double radius, double impulse) {
+    if (!isWithin(point, kMaxCoordinate) || !(radius >= 0.0 && radius <= kMaxCoordinate)) {
+        return outOfRange("The place and radius of an explosion", kMaxCoordinate, "m");
     }
+    if (!isWithin(Vec3(impulse), kMaxImpulse)) return outOfRange("The impulse of an explosion", kMaxImpulse, "N s");
+    for (const BlastImpulse& one : blast(point, radius, impulse)) {
+        if (kind(one.body) != BodyKind::Dynamic) continue;
+        wake(one.body);
+        applyImpulseAt(*m_state, one.body.index, one.impulse, one.point);
+    }
+    return success();
 }
 
-void World::grab(BodyId body, Vec3 point, double force) {
+Status World::grab(BodyId body, Vec3 point, double force) {
     RUBBLE_ASSERT(contains(body) && kind(body) == BodyKind::Dynamic);
+    if (!isWithin(point, kMaxCoordinate)) return outOfRange("A place", kMaxCoordinate, "m along each axis");
+    if (!(force >= 0.0 && force <= kMaxImpulse)) return outOfRange("The force of a grab", kMaxImpulse, "N");
     wake(body);
     const BodyPose& pose = m_state->poses[body.index];
     m_state->grabbed = body;
     m_state->grabPoint = pose.rotation.matrix().transposedTimes(toFloat(point) - pose.centre);
     m_state->grabForce = static_cast<float>(force);
-    dragTo(point);
+    return dragTo(point);
 }
 
-void World::dragTo(Vec3 point) {
+Status World::dragTo(Vec3 point) {
+    if (!isWithin(point, kMaxCoordinate)) return outOfRange("A place", kMaxCoordinate, "m along each axis");
     m_state->grabTarget = toFloat(point);
     if (m_state->grabbed.index != 0) wakeBody(*m_state, m_state->grabbed.index);
+    return success();
 }
 
 void World::release() { m_state->grabbed = {}; }

@@ -1,6 +1,7 @@
 #include "core/play/analysis/SwapAudit.h"
 
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/Ids.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/physics/queries/Penetration.h"
@@ -22,10 +23,11 @@ double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
 /// A project with one instance of an asset and no forces.
 Project isolated(const Project& project, Id asset) {
     Project scene;
-    scene.nextId = project.nextId + 1;
     scene.materials = project.materials;
     scene.assets = {*findAsset(project, asset)};
-    scene.instances = {{.id = project.nextId, .name = "audited", .asset = asset}};
+    scene.nextId = project.nextId;
+    const Id instance = allocateId(scene);
+    scene.instances = {{.id = instance, .name = "audited", .asset = asset}};
     scene.gravity = Vec3(0.0);
     scene.ground.isOn = false;
     return scene;
@@ -194,12 +196,15 @@ double gapFractionOf(const Bake& bake, double gap) {
 double driftOf(Vec3 now, Vec3 before, double scale) { return lengthOf(now - before) / scale; }
 
 /// Measures the drift in the step of the swap in flight.
-void measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
+Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
     const double mass = massOf(session);
-    const Status added = session.add(ShotInput{"blow", offCentreBlow(asset, mass)});
-    RUBBLE_ASSERT(added.hasValue());
+    if (const Status added = session.add(ShotInput{"blow", offCentreBlow(asset, mass)}); !added) return added;
     step(session, 2);
     const Momenta before = session.world().momenta();
+    if (!(before.kinetic > 0.0)) {
+        return Error{ErrorCode::Degenerate,
+                     "It left the world before its swap; move its outline nearer to its origin."};
+    }
     breakAll(session);
     session.step();
     const Momenta after = session.world().momenta();
@@ -207,6 +212,7 @@ void measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
     audit.momentumDrift = driftOf(after.linear, before.linear, lengthOf(before.linear));
     audit.angularDrift = driftOf(after.angular, before.angular, lengthOf(before.angular));
     audit.energyGain = (after.kinetic - before.kinetic) / before.kinetic;
+    return success();
 }
 
 }  // namespace
@@ -235,7 +241,9 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     }
     Result<Session> moving = started(scene, asset);
     if (!moving) return ofAsset(authored, moving.error());
-    measureMoving(std::move(*moving), *asset, audit);
+    if (const Status measured = measureMoving(std::move(*moving), *asset, audit); !measured) {
+        return ofAsset(authored, measured.error());
+    }
     measureResting(std::move(*floating), audit);
     scene.gravity = {0.0, -9.81, 0.0};
     scene.ground.isOn = true;

@@ -21,12 +21,12 @@ void applyBreakImpulses(World& world, std::span<PendingBreak> breaks) {
         const MovingMass impactor = other != nullptr ? other->mass : movingMass(world, event.impactor);
         const double stopping = stoppingImpulse(impactor, broken.mass, event.point, event.normal, broken.restitution);
         const Vec3 impulse = std::min(event.threshold, stopping) * event.normal;
-        broken.mass.applyImpulse(impulse, event.point);
         if (other != nullptr) {
             other->mass.applyImpulse(-impulse, event.point);
         } else if (impactor.inverseMass > 0.0) {
-            world.applyImpulse(event.impactor, -impulse, event.point);
+            if (!world.applyImpulse(event.impactor, -impulse, event.point)) continue;
         }
+        broken.mass.applyImpulse(impulse, event.point);
     }
 }
 

@@ -50,6 +50,12 @@ std::shared_ptr<const PlayAsset> assetToSwap(const SessionParts& parts, const Pe
     return body.asset;
 }
 
+/// The velocity, shortened where it exceeds that of a body.
+Vec3 limitedVelocity(Vec3 velocity) {
+    const double speed = glm::length(velocity);
+    return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
+}
+
 /// A fragment at its position in the whole, moving as that point of the whole did; with the thesis preset, with the
 /// velocity of the whole's centre.
 BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& broken, const PlayAsset& asset,
@@ -69,6 +75,8 @@ BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& br
         const Vec3 centre = definition.pose.position + broken.pose.orientation * piece.shape->mass.centre;
         definition.velocity = broken.mass.velocityAt(centre);
     }
+    definition.velocity = limitedVelocity(definition.velocity);
+    definition.angularVelocity = limitedVelocity(definition.angularVelocity);
     return definition;
 }
 
@@ -80,24 +88,34 @@ void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& wat
     broken.event.milliseconds = watch.lap();
 }
 
+/// Adds a fragment. One that cannot be simulated is reported, and its number stays free.
+BodyId addPiece(const SessionParts& parts, const PendingBreak& broken, std::uint32_t fragment) {
+    const PlayBreak& event = broken.event;
+    PlayBody piece{.role = PlayRole::Piece, .origin = event.body.origin, .asset = event.asset, .fragment = fragment};
+    const Result<std::uint32_t> added = addBody(parts, pieceDefinition(parts, broken, *event.asset, fragment), piece);
+    if (!added) {
+        ++parts.state.nextNumber;
+        parts.state.events.diagnostics.push_back(
+            diagnostic(DiagnosticCode::LeftWorld, placeOf(piece),
+                       '"' + nameOf(piece, parts.state.origins[piece.origin]) + "\" was left out at step " +
+                           std::to_string(event.step) + ": " + added.error().message));
+        return {};
+    }
+    parts.state.events.born.push_back(parts.state.bodies.back());
+    return parts.state.bodies.back().body;
+}
+
 /// Adds the fragments to the world.
 void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     PlayBreak& event = broken.event;
     const PlayFracture& fracture = *event.asset->fractureOf(event.body.fragment);
     event.firstPiece = parts.state.nextNumber;
     event.pieces = fracture.count;
-    for (std::uint32_t k = 0; k < fracture.count; ++k) {
-        const std::uint32_t fragment = fracture.first + k;
-        const Result<std::uint32_t> added =
-            addBody(parts, pieceDefinition(parts, broken, *event.asset, fragment),
-                    {.role = PlayRole::Piece, .origin = event.body.origin, .asset = event.asset, .fragment = fragment});
-        RUBBLE_ASSERT(added.hasValue());
-        parts.state.events.born.push_back(parts.state.bodies.back());
-    }
-    const PlayBody* pieces = &parts.state.bodies[parts.state.bodies.size() - fracture.count];
-    const auto bodyOf = [&](std::uint32_t fragment) { return pieces[fragment - fracture.first].body; };
+    std::vector<BodyId> pieces(fracture.count);  // index 0 for those left out
+    for (std::uint32_t k = 0; k < fracture.count; ++k) pieces[k] = addPiece(parts, broken, fracture.first + k);
     for (const PlayContact& pair : fracture.neighbours) {
-        parts.world.addContact(bodyOf(pair.first), bodyOf(pair.second), pair.manifolds);
+        const BodyId first = pieces[pair.first - fracture.first], second = pieces[pair.second - fracture.first];
+        if (first.index != 0 && second.index != 0) parts.world.addContact(first, second, pair.manifolds);
     }
     event.milliseconds += watch.lap();
     parts.state.events.breaks.push_back(event);

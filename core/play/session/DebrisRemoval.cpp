@@ -1,8 +1,11 @@
 #include "core/play/session/DebrisRemoval.h"
 
+#include "core/base/MessageText.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <tuple>
 
 namespace rubble {
@@ -10,11 +13,23 @@ namespace {
 
 constexpr double kWorldRadius = 2000.0;  // m: bodies beyond it are removed
 
-bool hasLeftTheWorld(const SessionParts& parts, const PlayBody& body) {
-    if (body.role == PlayRole::Ground) return false;
+/// Why a body cannot stay in the world, as the end of a sentence; nothing if it can.
+std::optional<std::string> reasonToLeave(const SessionParts& parts, const PlayBody& body) {
+    if (body.role == PlayRole::Ground) return std::nullopt;
+    if (!parts.world.isWithinBounds(body.body)) return "its motion is beyond all bounds";
     const Vec3 position = parts.world.state(body.body).centre;
-    return !(position.y > parts.state.lowest &&
-             glm::dot(position, position) < kWorldRadius * kWorldRadius);  // also for NaN
+    if (!(glm::dot(position, position) < kWorldRadius * kWorldRadius)) {
+        return "it is farther than " + messageText(kWorldRadius) + " m from the origin";
+    }
+    if (!(position.y > parts.state.lowest)) return "it fell below " + roundedText(parts.state.lowest, 6) + " m";
+    return std::nullopt;
+}
+
+void reportLeft(const SessionParts& parts, const PlayBody& body, const std::string& reason) {
+    parts.state.events.diagnostics.push_back(diagnostic(DiagnosticCode::LeftWorld, placeOf(body),
+                                                        '"' + nameOf(body, parts.state.origins[body.origin]) +
+                                                            "\" was removed at step " +
+                                                            std::to_string(parts.state.step) + ": " + reason + "."));
 }
 
 /// Adds the debris that exceeds a number of pieces: sleeping first, then the smallest, then the oldest. Returns the
@@ -49,7 +64,9 @@ std::size_t removeDebris(const SessionParts& parts) {
     std::size_t visited = parts.state.bodies.size();
     for (const PlayBody& body : parts.state.bodies) {
         const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
-        if (isFaded || hasLeftTheWorld(parts, body)) gone.push_back(body.number);
+        const std::optional<std::string> reason = isFaded ? std::nullopt : reasonToLeave(parts, body);
+        if (reason) reportLeft(parts, body, *reason);
+        if (isFaded || reason) gone.push_back(body.number);
     }
     if (debris.maxPieces) visited += addExcess(parts, *debris.maxPieces, gone);
     std::ranges::sort(gone);

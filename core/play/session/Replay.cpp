@@ -1,7 +1,7 @@
 #include "core/play/session/Replay.h"
 
 #include "core/base/Assert.h"
-#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 
 #include <algorithm>
 #include <array>
@@ -19,35 +19,121 @@ std::uint32_t checkOf(const BodyState& state) {
     return static_cast<std::uint32_t>(contentHash({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}).low);
 }
 
+/// Returns a velocity as recordings hold it.
+Vec3 rounded(Vec3 velocity) {
+    constexpr double kPerMetre = 1e6;
+    const auto round = [](double value) { return std::round(value * kPerMetre) / kPerMetre + 0.0; };  // no -0
+    return {round(velocity.x), round(velocity.y), round(velocity.z)};
+}
+
 ReplayStep stepOf(const Session& session) {
     ReplayStep step{.hash = session.hash().low};
+    for (const PlayBreak& broken : session.events().breaks) step.broke.push_back({broken.body.number, broken.impact});
     for (const PlayBody& body : session.bodies()) {
         if (session.world().kind(body.body) == BodyKind::Static) continue;
         const BodyState state = session.world().state(body.body);
-        if (!state.asleep) step.moved.push_back({body.number, checkOf(state)});
+        if (!state.asleep) step.moved.push_back({body.number, checkOf(state), rounded(state.velocity)});
     }
     return step;
 }
 
-/// The number of the first body by which two steps differ.
-std::optional<std::uint32_t> firstDifference(const ReplayStep& a, const ReplayStep& b) {
-    for (std::size_t k = 0; k < std::min(a.moved.size(), b.moved.size()); ++k) {
-        if (a.moved[k] != b.moved[k]) return std::min(a.moved[k].body, b.moved[k].body);
-    }
-    if (a.moved.size() == b.moved.size()) return std::nullopt;
-    return (a.moved.size() > b.moved.size() ? a.moved[b.moved.size()] : b.moved[a.moved.size()]).body;
+bool differs(const ReplayStep& recorded, const ReplayStep& now) {
+    const auto isSame = [](const BodyCheck& a, const BodyCheck& b) { return a.body == b.body && a.check == b.check; };
+    return recorded.hash != now.hash || !std::ranges::equal(recorded.moved, now.moved, isSame);
 }
 
-/// The largest distance of a body from its recorded position, of the bodies in both, m.
-double largestOffset(const ReplayKeyframe& frame, const Session& session) {
-    double farthest = 0.0;
+/// A body by which two steps differ.
+struct BodyDifference {
+    std::uint32_t body = 0;
+    DivergenceKind kind = DivergenceKind::Unmeasured;
+    double size = 0.0;
+};
+
+/// Adds the bodies that broke in one of two steps only.
+void addBreaks(const std::vector<ReplayBreak>& breaks, const std::vector<ReplayBreak>& others, DivergenceKind kind,
+               std::vector<BodyDifference>& differences) {
+    for (const ReplayBreak& broken : breaks) {
+        if (std::ranges::find(others, broken.body, &ReplayBreak::body) == others.end())
+            differences.push_back({broken.body, kind, broken.impact});
+    }
+}
+
+/// Returns the bodies whose checks differ. A body that is in one list only rests in the other step, or is gone.
+std::vector<BodyDifference> differentChecks(const ReplayStep& recorded, const ReplayStep& now, DivergenceKind kind) {
+    std::vector<BodyDifference> differences;
+    const auto add = [&](std::uint32_t body, Vec3 offset) {
+        differences.push_back({body, kind, std::sqrt(glm::dot(offset, offset))});
+    };
+    auto a = recorded.moved.begin();
+    auto b = now.moved.begin();
+    while (a != recorded.moved.end() || b != now.moved.end()) {
+        if (b == now.moved.end() || (a != recorded.moved.end() && a->body < b->body)) {
+            add(a->body, a->velocity);
+            ++a;
+        } else if (a == recorded.moved.end() || b->body < a->body) {
+            add(b->body, b->velocity);
+            ++b;
+        } else {
+            if (a->check != b->check) add(a->body, b->velocity - a->velocity);
+            ++a;
+            ++b;
+        }
+    }
+    return differences;
+}
+
+/// The body by which two steps differ most, as Divergence describes it.
+std::optional<BodyDifference> largestDifference(const ReplayStep& recorded, const ReplayStep& now, bool isDetailed) {
+    std::vector<BodyDifference> differences;
+    if (isDetailed) {
+        addBreaks(now.broke, recorded.broke, DivergenceKind::Broke, differences);
+        addBreaks(recorded.broke, now.broke, DivergenceKind::DidNotBreak, differences);
+    }
+    if (differences.empty()) {
+        differences =
+            differentChecks(recorded, now, isDetailed ? DivergenceKind::Velocity : DivergenceKind::Unmeasured);
+        if (!isDetailed && !differences.empty()) return differences[0];
+    }
+    const auto largest = std::ranges::max_element(differences, {}, &BodyDifference::size);
+    return largest == differences.end() ? std::nullopt : std::optional(*largest);
+}
+
+/// The body of a session that is or was farthest from its recorded position, of the bodies in both.
+Divergence::Distance largestOffset(const ReplayKeyframe& frame, const Session& session) {
+    Divergence::Distance farthest{.step = frame.step};
     for (const ReplayBody& recorded : frame.bodies) {
         const PlayBody* body = session.body(recorded.number);
         if (body == nullptr) continue;
         const Vec3 offset = session.world().state(body->body).pose.position - recorded.pose.position;
-        farthest = std::max(farthest, std::sqrt(glm::dot(offset, offset)));
+        const double metres = std::sqrt(glm::dot(offset, offset));
+        if (metres > farthest.metres) farthest = {frame.step, session.nameOf(*body), metres};
     }
     return farthest;
+}
+
+/// A body with a number, also one that broke or was removed in the last step; null if it is gone.
+const PlayBody* bodyOf(const Session& session, std::uint32_t number) {
+    if (const PlayBody* body = session.body(number)) return body;
+    const auto broken =
+        std::ranges::find(session.events().breaks, number, [](const PlayBreak& one) { return one.body.number; });
+    if (broken != session.events().breaks.end()) return &broken->body;
+    const auto removed = std::ranges::find(session.events().removed, number, &PlayBody::number);
+    return removed != session.events().removed.end() ? &*removed : nullptr;
+}
+
+std::string differenceText(const Divergence& divergence) {
+    const std::string impact = quantityText(QuantityKind::Impulse, divergence.difference);
+    switch (divergence.kind) {
+        case DivergenceKind::Unmeasured: break;
+        case DivergenceKind::Broke: return "breaks under an impact of " + impact + "; in the recording it does not";
+        case DivergenceKind::DidNotBreak:
+            return "does not break; in the recording it does, under an impact of " + impact;
+        case DivergenceKind::Velocity:
+            if (divergence.difference < 1e-6) return "diverged from the recording, in velocity by less than 1e-6 m/s";
+            return "diverged most from the recording, in velocity by " +
+                   quantityText(QuantityKind::Speed, divergence.difference);
+    }
+    return "diverged from the recording";
 }
 
 }  // namespace
@@ -88,14 +174,14 @@ Result<Replay> recordReplay(std::shared_ptr<const PlayScene> scene, const Sessio
     return recorder.replay();
 }
 
-std::string Divergence::sentence() const {
-    std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : '"' + body + '"') +
-                       " diverged from the recording";
-    if (distance) {
-        text += "; at step " + std::to_string(distance->step) + ", the farthest body is " +
-                messageText(distance->metres) + " m from its recorded position";
+Diagnostic Divergence::diagnostic() const {
+    std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : '"' + body + '"') + ' ' +
+                       differenceText(*this);
+    if (distance && distance->metres > 0.0) {
+        text += "; at step " + std::to_string(distance->step) + ", \"" + distance->body +
+                "\" is farthest from its recorded position, by " + quantityText(QuantityKind::Length, distance->metres);
     }
-    return text + '.';
+    return rubble::diagnostic(DiagnosticCode::ReplayMismatch, place, text + '.', difference);
 }
 
 Result<ReplayPlayer> ReplayPlayer::start(std::shared_ptr<const PlayScene> scene, Replay replay,
@@ -119,17 +205,20 @@ void ReplayPlayer::compare() {
     if (m_divergence) {
         const auto frame = std::ranges::find(m_replay.keyframes, step, &ReplayKeyframe::step);
         if (!m_divergence->distance && step >= m_divergence->step && frame != m_replay.keyframes.end()) {
-            m_divergence->distance = {step, largestOffset(*frame, session())};
+            m_divergence->distance = largestOffset(*frame, session());
         }
         return;
     }
     const ReplayStep& recorded = m_replay.steps[step - 1];
     const ReplayStep now = stepOf(session());
-    if (now == recorded) return;
+    if (!differs(recorded, now)) return;
     m_divergence = Divergence{.step = step};
-    if (const std::optional<std::uint32_t> number = firstDifference(recorded, now)) {
-        const PlayBody* body = session().body(*number);
-        m_divergence->body = body != nullptr ? session().nameOf(*body) : "body " + std::to_string(*number);
+    if (const std::optional<BodyDifference> largest = largestDifference(recorded, now, m_replay.isDetailed)) {
+        const PlayBody* body = bodyOf(session(), largest->body);
+        m_divergence->body = body != nullptr ? session().nameOf(*body) : "body " + std::to_string(largest->body);
+        if (body != nullptr) m_divergence->place = placeOf(*body);
+        m_divergence->kind = largest->kind;
+        m_divergence->difference = largest->size;
     }
     compare();
 }

@@ -11,12 +11,21 @@ namespace rubble {
 struct BodyCheck {
     std::uint32_t body = 0;  // its number
     std::uint32_t check = 0;
+    Vec3 velocity{0.0, 0.0, 0.0};  // m/s, rounded to 1e-6: measures a difference that the hash only shows
     bool operator==(const BodyCheck&) const = default;
 };
 
+/// A body that broke in a step.
+struct ReplayBreak {
+    std::uint32_t body = 0;  // its number
+    double impact = 0.0;     // N·s
+    bool operator==(const ReplayBreak&) const = default;
+};
+
 struct ReplayStep {
-    std::uint64_t hash = 0;        // of all bodies after the step
-    std::vector<BodyCheck> moved;  // the bodies awake after the step, by number
+    std::uint64_t hash = 0;          // of all bodies after the step
+    std::vector<BodyCheck> moved;    // the bodies awake after the step, by number
+    std::vector<ReplayBreak> broke;  // in order of their breaks
     bool operator==(const ReplayStep&) const = default;
 };
 
@@ -47,6 +56,7 @@ struct Replay {
     std::vector<TimedInput> inputs;  // ascending step
     std::vector<ReplayStep> steps;
     std::vector<ReplayKeyframe> keyframes;  // after every kKeyframeSteps steps
+    bool isDetailed = true;                 // false: the steps hold neither velocities nor breaks
     bool operator==(const Replay&) const = default;
 };
 
@@ -71,17 +81,32 @@ Result<Replay> recordReplay(std::shared_ptr<const PlayScene> scene, const Sessio
                             std::vector<TimedInput> inputs, std::uint64_t steps, std::string program,
                             ContentHash project, const TaskContext& task = {});
 
+/// How a body differs from the recording.
+enum class DivergenceKind {
+    Unmeasured,   // it differs; the recording does not say by how much
+    Broke,        // it broke, but not in the recording
+    DidNotBreak,  // it broke in the recording only
+    Velocity,
+};
+
 /// The first difference between a replay and its recording.
 struct Divergence {
     std::uint64_t step = 0;  // the first is 1
-    std::string body;        // the lowest-numbered one that differs; empty if unknown
+    /// The body that differs most in this step: of those that broke on one side only the one that was hit hardest; else
+    /// the one whose velocity differs most; else the lowest-numbered one. Empty if unknown.
+    std::string body;
+    DiagnosticPlace place;  // of the body: its asset and fragment
+    DivergenceKind kind = DivergenceKind::Unmeasured;
+    double difference = 0.0;  // the impact that broke it, N·s; or the difference of velocities, m/s
     struct Distance {
         std::uint64_t step = 0;
-        double metres = 0.0;  // of the body farthest from its recorded position
+        std::string body;     // the one farthest from its recorded position
+        double metres = 0.0;  // its distance from it
     };
     std::optional<Distance> distance;  // at the next keyframe, once it has been played
-    /// The divergence as a sentence: `At step 12 "front 4.1" diverged from the recording.`
-    std::string sentence() const;
+    /// The divergence as a ReplayMismatch: `At step 12 "front 4.1" breaks under an impact of 1321 N·s; in the recording
+    /// it does not.` Its value is the difference.
+    Diagnostic diagnostic() const;
 };
 
 /// Plays a replay, seeks in it, and compares it with its recording.

@@ -24,8 +24,9 @@ WorldSettings worldSettings(const PlayScene& scene, const SessionSettings& setti
 }  // namespace
 
 std::uint64_t stepOf(double time, double dt) {
-    constexpr double kSlack = 1e-6;  // of a step: 0.1 s are six steps of 1/60 s in spite of rounding
-    return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time / dt - kSlack)));
+    constexpr double kSlack = 1e-6;   // of a step: 0.1 s are six steps of 1/60 s in spite of rounding
+    constexpr double kLatest = 1e18;  // fits the type
+    return static_cast<std::uint64_t>(std::min(std::max(0.0, std::ceil(time / dt - kSlack)), kLatest));
 }
 
 Session::Session(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings)

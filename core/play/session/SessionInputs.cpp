@@ -19,11 +19,6 @@ using Sentence = std::optional<std::string>;
 
 constexpr double kHammerRange = 0.1;  // m before and behind the target point
 
-bool isInRange(ProjectNumber number, Vec3 v) {
-    const NumberRange& range = rangeOf(number);
-    return range.contains(v.x) && range.contains(v.y) && range.contains(v.z);
-}
-
 bool isAlive(const SessionState& state, std::uint32_t number) {
     return std::ranges::binary_search(state.bodies, number, {}, &PlayBody::number);
 }
@@ -48,7 +43,9 @@ Sentence faultOfInput(const ShotInput& shot, const PlayScene& scene, const Sessi
 }
 
 Sentence faultOfInput(const ThresholdInput& input, const PlayScene& scene, const SessionState&) {
-    if (!rangeOf(ProjectNumber::Threshold).contains(input.threshold)) return "A threshold must be positive.";
+    if (Sentence fault = rangeFault("Cannot set a threshold", {{ProjectNumber::Threshold, input.threshold}})) {
+        return fault;
+    }
     if (input.instance == 0 && !scene.assets.contains({input.asset})) {
         return "Cannot set a threshold: there is no asset " + std::to_string(input.asset) + ".";
     }
@@ -75,23 +72,19 @@ Sentence faultOfInput(const BreakInput& input, const PlayScene&, const SessionSt
 }
 
 Sentence faultOfInput(const GravityInput& input, const PlayScene&, const SessionState&) {
-    return isInRange(ProjectNumber::Gravity, input.gravity) ? std::nullopt : Sentence("Gravity must be finite.");
+    return rangeFault("Cannot set gravity", ProjectNumber::Gravity, input.gravity);
 }
 
 Sentence faultOfInput(const DestructionInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
 
 Sentence faultOfInput(const GrabInput& input, const PlayScene&, const SessionState& state) {
     if (!isAlive(state, input.body)) return "Cannot grab: there is no body " + std::to_string(input.body) + ".";
-    if (!isInRange(ProjectNumber::ShotPosition, input.point) ||
-        !rangeOf(ProjectNumber::GrabForce).contains(input.force)) {
-        return "Cannot grab: the point must be finite and the force positive.";
-    }
-    return std::nullopt;
+    if (Sentence fault = rangeFault("Cannot grab", ProjectNumber::ShotPosition, input.point)) return fault;
+    return rangeFault("Cannot grab", {{ProjectNumber::GrabForce, input.force}});
 }
 
 Sentence faultOfInput(const DragInput& input, const PlayScene&, const SessionState&) {
-    return isInRange(ProjectNumber::ShotPosition, input.to) ? std::nullopt
-                                                            : Sentence("Cannot drag: the target must be finite.");
+    return rangeFault("Cannot drag", ProjectNumber::ShotPosition, input.to, "target");
 }
 
 Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
@@ -103,9 +96,16 @@ void addUnapplied(const SessionParts& parts, const PlayBody* body, std::string m
         diagnostic(DiagnosticCode::UnappliedInput, std::move(place), std::move(message)));
 }
 
+/// Reports an input that the world refused.
+void reportRefused(const SessionParts& parts, const PlayBody* body, const std::string& input, const Status& status) {
+    if (!status) addUnapplied(parts, body, input + ": " + status.error().message);
+}
+
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
-    Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
-    RUBBLE_ASSERT(definition.hasValue());
+    const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
+    if (!definition) {  // its material has changed since the input was added
+        return addUnapplied(parts, nullptr, "Shot \"" + name + "\": " + definition.error().message);
+    }
     PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state.origins.size())};
     PlayOrigin origin{.name = name};
     if (thrown.kind == ProjectileKind::Asset) {
@@ -153,11 +153,12 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
         hit = hitBy(parts.world, hammer, direction);
     }
     if (hit && parts.world.kind(hit->body) == BodyKind::Dynamic) {
-        parts.world.applyImpulse(hit->body, remaining * direction, hit->point);
+        reportRefused(parts, nullptr, "Shot \"" + name + "\"",
+                      parts.world.applyImpulse(hit->body, remaining * direction, hit->point));
     }
 }
 
-void applyAction(const SessionParts& parts, const std::string&, const Explosion& explosion) {
+void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
     std::vector<PendingBreak> breaks;
     for (const BlastImpulse& push : parts.world.blast(explosion.at, explosion.radius, explosion.impulse)) {
         const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(push.body)));
@@ -173,7 +174,8 @@ void applyAction(const SessionParts& parts, const std::string&, const Explosion&
     }
     std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
     applyBreaks(parts, std::move(breaks));
-    parts.world.explode(explosion.at, explosion.radius, explosion.impulse);
+    reportRefused(parts, nullptr, "Shot \"" + name + "\"",
+                  parts.world.explode(explosion.at, explosion.radius, explosion.impulse));
 }
 
 void applyInput(const SessionParts& parts, const ShotInput& shot) {
@@ -191,7 +193,9 @@ void applyInput(const SessionParts& parts, const MaterialInput& input) {
     for (const PlayBody& body : parts.state.bodies) {
         if (body.asset == nullptr) continue;
         if (materialOf(parts.state, parts.scene, body.asset->bake->asset).id != input.material.id) continue;
-        parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role));
+        reportRefused(parts, &body,
+                      "The material of \"" + nameOf(body, parts.state.origins[body.origin]) + "\" stays as it was",
+                      parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role)));
     }
 }
 
@@ -207,7 +211,9 @@ void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<Pe
     breaks.back().event.point = breaks.back().mass.centre;
 }
 
-void applyInput(const SessionParts& parts, const GravityInput& input) { parts.world.setGravity(input.gravity); }
+void applyInput(const SessionParts& parts, const GravityInput& input) {
+    reportRefused(parts, nullptr, "Cannot set gravity", parts.world.setGravity(input.gravity));
+}
 
 void applyInput(const SessionParts& parts, const DestructionInput& input) { parts.state.hasDestruction = input.isOn; }
 
@@ -217,10 +223,12 @@ void applyInput(const SessionParts& parts, const GrabInput& input) {
         addUnapplied(parts, body, "Nothing was grabbed: the body is fixed, or it broke.");
         return;
     }
-    parts.world.grab(body->body, input.point, input.force);
+    reportRefused(parts, body, "Cannot grab", parts.world.grab(body->body, input.point, input.force));
 }
 
-void applyInput(const SessionParts& parts, const DragInput& input) { parts.world.dragTo(input.to); }
+void applyInput(const SessionParts& parts, const DragInput& input) {
+    reportRefused(parts, nullptr, "Cannot drag", parts.world.dragTo(input.to));
+}
 
 void applyInput(const SessionParts& parts, const ReleaseInput&) { parts.world.release(); }
 

@@ -17,7 +17,7 @@ struct PlayBreak {
     Vec3 point{0.0, 0.0, 0.0};
     Vec3 normal{0.0, 0.0, 0.0};    // from the impactor into the body
     BodyId impactor;               // index 0 for hammers, explosions and BreakInput
-    std::uint32_t firstPiece = 0;  // number of its first fragment; the others follow
+    std::uint32_t firstPiece = 0;  // number of its first fragment; the others follow, and those left out count
     std::uint32_t pieces = 0;
     Pose pose;                               // of the whole's frame when it broke
     std::shared_ptr<const PlayAsset> asset;  // of its fragments: its own, or one cut at the point of impact
@@ -39,7 +39,7 @@ struct PlayEvents {
     std::vector<PlayImpact> impacts;      // on breakable bodies, by body
     std::vector<PlayBody> born;           // fragments and projectiles
     std::vector<PlayBody> removed;        // debris that was removed, and bodies that left the world
-    std::vector<Diagnostic> diagnostics;  // UnappliedInput and PatternFallback
+    std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld
 };
 
 }  // namespace rubble

@@ -44,7 +44,7 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
       m_model(new ProblemModel(document, this)),
       m_sorted(new QSortFilterProxyModel(this)),
       m_view(new QTreeView),
-      m_isActiveOnly(new QCheckBox(tr("&Active Asset Only"))),
+      m_isActiveOnly(new QCheckBox(tr("Active Asset Only"))),
       m_summary(new QLabel),
       m_runner(new QuickFixRunner(document, this)) {
     buildView();

@@ -59,6 +59,10 @@ ProjectTree::ProjectTree(Document& document, Selection& selection, QWidget* pare
         expandGroups();
         showSelection();
     });
+    // The document's selection may name an asset before the model has its row.
+    connect(m_model, &ProjectModel::rowsInserted, this, [this] {
+        if (!m_view->selectionModel()->hasSelection()) showSelection();
+    });
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProjectTree::applyViewSelection);
     for (const auto signal : {&Selection::instancesChanged, &Selection::materialChanged}) {
         connect(&selection, signal, this, &ProjectTree::showSelection);
@@ -245,6 +249,7 @@ void ProjectTree::duplicateSelected() {
         for (Id id = first; id < m_document.project().nextId; ++id) copies.push_back({Kind::Instance, id});
     }
     m_document.undoStack().endMacro();
+    if (copies.empty()) return;
     QItemSelection rows;
     for (const Node copy : copies) rows.select(m_model->indexOf(copy), m_model->indexOf(copy));
     m_view->selectionModel()->setCurrentIndex(m_model->indexOf(copies.front()), QItemSelectionModel::NoUpdate);

@@ -183,7 +183,7 @@ void VolumeHistogram::paintTexts(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::Text));
     const QRect head(kMargin, m_axisButton->y(), m_axisButton->x() - 2 * kMargin, m_axisButton->height());
     painter.drawText(head, Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(tr("Fragments by volume"), Qt::ElideRight, head.width()));
+                     fontMetrics().elidedText(tr("By volume"), Qt::ElideRight, head.width()));
     if (m_bars.empty()) return;
     const QRect foot(kMargin, static_cast<int>(plotRect().bottom()) + 3, width() - 2 * kMargin, fontMetrics().height());
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignTop, volume(m_bars.front().min));

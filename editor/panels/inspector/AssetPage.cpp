@@ -79,7 +79,7 @@ void AssetPage::buildAsset(Section& section) {
     scale->setFormat({tr("per m"), 0});
     scale->setRange(fieldRange(ProjectNumber::InsideUvScale));
     m_form.bind(scale, tr("Set Inside UV Scale"), &Asset::insideUvScale);
-    m_inside = section.addRow(tr("Inside"), new QComboBox,
+    m_inside = section.addRow(tr("Inside material"), new QComboBox,
                               tr("Material shown on fracture surfaces; the mass follows from the asset's material"));
     m_form.bind(m_inside, tr("Set Inside Material"), &Asset::insideMaterial);
 }

@@ -50,6 +50,7 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
         m_page->setLayer(m_pattern, m_layer);
     });
     connect(m_model, &LayerModel::modelReset, this, &PatternEditor::showCurrent);
+    connect(m_model, &LayerModel::layerAdded, this, &PatternEditor::showLayer);
     connect(m_page, &LayerPage::refused, this, &PatternEditor::refused);
 }
 

@@ -13,6 +13,13 @@ namespace {
 
 auto find(Pattern& pattern, Id layer) { return std::ranges::find(pattern.layers, layer, &PatternLayer::id); }
 
+/// Returns the layer that was inserted, or 0 if the lists differ otherwise.
+Id addedLayer(const std::vector<Id>& before, const std::vector<Id>& after) {
+    if (after.size() != before.size() + 1) return 0;
+    const auto [rest, added] = std::ranges::mismatch(before, after);
+    return std::equal(rest, before.end(), added + 1) ? *added : 0;
+}
+
 }  // namespace
 
 const Pattern* findPattern(const Project& project, PatternRef ref) {
@@ -44,9 +51,11 @@ void LayerModel::refresh() {
         for (const PatternLayer& layer : pattern->layers) layers.push_back(layer.id);
     }
     if (layers != m_layers) {
+        const Id added = addedLayer(m_layers, layers);
         beginResetModel();
         m_layers = std::move(layers);
         endResetModel();
+        if (added != 0) emit layerAdded(added);
     } else if (!m_layers.empty()) {
         emit dataChanged(index(0), index(rowCount() - 1));
     }

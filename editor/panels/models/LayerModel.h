@@ -49,6 +49,10 @@ public:
     /// Moves one layer before another as one undo step, for drag and drop.
     bool moveRows(const QModelIndex& from, int row, int count, const QModelIndex& to, int before) override;
 
+signals:
+    /// The pattern got one more layer: a new one, or one that undo or redo brought back.
+    void layerAdded(Id layer);
+
 private:
     void push(const QString& text, Pattern pattern);
 

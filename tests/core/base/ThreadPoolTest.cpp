@@ -5,12 +5,33 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <new>
 
 using namespace rubble;
 
 class ThreadPoolTest : public QObject {
     Q_OBJECT
 private slots:
+    void exceptionsAreThrownOnAfterAllThreadsHaveLeft() {
+        for (const int threads : {1, 2, 4}) {
+            ThreadPool pool(threads);
+            for (const std::size_t failing : {0u, 3u, 6u}) {
+                const auto chunk = [&](IndexRange, std::size_t number) {
+                    if (number == failing) throw std::bad_alloc();
+                };
+                QVERIFY_THROWS_EXCEPTION(std::bad_alloc, pool.forEachChunk(97, 7, chunk));
+            }
+            const auto parts = static_cast<std::size_t>(threads);
+            const auto stage = [&](std::size_t number, std::size_t part) {
+                if (number == 2 && part + 1 == parts) throw std::bad_alloc();
+            };
+            QVERIFY_THROWS_EXCEPTION(std::bad_alloc, pool.runStages(5, parts, stage));
+            std::atomic<int> calls = 0;
+            pool.forEachChunk(97, 7, [&](IndexRange, std::size_t) { ++calls; });
+            QCOMPARE(calls.load(), 7);  // it can be used on
+        }
+    }
     void chunksCoverEveryItemOnce() {
         ThreadPool pool(4);
         for (int round = 0; round < 1000; ++round) {

@@ -19,7 +19,9 @@ const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test
                                                            {"Project", test::projectFault},
                                                            {"Material", test::materialFault},
                                                            {"Pack", test::packFault},
-                                                           {"BodiesJson", test::bodiesFault}};
+                                                           {"BodiesJson", test::bodiesFault},
+                                                           {"Replay", test::replayFault},
+                                                           {"Shots", test::shotsFault}};
 
 std::vector<fs::path> inputsOf(const char* target) {
     std::vector<fs::path> paths;

@@ -2,6 +2,7 @@
 
 #include "tests/support/TestProgram.h"
 
+#include <QRegularExpression>
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
@@ -9,6 +10,8 @@
 
 #include <atomic>
 #include <memory>
+#include <new>
+#include <optional>
 #include <vector>
 
 using namespace rubble;
@@ -26,6 +29,24 @@ int untilCancelled(const TaskContext& task) {
 class BackgroundJobTest : public QObject {
     Q_OBJECT
 private slots:
+    void outOfMemoryIsAnError() {
+        BackgroundJob job;
+        std::optional<Result<int>> delivered;
+        job.start([](const TaskContext&) -> Result<int> { throw std::bad_alloc(); },
+                  [&](Result<int> result) { delivered = std::move(result); });
+        QTRY_VERIFY(!job.isRunning());
+        QVERIFY(delivered && !*delivered);
+        QCOMPARE(delivered->error().code, ErrorCode::Limit);
+        QVERIFY(delivered->error().message.starts_with("Out of memory "));
+    }
+    void outOfMemoryWithoutAResultDeliversNothing() {
+        BackgroundJob job;
+        bool isDelivered = false;
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("^Out of memory "));
+        job.start([](const TaskContext&) -> int { throw std::bad_alloc(); }, [&](int) { isDelivered = true; });
+        QTRY_VERIFY(!job.isRunning());
+        QVERIFY(!isDelivered);
+    }
     void runsInTheBackgroundAndDeliversInItsThread() {
         BackgroundJob job;
         const QThread* worker = nullptr;

@@ -1,8 +1,11 @@
 #include "editor/commands/GreyImageLoading.h"
 #include "tests/support/TestProgram.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <sys/stat.h>
 
 using namespace rubble;
 
@@ -58,8 +61,7 @@ private slots:
     void rejectsOtherFilesAndLargeImages() {
         const auto missing = loadGreyImage(m_folder.filePath("none.png"));
         QVERIFY(!missing);
-        QVERIFY2(missing.error().message.starts_with("none.png cannot be read as a picture: "),
-                 missing.error().message.c_str());
+        QCOMPARE(missing.error().code, ErrorCode::NotFound);
         QImage wide(1025, 2, QImage::Format_Grayscale8);
         wide.fill(0);
         QVERIFY(wide.save(m_folder.filePath("wide.png")));
@@ -67,6 +69,24 @@ private slots:
         QVERIFY(!large);
         QCOMPARE(large.error().message, std::string("wide.png is too large: 1025 \xc3\x97 2 pixels. "
                                                     "Scale it down to at most 1024 pixels a side."));
+    }
+    void pipeIsRefusedAtOnce() {
+        const QString path = m_folder.filePath("pipe.png");
+        QCOMPARE(mkfifo(path.toUtf8().constData(), 0600), 0);
+        const auto pipe = loadGreyImage(path);
+        QCOMPARE(pipe.error().message, "Cannot read \"" + path.toStdString() + "\": it is a pipe, not a file.");
+    }
+    /// The reader of vector pictures would open the file that the picture names.
+    void vectorPictureIsRefused() {
+        QFile file(m_folder.filePath("picture.png"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"8\" height=\"8\">"
+            "<image href=\"/etc/passwd\" width=\"8\" height=\"8\"/></svg>");
+        file.close();
+        const auto picture = loadGreyImage(file.fileName());
+        QCOMPARE(picture.error().message,
+                 std::string("picture.png is not a PNG, JPEG, BMP or PGM picture. Save it as PNG."));
     }
 };
 

@@ -2,6 +2,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Autosave.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QDir>
 #include <QProcess>
@@ -34,7 +35,7 @@ double heightIn(const QString& path) {
 int editForever(const QString& folder) {
     Document document(starterProject());
     Autosave autosave(document, folder);
-    autosave.setProjectPath("/home/user/wall.rubble");
+    autosave.setOrigin({"/home/user/wall.rubble", contentHash("as it was")});
     autosave.setInterval(1s);
     QTimer timer;
     double height = 0.0;
@@ -104,6 +105,47 @@ private slots:
         autosave.writeNow();
         QVERIFY2(sentence.startsWith("The backup could not be written: "), qPrintable(sentence));
     }
+    void failedBackupIsWrittenLater() {
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(1s);
+        setHeight(document, 3.0);
+        {
+            const FileSizeLimit limit(10);
+            autosave.writeNow();
+        }
+        QVERIFY(backups().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+    }
+    void adoptedBackupStaysUntilTheNextIsWritten() {
+        {
+            Backup left = newBackup(m_folder->path());
+            QVERIFY(writeBackup(left, QByteArray::fromStdString(projectText(starterProject()))));
+        }
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        std::vector<Backup> orphans = orphanedBackups(m_folder->path());
+        QCOMPARE(orphans.size(), std::size_t{1});
+        document.replaceUnsaved(starterProject());
+        autosave.adopt(orphans[0]);
+        orphans.clear();
+        QVERIFY(orphanedBackups(m_folder->path()).empty());  // this program uses it
+        const QStringList adopted = backups();
+        QCOMPARE(adopted.size(), 1);
+        autosave.writeNow();  // nothing: the adopted one is up to date
+        setHeight(document, 3.0);
+        {
+            const FileSizeLimit limit(10);
+            autosave.writeNow();
+        }
+        QCOMPARE(backups(), adopted);
+        QCOMPARE(heightIn(adopted[0]), starterProject().ground.height);
+        autosave.writeNow();
+        QCOMPARE(backups(), adopted);
+        QCOMPARE(heightIn(adopted[0]), 3.0);
+        document.setSaved();
+        QVERIFY(backups().isEmpty());
+    }
     void killedProgramLeavesABackup() {
         QProcess child;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -119,7 +161,8 @@ private slots:
 
         const std::vector<Backup> left = orphanedBackups(m_folder->path());
         QCOMPARE(left.size(), std::size_t{1});
-        QCOMPARE(left[0].projectPath, "/home/user/wall.rubble");
+        QCOMPARE(left[0].origin.path, "/home/user/wall.rubble");
+        QVERIFY(left[0].origin.hash == contentHash("as it was"));
         QVERIFY2(heightIn(left[0].path) >= sureToBeSaved,
                  qPrintable(QString("%1 < %2").arg(heightIn(left[0].path)).arg(sureToBeSaved)));
         removeBackup(left[0]);

@@ -1,7 +1,11 @@
+#include "editor/document/DocumentFile.h"
+
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
-#include "editor/document/DocumentFile.h"
+#include "core/io/project/ProjectLock.h"
+#include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -72,8 +76,7 @@ private slots:
             const Status refused = second.open(m_path);
             QVERIFY(!refused);
             const QString sentence = QString::fromStdString(refused.error().message);
-            QVERIFY2(sentence.startsWith("\"wall.rubble\" is already open in "), qPrintable(sentence));
-            QVERIFY(sentence.contains(QString(", process %1.").arg(QCoreApplication::applicationPid())));
+            QCOMPARE(sentence, "\"wall.rubble\" is read-only, because it is open in another window.");
             QVERIFY(!second.saveAs(m_path));
         }
         QVERIFY(second.open(m_path));
@@ -85,7 +88,61 @@ private slots:
         const QString other = m_folder->filePath("other.rubble");
         QVERIFY(file.saveAs(other));
         QCOMPARE(file.path(), other);
-        QVERIFY(QFile::exists(lockPathOf(other)) && !QFile::exists(lockPathOf(m_path)));
+        QVERIFY(isLocked(other) && !isLocked(m_path));
+    }
+    void fileThatCannotBeLockedIsReadOnly() {
+        setBytes(QString::fromStdString(lockPathOf(toPath(m_path)).string()),
+                 "4711\nrubble\nrender01\nanother machine\nboot\nbob\n");
+        Document document(emptyProject());
+        DocumentFile file(document);
+        const Status refused = file.open(m_path);
+        QVERIFY(!refused);
+        const ProjectAccess access = accessProject(m_path);
+        QVERIFY(access.isReadOnly() && access.holder);
+        const QString holder = holderText(*access.holder);
+        QVERIFY2(holder.startsWith("rubble, process 4711 of bob on render01, since "), qPrintable(holder));
+        QVERIFY(file.open(m_path, access));
+        QVERIFY(file.isReadOnly() && file.readOnlyReason().contains(holder));
+        edit(document);
+        QVERIFY(!file.save() && document.isModified());
+        QVERIFY(!file.saveAs(m_path));
+        QVERIFY(file.saveAs(m_folder->filePath("copy.rubble")));
+        QVERIFY(!file.isReadOnly() && !document.isModified());
+        QVERIFY(!accessProject(m_path, LockTakeover::Any).isReadOnly());
+    }
+    void filesOfOthersAreReadOnly() {
+        namespace fs = std::filesystem;
+        fs::permissions(toPath(m_folder->path()), fs::perms(0755));
+        fs::permissions(toPath(m_path), fs::perms(0444));
+        const AsNobody nobody;
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        QVERIFY(file.isReadOnly() && document.project() == starterProject());
+        QVERIFY2(file.readOnlyReason().endsWith(" cannot be written to: Permission denied."),
+                 qPrintable(file.readOnlyReason()));
+    }
+    void fullDiskOpensReadOnly() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        const FileSizeLimit limit(3);
+        QVERIFY(file.open(m_path));
+        QVERIFY(file.isReadOnly() && !isLocked(m_path));
+        QVERIFY2(file.readOnlyReason().endsWith(": No space left on device."), qPrintable(file.readOnlyReason()));
+    }
+    void everyFileNameIsOpened() {
+        const std::filesystem::path folder = toPath(m_folder->path());
+        for (const std::string& name : {std::string("h\xff\xfe.rubble"), std::string(248, 'x') + ".rubble"}) {
+            QVERIFY(saveProject(folder / name, starterProject()));
+            Document document(emptyProject());
+            DocumentFile file(document);
+            QVERIFY(file.open(fromPath(folder / name)));
+            QVERIFY(!file.isReadOnly() && std::filesystem::exists(lockPathOf(folder / name)));
+            edit(document);
+            QVERIFY(file.save());
+            QVERIFY(loadProject(folder / name)->instances.empty());
+            std::filesystem::remove(folder / name);  // QTemporaryDir cannot
+        }
     }
     void externalChangeIsDetected() {
         Document document(emptyProject());
@@ -94,28 +151,62 @@ private slots:
         QSignalSpy spy(&file, &DocumentFile::changedOnDisk);
         edit(document);
         QVERIFY(file.save());
-        QTest::qWait(50);
-        QCOMPARE(spy.count(), 0);  // our own writing is not reported
+        QVERIFY(file.diskState() == DiskState::Unchanged);
         setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())));
-        QTRY_COMPARE(spy.count(), 1);
+        QTRY_COMPARE(spy.count(), 1);  // not of our own saving
+        QVERIFY(file.diskState() == DiskState::Changed);
         QVERIFY(file.reload());
+        QVERIFY(file.diskState() == DiskState::Unchanged);
         QCOMPARE(document.project().instances.size(), std::size_t{1});
         QVERIFY(QFile::remove(m_path));
         QTRY_COMPARE(spy.count(), 2);
+        QVERIFY(file.diskState() == DiskState::Deleted);
+        edit(document);
+        QVERIFY(file.save());
+        QVERIFY(file.diskState() == DiskState::Unchanged);
     }
     void restoredBackupIsUnsaved() {
-        const QString backup = m_folder->filePath("backup.rubble");
-        setBytes(backup, QByteArray::fromStdString(projectText(emptyProject())));
         Document document(starterProject());
         DocumentFile file(document);
-        QVERIFY(file.restore(backup, m_path));
+        QVERIFY(file.restore(backupOf(m_path, contentHash(bytesOf(m_path).toStdString())), accessProject(m_path)));
         QCOMPARE(file.path(), m_path);
         QVERIFY(document.isModified() && document.project().assets.empty());
+        QVERIFY(file.diskState() == DiskState::Unchanged);
         QVERIFY(file.save());
-        QCOMPARE(bytesOf(m_path), bytesOf(backup));
+        QCOMPARE(bytesOf(m_path), bytesOf(backupPath()));
+    }
+    void restoredBackupKnowsWhatItIsBasedOn() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.restore(backupOf(m_path, contentHash("an earlier file")), accessProject(m_path)));
+        QVERIFY(file.diskState() == DiskState::Changed);
+    }
+    void backupIsRestoredIntoTheOpenProject() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        QVERIFY(file.restoreHere(backupOf(m_path, {})));
+        QVERIFY(file.path() == m_path && !file.isReadOnly() && document.isModified());
+        QVERIFY(document.project().assets.empty() && isLocked(m_path));
+    }
+    void backupIsRestoredWithoutAFile() {
+        Document document(starterProject());
+        DocumentFile file(document);
+        QVERIFY(file.restoreWithoutFile(backupOf("/no/such/folder/wall.rubble", {})));
+        QVERIFY(file.path().isEmpty() && !file.isReadOnly() && document.isModified());
+        QVERIFY(file.saveAs(m_folder->filePath("restored.rubble")));
+        QVERIFY(!document.isModified());
     }
 
 private:
+    QString backupPath() const { return m_folder->filePath("backup.rubble"); }
+    /// A backup of an empty project.
+    Backup backupOf(const QString& path, std::optional<ContentHash> hash) const {
+        setBytes(backupPath(), QByteArray::fromStdString(projectText(emptyProject())));
+        return {.path = backupPath(), .origin = {path, hash}};
+    }
+    static bool isLocked(const QString& path) { return std::filesystem::exists(lockPathOf(toPath(path))); }
+
     std::unique_ptr<QTemporaryDir> m_folder;
     QString m_path;
 };

@@ -1,8 +1,12 @@
 #include "editor/document/Edit.h"
+
+#include "core/asset/checks/VerifyProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 
 #include <QTest>
+
+#include <limits>
 
 using namespace rubble;
 
@@ -44,6 +48,19 @@ private slots:
         QCOMPARE(project.nextId, Id{7});
         swapInto(project, edit);
         QCOMPARE(project.nextId, Id{5});
+    }
+    void greatestNextIdReusesIds() {
+        Project project = twoMaterials();
+        project.nextId = std::numeric_limits<Id>::max() - 1;
+        Edit edit;
+        QCOMPARE(edit.allocateId(project), std::numeric_limits<Id>::max() - 1);
+        for (const Id id : {2u, 4u, 5u}) {
+            QCOMPARE(edit.allocateId(project), id);
+            edit.swaps.push_back(Swap<Material>{id, named(id, id == 2 ? "glass" : id == 4 ? "ice" : "wood")});
+        }
+        swapInto(project, edit);
+        QCOMPARE(project.nextId, std::numeric_limits<Id>::max());
+        QVERIFY(!verifyProject(project));
     }
     void mergedEditKeepsTheOldestValue() {
         Project project = twoMaterials();

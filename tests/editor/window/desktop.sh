@@ -5,10 +5,10 @@ export HOME=$folder XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data LI
 mkdir -p "$folder/config/Rubble"
 printf '[preferences]\ntheme=light\n' >"$folder/config/Rubble/Rubble.conf"
 
-# start_editor <program> [project]: starts a window manager and the editor.
+# start_editor <program> [project]: starts the editor, and a window manager before the first one.
+manager=
 start_editor() {
-  openbox >/dev/null 2>&1 &
-  local manager=$!
+  [ -n "$manager" ] || { openbox >/dev/null 2>&1 & manager=$!; }
   "$@" &
   editor=$!
   trap "kill $manager $editor 2>/dev/null || true; rm -rf '$folder'" EXIT

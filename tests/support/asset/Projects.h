@@ -98,7 +98,7 @@ inline Project fullProject() {
                          {.id = 21,
                           .name = "right",
                           .asset = 9,
-                          .pose = {{1.5, -2.0, 1e22}, Quat{0.6, -0.0, 0.8, 0.0}},
+                          .pose = {{1.5, -2.0, 1.0 / 3.0}, Quat{0.6, -0.0, 0.8, 0.0}},
                           .threshold = 12.5,
                           .isFixed = true,
                           .variant = 3,

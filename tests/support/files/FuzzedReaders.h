@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/asset/checks/PlayFaults.h"
 #include "core/asset/checks/VerifyProject.h"
+#include "core/base/Utf8.h"
 #include "core/fracture/pieces/Extrusion.h"
 #include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/verify/VerifyDelaunay.h"
@@ -11,9 +13,12 @@
 #include "core/io/fracture/FractureJson.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/play/BodiesJson.h"
+#include "core/io/play/ReplayFile.h"
 #include "core/io/project/MaterialPresetFile.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ShotJson.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -30,9 +35,9 @@ inline constexpr int kFuzzedSteps = 5;
 
 using Sentence = std::optional<std::string>;
 
-/// Every error has a message, which is a sentence.
+/// Every error has a message, which is a sentence in UTF-8. It may quote names as they are in the file.
 inline Sentence errorFault(const Error& error) {
-    if (!error.message.empty() && error.message.back() == '.') return std::nullopt;
+    if (!error.message.empty() && error.message.back() == '.' && isUtf8(error.message)) return std::nullopt;
     return "The error \"" + error.message + "\" is not a sentence.";
 }
 
@@ -40,6 +45,14 @@ inline std::size_t cornersOf(const Polygon& polygon) {
     std::size_t corners = polygon.outer.size();
     for (const Ring& hole : polygon.holes) corners += hole.size();
     return corners;
+}
+
+/// Whether a project may have an asset of this prism; others are partitioned, but not extruded.
+inline bool isBakeable(const Prism& prism) {
+    Project project{.nextId = 3};
+    project.materials = {{.id = 1, .name = "stone"}};
+    project.assets = {{.id = 2, .name = "prism", .material = 1, .prism = prism}};
+    return !verifyProject(project);
 }
 
 /// Verifies every stage of the fracture of a prism.
@@ -51,6 +64,7 @@ inline Sentence stageFault(const FractureInput& input) {
     if (!partition) return errorFault(partition.error());
     if (Sentence fault = verifyPartition(*partition, input.prism.outline)) return fault;
     if (Sentence fault = verifyNearestSeed(*partition, input.seeds)) return fault;
+    if (!isBakeable(input.prism)) return std::nullopt;
     const Result<Fragments> fragments = extrudedFragments(input.prism, std::move(*partition));
     if (!fragments) return errorFault(fragments.error());
     return verifyFragments(*fragments, input.prism);
@@ -92,6 +106,27 @@ inline Sentence materialFault(std::string_view bytes) {
     Project project{.nextId = 2};
     project.materials = {materialOf(*preset, 1)};
     return verifyProject(project);
+}
+
+/// A replay must read back from its own text, and give the same text again.
+inline Sentence replayFault(std::string_view bytes) {
+    const Result<Replay> replay = readReplayText(bytes);
+    if (!replay) return errorFault(replay.error());
+    const std::string text = replayText(*replay);
+    const Result<Replay> again = readReplayText(text);
+    if (!again) return "The written text is rejected: " + again.error().message;
+    if (replayText(*again) != text) return "The written text reads back differently.";
+    return std::nullopt;
+}
+
+/// Accepted shots have valid actions.
+inline Sentence shotsFault(std::string_view bytes) {
+    const Result<std::vector<Shot>> shots = readShotList(bytes);
+    if (!shots) return errorFault(shots.error());
+    for (const Shot& shot : *shots) {
+        if (Sentence fault = faultOf(shot)) return fault;
+    }
+    return std::nullopt;
 }
 
 /// A pack may be inconsistent; verifying it must not fail.

@@ -133,13 +133,13 @@ private slots:
         Asset asset = layeredBox();
         asset.prism.depth = -1.0;
         QCOMPARE(bake(asset).error().code, ErrorCode::BadInput);
-        QVERIFY(bake(asset).error().message.starts_with("Asset \"box\": The depth is -1"));
+        QVERIFY(bake(asset).error().message.starts_with("Asset \"box\": the depth is -1"));
     }
     void faultsOfALevelNameTheFragment() {
         Asset asset = layeredBox();
-        asset.levels[0].pattern.layers[0].parameters = UniformScatter{.count = {CountBy::Density, 1e12}};
+        asset.levels[0].pattern.layers[0].parameters = BlueNoise{.minimumDistance = -1.0};
         const Result<Bake> result = bake(asset);
-        QCOMPARE(result.error().code, ErrorCode::Limit);
+        QCOMPARE(result.error().code, ErrorCode::BadInput);
         QVERIFY(result.error().message.starts_with("Asset \"box\": Fragment 3/5.0: "));
     }
     void cancelledBakeReturnsCancelled() {

@@ -114,25 +114,27 @@ private slots:
 
     void numbersOutOfRangeAreNamed_data() {
         QTest::addColumn<Change>("change");
-        row("Material 1 \"brick\": the density is 0, but it must be finite and above zero.",
+        row("Material 1 \"brick\": the density is 0, but it must be from 0.001 to 1000000.",
             [](Project& p) { p.materials[0].density = 0.0; });
-        row("Material 1 \"brick\": the friction is -0.1, but it must be finite and not below zero.",
+        row("Material 1 \"brick\": the friction is -0.1, but it must be from 0 to 1000.",
             [](Project& p) { p.materials[0].friction = -0.1; });
         row("Material 1 \"brick\": the restitution is 1.5, but it must be from 0 to 1.",
             [](Project& p) { p.materials[0].restitution = 1.5; });
         row("Material 1 \"brick\": the colour's green is nan, but it must be from 0 to 1.",
             [](Project& p) { p.materials[0].inside.green = kNan; });
-        row("Asset 2 \"wall\": the threshold is inf, but it must be finite and above zero.",
+        row("Asset 2 \"wall\": the threshold is inf, but it must be from 1e-09 to 1e+24.",
             [](Project& p) { p.assets[0].threshold = std::numeric_limits<double>::infinity(); });
-        row("Asset 2 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+        row("Asset 2 \"wall\": the minimum volume is -1, but it must be from 0 to 1000000000000.",
             [](Project& p) { p.assets[0].levels[0].minimumVolume = -1.0; });
         row("Asset 2 \"wall\": Layer 4: \"Distance\" is 0 m, but must be finite and above zero.",
             [](Project& p) { p.assets[0].levels[0].pattern.layers[0].parameters = BlueNoise{.minimumDistance = 0.0}; });
-        row("Asset 2 \"wall\": triangle 0 of the surface has a coordinate that is not finite.", [](Project& p) {
-            const auto surface = copyOfSurface(p);
-            surface->triangles[0].corners[1].z = kNan;
-            p.assets[0].surface = surface;
-        });
+        row("Asset 2 \"wall\": triangle 0 of the surface: the corner is (0, 0, nan), but it must be from -100000 to "
+            "100000.",
+            [](Project& p) {
+                const auto surface = copyOfSurface(p);
+                surface->triangles[0].corners[1].z = kNan;
+                p.assets[0].surface = surface;
+            });
         row("Asset 2 \"wall\": a material of the surface has a name that is not text in UTF-8.", [](Project& p) {
             const auto surface = copyOfSurface(p);
             surface->materials[0] = "\xc0\xaf";
@@ -149,52 +151,81 @@ private slots:
         row("Asset 2 \"wall\": the number of fragments of the fracture at the impact is 1001, but it must be from 2 to "
             "1000.",
             [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1001}; });
-        row("Asset 2 \"wall\": the falloff radius of the fracture at the impact is 0, but it must be finite and above "
-            "zero.",
+        row("Asset 2 \"wall\": the falloff radius of the fracture at the impact is 0, but it must be from 1e-09 to "
+            "100000.",
             [](Project& p) { p.assets[0].cutAtImpact = {.falloffRadius = 0.0}; });
-        row("Asset 2 \"wall\": requirement 1: the height is -1, but it must be finite and above zero.", [](Project& p) {
-            p.assets[0].requirements = {{}, {.event = DropRequirement{-1.0}}};
-        });
-        row("Asset 2 \"wall\": requirement 0: the mass is 0, but it must be finite and above zero.",
+        row("Asset 2 \"wall\": requirement 1: the height is -1, but it must be from 0.000001 to 100000.",
+            [](Project& p) {
+                p.assets[0].requirements = {{}, {.event = DropRequirement{-1.0}}};
+            });
+        row("Asset 2 \"wall\": requirement 0: the mass is 0, but it must be from 1e-09 to 1e+15.",
             [](Project& p) { p.assets[0].requirements = {{.event = HitRequirement{.mass = 0.0}}}; });
-        row("Asset 2 \"wall\": requirement 0: the speed is nan, but it must be finite and above zero.",
+        row("Asset 2 \"wall\": requirement 0: the speed is nan, but it must be above 0 and at most 10000.",
             [](Project& p) { p.assets[0].requirements = {{.event = HitRequirement{.speed = kNan}}}; });
-        row("Instance 5 \"left\": the position is (nan, 0, 0), but it must be finite.",
+        row("Instance 5 \"left\": the position is (nan, 0, 0), but it must be from -100000 to 100000.",
             [](Project& p) { p.instances[0].pose.position.x = kNan; });
         row("Instance 5 \"left\": the orientation has the length 2, but it must be 1.", [](Project& p) {
             p.instances[0].pose.orientation = Quat{2.0, 0.0, 0.0, 0.0};
         });
-        row("Instance 6 \"right\": the threshold is 0, but it must be finite and above zero.",
+        row("Instance 6 \"right\": the threshold is 0, but it must be from 1e-09 to 1e+24.",
             [](Project& p) { p.instances[1].threshold = 0.0; });
         row("The ground: the restitution is 2, but it must be from 0 to 1.",
             [](Project& p) { p.ground.restitution = 2.0; });
-        row("The project: the gravity is (0, nan, 0), but it must be finite.", [](Project& p) { p.gravity.y = kNan; });
-        row("The project: the thesis threshold is 0, but it must be finite and above zero.",
+        row("The project: the gravity is (0, nan, 0), but it must be from -1000 to 1000.",
+            [](Project& p) { p.gravity.y = kNan; });
+        row("The project: the thesis threshold is 0, but it must be from 1e-09 to 1e+24.",
             [](Project& p) { p.damage.thesisThreshold = 0.0; });
-        row("Play-test 8 \"stands\": the expected value is -1, but it must be finite and not below zero.",
-            [](Project& p) {
-                p.playTests[0].expectations[0] = {.kind = ExpectationKind::StandsUntouched, .value = -1.0};
-            });
-        row("The debris: the lifetime is 0, but it must be finite and above zero.",
+        row("Play-test 8 \"stands\": the expected value is -1, but it must be from 0 to 100000.", [](Project& p) {
+            p.playTests[0].expectations[0] = {.kind = ExpectationKind::StandsUntouched, .value = -1.0};
+        });
+        row("The debris: the lifetime is 0, but it must be from 1e-09 to 1000000000.",
             [](Project& p) { p.debris.lifetime = 0.0; });
-        row("The debris: the fade is -1, but it must be finite and not below zero.",
+        row("The debris: the fade is -1, but it must be from 0 to 1000000000.",
             [](Project& p) { p.debris.fade = -1.0; });
         row("The debris: the maximum number of fragments is 0, but it must be at least 1.",
             [](Project& p) { p.debris.maxPieces = 0; });
-        row("Shot 7 \"box\": the time is -1, but it must be finite and not below zero.",
+        row("Shot 7 \"box\": the time is -1, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = -1.0; });
-        row("Shot 7 \"box\": the size in y is 0, but it must be finite and above zero.", [](Project& p) {
+        row("Shot 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {
             p.shots[0].action = Throw{.size = {1.0, 0.0, 1.0}};
         });
         row("Shot 7 \"box\": it starts where it aims, so that it has no direction.", [](Project& p) {
             p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}};
         });
-        row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be finite.", [](Project& p) {
+        row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be from -1e+15 to 1e+15.", [](Project& p) {
             p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
         });
-        row("Shot 7 \"box\": the radius is 0, but it must be finite and above zero.",
+        row("Shot 7 \"box\": the radius is 0, but it must be from 0.001 to 100000.",
             [](Project& p) { p.shots[0].action = Explosion{.radius = 0.0}; });
-        row("Play-test 8 \"stands\": the duration is 0, but it must be finite and above zero.",
+        row("The project: the gravity is (0, 10000000, 0), but it must be from -1000 to 1000.",
+            [](Project& p) { p.gravity.y = 1e7; });
+        row("Material 1 \"brick\": the friction is 1e+20, but it must be from 0 to 1000.",
+            [](Project& p) { p.materials[0].friction = 1e20; });
+        row("Material 1 \"brick\": the density is 1e+39, but it must be from 0.001 to 1000000.",
+            [](Project& p) { p.materials[0].density = 1e39; });
+        row("Material 1 \"brick\": the density is 1e-38, but it must be from 0.001 to 1000000.",
+            [](Project& p) { p.materials[0].density = 1e-38; });
+        row("Asset 2 \"wall\": The shape of fragments: the gap is 1e-300, but it must be 0, or from 0.000001 to 10000.",
+            [](Project& p) { p.assets[0].shaping.gap = 1e-300; });
+        row("Asset 2 \"wall\": the depth is 5e-324, but it must be from 0.00001 to 10000.",
+            [](Project& p) { p.assets[0].prism.depth = 5e-324; });
+        row("Asset 2 \"wall\": the x of point 1 of the outline is 1e+15, but it must be from -100000 to 100000.",
+            [](Project& p) { p.assets[0].prism.outline.outer[1].x = 1e15; });
+        row("Asset 2 \"wall\": the width of the outline is 20000, but it must be from 0.00001 to 10000.",
+            [](Project& p) {
+                for (Vec2& corner : p.assets[0].prism.outline.outer) corner.x *= 20000.0;
+            });
+        row("Shot 7 \"box\": the size in x is 1e+100, but it must be from 0.001 to 1000.",
+            [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e100)}; });
+        row("Shot 7 \"box\": the size in x is 1e-12, but it must be from 0.001 to 1000.",
+            [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e-12)}; });
+        row("Shot 7 \"box\": the impulse is 1e+300, but it must be from 0 to 1e+15.",
+            [](Project& p) { p.shots[0].action = Explosion{.impulse = 1e300}; });
+        row("Shot 7 \"box\": the time is 1e+300, but it must be from 0 to 100000.",
+            [](Project& p) { p.shots[0].time = 1e300; });
+        row("Play-test 8 \"stands\": the duration is 1e+300, but it must be from 0.00001 to 100000.",
+            [](Project& p) { p.playTests[0].duration = 1e300; });
+        row("Play-test 8 \"stands\": the duration is 0, but it must be from 0.00001 to 100000.",
             [](Project& p) { p.playTests[0].duration = 0.0; });
     }
     void numbersOutOfRangeAreNamed() { changeIsReported(); }

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <limits>
 
 using namespace rubble;
 
@@ -36,7 +37,7 @@ QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
     const Result<ImportOutcome> outcome = importedInto({}, scene, "file", options, {});
     if (!outcome) return QString::fromStdString(outcome.error().message);
     if (outcome->rejected.empty() || outcome->project != Project{}) return "";
-    return QString::fromStdString(outcome->rejected[0].message);
+    return QString::fromStdString(outcome->rejected[0].error.message);
 }
 
 }  // namespace
@@ -54,6 +55,13 @@ private slots:
         QCOMPARE(project.materials[1].name, std::string("Slate"));
         QCOMPARE(project.assets[1].material, project.materials[1].id);
         QCOMPARE(project.materials[0].outside.red, 0.5);
+    }
+    void greatestNextIdReusesIds() {
+        Project project;
+        project.nextId = std::numeric_limits<Id>::max() - 1;
+        const ImportOutcome outcome =
+            imported(project, sceneOf({objectOf("wall", wallMesh()), objectOf("gable", gableMesh(), 1)}));
+        QCOMPARE(outcome.project.assets.size(), std::size_t{2});  // imported() verifies the project
     }
     void existingMaterialsAreReused() {
         Project project{.nextId = 3,
@@ -129,6 +137,45 @@ private slots:
         const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
         QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
     }
+    void onlyFallbacksThatWorkAreFound() {
+        const auto fallbacks = [](const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {
+            const ImportOptions options{.axis = axis, .findsFallbacks = true};
+            return importedInto({}, sceneOf({objectOf("Object", mesh)}), "file", options, {})->rejected.at(0).fallbacks;
+        };
+        using enum PrismFallback;
+        TriangleMesh leaning = prismSolid(lShape(), 0.5);
+        for (std::size_t i = 6; i < 12; ++i) leaning.points[i] += Vec3(0.0032, 0, 0);
+        QVERIFY((fallbacks(leaning) ==
+                 std::vector<WorkingFallback>{{Silhouette, PrismAxis::Thinnest}, {TopCap, PrismAxis::Thinnest}}));
+        // A pyramid has no face at its top.
+        const TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 1, 0}},
+                                   {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
+        QVERIFY((fallbacks(pyramid, PrismAxis::Y) == std::vector<WorkingFallback>{{Silhouette, PrismAxis::Y}}));
+        // Two triangles that touch in a point: their silhouette along z touches itself, along x and y it does not.
+        const TriangleMesh bow{{{0, 0, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, -1, 1}, {1, 1, 1}}, {{0, 2, 1}, {0, 3, 4}}};
+        const std::vector<WorkingFallback> ofBow = fallbacks(bow, PrismAxis::Z);
+        QVERIFY(ofBow.empty() || ofBow[0].axis != PrismAxis::Z);
+        QCOMPARE(fallbacks(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).size(), std::size_t{0});
+    }
+    void flatMeshIsRejectedAsFlat() {
+        const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+        for (const std::optional<PrismFallback>& fallback :
+             {std::optional<PrismFallback>(), std::optional(PrismFallback::Silhouette)})
+            QCOMPARE(faultOf(sceneOf({objectOf("Sheet", flat)}), {.fallback = fallback}),
+                     QString("\"Sheet\": The mesh is flat; an asset needs a depth."));
+    }
+    void failedFallbackIsNamed() {
+        const TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 1, 0}},
+                                   {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
+        QCOMPARE(
+            faultOf(sceneOf({objectOf("Roof", pyramid)}), {.axis = PrismAxis::Y, .fallback = PrismFallback::TopCap}),
+            QString("\"Roof\": Its top cap cannot replace it: The mesh has no flat face at the end of the y axis."));
+    }
+    void notesOfTheFileAreKept() {
+        SourceScene scene = sceneOf({objectOf("Wall", wallMesh())});
+        scene.notes = {"The file refers to another."};
+        QCOMPARE(imported({}, scene).assets[0].notes.at(0), scene.notes[0]);
+    }
     void rejectedObjectsDoNotBlockOthers() {
         TriangleMesh open = gableMesh();
         open.triangles.pop_back();
@@ -137,18 +184,18 @@ private slots:
         QVERIFY(outcome.project == imported({}, sceneOf({wall, gable})).project);
         QCOMPARE(outcome.assets.size(), std::size_t{2});
         QCOMPARE(outcome.rejected.size(), std::size_t{1});
-        QCOMPARE(outcome.rejected[0].message,
+        QCOMPARE(outcome.rejected[0].error.message,
                  std::string("\"Open\": The mesh is not closed: 3 edges have one face only."));
         const ImportOutcome parts = imported({}, sceneOf({objectOf("Set", joined(open, wallMesh()))}));
         QCOMPARE(parts.assets.size(), std::size_t{1});
-        QCOMPARE(parts.rejected[0].code, ErrorCode::Degenerate);
+        QCOMPARE(parts.rejected[0].error.code, ErrorCode::Degenerate);
     }
     void otherErrorsAreNamed() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});
         QCOMPARE(faultOf(scene, {.asset = "Roof"}),
                  QString("The file has several objects and none named \"Roof\"; it has \"Wall\", \"Gable\"."));
         QCOMPARE(faultOf(scene, {.metresPerUnit = 0.0}),
-                 QString("The unit is 0 m; it must be finite and greater than zero."));
+                 QString("The unit is 0 m; it must be from 0.000001 to 1000000."));
         const TaskContext context;
         context.cancel.cancel();
         QVERIFY(importedInto({}, scene, "file", {}, context).error().code == ErrorCode::Cancelled);

@@ -68,7 +68,11 @@ private slots:
     }
     void endsOfRanges() {
         QVERIFY(!rangeOf(ProjectNumber::Density).contains(0.0));
-        QVERIFY(rangeOf(ProjectNumber::Density).contains(5e-324));
+        QVERIFY(rangeOf(ProjectNumber::Density).contains(1e-3));
+        QVERIFY(!rangeOf(ProjectNumber::Density).contains(std::nextafter(1e-3, 0.0)));
+        QVERIFY(rangeOf(ProjectNumber::Gap).contains(0.0));
+        QVERIFY(rangeOf(ProjectNumber::Gap).contains(1e-6));
+        QVERIFY(!rangeOf(ProjectNumber::Gap).contains(1e-300));
         QVERIFY(rangeOf(ProjectNumber::Friction).contains(0.0));
         QVERIFY(!rangeOf(ProjectNumber::Friction).contains(-5e-324));
         QVERIFY(rangeOf(ProjectNumber::Restitution).contains(1.0));
@@ -81,11 +85,11 @@ private slots:
     }
     void faultsAreSentences() {
         QCOMPARE(rangeFault("Material 1 \"brick\"", {{ProjectNumber::Density, 0.0}}).value(),
-                 std::string("Material 1 \"brick\": the density is 0, but it must be finite and above zero."));
+                 std::string("Material 1 \"brick\": the density is 0, but it must be from 0.001 to 1000000."));
         QCOMPARE(rangeFault("The ground", {{ProjectNumber::Friction, 0.5}, {ProjectNumber::Restitution, 2.0}}).value(),
                  std::string("The ground: the restitution is 2, but it must be from 0 to 1."));
         QCOMPARE(rangeFault("Shot 1", ProjectNumber::ShotPosition, {0.0, std::nan(""), 1.0}, "start").value(),
-                 std::string("Shot 1: the start is (0, nan, 1), but it must be finite."));
+                 std::string("Shot 1: the start is (0, nan, 1), but it must be from -100000 to 100000."));
         QVERIFY(!rangeFault("Shot 1", {{ProjectNumber::ShotTime, 0.0}}));
         QCOMPARE(rangeText(rangeOf(ProjectNumber::StepLength)), std::string("from 0.00001 to 0.1"));
         QCOMPARE(rangeText(rangeOf(ProjectNumber::SmallPieceFraction)), std::string("above 0 and at most 1"));

@@ -47,6 +47,31 @@ private slots:
         QCOMPARE(input->prism.depth, 2.0);
         QCOMPARE(input->seeds, (std::vector<Vec2>{{0.5, 0.25}}));
     }
+    void closingAndRepeatedPointsAreLeftOutAndReported() {
+        const Result<FractureInput> input =
+            readFractureInput(R"({"outline":[[0,0],[4,0],[4,0],[4,4],[0,4],[0,0]],"depth":1,"seeds":[],)"
+                              R"("holes":[[[1,1],[1,2],[2,2],[1,1]]]})");
+        QCOMPARE(input->prism.outline.outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+        QCOMPARE(input->prism.outline.holes[0].size(), std::size_t{3});
+        QCOMPARE(input->diagnostics.size(), std::size_t{3});
+        QCOMPARE(input->diagnostics[0].message,
+                 std::string("Point 2 of the outline repeats the point before it, at (4, 0), and was left out."));
+        QCOMPARE(input->diagnostics[1].message,
+                 std::string("Point 5 of the outline repeats its first point, at (0, 0), and was left out."));
+        QCOMPARE(input->diagnostics[2].message,
+                 std::string("Point 3 of hole 0 repeats its first point, at (1, 1), and was left out."));
+        const QJsonArray report = fractured(*input)["report"].toArray();
+        QCOMPARE(report[0].toObject()["code"].toString(), QString("RepeatedPoint"));
+    }
+    void faultsSayThatRepeatedPointsAreNotCounted() {
+        QCOMPARE(faultOf(R"({"outline":[[0,0],[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"),
+                 std::string(
+                     "The outline crosses itself between points 0 and 2, at (1, 1). Points are counted without those "
+                     "that repeat others."));
+    }
+    void pointsThatAreAllEqualAreNoOutline() {
+        QCOMPARE(codeOf(R"({"outline":[[1,1],[1,1],[1,1],[1,1]],"depth":1,"seeds":[]})"), ErrorCode::BadInput);
+    }
     void holesAreOptional() { QVERIFY(readFractureInput(inputJson(R"("seeds":[])"))->prism.outline.holes.empty()); }
     void faultsNameTheirPlace() {
         QCOMPARE(faultOf(inputJson(R"("seeds":[[0,0],[1]])")),

@@ -32,6 +32,17 @@ std::string readFault(std::string_view text, const std::function<void(JsonValue)
 class JsonDocumentTest : public QObject {
     Q_OBJECT
 private slots:
+    void nothingFollowsTheValue() {
+        using namespace std::string_view_literals;
+        QCOMPARE(parseFault("{}\0 and more"sv),
+                 std::string("The text is not JSON at line 1, column 3: it contains a byte of value 0."));
+        QCOMPARE(parseFault("{\n\"a\": \"\0\"}"sv),
+                 std::string("The text is not JSON at line 2, column 7: it contains a byte of value 0."));
+        QVERIFY(!parseFault("{}\n\0"sv).empty());
+        QVERIFY(!parseFault("{} {}").empty());
+        QVERIFY(!parseFault("{}x").empty());
+        QCOMPARE(parseFault("{}\n \t\r\n"), std::string());
+    }
     void valuesOfEveryKindAreRead() {
         Result<JsonDocument> document = JsonDocument::parse(kEveryKind);
         QVERIFY(document);
@@ -112,6 +123,7 @@ private slots:
         row("missing key", "[{}]", "object", R"([0]: the key "a" is missing.)");
         row("unknown key", R"([{"a": 1, "c": 2}])", "object", R"([0]: unknown key "c".)");
         row("odd key", R"([{"a": 1, "new\nline": 2}])", "object", R"([0]: unknown key "new?line".)");
+        row("key with DEL", "[{\"a\": 1, \"new\x7fline\": 2}]", "object", R"([0]: unknown key "new?line".)");
     }
     void wrongTypesAndRangesAreReported() {
         QFETCH(QString, text);

@@ -3,6 +3,13 @@
 
 #include <QTest>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
 using namespace rubble;
 
 namespace {
@@ -31,6 +38,23 @@ std::string numbers(JsonLayout layout) {
 class JsonWriterTest : public QObject {
     Q_OBJECT
 private slots:
+    void numbersThatAreNotFiniteAreNeverWritten() {
+        for (const double wrong : {std::nan(""), static_cast<double>(INFINITY)}) {
+            // With assertions the child ends; without them it has written null.
+            const pid_t child = fork();
+            if (child == 0) {
+                std::freopen("/dev/null", "w", stderr);
+                signal(SIGABRT, SIG_DFL);
+                JsonWriter json(JsonLayout::Compact);
+                json.numbers({}, {1.0, wrong});
+                _exit(std::move(json).contents() == "[1,null]" ? 0 : 1);
+            }
+            int status = 0;
+            QCOMPARE(waitpid(child, &status, 0), child);
+            const bool isAsserted = WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+            QVERIFY(isAsserted || (WIFEXITED(status) && WEXITSTATUS(status) == 0));
+        }
+    }
     void layoutsDifferInWhiteSpaceOnly() {
         QCOMPARE(document(JsonLayout::Indented), std::string("{\n"
                                                              "  \"name\": \"wall\",\n"

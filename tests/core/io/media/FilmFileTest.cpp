@@ -56,6 +56,17 @@ private slots:
         QCOMPARE(bytesOf(film()), QByteArray("old"));
         QCOMPARE(QDir(m_place->path()).entryList(QDir::Files | QDir::Hidden), QStringList{"hit.mp4"});
     }
+    void linksBesideTheFilmAreNotFollowed() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        QFile victim(m_place->filePath("victim"));
+        QVERIFY(victim.open(QIODevice::WriteOnly));
+        victim.write("mine");
+        victim.close();
+        for (const char* name : {".hit.part.mp4", "hit.mp4"}) QVERIFY(victim.link(m_place->filePath(name)));
+        QVERIFY(encode().hasValue());
+        QCOMPARE(bytesOf(victim.fileName()), QByteArray("mine"));
+        QVERIFY(!QFileInfo(film()).isSymLink());
+    }
     void missingFfmpegIsAnError() {
         const test::Ffmpeg none;
         QVERIFY(!findFfmpeg());

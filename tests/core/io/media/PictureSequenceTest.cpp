@@ -48,12 +48,23 @@ private slots:
         QCOMPARE(filesIn(folder()), QStringList{"notes.txt"});
     }
     void folderWithAFilmIsRejected() {
-        const auto first = PictureSequence::create(folder().toStdString());
+        auto first = PictureSequence::create(folder().toStdString());
         QVERIFY((*first)->add("a").hasValue());
+        (*first)->keep();
+        first->reset();
         const auto second = PictureSequence::create(folder().toStdString());
         QCOMPARE(second.error().code, ErrorCode::BadInput);
         QCOMPARE(QString::fromStdString(second.error().message),
                  folder() + " already contains a film: frame-0000.png. Choose another folder, or remove its pictures.");
+    }
+    void folderOfARunningFilmIsRejected() {
+        const auto first = PictureSequence::create(folder().toStdString());
+        QVERIFY(first.hasValue());
+        const auto second = PictureSequence::create(folder().toStdString());
+        QCOMPARE(second.error().code, ErrorCode::BadInput);
+        QCOMPARE(QString::fromStdString(second.error().message),
+                 "Another film is being written to \"" + folder() + "\". Choose another folder, or wait.");
+        QVERIFY((*first)->add("a").hasValue());
     }
     void folderThatCannotBeCreatedIsAnError() {
         QFile::setPermissions(m_place->path(), QFile::ReadOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther);

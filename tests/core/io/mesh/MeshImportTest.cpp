@@ -2,6 +2,7 @@
 #include "core/io/mesh/MeshImport.h"
 #include "tests/support/TestProgram.h"
 
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -97,19 +98,72 @@ private slots:
         };
         QCOMPARE(fault("3", "3 0 1 77777777"), "\"bad.ply\" has a face that refers to point 77777777 of 3.");
         QCOMPARE(fault("4000000000", "3 0 1 2"),
-                 "\"bad.ply\" needs more than 1 GiB of memory; it is too large or damaged.");
+                 "\"bad.ply\" needs more than 2 GiB of memory; it is too large or damaged.");
+    }
+    /// Takes 100 MB on the disk and 1.5 GB of memory.
+    void mostTrianglesOfAnStlFileAreRead() {
+        if (!qEnvironmentVariableIsSet("RUBBLE_LONG")) QSKIP("Set RUBBLE_LONG to run it.");
+        QTemporaryDir folder;
+        const auto stl = [&](std::uint32_t count) {
+            const std::filesystem::path file = folder.filePath("grid.stl").toStdString();
+            std::ofstream stream(file, std::ios::binary);
+            stream << std::string(80, 'x');
+            stream.write(reinterpret_cast<const char*>(&count), sizeof count);
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const float x = static_cast<float>(k % 1500);
+                const float y = static_cast<float>(k / 1500);
+                const float values[12] = {0, 0, 1, x, y, 0, x + 1, y, 0, x, y + 1, 0};
+                stream.write(reinterpret_cast<const char*>(values), sizeof values);
+                stream.write("\0\0", 2);
+            }
+            return file;
+        };
+        const Result<SourceScene> most = imported(stl(2'000'000));
+        QVERIFY2(most.hasValue(), most ? "" : most.error().message.c_str());
+        QCOMPARE(most->objects[0].triangles.size(), std::size_t{2'000'000});
+        QCOMPARE(imported(stl(2'000'001)).error().message,
+                 std::string("\"grid.stl\" contains more than 2000000 triangles."));
     }
     void failureOfTheImporterIsAnError() {
-        QCOMPARE(FakeImporter("kill -SEGV $$").fault(), "\"wall.ply\" crashed the mesh reader; the file is damaged.");
+        QCOMPARE(
+            FakeImporter("kill -SEGV $$").fault(),
+            "The importer crashed while reading \"wall.ply\" (signal 11). The file may be damaged or not supported "
+            "by the reader.");
         QCOMPARE(FakeImporter("exit 3").fault(),
-                 "\"wall.ply\" needs more than 1 GiB of memory; it is too large or damaged.");
+                 "\"wall.ply\" needs more than 2 GiB of memory; it is too large or damaged.");
         QCOMPARE(FakeImporter("echo 'It is blue.' >&2; exit 1").fault(), "It is blue.");
         QCOMPARE(FakeImporter("exit 1").fault(),
                  "\"wall.ply\" cannot be read: the mesh reader failed with exit status 1.");
         QCOMPARE(FakeImporter("echo rubble mesh 1").fault(),
                  "\"wall.ply\" cannot be read: the mesh reader returned invalid data.");
         QCOMPARE(FakeImporter("kill -XCPU $$").fault(),
-                 "\"wall.ply\" takes longer than 10 s to read; it is too large or damaged.");
+                 "\"wall.ply\" takes longer than 30 s to read; it is too large or damaged.");
+    }
+    void importerSeesNoEnvironment() {
+        qputenv("RUBBLE_TEST_VARIABLE", "visible");
+        QCOMPARE(FakeImporter("echo \"[$RUBBLE_TEST_VARIABLE]\" >&2; exit 1").fault(), "[]");
+        qunsetenv("RUBBLE_TEST_VARIABLE");
+    }
+    void importerWritesNoFiles() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("written");
+        FakeImporter(qPrintable("echo text > '" + file + "'")).fault();
+        QCOMPARE(QFileInfo(file).size(), 0);
+    }
+    void importerOfTheCurrentFolderIsNotStarted() {
+        QTemporaryDir folder;
+        const std::filesystem::path here = std::filesystem::current_path();
+        std::filesystem::current_path(folder.path().toStdString());
+        std::ofstream("rubble-importer") << "#!/bin/sh\ntouch started\n";
+        std::filesystem::permissions("rubble-importer", std::filesystem::perms::owner_all);
+        const Result<SourceScene> scene = importMesh(kMeshes / "wall.ply", "rubble-importer", {});
+        const bool isStarted = std::filesystem::exists("started");
+        const std::filesystem::path withoutFolder = importerPath({}), ofCurrentFolder = importerPath(".");
+        std::filesystem::current_path(here);
+        QVERIFY(!isStarted);
+        QCOMPARE(scene.error().message, std::string("Cannot start \"rubble-importer\": its folder is unknown."));
+        QVERIFY(withoutFolder == "/usr/libexec/rubble/rubble-importer");
+        QVERIFY(ofCurrentFolder.is_absolute());
     }
 };
 

@@ -52,8 +52,8 @@ Trial tried(const std::filesystem::path& model) {
     trial.objects = scene->objects.size();
     trial.prisms = outcome->assets.size();
     trial.refusal = verifyProject(outcome->project).value_or("");
-    for (const Error& error : outcome->rejected) {
-        if (!error.message.ends_with('.')) trial.refusal = error.message;
+    for (const RejectedObject& rejected : outcome->rejected) {
+        if (!rejected.error.message.ends_with('.')) trial.refusal = rejected.error.message;
     }
     return trial;
 }

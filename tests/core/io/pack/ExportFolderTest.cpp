@@ -75,7 +75,8 @@ private slots:
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         QVERIFY(writeFileAtomically(m_pack / "wall.obj", "v 0 0 1\n"));
         QVERIFY(!isExportOf(m_pack, kFirst));
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles, EditedFiles::Replaced));
+        QVERIFY(isExportOf(m_pack, kFirst));
         fs::remove(m_pack / "wall.mtl");
         QVERIFY(!isExportOf(m_pack, kFirst));
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
@@ -104,6 +105,60 @@ private slots:
         QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
     }
 
+    void editedFilesAreKept() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeFileAtomically(m_pack / "wall.obj", "mine"));
+        const Status status = writeExportFolder(m_pack, kSecond, kFiles);
+        QCOMPARE(status.error().code, ErrorCode::Edited);
+        QCOMPARE(status.error().message, "\"" + (m_pack / "wall.obj").string() +
+                                             "\" was modified after the export and would be lost; move it first or "
+                                             "export elsewhere.");
+        QCOMPARE(*readFile(m_pack / "wall.obj"), std::string("mine"));
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles, EditedFiles::Replaced));
+        QVERIFY(isExportOf(m_pack, kSecond));
+    }
+
+    void filesOfEnginesAreKept() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        for (const char* name : {"wall.obj.import", "wall.obj.uid", "wall.mtl.meta"})
+            QVERIFY(writeFileAtomically(m_pack / name, name));
+        QVERIFY(isExportOf(m_pack, kFirst));
+        QCOMPARE(verifyExportFolder(m_pack).value_or(""), std::string());
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
+        QVERIFY(isExportOf(m_pack, kSecond));
+        for (const char* name : {"wall.obj.import", "wall.obj.uid", "wall.mtl.meta"})
+            QCOMPARE(*readFile(m_pack / name), std::string(name));
+        fs::create_directory(m_pack / "folder.meta");
+        QVERIFY(!writeExportFolder(m_pack, kFirst, kFiles));
+    }
+
+    void linkToAFolderStaysOne() {
+        const fs::path real = m_place / "elsewhere" / "real";
+        QVERIFY(writeExportFolder(real, kFirst, kFiles));
+        fs::create_directories(m_pack.parent_path());
+        fs::create_directory_symlink(real, m_pack);
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
+        QVERIFY(fs::is_symlink(m_pack));
+        QVERIFY(isExportOf(real, kSecond));
+        QCOMPARE(namesIn(m_place / "elsewhere"), Names{"real"});
+        QCOMPARE(namesIn(m_pack.parent_path()), Names{"wall"});
+    }
+
+    void permissionsOfTheFolderAreKept() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        fs::permissions(m_pack, fs::perms(0750));
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
+        QCOMPARE(fs::status(m_pack).permissions(), fs::perms(0750));
+    }
+
+    void namesInTheManifestStayInTheFolder() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        std::string manifest = *readFile(m_pack / kManifestName);
+        manifest.replace(manifest.find("wall.obj"), 8, "../a.obj");
+        QVERIFY(writeFileAtomically(m_pack / kManifestName, manifest));
+        QVERIFY(verifyExportFolder(m_pack)->ends_with("has no readable manifest.json."));
+    }
+
     void emptyFolderIsReplacedAndFileIsNot() {
         fs::create_directories(m_pack);
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
@@ -117,7 +172,8 @@ private slots:
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         TaskContext task;
         task.cancel.cancel();
-        QCOMPARE(writeExportFolder(m_pack, kSecond, kFiles, task).error().code, ErrorCode::Cancelled);
+        QCOMPARE(writeExportFolder(m_pack, kSecond, kFiles, EditedFiles::Kept, task).error().code,
+                 ErrorCode::Cancelled);
         QVERIFY(isExportOf(m_pack, kFirst));
         QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
     }
@@ -126,7 +182,8 @@ private slots:
         TaskContext task;
         task.cancel.cancel();
         fs::create_directory(m_place / "there");
-        QVERIFY(!writeExportFolder(m_place / "there" / "deep" / "packs" / "wall", kFirst, kFiles, task));
+        QVERIFY(
+            !writeExportFolder(m_place / "there" / "deep" / "packs" / "wall", kFirst, kFiles, EditedFiles::Kept, task));
         QCOMPARE(namesIn(m_place), Names{"there"});
         QCOMPARE(namesIn(m_place / "there"), Names{});
     }

@@ -75,9 +75,9 @@ private slots:
     void bytesDoNotDependOnThreads() {
         const Project project = projectOf({"a", "b", "c", "d", "e"});
         TaskContext task;
-        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, task));
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Kept, task));
         task.threads = 4;
-        QVERIFY(exportPacks(project, allAssets(project), m_out / "again", {}, task));
+        QVERIFY(exportPacks(project, allAssets(project), m_out / "again", {}, EditedFiles::Kept, task));
         const auto again = treeOf(m_out / "again");
         fs::remove_all(m_out / "again");
         QVERIFY(!again.empty() && treeOf(m_out) == again);
@@ -96,7 +96,11 @@ private slots:
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
         const auto whole = treeOf(m_out);
         QVERIFY(writeFileAtomically(m_out / "a" / "a.obj", "o nothing\n"));
-        QVERIFY(!exportPacks(project, allAssets(project), m_out, {}).value()[0].isUnchanged);
+        const AssetExport kept = exportPacks(project, allAssets(project), m_out, {}).value()[0];
+        QCOMPARE(kept.status.error().code, ErrorCode::Edited);
+        QCOMPARE(*readFile(m_out / "a" / "a.obj"), std::string("o nothing\n"));
+        const auto replaced = exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Replaced);
+        QVERIFY(replaced && replaced.value()[0].status && !replaced.value()[0].isUnchanged);
         QVERIFY(treeOf(m_out) == whole);
         fs::remove(m_out / "a" / "a.glb");
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
@@ -173,7 +177,8 @@ private slots:
             if (fraction >= 0.4) task.cancel.cancel();
             last = fraction;
         };
-        QCOMPARE(exportPacks(project, allAssets(project), m_out, {}, task).error().code, ErrorCode::Cancelled);
+        QCOMPARE(exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Kept, task).error().code,
+                 ErrorCode::Cancelled);
         QVERIFY(last >= 0.4);
         fs::create_directories(m_out);
         for (const fs::directory_entry& entry : fs::directory_iterator(m_out)) {
@@ -191,7 +196,7 @@ private slots:
             };
             const Project project =
                 projectOf(threads == 1 ? std::vector<std::string>{"a"} : std::vector<std::string>{"a", "b"});
-            QCOMPARE(exportPacks(project, allAssets(project), m_out / "deep", {}, task).error().code,
+            QCOMPARE(exportPacks(project, allAssets(project), m_out / "deep", {}, EditedFiles::Kept, task).error().code,
                      ErrorCode::Cancelled);
             QVERIFY(!fs::exists(m_out));
         }
@@ -201,7 +206,7 @@ private slots:
         TaskContext task;
         std::vector<double> told;
         task.progress = [&](double fraction) { told.push_back(fraction); };
-        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, task));
+        QVERIFY(exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Kept, task));
         QVERIFY(std::ranges::is_sorted(told));
         QVERIFY(told.back() > 1.0 - 1e-9);
     }

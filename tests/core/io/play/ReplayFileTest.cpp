@@ -2,6 +2,7 @@
 #include "core/io/play/ReplayFile.h"
 #include "tests/support/TestProgram.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -24,7 +25,9 @@ Replay replayOfAll() {
                      {9, GrabInput{3, {1, 1, 1}, 500.0}},
                      {10, DragInput{{2, 2, 2}}},
                      {11, ReleaseInput{}}};
-    replay.steps = {{.hash = 0xfedcba9876543210, .moved = {{1, 99}, {7, 0xffffffff}}}, {.hash = 5}};
+    replay.steps = {{.hash = 0xfedcba9876543210, .moved = {{1, 99, {0.5, -9.81, 0}}, {7, 0xffffffff, {}}}},
+                    {.hash = 5, .broke = {{7, 1320.5}, {9, 0.0}}},
+                    {.hash = 6}};
     replay.keyframes = {{.step = 60, .bodies = {{.number = 3, .pose = {{0.1, 0.2, 0.3}, {0.5, 0.5, 0.5, 0.5}}}}}};
     return replay;
 }
@@ -56,19 +59,78 @@ private slots:
         QVERIFY(*loadReplay(path) == replayOfAll());
         QVERIFY(!loadReplay(path + "x"));
     }
-    void modifiedListsAreReported() {
+    void changedElementsAreNamed() {
         const std::string text = replayText(replayOfAll());
-        QCOMPARE(faultOf(text, "\"mass\": 7", "\"mass\": 8"),
-                 QString("inputsSeal: the inputs were changed after the recording."));
+        const QString reason = ": changed after the recording, or what was here was removed.";
+        QCOMPARE(faultOf(text, "\"mass\": 7", "\"mass\": 8"), "inputs[0]" + reason);
+        QCOMPARE(faultOf(text, "\"gravity\": [0, -1, 0]", "\"gravity\": [0, -2, 0]"), "inputs[6]" + reason);
+        QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba9876543211"), "steps[0]" + reason);
+        QCOMPARE(faultOf(text, "1320.5", "1320.6"), "steps[1]" + reason);
+        QCOMPARE(faultOf(text, "\"body\": 3, \"position\"", "\"body\": 4, \"position\""), "keyframes[0]" + reason);
+    }
+    void removedElementsAreNamed() {
+        const std::string text = replayText(replayOfAll());
+        const std::string second = R"(    {"hash": "0000000000000005", "moved": [], "broke": [7, 1320.5, 9, 0]},)";
+        const std::string third = ",\n    {\"hash\": \"0000000000000006\", \"moved\": [], \"broke\": []}";
+        QCOMPARE(faultOf(text, second + '\n', ""),
+                 QString("steps[1]: changed after the recording, or what was here was removed."));
+        QCOMPARE(faultOf(text, third, ""), QString("steps: elements were removed from the end after the recording."));
+    }
+    void version1IsRead() {
+        Replay replay = replayOfAll();
+        replay.isDetailed = false;
+        const std::string text = replayText(replay);
+        QVERIFY(QString::fromStdString(text).contains("\"version\": 1"));
+        for (ReplayStep& step : replay.steps) {
+            step.broke.clear();
+            for (BodyCheck& check : step.moved) check.velocity = Vec3(0.0);
+        }
+        QVERIFY(*readReplayText(text) == replay);
         QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba9876543211"),
                  QString("stepsSeal: the steps were changed after the recording."));
-        QCOMPARE(faultOf(text, "\"body\": 3, \"position\"", "\"body\": 4, \"position\""),
-                 QString("keyframesSeal: the keyframes were changed after the recording."));
+    }
+    void inputsThatAreNoneAreRejected() {
+        const std::string text = replayText(replayOfAll());
+        const std::string letGo = "{\n      \"step\": 11,\n      \"input\": \"letGo\"\n    }";
+        QCOMPARE(faultOf(text, letGo, "{\"input\": \"letGo\"}"), QString("inputs[10]: the key \"step\" is missing."));
+        QCOMPARE(faultOf(text, letGo, "{\"step\": 11}"), QString("inputs[10]: the key \"input\" is missing."));
+        QCOMPARE(faultOf(text, letGo, "[]"), QString("inputs[10]: expected an object, found an array of 0."));
+        QCOMPARE(faultOf(text, letGo, "7"), QString("inputs[10]: expected an object, found 7."));
+    }
+    void recordingEndsBeforeItsLimit() {
+        Replay replay = replayOfAll();
+        replay.steps.clear();
+        ReplaySize size;
+        while (replay.steps.size() < 500) {
+            ReplayStep step{.hash = replay.steps.size(), .broke = {{1, 2.5}}};
+            step.moved.assign(20, {4000000000, 4000000000, {-1.000001, 0.1, 123.456789}});
+            replay.steps.push_back(step);
+            QVERIFY(size.add(replay).hasValue());
+        }
+        const std::size_t written = replayText(replay).size();
+        QVERIFY2(size.bytes() >= written && size.bytes() < written + written / 10,
+                 qPrintable(QString("%1 against %2").arg(size.bytes()).arg(written)));
+        ReplaySize small(1 << 16);
+        replay.steps.resize(1);
+        while (small.add(replay)) replay.steps.push_back(replay.steps[0]);
+        const QString message = QString::fromStdString(small.add(replay).error().message);
+        QVERIFY2(message.contains("record at most "), qPrintable(message));
+        replay.steps.pop_back();
+        QVERIFY(replayText(replay).size() <= 1 << 16);
+    }
+    void replayTooLargeToBeReadIsNotWritten() {
+        QTemporaryDir folder;
+        const std::string path = folder.filePath("a.replay").toStdString();
+        const Replay replay = replayOfAll();
+        const std::size_t size = replayText(replay).size();
+        QCOMPARE(saveReplay(path, replay, size - 1).error().code, ErrorCode::Limit);
+        QVERIFY(!QFile::exists(QString::fromStdString(path)));
+        QVERIFY(saveReplay(path, replay, size).hasValue());
     }
     void invalidTextIsRejected() {
         const std::string text = replayText(replayOfAll());
         QVERIFY(faultOf(text, "rubble-replay", "rubble-project").contains("rubble-project"));
-        QVERIFY(faultOf(text, "\"version\": 1", "\"version\": 2").contains("newer"));
+        QVERIFY(faultOf(text, "\"version\": 2", "\"version\": 3").contains("newer"));
         QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba987654321"),
                  QString("steps[0].hash: expected sixteen hexadecimal digits."));
         QCOMPARE(faultOf(text, "0123456789abcdef", "x123456789abcdef"),

@@ -255,7 +255,7 @@ private slots:
             "The material has version 2, but this program reads versions up to 1; open it with a newer one.",
             "/version", "2");
         test::addWrongValue("The material has no name.", "/name", "\"\"");
-        test::addWrongValue("Material \"glass\": the density is 0, but it must be finite and above zero.",
+        test::addWrongValue("Material \"glass\": the density is 0, but it must be from 0.001 to 1000000.",
                             "/density/value", "0");
         test::addWrongValue("Material \"glass\": the friction is 2, but its range goes from 0.4 to 0.94.",
                             "/friction/value", "2");
@@ -283,7 +283,7 @@ private slots:
         preset.density.value = -1.0;
         QCOMPARE(saveMaterialPreset(folder() / "x.json", preset).error().message,
                  "Cannot write \"" + folder().string() +
-                     "/x.json\": Material \"plaster\": the density is -1, but it must be finite and above zero.");
+                     "/x.json\": Material \"plaster\": the density is -1, but it must be from 0.001 to 1000000.");
         QVERIFY(!fs::exists(folder() / "x.json"));
     }
 };

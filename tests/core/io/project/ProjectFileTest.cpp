@@ -275,7 +275,7 @@ private slots:
             "Asset 3 \"wall\": The minimum size of fragments is 2, but it must be above 0 and at most 1.",
             "/assets/0/shaping/smallPieces/limit", "2");
         test::addWrongValue(
-            "Asset 3 \"wall\": The shape of fragments: the gap is -1, but it must be finite and not below zero.",
+            "Asset 3 \"wall\": The shape of fragments: the gap is -1, but it must be 0, or from 0.000001 to 10000.",
             "/assets/0/shaping/gap", "-1");
         test::addWrongValue("Asset 3 \"wall\": The roughness has 9 octaves, but it must have from 1 to 8.",
                             "/assets/0/shaping/roughness/octaves", "9");
@@ -284,7 +284,7 @@ private slots:
         test::addWrongValue(
             "Asset 3 \"wall\": the settings of fragment 6.0 come after those of 6.0; paths must ascend.",
             "/assets/0/leaves/0/fragment", "\"6.0\"");
-        test::addWrongValue("Asset 3 \"wall\": the minimum volume is -1, but it must be finite and not below zero.",
+        test::addWrongValue("Asset 3 \"wall\": the minimum volume is -1, but it must be from 0 to 1000000000000.",
                             "/assets/0/leaves/1/level/minimumVolume", "-1");
         test::addWrongValue("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not siblings.",
                             "/assets/0/edits/0/merged/0", "\"6.5/8.0\"");
@@ -293,11 +293,11 @@ private slots:
             "Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
             "/assets/0/edits/1/direction", "[0, 0]");
         test::addWrongValue(
-            "Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be finite and above zero.",
+            "Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be from 1 to 1000000000000.",
             "/materials/1/tensileStrength", "0");
         test::addWrongValue("materials[1].fractureToughness: expected a number, found \"high\".",
                             "/materials/1/fractureToughness", "\"high\"");
-        test::addWrongValue("Asset 3 \"wall\": the contact time is -1, but it must be finite and above zero.",
+        test::addWrongValue("Asset 3 \"wall\": the contact time is -1, but it must be from 1e-09 to 1000.",
                             "/assets/0/contactTime", "-1");
         test::addWrongValue("assets[0].cutAtImpact: the key \"reach\" is missing.", "/assets/0/cutAtImpact",
                             "{\"pieces\": 5}");
@@ -312,8 +312,7 @@ private slots:
                             "/assets/0/intents/1/outcome", "\"falls\"");
         test::addWrongValue("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.",
                             "/debris/mostPieces", "-1");
-        test::addWrongValue("The debris: the fade is -1, but it must be finite and not below zero.", "/debris/fade",
-                            "-1");
+        test::addWrongValue("The debris: the fade is -1, but it must be from 0 to 1000000000.", "/debris/fade", "-1");
         test::addWrongValue("damage.rule: expected \"impact\" or \"momentum\", found \"thesis\".", "/damage/rule",
                             "\"thesis\"");
         test::addWrongValue("Asset 3 \"wall\" and Asset 3 \"box\" have the same id.", "/assets/1/id", "3");
@@ -422,9 +421,9 @@ private slots:
         Project project = fullProject();
         project.materials[0].density = -1.0;
         const Status saved = saveProject(inFolder("old.rubble"), project);
-        QCOMPARE(saved.error().message, "Cannot write \"" + inFolder("old.rubble").string() +
-                                            "\": Material 1 \"brick\": the density is -1, but it must be finite and "
-                                            "above zero.");
+        QCOMPARE(saved.error().message,
+                 "Cannot write \"" + inFolder("old.rubble").string() +
+                     "\": Material 1 \"brick\": the density is -1, but it must be from 0.001 to 1000000.");
         QVERIFY(*loadProject(inFolder("old.rubble")) == fullProject());
     }
     void fullDiskKeepsTheOldFile() {

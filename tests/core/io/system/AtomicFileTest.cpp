@@ -2,6 +2,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileLimits.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QTemporaryDir>
@@ -112,14 +113,67 @@ private slots:
         QCOMPARE(read.error().code, ErrorCode::Limit);
         QCOMPARE(read.error().message, "Cannot read \"" + inFolder("huge").string() + "\": it is larger than 1 GiB.");
     }
-    void pipeIsReadToItsEnd() {
-        int ends[2];
-        QCOMPARE(::pipe(ends), 0);
-        const std::string bytes(50000, 'x');
-        QCOMPARE(::write(ends[1], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-        ::close(ends[1]);
-        QCOMPARE(*readFile("/dev/fd/" + std::to_string(ends[0])), bytes);
-        ::close(ends[0]);
+    void pipesAndDevicesAreRefusedAtOnce() {
+        QCOMPARE(::mkfifo(inFolder("pipe").c_str(), 0600), 0);
+        QCOMPARE(readFile(inFolder("pipe")).error().message,
+                 "Cannot read \"" + inFolder("pipe").string() + "\": it is a pipe, not a file.");
+        QCOMPARE(readFile("/dev/zero").error().message,
+                 std::string("Cannot read \"/dev/zero\": it is a device, not a file."));
+    }
+    void linkToAMissingFileStaysOne() {
+        fs::create_symlink("file", inFolder("link"));
+        QVERIFY(writeFileAtomically(inFolder("link"), "new"));
+        QVERIFY(fs::is_symlink(inFolder("link")));
+        QCOMPARE(*readFile(inFolder("file")), std::string("new"));
+    }
+    void hardLinksAreKept() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "longer than the new one"));
+        fs::create_hard_link(inFolder("file"), inFolder("other"));
+        QVERIFY(writeFileAtomically(inFolder("file"), "new"));
+        QCOMPARE(*readFile(inFolder("other")), std::string("new"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{2});
+    }
+    void fullDiskKeepsAFileWithHardLinks() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        fs::create_hard_link(inFolder("file"), inFolder("other"));
+        const FileSizeLimit limit(1000);
+        QVERIFY(!writeFileAtomically(inFolder("file"), std::string(1001, 'x')));
+        QCOMPARE(*readFile(inFolder("other")), std::string("old"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{2});
+    }
+    void copyOfAnInterruptedSaveIsKept() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "torn"));
+        fs::create_hard_link(inFolder("file"), inFolder("other"));
+        QVERIFY(writeFileAtomically(copyBeforeSave(inFolder("file")), "old"));
+        const Status status = writeFileAtomically(inFolder("file"), "new");
+        QVERIFY(QString::fromStdString(status.error().message).contains("an interrupted save left"));
+        QCOMPARE(*readFile(copyBeforeSave(inFolder("file"))), std::string("old"));
+        QCOMPARE(*readFile(inFolder("file")), std::string("torn"));
+    }
+    void ownerIsKept() {
+        if (::geteuid() != 0) QSKIP("Only root can give files away.");
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        QCOMPARE(::chown(inFolder("file").c_str(), 1234, 4321), 0);
+        QVERIFY(writeFileAtomically(inFolder("file"), "new"));
+        struct stat status {};
+        QCOMPARE(::stat(inFolder("file").c_str(), &status), 0);
+        QCOMPARE(status.st_uid, uid_t{1234});
+        QCOMPARE(status.st_gid, gid_t{4321});
+    }
+    void ownerThatCannotBeGivenIsKept() {
+        if (::geteuid() != 0) QSKIP("Only root can make a file of another user.");
+        fs::permissions(inFolder(""), fs::perms(0777));
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        fs::permissions(inFolder("file"), fs::perms(0666));
+        struct stat status {};
+        {
+            const AsNobody nobody;
+            QVERIFY(writeFileAtomically(inFolder("file"), "new"));
+        }
+        QCOMPARE(::stat(inFolder("file").c_str(), &status), 0);
+        QCOMPARE(status.st_uid, uid_t{0});
+        QCOMPARE(*readFile(inFolder("file")), std::string("new"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{1});
     }
 };
 

@@ -4,7 +4,12 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <thread>
 
 using namespace rubble;
@@ -35,7 +40,11 @@ private slots:
         QCOMPARE(run("head -c 3000000 /dev/zero")->output.size(), std::size_t{3000000});
         QCOMPARE(run("head -c 3000000 /dev/zero >&2")->error.size(), std::size_t{4096});
     }
-    void crashIsReported() { QVERIFY(run("kill -SEGV $$")->exit == ChildExit::Crashed); }
+    void crashIsReported() {
+        const Result<ChildResult> outcome = run("kill -SEGV $$");
+        QVERIFY(outcome->exit == ChildExit::Crashed);
+        QCOMPARE(outcome->signal, SIGSEGV);
+    }
     void childIsKilledAtItsTimeLimit() {
         QElapsedTimer timer;
         timer.start();
@@ -49,6 +58,30 @@ private slots:
     void memoryIsLimited() {
         const Result<ChildResult> outcome = run("ulimit -v; ulimit -t; ulimit -c", {.memory = 1 << 28, .seconds = 3.0});
         QCOMPARE(outcome->output, std::string("262144\n3\n0\n"));
+    }
+    void writtenFilesAndDescriptorsAreLimited() {
+        const Result<ChildResult> outcome = run("ulimit -f; ulimit -n", {.fileSize = 0, .descriptors = 32});
+        QCOMPARE(outcome->output, std::string("0\n32\n"));
+    }
+    void environmentCanBeEmpty() {
+        qputenv("RUBBLE_TEST_VARIABLE", "visible");
+        const auto variable = [](ChildEnvironment environment) {
+            return run("echo \"$RUBBLE_TEST_VARIABLE\"", {.environment = environment})->output;
+        };
+        QCOMPARE(variable(ChildEnvironment::Inherited), std::string("visible\n"));
+        QCOMPARE(variable(ChildEnvironment::Empty), std::string("\n"));
+        qunsetenv("RUBBLE_TEST_VARIABLE");
+    }
+    void otherDescriptorsAreClosed() {
+        if (!std::filesystem::exists("/proc/self/fd")) QSKIP("/proc is not mounted.");
+        const int inherited = ::open("/dev/null", O_RDONLY);  // without O_CLOEXEC
+        const Result<ChildResult> outcome = run("ls /proc/self/fd");
+        ::close(inherited);
+        QCOMPARE(outcome->output, std::string("0\n1\n2\n3\n"));  // ls itself opens 3
+    }
+    void privilegesCannotBeGained() {
+        if (!std::filesystem::exists("/proc/self/status")) QSKIP("/proc is not mounted.");
+        QCOMPARE(run("grep NoNewPrivs /proc/self/status")->output, std::string("NoNewPrivs:\t1\n"));
     }
     void missingProgramIsReported() {
         const Result<ChildResult> outcome = runChild("/nowhere/rubble-importer", {}, {}, {});

@@ -2,6 +2,8 @@
 #include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
+#include <cmath>
+
 using namespace rubble;
 
 namespace {
@@ -39,9 +41,69 @@ private slots:
         const std::vector<BlastImpulse> impulses = made.world.blast(Vec3(0.0), kRadius, kImpulse);
         QCOMPARE(impulses.size(), 1u);
         QVERIFY(glm::distance(impulses[0].impulse, Vec3(expected, 0.0, 0.0)) < 1e-5 * expected);  // single precision
-        made.world.explode(Vec3(0.0), kRadius, kImpulse);
+        QVERIFY(made.world.explode(Vec3(0.0), kRadius, kImpulse));
         const Vec3 velocity = made.world.state(made.bodies[0]).velocity;
         QVERIFY(glm::distance(velocity, Vec3(expected / 1000.0, 0.0, 0.0)) < 1e-5 * expected / 1000.0);
+    }
+    void blastAtTheCentreIsAsStrongAsBesideIt() {
+        SceneWorld made = cubeAt(2.0);
+        const auto sizeOfBlast = [&](double x) {
+            const std::vector<BlastImpulse> impulses = made.world.blast({x, 0.0, 0.0}, kRadius, kImpulse);
+            return impulses.empty() ? 0.0 : glm::length(impulses[0].impulse);
+        };
+        QVERIFY(std::abs(sizeOfBlast(2.0) - 150000.0) < 1e-6);
+        QVERIFY(std::abs(sizeOfBlast(2.0) - sizeOfBlast(2.0 + 1e-6)) < 1e-6);
+        QVERIFY(made.world.explode({2.0, 0.0, 0.0}, kRadius, kImpulse));
+        QVERIFY(glm::distance(made.world.state(made.bodies[0]).velocity, Vec3(0.0, 150.0, 0.0)) < 1e-3);
+    }
+    void blastAtTheCentrePushesAgainstGravity() {
+        SceneWorld made = cubeAt(0.0);
+        QVERIFY(made.world.setGravity({-5.0, 0.0, 0.0}));
+        const std::vector<BlastImpulse> impulses = made.world.blast(Vec3(0.0), kRadius, kImpulse);
+        QCOMPARE(impulses.size(), 1u);
+        QVERIFY(glm::distance(impulses[0].impulse, Vec3(150000.0, 0.0, 0.0)) < 1e-6);
+    }
+    void valuesOutOfRangeAreRefused() {
+        SceneWorld made = cubeAt(2.0);
+        World& world = made.world;
+        const BodyId cube = made.bodies[0];
+        const ContentHash before = world.hash();
+        for (const double wrong : {std::nan(""), static_cast<double>(INFINITY), 1e39, -1e300}) {
+            const Vec3 vector(0.0, wrong, 0.0);
+            QCOMPARE(world.setGravity(vector).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.setVelocity(cube, vector, Vec3(0.0)).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.setVelocity(cube, Vec3(0.0), vector).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.setPose(cube, {vector, Quat{1.0, 0.0, 0.0, 0.0}}).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.applyImpulse(cube, vector, Vec3(0.0)).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.applyImpulse(cube, Vec3(1.0), vector).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.explode(vector, 1.0, 1.0).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.explode(Vec3(0.0), wrong, 1.0).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.explode(Vec3(0.0), 1.0, wrong).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.grab(cube, vector, 1.0).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.grab(cube, Vec3(0.0), wrong).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.dragTo(vector).error().code, ErrorCode::BadInput);
+            QCOMPARE(world.setMaterial(cube, {.density = wrong}).error().code, ErrorCode::BadInput);
+        }
+        QVERIFY(world.hash() == before);
+    }
+    void strongImpulsesAccelerateToTheLargestSpeed() {
+        SceneWorld made = cubeAt(2.0);
+        QVERIFY(made.world.applyImpulse(made.bodies[0], {0.0, 0.0, 1e24}, {2.5, 0.0, 0.0}));
+        const BodyState state = made.world.state(made.bodies[0]);
+        QVERIFY(glm::distance(state.velocity, Vec3(0.0, 0.0, kMaxSpeed)) < 1e-2);
+        QVERIFY(std::abs(glm::length(state.angularVelocity) - kMaxSpeed) < 1e-2);
+        QVERIFY(made.world.isWithinBounds(made.bodies[0]));
+        for (int step = 0; step < 11 * 60; ++step) made.world.step(1.0 / 60.0);
+        QVERIFY(!made.world.isWithinBounds(made.bodies[0]));  // 100 km
+    }
+    void massesBeyondSinglePrecisionAreRefused() {
+        SceneWorld made = cubeAt(2.0);
+        const Polytope speck = test::boxOf(Vec3(1e-10));
+        const Result<std::shared_ptr<const Shape>> shape = makeShape({&speck, 1});
+        QVERIFY(shape);
+        const Result<BodyId> added = made.world.addBody({.shape = *shape});
+        QVERIFY(!added);
+        QVERIFY2(added.error().message.find("single precision") != std::string::npos, added.error().message.c_str());
     }
     void blastIgnoresBodiesBeyondItsRadius() {
         SceneWorld made = cubeAt(kRadius + 0.01);

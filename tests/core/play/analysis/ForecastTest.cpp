@@ -228,8 +228,9 @@ private slots:
         QCOMPARE(breakForecast(session, thrown).error().message,
                  std::string("Asset 99 of the projectile does not exist."));
         thrown = test::throwAtBlock(1e20, 12.0);
-        QCOMPARE(breakForecast(session, thrown).error().message,
-                 std::string("The projectile is too light or too heavy to be simulated."));
+        QVERIFY(breakForecast(session, thrown)
+                    .error()
+                    .message.ends_with("the mass is 1e+20, but it must be from 1e-09 to 1e+15."));
         thrown = test::throwAtBlock(-1.0, 12.0);
         QVERIFY(!breakForecast(session, thrown));
     }

@@ -4,6 +4,9 @@
 #include "tests/support/asset/House.h"
 #include "tests/support/editor/Sessions.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace rubble;
 
 namespace {
@@ -89,9 +92,59 @@ private slots:
         ReplayPlayer other = playerOf(test::playSceneOf(altered), m_replay);
         QVERIFY(other.seek(step - 1).hasValue());
         QVERIFY(same.session().hash() == other.session().hash());  // until then nothing differed
-        QVERIFY2(player.divergence()->sentence().starts_with("At step 38 "), player.divergence()->sentence().c_str());
+        const std::string message = player.divergence()->diagnostic().message;
+        QVERIFY2(message.starts_with("At step 38 "), message.c_str());
         QVERIFY(player.divergence()->distance.has_value());
         QCOMPARE(player.divergence()->distance->step, 60u);
+        QVERIFY(player.divergence()->distance->metres > 0.0);
+        QVERIFY(!player.divergence()->distance->body.empty());
+    }
+
+    void namesTheBodyThatBreaksOnOneSideOnly() {
+        const Session first = sessionWhere([](const Session& session) { return !session.events().breaks.empty(); });
+        const auto hardest = std::ranges::max_element(first.events().breaks, {}, &PlayBreak::impact);
+        const auto step = static_cast<std::size_t>(first.stepsDone()) - 1;
+        Project unbreakable = test::house();
+        for (Asset& asset : unbreakable.assets) asset.threshold = 1e9;
+        ReplayPlayer missing = playerOf(test::playSceneOf(unbreakable), m_replay);
+        QVERIFY(missing.seek(kSteps).hasValue());
+        QCOMPARE(missing.divergence()->step, first.stepsDone());
+        QCOMPARE(missing.divergence()->kind, DivergenceKind::DidNotBreak);
+        QCOMPARE(missing.divergence()->body, first.nameOf(hardest->body));
+        QCOMPARE(missing.divergence()->difference, hardest->impact);
+        QCOMPARE(missing.divergence()->place.asset, hardest->body.asset->bake->asset);
+
+        Replay without = m_replay;
+        without.steps[step].broke.clear();
+        without.steps[step].hash ^= 1;
+        ReplayPlayer added = playerOf(m_scene, without);
+        QVERIFY(added.seek(kSteps).hasValue());
+        QCOMPARE(added.divergence()->kind, DivergenceKind::Broke);
+        QCOMPARE(added.divergence()->body, first.nameOf(hardest->body));
+        const Diagnostic diagnostic = added.divergence()->diagnostic();
+        QCOMPARE(diagnostic.code, DiagnosticCode::ReplayMismatch);
+        QCOMPARE(diagnostic.place.asset, hardest->body.asset->bake->asset);
+        QVERIFY2(QString::fromStdString(diagnostic.message).contains("breaks under an impact of"),
+                 diagnostic.message.c_str());
+    }
+
+    void namesTheBodyWhoseVelocityDiffersMost() {
+        Replay altered = m_replay;
+        std::vector<BodyCheck>& moved = altered.steps[9].moved;
+        for (const std::size_t k : {2, 5, 7}) moved[k].check ^= 1;
+        moved[2].velocity.x += 0.25;
+        moved[5].velocity.y += 0.75;
+        ReplayPlayer player = playerOf(m_scene, altered);
+        QVERIFY(player.seek(20).hasValue());
+        QCOMPARE(player.divergence()->step, 10u);
+        QCOMPARE(player.divergence()->kind, DivergenceKind::Velocity);
+        QCOMPARE(player.divergence()->body, player.session().nameOf(*player.session().body(moved[5].body)));
+        QVERIFY(std::abs(player.divergence()->difference - 0.75) < 1e-9);
+        altered.isDetailed = false;  // as recordings of version 1: the lowest-numbered one
+        ReplayPlayer old = playerOf(m_scene, altered);
+        QVERIFY(old.seek(20).hasValue());
+        QCOMPARE(old.divergence()->kind, DivergenceKind::Unmeasured);
+        QCOMPARE(old.divergence()->body, old.session().nameOf(*old.session().body(moved[2].body)));
     }
 
     void oneAlteredInputIsNamed() {
@@ -100,7 +153,7 @@ private slots:
         ReplayPlayer player = playerOf(m_scene, altered);
         QVERIFY(player.seek(kSteps).hasValue());
         QVERIFY(player.divergence().has_value());
-        QVERIFY2(player.divergence()->step >= 31, player.divergence()->sentence().c_str());
+        QVERIFY2(player.divergence()->step >= 31, player.divergence()->diagnostic().message.c_str());
     }
 
     void cancellationStops() {
@@ -111,6 +164,18 @@ private slots:
     }
 
 private:
+    /// The recorded session after the first step for which a condition holds.
+    template <class Condition>
+    Session sessionWhere(Condition isMet) const {
+        Result<Session> session = Session::start(m_scene);
+        for (const TimedInput& input : m_replay.inputs) {
+            if (!session->add(input)) qFatal("an input cannot be added");
+        }
+        do session->step();
+        while (!isMet(*session) && session->stepsDone() < kSteps);
+        return std::move(*session);
+    }
+
     std::shared_ptr<const PlayScene> m_scene;
     Replay m_replay;
 };

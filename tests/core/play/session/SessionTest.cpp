@@ -265,6 +265,48 @@ private slots:
         QVERIFY(blown.world().momenta().linear.z < -100.0);
     }
 
+    void blastAtTheCentreBreaks() {
+        Project project = floatingBlock();
+        for (const double beside : {0.0, 1e-6}) {
+            Session session = sessionOf(project);
+            addInput(session, ShotInput{"bomb", Explosion{.at = {beside, 5.0, 0.0}, .impulse = 2000.0, .radius = 5.0}});
+            QCOMPARE(test::breaksWithin(session, 1).size(), 1u);
+        }
+    }
+
+    void bodiesThatLeaveTheWorldAreNamed() {
+        Session session = sessionOf(floatingBlock());
+        addInput(session, ShotInput{"bomb", Explosion{.at = {0.0, 4.0, 0.0}, .impulse = 1e15, .radius = 5.0}});
+        std::vector<Diagnostic> told;
+        for (int step = 0; step < 60; ++step) {
+            session.step();
+            for (const Diagnostic& one : session.events().diagnostics) told.push_back(one);
+            for (const PlayBody& body : session.bodies()) QVERIFY(session.world().isWithinBounds(body.body));
+        }
+        QCOMPARE(told.size(), 5u);  // the fragments
+        for (const Diagnostic& one : told) {
+            QCOMPARE(one.code, DiagnosticCode::LeftWorld);
+            QCOMPARE(one.place.asset, 2u);
+            QVERIFY2(one.message.starts_with("\"block/3.") &&
+                         one.message.ends_with(" it is farther than 2000 m from the origin."),
+                     one.message.c_str());
+        }
+        QCOMPARE(session.bodies().size(), 1u);  // the ground
+    }
+
+    void fastestBodiesBreakIntoAllFragments() {
+        Session session = sessionOf(floatingBlock());
+        addInput(session, DestructionInput{false});
+        // Off centre, so that fragments would be faster than the whole.
+        addInput(session, ShotInput{"push", Hammer{.at = {0.4, 5.0, 0.25}, .impulse = {0.0, 0.0, -1e15}}});
+        session.step();
+        addInput(session, BreakInput{1});
+        session.step();
+        QCOMPARE(session.events().breaks.size(), 1u);
+        QVERIFY(session.events().diagnostics.empty());
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 5u);
+    }
+
     void inputsTakeEffectAtOnce() {
         Project project = floatingBlock();
         project.assets[0].threshold = 1e6;
@@ -294,10 +336,11 @@ private slots:
     void invalidInputsAreRejected_data() {
         QTest::addColumn<QString>("sentence");
         QTest::newRow("asset") << "Shot \"a\" throws asset 77, which does not exist.";
-        QTest::newRow("threshold") << "A threshold must be positive.";
+        QTest::newRow("threshold") << "Cannot set a threshold: the threshold is 0, but it must be from 1e-09 to 1e+24.";
         QTest::newRow("instance") << "Cannot set a threshold: there is no instance 66.";
         QTest::newRow("material") << "Cannot set a material: there is no material 55.";
-        QTest::newRow("gravity") << "Gravity must be finite.";
+        QTest::newRow("gravity")
+            << "Cannot set gravity: the gravity is (0, nan, 0), but it must be from -1000 to 1000.";
         QTest::newRow("grab") << "Cannot grab: there is no body 44.";
         QTest::newRow("late") << "An input for step 1 came after 2 steps were done.";
     }

@@ -84,7 +84,7 @@ private slots:
         play(timeline, 20);
         seek(timeline, 10);
         const Status added = timeline.add(ThresholdInput{.asset = 1, .threshold = -1.0});
-        QCOMPARE(added.error().message, "A threshold must be positive.");
+        QVERIFY(added.error().message.starts_with("Cannot set a threshold: "));
         QCOMPARE(timeline.length(), 20u);
         QVERIFY(timeline.inputs().empty());
     }
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(timeline.session().stepsDone(), 40u);
         QVERIFY(test::countOf(timeline.session(), PlayRole::Piece) > 0);
         Timeline wrong(test::sessionOf(test::floatingBlock()), {{12, ThresholdInput{.threshold = -1.0}}}, 40);
-        QCOMPARE(wrong.seek(40).error().message, "A threshold must be positive.");
+        QVERIFY(wrong.seek(40).error().message.starts_with("Cannot set a threshold: "));
         QCOMPARE(wrong.session().stepsDone(), 12u);
     }
     void cancellationStops() {

@@ -1,5 +1,6 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/StarterProject.h"
+#include "core/geometry/polygon/OutlineShapes.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
@@ -67,6 +68,17 @@ struct Desk {
 class ProjectTreeTest : public QObject {
     Q_OBJECT
 private slots:
+    void anAssetThatIsSelectedBeforeItHasARowIsShown() {
+        Document document(emptyProject());
+        Selection selection;
+        connect(&document, &Document::changed, &selection, [&] { selection.prune(document.project()); });
+        ProjectTree tree(document, selection);
+        const Addition added = addAsset(document.project(), "wall", {rectangleOutline(1.0, 1.0), 0.5});
+        document.push(added.edit);
+        QCOMPARE(selection.asset(), added.id);
+        const QModelIndex row = tree.findChild<ProjectModel*>()->indexOf({Kind::Asset, added.id});
+        QCOMPARE(tree.view().selectionModel()->selectedIndexes(), QModelIndexList{row});
+    }
     void treeShowsTheProject() {
         Desk desk;
         QCOMPARE(desk.text(Kind::Asset, 3), "wall");

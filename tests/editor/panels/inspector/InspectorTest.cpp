@@ -4,6 +4,7 @@
 #include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/commands/AssetPatterns.h"
+#include "editor/commands/ProjectEdits.h"
 #include "editor/commands/Resizing.h"
 #include "editor/panels/inspector/OutlineEditor.h"
 #include "editor/panels/inspector/PatternEditor.h"
@@ -209,6 +210,15 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void aLayerThatTheMenuAddsBecomesCurrent() {
+        Desk desk;
+        desk.selection.setAsset(3);
+        const QListView& view = desk.inspector.page().findChild<PatternEditor*>()->view();
+        desk.document.push(addLayer(desk.document.project(), 3, LloydRelaxation{}).edit);
+        QCOMPARE(view.currentIndex().row(), 4);
+        desk.document.undoStack().undo();
+        QCOMPARE(view.currentIndex().row(), 0);
+    }
     void everyParameterOfEveryKindIsEditable() {
         Desk desk;
         desk.selection.setAsset(9);
@@ -363,7 +373,7 @@ private slots:
         QCOMPARE(desk.asset().shaping.gap, 0.004);
         desk.type("Roughness", "0.01");
         QCOMPARE(desk.asset().shaping.roughness.amplitude, 0.01);
-        select("Inside", 2);
+        select("Inside material", 2);
         QCOMPARE(desk.asset().insideMaterial, Id{2});
         QVERIFY(!verifyProject(desk.document.project()));
         desk.undoAll();

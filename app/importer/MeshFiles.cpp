@@ -1,0 +1,191 @@
+#include "app/importer/MeshFiles.h"
+
+#include "app/importer/PlyData.h"
+#include "app/importer/TextEncoding.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#ifdef __linux__
+#include <linux/openat2.h>
+#include <sys/syscall.h>
+#endif
+
+#include <assimp/MemoryIOWrapper.h>
+#include <algorithm>
+#include <array>
+#include <assimp/IOStream.hpp>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kReading = O_RDONLY | O_CLOEXEC | O_NONBLOCK;  // a FIFO does not block
+#ifdef O_PATH
+constexpr int kFolder = O_PATH | O_CLOEXEC | O_DIRECTORY;
+#else
+constexpr int kFolder = O_RDONLY | O_CLOEXEC | O_DIRECTORY;
+#endif
+
+/// Returns the size of a regular file; nothing for anything else.
+std::optional<std::size_t> fileSize(const Descriptor& file) {
+    struct stat status {};
+    if (::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::size_t>(status.st_size);
+}
+
+/// Opens a file below a folder one folder after the other, without following links.
+Descriptor walkedTo(int folder, const fs::path& name) {
+    Descriptor place;
+    for (const fs::path& part : name.parent_path()) {
+        const int from = place.isOpen() ? place.number() : folder;
+        Descriptor next(::openat(from, part.c_str(), kFolder | O_NOFOLLOW));
+        if (!next.isOpen()) return next;
+        place = std::move(next);
+    }
+    const int from = place.isOpen() ? place.number() : folder;
+    return Descriptor(::openat(from, name.filename().c_str(), kReading | O_NOFOLLOW));
+}
+
+/// Opens a file below a folder for reading; links may not lead out of it. Sets errno to EXDEV or ELOOP if they do.
+Descriptor openBeneath(int folder, const fs::path& name) {
+#ifdef SYS_openat2
+    const open_how how{.flags = kReading, .mode = 0, .resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS};
+    const long number = ::syscall(SYS_openat2, folder, name.c_str(), &how, sizeof how);
+    if (number >= 0 || (errno != ENOSYS && errno != EPERM)) return Descriptor(static_cast<int>(number));
+#endif
+    return walkedTo(folder, name);
+}
+
+/// Reads a file at a position of its own, so that streams can share a descriptor.
+class FileStream final : public Assimp::IOStream {
+public:
+    FileStream(std::shared_ptr<const Descriptor> file, std::size_t size) : m_file(std::move(file)), m_size(size) {}
+
+    std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        const std::size_t most = (m_size - m_position) / size;
+        const std::size_t read = readBytes(static_cast<char*>(buffer), std::min(count, most) * size);
+        return read / size;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        std::size_t position = offset;  // offsets from the end are negative and wrap around
+        if (origin == aiOrigin_CUR) position += m_position;
+        if (origin == aiOrigin_END) position += m_size;
+        if (position > m_size) return aiReturn_FAILURE;
+        m_position = position;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return m_position; }
+    std::size_t FileSize() const override { return m_size; }
+    void Flush() override {}
+
+private:
+    std::size_t readBytes(char* to, std::size_t count) {
+        std::size_t done = 0;
+        while (done < count) {
+            const ssize_t read =
+                ::pread(m_file->number(), to + done, count - done, static_cast<off_t>(m_position + done));
+            if (read <= 0) break;
+            done += static_cast<std::size_t>(read);
+        }
+        m_position += done;
+        return done;
+    }
+
+    std::shared_ptr<const Descriptor> m_file;
+    std::size_t m_size;
+    std::size_t m_position = 0;
+};
+
+/// Returns whether a file of this name is text or begins with text. A binary STL file may begin with any bytes.
+bool isText(const std::string& name) {
+    std::string suffix = fs::path(name).extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    return std::ranges::any_of(std::array{".obj", ".mtl", ".gltf", ".ply"},
+                               [&](const char* text) { return suffix == text; });
+}
+
+/// Reads the first bytes of a file, at most `count`, and returns to its start.
+std::string readStart(FileStream& file, std::size_t count) {
+    std::string bytes(std::min(file.FileSize(), count), '\0');
+    bytes.resize(file.Read(bytes.data(), 1, bytes.size()));
+    file.Seek(0, aiOrigin_SET);
+    return bytes;
+}
+
+/// Returns the bytes that assimp is to read instead of the file's: text as UTF-8, and PLY data that it would misread;
+/// nothing if it can read the file.
+std::optional<std::string> replacement(FileStream& file) {
+    constexpr std::size_t kLongestHeader = 65536;
+    const std::string start = readStart(file, kLongestHeader);
+    if (utf8Text(start)) return utf8Text(readStart(file, file.FileSize()));
+    const std::optional<std::size_t> data = plyDataAtLineFeed(start);
+    if (!data) return std::nullopt;
+    return readStart(file, file.FileSize()).insert(*data, 1, '\n');
+}
+
+Assimp::IOStream* memoryStream(const std::string& bytes) {
+    auto* copy = new std::uint8_t[bytes.size()];
+    std::memcpy(copy, bytes.data(), bytes.size());
+    return new Assimp::MemoryIOStream(copy, bytes.size(), true);  // which deletes the copy
+}
+
+}  // namespace
+
+Result<MeshPlace> openMesh(const std::string& path) {
+    const std::string name = fs::path(path).filename().string();
+    const auto error = [&](const char* what) { return Error{ErrorCode::Io, "\"" + name + "\" " + what}; };
+    std::error_code ignored;
+    const fs::path folder = fs::absolute(path, ignored).parent_path();
+    MeshPlace place{name, std::make_shared<const Descriptor>(::open(path.c_str(), kReading)),
+                    std::make_shared<const Descriptor>(::open(folder.c_str(), kFolder))};
+    if (!place.file->isOpen() || !place.folder->isOpen()) return error("cannot be opened.");
+    if (!fileSize(*place.file)) return error("is not a regular file.");
+    return place;
+}
+
+bool MeshFiles::Exists(const char* name) const {
+    if (name == m_place.name) return true;
+    const fs::path inFolder = fs::path(name).lexically_normal();
+    return inFolder.is_relative() && fileSize(openBeneath(m_place.folder->number(), inFolder)).has_value();
+}
+
+Assimp::IOStream* MeshFiles::Open(const char* name, const char* mode) {
+    if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+    const std::shared_ptr<const Descriptor> file = opened(name);
+    const std::optional<std::size_t> size = fileSize(*file);
+    if (!size) return nullptr;
+    if (m_log == FileLog::On) std::fprintf(stderr, "opened %s\n", name);
+    auto stream = std::make_unique<FileStream>(file, *size);
+    const std::optional<std::string> bytes = isText(name) ? replacement(*stream) : std::nullopt;
+    return bytes ? memoryStream(*bytes) : stream.release();
+}
+
+void MeshFiles::Close(Assimp::IOStream* stream) { delete stream; }
+
+std::shared_ptr<const Descriptor> MeshFiles::opened(const std::string& name) {
+    if (name == m_place.name) return m_place.file;
+    const fs::path inFolder = fs::path(name).lexically_normal();
+    const bool isOutside = inFolder.is_absolute() || (!inFolder.empty() && *inFolder.begin() == "..");
+    Descriptor file = isOutside ? Descriptor() : openBeneath(m_place.folder->number(), inFolder);
+    if (isOutside || (!file.isOpen() && (errno == EXDEV || errno == ELOOP))) refuse(name);
+    return std::make_shared<const Descriptor>(std::move(file));
+}
+
+void MeshFiles::refuse(const std::string& name) {
+    if (m_log == FileLog::On) std::fprintf(stderr, "refused %s\n", name.c_str());
+    if (std::ranges::find(m_refused, name) == m_refused.end()) m_refused.push_back(name);
+}
+
+}  // namespace rubble

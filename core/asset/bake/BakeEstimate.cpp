@@ -1,0 +1,55 @@
+#include "core/asset/bake/BakeEstimate.h"
+
+#include "core/base/MessageText.h"
+#include "core/fracture/pattern/PieceEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+// Measured: 10 million fragments of one fracture, and 8,000 fractures into two.
+constexpr double kBytesPerFragment = 260.0;
+constexpr double kBytesPerFracture = 4000.0;
+
+std::string rounded(double number) {
+    return number < 1e15 ? messageText(std::round(number)) : "more than " + messageText(1e15);
+}
+
+std::string gigabytes(double bytes) {
+    const double size = bytes / (1024.0 * 1024.0 * 1024.0);
+    return (size < 10.0 ? roundedText(size, 2) : rounded(size)) + " GiB";
+}
+
+}  // namespace
+
+double BakeEstimate::bytes() const { return kBytesPerFragment * fragments + kBytesPerFracture * fractures; }
+
+BakeEstimate estimateOf(const Asset& asset) {
+    const double whole = std::abs(area(asset.prism.outline));
+    const double volume = whole * asset.prism.depth;
+    double count = estimatedPieces(asset.pattern, whole);
+    BakeEstimate estimate{count, 1.0};
+    for (const Level& level : asset.levels) {
+        // No more fragments than this have the minimum volume.
+        const double most = level.minimumVolume > 0.0 ? volume / level.minimumVolume : count;
+        const double parents = std::min(count, most);
+        if (parents < 1.0) break;
+        const double each = estimatedPieces(level.pattern, whole / count);
+        if (each <= 1.0) break;
+        count = parents * each;
+        estimate.fragments += count;
+        estimate.fractures += parents;
+    }
+    return estimate;
+}
+
+std::optional<std::string> sizeFault(const BakeEstimate& estimate) {
+    if (estimate.bytes() <= kMaxBakeBytes) return std::nullopt;  // false for NaN
+    return "about " + rounded(estimate.fragments) + " fragments would take " + gigabytes(estimate.bytes()) +
+           " of memory; at most " + gigabytes(kMaxBakeBytes) +
+           " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
+}
+
+}  // namespace rubble

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+
+#include <optional>
+#include <string>
+
+namespace rubble {
+
+/// The memory that the bake of one asset may take, by estimate, bytes.
+inline constexpr double kMaxBakeBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
+
+/// About how large a bake is.
+struct BakeEstimate {
+    double fragments = 0.0;  // of all levels
+    double fractures = 0.0;  // of the whole and of fragments
+    double bytes() const;
+};
+
+/// The estimate for an asset with valid numbers, from its recipe alone: the fragments that its patterns make, level by
+/// level. Settings of single fragments are not considered.
+BakeEstimate estimateOf(const Asset& asset);
+
+/// Why a bake is refused, as a sentence with the estimate and the limit; nothing if it is within kMaxBakeBytes.
+std::optional<std::string> sizeFault(const BakeEstimate& estimate);
+
+}  // namespace rubble

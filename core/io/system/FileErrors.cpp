@@ -1,0 +1,22 @@
+#include "core/io/system/FileErrors.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace rubble {
+
+Error cannotDo(const char* verb, const std::filesystem::path& path, int code) {
+    return {ErrorCode::Io, std::string("Cannot ") + verb + " \"" + path.string() +
+                               "\": " + std::generic_category().message(code) + "."};
+}
+
+Error cannotWrite(const std::filesystem::path& path, int code) { return cannotDo("write", path, code); }
+
+Error cannotRead(const std::filesystem::path& path, int code) {
+    Error error = cannotDo("read", path, code);
+    if (code == ENOENT || code == ENOTDIR) error.code = ErrorCode::NotFound;
+    return error;
+}
+
+}  // namespace rubble

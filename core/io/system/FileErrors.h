@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <filesystem>
+
+namespace rubble {
+
+/// Return errors with the path and the system's reason for a value of errno: `Cannot write "a/b": Permission denied.`
+/// An error of reading is NotFound where the file is missing, else Io.
+Error cannotWrite(const std::filesystem::path& path, int code);
+Error cannotRead(const std::filesystem::path& path, int code);
+
+/// The same with another verb: `Cannot lock "a/b": ...`.
+Error cannotDo(const char* verb, const std::filesystem::path& path, int code);
+
+}  // namespace rubble

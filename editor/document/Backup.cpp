@@ -1,0 +1,125 @@
+#include "editor/document/Backup.h"
+
+#include "core/io/system/FileErrors.h"
+#include "core/io/system/Temporary.h"
+#include "editor/document/FilePath.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace rubble {
+
+namespace {
+
+constexpr const char* kBackupSuffix = ".rubble";
+constexpr const char* kLockSuffix = ".lock";
+constexpr const char* kOriginSuffix = ".json";
+constexpr const char* kProjectKey = "project";
+constexpr const char* kBytesKey = "projectBytes";  // base64 of a path that is not UTF-8
+constexpr const char* kHashKey = "projectHash";
+constexpr QFile::Permissions kOnlyOwner = QFile::ReadOwner | QFile::WriteOwner;
+
+QString withSuffix(const QString& backupPath, const char* suffix) {
+    return backupPath.chopped(static_cast<int>(qstrlen(kBackupSuffix))) + suffix;
+}
+
+Status written(const QString& path, const QByteArray& bytes) {
+    TemporaryFile file;
+    const std::filesystem::path target = toPath(path);
+    int code = file.create(target.parent_path(), 0600);
+    if (code == 0) code = writeAll(file.descriptor(), {bytes.data(), static_cast<std::size_t>(bytes.size())});
+    if (code == 0) code = file.renameTo(target);
+    if (code != 0) return cannotWrite(target, code);
+    return success();
+}
+
+QByteArray originText(const BackupOrigin& origin) {
+    const std::string bytes = toPath(origin.path).native();
+    QJsonObject object{{kProjectKey, origin.path}};
+    if (QString::fromStdString(bytes) != origin.path) {
+        object.insert(kBytesKey, QString::fromLatin1(QByteArray::fromStdString(bytes).toBase64()));
+    }
+    if (origin.hash) object.insert(kHashKey, QString::fromStdString(origin.hash->hex()));
+    return QJsonDocument(object).toJson();
+}
+
+BackupOrigin originOf(const QString& backupPath) {
+    QFile file(withSuffix(backupPath, kOriginSuffix));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
+    BackupOrigin origin{.path = object.value(kProjectKey).toString(),
+                        .hash = parseContentHash(object.value(kHashKey).toString().toStdString())};
+    if (object.contains(kBytesKey)) {
+        const QByteArray bytes = QByteArray::fromBase64(object.value(kBytesKey).toString().toLatin1());
+        origin.path = fromPath(bytes.toStdString());
+    }
+    return origin;
+}
+
+/// Whether a program may be using the backup; if not, it is locked where that is possible.
+bool isInUse(Backup& backup) {
+    const std::filesystem::path path = toPath(withSuffix(backup.path, kLockSuffix));
+    LockAttempt attempt = lockFile(path);
+    const bool isNameless = attempt.holder && attempt.holder->process == 0;  // killed while it wrote the lock
+    if (isNameless) attempt = lockFile(path, LockTakeover::Any);
+    backup.lock = attempt.lock;
+    return attempt.holder.has_value();
+}
+
+/// Removes the lock and the origin of a program that was killed and left no backup.
+void removeOrphanedLock(const QString& folder, const QString& lockName) {
+    const QString name = lockName.chopped(static_cast<int>(qstrlen(kLockSuffix)));
+    Backup backup{.path = folder + '/' + name + kBackupSuffix};
+    if (QFile::exists(backup.path) || isInUse(backup)) return;
+    QFile::remove(withSuffix(backup.path, kOriginSuffix));
+}
+
+}  // namespace
+
+QString backupFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/backups"; }
+
+Backup newBackup(const QString& folder) {
+    if (!QDir(folder).exists() && QDir().mkpath(folder)) QFile::setPermissions(folder, kOnlyOwner | QFile::ExeOwner);
+    Backup backup{.path = folder + '/' + QUuid::createUuid().toString(QUuid::WithoutBraces) + kBackupSuffix};
+    lockBackup(backup);
+    return backup;
+}
+
+void lockBackup(Backup& backup) {
+    if (!backup.lock) backup.lock = lockFile(toPath(withSuffix(backup.path, kLockSuffix))).lock;
+}
+
+Status writeBackup(const Backup& backup, const QByteArray& project) {
+    const Status status = written(withSuffix(backup.path, kOriginSuffix), originText(backup.origin));
+    return status ? written(backup.path, project) : status;
+}
+
+void removeBackup(const Backup& backup) {
+    for (const char* suffix : {kBackupSuffix, kOriginSuffix}) QFile::remove(withSuffix(backup.path, suffix));
+}
+
+std::vector<Backup> orphanedBackups(const QString& folder) {
+    removeLeftovers(toPath(folder));
+    for (const QString& lock : QDir(folder).entryList({QString("*") + kLockSuffix}, QDir::Files)) {
+        removeOrphanedLock(folder, lock);
+    }
+    std::vector<Backup> backups;
+    for (const QFileInfo& file : QDir(folder).entryInfoList({QString("*") + kBackupSuffix}, QDir::Files)) {
+        Backup backup{.path = file.absoluteFilePath(), .time = file.lastModified()};
+        if (isInUse(backup)) continue;
+        backup.origin = originOf(backup.path);
+        backups.push_back(std::move(backup));
+    }
+    std::ranges::stable_sort(backups, [](const Backup& a, const Backup& b) { return a.time > b.time; });
+    return backups;
+}
+
+}  // namespace rubble

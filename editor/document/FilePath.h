@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+
+#include <filesystem>
+
+namespace rubble {
+
+/// Conversions of paths that keep all bytes: one that is not part of UTF-8 becomes an unpaired surrogate, U+DC80 to
+/// U+DCFF. Qt's own functions do not find such a file.
+/// Source: von Löwis, "Non-decodable Bytes in System Character Interfaces", PEP 383, 2009.
+std::filesystem::path toPath(const QString& path);
+QString fromPath(const std::filesystem::path& path);
+
+/// The absolute path without "." and "..".
+QString absolutePath(const QString& path);
+
+}  // namespace rubble

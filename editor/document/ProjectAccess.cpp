@@ -1,0 +1,53 @@
+#include "editor/document/ProjectAccess.h"
+
+#include "core/io/project/ProjectLock.h"
+#include "editor/document/FilePath.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+
+namespace rubble {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ProjectAccess", text); }
+
+QString timeText(std::chrono::system_clock::time_point time) {
+    const QDateTime local = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(time));
+    return QLocale().toString(local, QLocale::ShortFormat);
+}
+
+QString orUnknown(const std::string& name, const QString& unknown) {
+    return name.empty() ? unknown : QString::fromStdString(name);
+}
+
+}  // namespace
+
+ProjectAccess accessProject(const QString& path, LockTakeover takeover) {
+    LockAttempt attempt = lockProject(toPath(path), takeover);
+    const QString name = QFileInfo(path).fileName();
+    ProjectAccess access{.lock = std::move(attempt.lock), .holder = std::move(attempt.holder)};
+    if (access.holder) {
+        access.readOnlyReason =
+            tr("\"%1\" is read-only, because it is open in %2.").arg(name, holderText(*access.holder));
+    } else if (!access.lock) {
+        const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
+        access.readOnlyReason = tr("\"%1\" is read-only, because \"%2\" cannot be written to: %3.")
+                                    .arg(name, folder, QString::fromStdString(attempt.reason));
+    }
+    return access;
+}
+
+QString holderText(const LockHolder& holder) {
+    if (holder.isThisProcess) return tr("another window");
+    return tr("%1, process %2 of %3 on %4, since %5")
+        .arg(orUnknown(holder.program, tr("an unknown program")),
+             holder.process > 0 ? QString::number(holder.process) : tr("(unknown)"),
+             orUnknown(holder.user, tr("an unknown user")), orUnknown(holder.host, tr("an unknown host")),
+             timeText(holder.since));
+}
+
+}  // namespace rubble

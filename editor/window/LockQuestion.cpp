@@ -1,0 +1,41 @@
+#include "editor/window/LockQuestion.h"
+
+#include "editor/dialogs/MessageBoxes.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace rubble {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("LockQuestion", text); }
+
+Question questionAbout(const QString& path, const LockHolder& holder) {
+    Question question{.text = tr("\"%1\" is open in %2.").arg(QFileInfo(path).fileName(), holderText(holder))};
+    question.answers = {{tr("Open Read-Only"), QMessageBox::AcceptRole}, {tr("Cancel"), QMessageBox::RejectRole}};
+    if (holder.isRunningHere) {
+        question.informativeText = tr("Close it there first, or open it read-only here.");
+    } else {
+        question.informativeText =
+            tr("Rubble cannot tell whether that program is still running. Take the lock over only if it has ended.");
+        question.answers.push_back({tr("Take Over Lock"), QMessageBox::DestructiveRole});
+    }
+    return question;
+}
+
+}  // namespace
+
+std::optional<ProjectAccess> askForAccess(const QString& path, QWidget* parent) {
+    enum Answer : std::size_t { kReadOnly, kCancel, kTakeOver };
+    ProjectAccess access = accessProject(path);
+    while (access.holder) {
+        const std::size_t answer = ask(parent, questionAbout(path, *access.holder));
+        if (answer == kCancel) return std::nullopt;
+        if (answer == kReadOnly) break;
+        access = accessProject(path, LockTakeover::Any);
+    }
+    return access;
+}
+
+}  // namespace rubble

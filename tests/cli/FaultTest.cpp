@@ -1,0 +1,175 @@
+// Tests that a full disk, a failing disk and a kill leave files as they were before or as they are to be: each call to
+// the file system that a save and an export make fails once, and the program is killed before each.
+#include "tests/support/TestProgram.h"
+#include "tests/support/files/RunProgram.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cerrno>
+
+using namespace rubble;
+
+namespace {
+
+using Tree = QMap<QString, QByteArray>;
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// All files below a folder, hidden ones included.
+Tree treeOf(const QString& folder) {
+    Tree tree;
+    QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString path = files.next();
+        tree[QDir(folder).relativeFilePath(path)] = contentOf(path);
+    }
+    return tree;
+}
+
+/// The files without those that a killed process may leave: temporary ones and locks.
+Tree visibleOf(const Tree& tree) {
+    Tree visible;
+    for (auto file = tree.begin(); file != tree.end(); ++file) {
+        if (!file.key().startsWith('.') && !file.key().contains("/.")) visible[file.key()] = file.value();
+    }
+    return visible;
+}
+
+void writeTree(const QString& folder, const Tree& tree) {
+    QVERIFY(QDir(folder).removeRecursively() && QDir().mkpath(folder));
+    for (auto file = tree.begin(); file != tree.end(); ++file) {
+        const QString path = folder + '/' + file.key();
+        QVERIFY(QDir().mkpath(QFileInfo(path).path()));
+        QFile copy(path);
+        QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write(file.value()) == file.value().size());
+    }
+}
+
+enum class Renames { All, Plain };  // plain: without flags, as on network file systems
+
+}  // namespace
+
+class FaultTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_place;
+    QString m_folder;
+    QString m_report;
+
+    QStringList inFolder(QStringList words) const {
+        for (QString& word : words) word.replace("{folder}", m_folder);
+        return words;
+    }
+
+    /// Runs the command with a fault in a call. `failed` is set to the name of the call, empty if there are fewer.
+    ProgramOutcome runWithFault(const QStringList& command, int call, int code, Renames renames,
+                                QString& failed) const {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("LD_PRELOAD", RUBBLE_FAULTS);
+        environment.insert("RUBBLE_FAULT_FOLDER", m_folder);
+        environment.insert("RUBBLE_FAULT_CALL", QString::number(call));
+        environment.insert("RUBBLE_FAULT_CODE", QString::number(code));
+        environment.insert("RUBBLE_FAULT_REPORT", m_report);
+        if (renames == Renames::Plain) environment.insert("RUBBLE_FAULT_NO_FLAGS", "1");
+        QFile::remove(m_report);
+        const ProgramOutcome outcome = runProgram(RUBBLE_CLI, inFolder(command), environment);
+        failed = QString::fromUtf8(contentOf(m_report));
+        return outcome;
+    }
+
+    /// Lets each call of a command fail, on a folder with the files `before`.
+    void checkEveryCall(const QStringList& command, const Tree& before, int code, Renames renames) {
+        writeTree(m_folder, before);
+        const ProgramOutcome whole = runProgram(RUBBLE_CLI, inFolder(command));
+        QVERIFY2(whole.exit == 0, qPrintable(whole.error));
+        const Tree after = treeOf(m_folder);
+        QVERIFY(after != before);
+        for (int call = 1;; ++call) {
+            writeTree(m_folder, before);
+            QString failed;
+            const ProgramOutcome outcome = runWithFault(command, call, code, renames, failed);
+            if (failed.isEmpty()) {
+                QVERIFY(call > 8);
+                break;
+            }
+            const QByteArray where = "call " + QByteArray::number(call) + ", " + failed.toUtf8();
+            const Tree state = treeOf(m_folder);
+            const bool isKilled = code == 0;
+            if (isKilled) {
+                const Tree visible = visibleOf(state);
+                const bool isMovedAway =
+                    renames == Renames::Plain && visible.isEmpty() && state.size() >= before.size();
+                QVERIFY2(visible == before || visible == after || isMovedAway, where);
+            } else {
+                QVERIFY2(outcome.exit == 0 || outcome.exit == 1, where);
+                QVERIFY2(visibleOf(state) == (outcome.exit == 0 ? after : before), where);
+                QVERIFY2((outcome.exit == 0) == outcome.error.isEmpty(), where);
+                QVERIFY2(outcome.exit == 0 || outcome.error.trimmed().endsWith('.'), where + outcome.error.toUtf8());
+            }
+            // The next run succeeds where the first left the old state, and leaves nothing else.
+            if (visibleOf(state) == after) continue;
+            const ProgramOutcome again = runProgram(RUBBLE_CLI, inFolder(command));
+            QVERIFY2(again.exit == 0, where + ": " + again.error.toUtf8());
+            QVERIFY2(treeOf(m_folder) == after, where);
+        }
+    }
+
+private slots:
+    void initTestCase() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("The library with the faults cannot be loaded before that of the sanitizer.");
+#endif
+        m_folder = QFileInfo(m_place.path()).canonicalFilePath() + "/files";
+        m_report = m_place.filePath("report");
+    }
+    void fileIsOldOrNew_data() {
+        QTest::addColumn<int>("code");
+        QTest::newRow("full disk") << ENOSPC;
+        QTest::newRow("killed") << 0;
+        if (qEnvironmentVariableIsSet("RUBBLE_LONG")) QTest::newRow("failing disk") << EIO;
+    }
+    void fileIsOldOrNew() {
+        QFETCH(int, code);
+        checkEveryCall({"new", "{folder}/wall.rubble"}, {}, code, Renames::All);
+        const Tree before{{"wall.rubble", contentOf(RUBBLE_SOURCE_DIR "/tests/cli/cases/import-name-taken/before/"
+                                                                      "wall.rubble")}};
+        checkEveryCall({"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", "{folder}/wall.rubble"},
+                       before, code, Renames::All);
+    }
+    void packIsOldOrNew_data() {
+        QTest::addColumn<int>("code");
+        QTest::addColumn<bool>("hasFlags");
+        QTest::newRow("full disk") << ENOSPC << true;
+        QTest::newRow("killed") << 0 << true;
+        QTest::newRow("killed without exchange") << 0 << false;
+        if (!qEnvironmentVariableIsSet("RUBBLE_LONG")) return;
+        QTest::newRow("failing disk") << EIO << true;
+        QTest::newRow("full disk without exchange") << ENOSPC << false;
+    }
+    void packIsOldOrNew() {
+        QFETCH(int, code);
+        QFETCH(bool, hasFlags);
+        const Renames renames = hasFlags ? Renames::All : Renames::Plain;
+        const QString project = m_place.filePath("wall.rubble");
+        QFile::remove(project);
+        QCOMPARE(runProgram(RUBBLE_CLI, {"new", project}).exit, 0);
+        const auto exported = [&](const char* format) {
+            return QStringList{"export", project, "--out", "{folder}", "--threads", "1", "--format", format};
+        };
+        checkEveryCall(exported("obj"), {}, code, renames);
+        writeTree(m_folder, {});
+        QCOMPARE(runProgram(RUBBLE_CLI, inFolder(exported("glb"))).exit, 0);
+        Tree before = treeOf(m_folder);
+        before["wall/wall.glb.import"] = "of an engine";
+        checkEveryCall(exported("obj"), before, code, renames);
+    }
+};
+
+RUBBLE_TEST_WITH(FaultTest, QCoreApplication)
+#include "FaultTest.moc"

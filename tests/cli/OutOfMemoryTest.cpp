@@ -1,0 +1,72 @@
+// Tests app/cli/Cli.cpp: what rubble-cli does where memory runs out.
+#include "core/io/project/ProjectFile.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/files/RunProgram.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+/// Runs rubble-cli with at most so much address space.
+ProgramOutcome runWithin(int mebibytes, const QStringList& arguments) {
+    const QString command = QString("ulimit -v %1; exec \"$0\" \"$@\"").arg(mebibytes * 1024);
+    return runProgram("sh", QStringList{"-c", command, RUBBLE_CLI} + arguments);
+}
+
+}  // namespace
+
+class OutOfMemoryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void verbsEndWithASentence_data() {
+        QTest::addColumn<QString>("verb");
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("export") << "export" << QStringList{"{project}", "--out", "{folder}/packs", "--threads", "2"};
+        QTest::newRow("draw") << "draw" << QStringList{"{project}", "--out", "{folder}/wall.svg"};
+        QTest::newRow("check") << "check" << QStringList{"{project}"};
+    }
+    void verbsEndWithASentence() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("AddressSanitizer reserves terabytes of address space.");
+#endif
+        QFETCH(QString, verb);
+        QFETCH(QStringList, options);
+        QTemporaryDir place;
+        const QString file = place.filePath("wall.rubble");
+        QVERIFY(saveProject(file.toStdString(), boxProject(UniformScatter{.count = 2'000'000})));
+        for (QString& option : options) {
+            if (option == "{project}") option = file;
+            option.replace("{folder}", place.path());
+        }
+        const ProgramOutcome ended = runWithin(250, QStringList{verb} + options);
+        QCOMPARE(ended.error, "Out of memory while running rubble-cli " + verb +
+                                  "; use fewer fragments, or close other programs.\n");
+        QCOMPARE(ended.exit, 1);
+        QCOMPARE(ended.output, "");
+        QCOMPARE(QDir(place.path()).entryList(QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot),
+                 QStringList{"wall.rubble"});
+    }
+    void tooLargeProjectsAreRefusedAtOnce() {
+        QTemporaryDir place;
+        Project project = boxProject(UniformScatter{.count = 2});
+        for (Id layer = 50; layer < 79; ++layer) {
+            project.assets[0].levels.push_back(
+                {.pattern = {{{.id = layer, .parameters = UniformScatter{.count = 2}}}}});
+        }
+        const QString file = place.filePath("wall.rubble");
+        QVERIFY(saveProject(file.toStdString(), project));
+        const ProgramOutcome ended = runWithin(250, {"export", file, "--out", place.filePath("packs")});
+        QCOMPARE(ended.error,
+                 "Asset \"box\": about 2147483646 fragments would take 4520 GiB of memory; at most 2 GiB are "
+                 "allowed. Use fewer seeds or levels, or a larger minimum volume.\n");
+        QCOMPARE(ended.exit, 1);
+    }
+};
+
+RUBBLE_TEST_WITH(OutOfMemoryTest, QCoreApplication)
+#include "OutOfMemoryTest.moc"

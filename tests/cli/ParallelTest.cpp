@@ -1,0 +1,122 @@
+// Tests several programs that write the same files at once.
+#include "core/io/project/ProjectFile.h"
+#include "tests/support/TestProgram.h"
+
+#include <QDir>
+#include <QLockFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+#include <vector>
+
+using namespace rubble;
+
+namespace {
+
+constexpr int kProcesses = 8;  // of each kind
+
+int roundCount() { return qEnvironmentVariableIsSet("RUBBLE_LONG") ? 100 : 2; }
+
+/// Programs that run at the same time.
+class Programs {
+public:
+    void start(const QStringList& arguments) {
+        m_running.push_back(std::make_unique<QProcess>());
+        m_running.back()->start(RUBBLE_CLI, arguments);
+    }
+    /// Returns what those that failed wrote to standard error.
+    QByteArray errors() {
+        QByteArray errors;
+        for (const auto& program : m_running) {
+            const bool hasEnded = program->waitForFinished(120000);
+            if (!hasEnded || program->exitStatus() != QProcess::NormalExit || program->exitCode() != 0)
+                errors += "failed: " + program->readAllStandardError();
+        }
+        m_running.clear();
+        return errors;
+    }
+
+private:
+    std::vector<std::unique_ptr<QProcess>> m_running;
+};
+
+}  // namespace
+
+class ParallelTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_place;
+    QString at(const char* name) const { return m_place->filePath(name); }
+    QStringList entries(const QString& folder) const {
+        return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+    }
+
+private slots:
+    void init() {
+        m_place = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"wall.rubble", "other.rubble"})
+            QCOMPARE(QProcess::execute(RUBBLE_CLI, {"new", at(name)}), 0);
+    }
+    void everyExportAndImportCounts() {
+        QFile::remove(at("other.rubble"));
+        for (int round = 0; round < roundCount(); ++round) {
+            Programs programs;
+            for (int k = 0; k < kProcesses; ++k) {
+                programs.start(
+                    {"export", at("wall.rubble"), "--out", at("packs"), "--format", k % 2 == 0 ? "obj" : "glb"});
+                programs.start(
+                    {"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", at("other.rubble")});
+            }
+            const QByteArray errors = programs.errors();
+            QVERIFY2(errors.isEmpty(), errors);
+            QCOMPARE(entries(at("packs")), QStringList{"wall"});
+            QProcess check;
+            check.start(RUBBLE_CLI, {"check", at("packs"), at("other.rubble")});
+            QVERIFY(check.waitForFinished(60000));
+            const QByteArray fault = check.readAllStandardOutput() + check.readAllStandardError();
+            QVERIFY2(check.exitCode() == 0, fault);
+            const Result<Project> project = loadProject(at("other.rubble").toStdString());
+            QVERIFY(project);
+            QCOMPARE(static_cast<int>(project->assets.size()), 2 * kProcesses);  // the mesh holds two objects
+            QCOMPARE(entries(m_place->path()), (QStringList{"other.rubble", "packs", "wall.rubble"}));
+            QFile::remove(at("other.rubble"));
+        }
+    }
+    void oneOfSeveralNewProjectsIsCreated() {
+        QFile::remove(at("wall.rubble"));
+        std::vector<std::unique_ptr<QProcess>> programs;
+        for (int k = 0; k < kProcesses; ++k) {
+            programs.push_back(std::make_unique<QProcess>());
+            programs.back()->start(RUBBLE_CLI, {"new", at("wall.rubble")});
+        }
+        int created = 0;
+        for (const auto& program : programs) {
+            QVERIFY(program->waitForFinished(60000));
+            created += program->exitCode() == 0 ? 1 : 0;
+        }
+        QCOMPARE(created, 1);
+    }
+    /// The editor holds such a lock while a project is open.
+    void projectThatIsOpenElsewhereIsNotChanged() {
+        QLockFile lock(at(".wall.rubble.lock"));
+        lock.setStaleLockTime(0);
+        QVERIFY(lock.tryLock(0));
+        QFile file(at("wall.rubble"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray before = file.readAll();
+        QProcess program;
+        program.start(RUBBLE_CLI,
+                      {"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", at("wall.rubble")});
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitCode(), 1);
+        const QByteArray error = program.readAllStandardError();
+        QVERIFY2(error.contains("\" is already open in ") && error.endsWith("Save and close it there first.\n"), error);
+        file.seek(0);
+        QCOMPARE(file.readAll(), before);
+    }
+};
+
+RUBBLE_TEST_WITH(ParallelTest, QCoreApplication)
+#include "ParallelTest.moc"

@@ -1,0 +1,332 @@
+// Tests editor/window/Program.cpp, editor/actions/FileActions.cpp and editor/window/LockQuestion.cpp.
+#include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
+#include "editor/actions/CompareActions.h"
+#include "editor/actions/FileActions.h"
+#include "editor/document/FilePath.h"
+#include "editor/views/Views.h"
+#include "editor/window/MainWindow.h"
+#include "editor/window/Program.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/TestSettings.h"
+#include "tests/support/files/FileLimits.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QListView>
+#include <QMessageBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <memory>
+
+using namespace rubble;
+
+namespace {
+
+constexpr double kBackupHeight = 3.0;  // m, of the ground in the backup; 0 in the project
+constexpr double kEditedHeight = 4.0;
+constexpr double kOtherHeight = 5.0;  // in what another program writes
+
+Project projectWithGround(double height) {
+    Project project = starterProject();
+    project.ground.height = height;
+    return project;
+}
+
+double heightIn(const QString& path) {
+    const Result<Project> project = loadProject(toPath(path));
+    return project ? project->ground.height : -1.0;
+}
+
+void press(QMessageBox& box, const QString& answer) {
+    for (QAbstractButton* button : box.buttons()) {
+        if (button->text().remove('&') == answer) return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    qFatal("There is no answer %s.", qPrintable(answer));
+}
+
+/// Enters another path than that of the selected file.
+void saveTo(QFileDialog& dialog, const QString& path) {
+    dialog.findChild<QListView*>("listView")->clearSelection();
+    test::acceptFile(dialog, path);
+}
+
+}  // namespace
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        test::keepSettingsIn(m_settings.path());
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void init() {
+        QDir(backupFolder()).removeRecursively();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath("wall.rubble");
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(0.0)));
+        m_program = std::make_unique<Program>();
+        m_question.clear();
+    }
+    void cleanup() {
+        qDeleteAll(windows());
+        m_program.reset();
+    }
+
+    void backupIsRestoredFromTheStartPage() {
+        leaveBackup(m_path);
+        answer("Restore");
+        m_program->start({});
+        QTRY_VERIFY(restored());
+        QVERIFY(m_question.contains(m_path));
+        QCOMPARE(windows().size(), 1);
+        QCOMPARE(restored()->workspace().file().path(), m_path);
+        QVERIFY(restored()->windowTitle().startsWith("wall.rubble[*] – "));
+        QVERIFY(restored()->fileActions().save());
+        QCOMPARE(heightIn(m_path), kBackupHeight);
+        QVERIFY(backups().isEmpty());
+    }
+    void backupIsRestoredIntoTheOpenedFile() {
+        leaveBackup(m_path);
+        answer("Restore");
+        m_program->start({m_path});
+        QTRY_VERIFY(restored());
+        QCOMPARE(windows().size(), 1);
+        QCOMPARE(restored()->workspace().file().path(), m_path);
+        QVERIFY(!restored()->workspace().file().isReadOnly());
+        QVERIFY(restored()->fileActions().save());
+        QCOMPARE(heightIn(m_path), kBackupHeight);
+        QVERIFY(backups().isEmpty());
+    }
+    void backupIsRestoredWithoutItsFolder() {
+        leaveBackup(m_folder->filePath("gone/wall.rubble"));
+        answer("Restore");
+        m_program->start({});
+        QTRY_VERIFY(restored());
+        QVERIFY(m_question.contains("no longer exists"));
+        QVERIFY(restored()->workspace().file().path().isEmpty());
+        const QString elsewhere = m_folder->filePath("elsewhere.rubble");
+        test::onNextDialog<QFileDialog>([&](QFileDialog& dialog) { saveTo(dialog, elsewhere); });
+        QVERIFY(restored()->fileActions().save());
+        QCOMPARE(heightIn(elsewhere), kBackupHeight);
+        QVERIFY(backups().isEmpty());
+    }
+    void backupStaysUntilTheProjectIsSaved() {
+        leaveBackup(m_path);
+        const QStringList before = backups();
+        answer("Restore");
+        m_program->start({m_path});
+        QTRY_VERIFY(restored());
+        QCOMPARE(backups(), before);
+        Workspace& workspace = restored()->workspace();
+        setHeight(workspace.document(), kEditedHeight);
+        {
+            const FileSizeLimit fullDisk(10);
+            workspace.autosave().writeNow();
+        }
+        QCOMPARE(backups(), before);
+        QCOMPARE(heightIn(before[0]), kBackupHeight);
+        workspace.autosave().writeNow();
+        QCOMPARE(backups(), before);
+        QCOMPARE(heightIn(before[0]), kEditedHeight);
+        QVERIFY(restored()->fileActions().save());
+        QVERIFY(backups().isEmpty());
+    }
+    void secondBackupOfOneProjectBecomesACopy() {
+        leaveBackup(m_path);
+        leaveBackup(m_path);
+        test::onNextDialog<QMessageBox>([this](QMessageBox& box) {
+            answer("Restore");
+            press(box, "Restore");
+        });
+        m_program->start({m_path});
+        QTRY_COMPARE(windows().size(), 2);
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+        QStringList paths;
+        for (MainWindow* window : windows()) {
+            QVERIFY(window->workspace().document().isModified());
+            paths.append(window->workspace().file().path());
+        }
+        paths.sort();
+        QCOMPARE(paths, (QStringList{QString(), m_path}));
+        QCOMPARE(backups().size(), 2);
+    }
+    void damagedBackupIsKept() {
+        leaveBackup(m_path);
+        QFile file(backups()[0]);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{") == 1);
+        file.close();
+        test::onNextDialog<QMessageBox>([this](QMessageBox& box) {
+            answer("OK");
+            press(box, "Restore");
+        });
+        m_program->start({});
+        QTRY_VERIFY(m_question.contains("Cannot read"));
+        QCOMPARE(backups().size(), 1);
+    }
+    void changeAfterTheCrashIsNotOverwrittenUnasked() {
+        leaveBackup(m_path);
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        answer("Restore");
+        m_program->start({m_path});
+        QTRY_VERIFY(restored());
+        answer("Cancel");
+        QVERIFY(!restored()->fileActions().save());
+        QVERIFY(m_question.contains("changed by another program"));
+        QCOMPARE(heightIn(m_path), kOtherHeight);
+    }
+
+    void foreignLockIsTakenOverOnRequest() {
+        writeForeignLock();
+        answer("Take Over Lock");
+        MainWindow* window = m_program->open(m_path);
+        QVERIFY(window && !window->workspace().file().isReadOnly());
+        QVERIFY2(m_question.contains("process 4711 of bob on render01"), qPrintable(m_question));
+    }
+    void foreignLockGivesAReadOnlyWindow() {
+        writeForeignLock();
+        answer("Open Read-Only");
+        MainWindow* window = m_program->open(m_path);
+        QVERIFY(window && window->workspace().file().isReadOnly());
+        QVERIFY(window->windowTitle().startsWith("wall.rubble[*] (read-only) – "));
+        const auto* label = window->findChild<QLabel*>("read-only");
+        QVERIFY(label->isVisible() && label->toolTip().contains("render01"));
+        setHeight(window->workspace().document(), kEditedHeight);
+        const QString copy = m_folder->filePath("copy.rubble");
+        test::onNextDialog<QFileDialog>([&](QFileDialog& dialog) { saveTo(dialog, copy); });
+        QVERIFY(window->fileActions().save());
+        QCOMPARE(heightIn(m_path), 0.0);
+        QCOMPARE(heightIn(copy), kEditedHeight);
+        QVERIFY(window->windowTitle().startsWith("copy.rubble[*] – ") && !label->isVisible());
+    }
+    void cancelledQuestionOpensNothing() {
+        writeForeignLock();
+        answer("Cancel");
+        QVERIFY(!m_program->open(m_path));
+        QVERIFY(windows().isEmpty());
+    }
+
+    void changeOnDiskKeepsTheEdits() {
+        MainWindow& window = *editedWindow();
+        const QString copy = m_folder->filePath("copy.rubble");
+        test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
+            m_question = box.text();
+            test::onNextDialog<QFileDialog>([&](QFileDialog& dialog) { saveTo(dialog, copy); });
+            QTest::keyClick(&box, Qt::Key_Return);
+        });
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        QTRY_COMPARE(heightIn(copy), kEditedHeight);
+        QVERIFY(m_question.contains("wall.rubble was changed by another program"));
+        QTRY_COMPARE(window.workspace().file().path(), copy);
+        QCOMPARE(heightIn(m_path), kOtherHeight);
+    }
+    void changeOnDiskIsReloadedOnRequest() {
+        MainWindow& window = *editedWindow();
+        answer("Reload");
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        QTRY_COMPARE(window.workspace().project().ground.height, kOtherHeight);
+        QVERIFY(!window.workspace().document().isModified());
+    }
+    void changeOnDiskIsCompared() {
+        MainWindow& window = *editedWindow();
+        answer("Compare");
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        QTRY_VERIFY(window.findChild<CompareActions*>()->comparison().isOn());
+        QCOMPARE(window.workspace().project().ground.height, kEditedHeight);
+    }
+    void keptVersionIsNotSavedUnasked() {
+        MainWindow& window = *editedWindow();
+        answer("Keep Current Version");
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        QTRY_VERIFY(m_question.contains("changed by another program"));
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+        answer("Overwrite");
+        QVERIFY(window.fileActions().save());
+        QVERIFY(m_question.contains("Overwriting it discards"));
+        QCOMPARE(heightIn(m_path), kEditedHeight);
+    }
+    void savingLooksAtTheDiskFirst() {
+        MainWindow& window = *editedWindow();
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        answer("Cancel");
+        QVERIFY(!window.fileActions().save());
+        QCOMPARE(heightIn(m_path), kOtherHeight);
+        QVERIFY(window.workspace().document().isModified());
+    }
+    void deletionIsToldAsDeletion() {
+        MainWindow& window = *editedWindow();
+        answer("Keep Current Version");
+        QVERIFY(QFile::remove(m_path));
+        QTRY_VERIFY(m_question.contains("wall.rubble was deleted by another program"));
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+        QVERIFY(window.fileActions().save());
+        QCOMPARE(heightIn(m_path), kEditedHeight);
+    }
+
+private:
+    /// Presses a button in the next message box.
+    void answer(const QString& text) {
+        test::onNextDialog<QMessageBox>([this, text](QMessageBox& box) {
+            m_question = box.text() + '\n' + box.informativeText();
+            press(box, text);
+        });
+    }
+    /// Leaves a backup as a program does that is killed.
+    void leaveBackup(const QString& path) const {
+        Backup backup = newBackup(backupFolder());
+        backup.origin = {path, contentHash(projectText(projectWithGround(0.0)))};
+        QVERIFY(writeBackup(backup, QByteArray::fromStdString(projectText(projectWithGround(kBackupHeight)))));
+    }
+    QStringList backups() const {
+        QStringList paths;
+        for (const QFileInfo& file : QDir(backupFolder()).entryInfoList({"*.rubble"})) paths += file.filePath();
+        return paths;
+    }
+    void writeForeignLock() const {
+        QFile file(fromPath(lockPathOf(toPath(m_path))));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("4711\nrubble\nrender01\nanother machine\nboot\nbob\n");
+    }
+    static void setHeight(Document& document, double height) {
+        SceneSettings scene = sceneSettings(document.project());
+        scene.ground.height = height;
+        document.push({.text = "Move Ground", .swaps = {scene}});
+    }
+    MainWindow* editedWindow() {
+        MainWindow* window = m_program->open(m_path);
+        if (!window) qFatal("The project was not opened.");
+        setHeight(window->workspace().document(), kEditedHeight);
+        return window;
+    }
+    static QList<MainWindow*> windows() {
+        QList<MainWindow*> windows;
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (auto* window = qobject_cast<MainWindow*>(widget)) windows.append(window);
+        }
+        return windows;
+    }
+    /// The window with the restored project; null before that.
+    static MainWindow* restored() {
+        for (MainWindow* window : windows()) {
+            const double height = window->workspace().project().ground.height;
+            if (window->workspace().document().isModified() && height >= kBackupHeight) return window;
+        }
+        return nullptr;
+    }
+
+    QTemporaryDir m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    QString m_question;  // the last one that was asked
+    std::unique_ptr<Program> m_program;
+};
+
+RUBBLE_TEST_WITH(RecoveryTest, QApplication)
+#include "RecoveryTest.moc"

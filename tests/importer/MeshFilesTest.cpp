@@ -1,0 +1,164 @@
+// Tests app/importer/MeshFiles.cpp: which files the importer opens for a mesh.
+#include "core/io/mesh/MeshImport.h"
+#include "core/io/system/ChildProcess.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+/// A folder with a mesh in it, in a folder with other files.
+class Folder {
+public:
+    Folder() {
+        std::filesystem::create_directories(path("sub"));
+        const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+        std::string bytes(sizeof corners, '\0');
+        std::memcpy(bytes.data(), corners, sizeof corners);
+        for (const char* name : {"inside.bin", "sub/deep.bin", "../outside.bin"}) write(name, bytes);
+        std::filesystem::create_symlink("../outside.bin", path("out.bin"));
+        std::filesystem::create_symlink("sub/deep.bin", path("in.bin"));
+        ::mkfifo(path("fifo.bin").c_str(), 0600);
+    }
+    std::filesystem::path path(const std::string& name) const { return m_root.path().toStdString() + "/mesh/" + name; }
+    std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path(name), std::ios::binary) << bytes;
+        return path(name);
+    }
+    /// Writes a triangle whose corners are in another file.
+    std::filesystem::path writeGltf(const std::string& buffer) const {
+        return write("wall.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + buffer +
+                                      R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],
+            "scenes":[{"nodes":[0]}],"scene":0})");
+    }
+
+private:
+    QTemporaryDir m_root;
+};
+
+Result<SourceScene> imported(const std::filesystem::path& file) { return importMesh(file, RUBBLE_IMPORTER, {}); }
+
+/// The importer's own log of the files that it opened and refused.
+QString logOf(const std::filesystem::path& file) {
+    return QString::fromStdString(runChild(RUBBLE_IMPORTER, {"--log-files", file.string()}, {}, {})->error);
+}
+
+/// ASCII as UTF-16 with a byte order mark.
+std::string utf16(const std::string& text, bool isBigEndian) {
+    std::string bytes = isBigEndian ? "\xfe\xff" : "\xff\xfe";
+    for (const char letter : text) bytes += isBigEndian ? std::string{'\0', letter} : std::string{letter, '\0'};
+    return bytes;
+}
+
+}  // namespace
+
+class MeshFilesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void filesInTheFolderAndBelowAreRead_data() {
+        QTest::addColumn<QString>("buffer");
+        for (const char* buffer : {"inside.bin", "./inside.bin", "sub/deep.bin", "sub/../inside.bin", "in.bin"})
+            QTest::newRow(buffer) << buffer;
+    }
+    void filesInTheFolderAndBelowAreRead() {
+        QFETCH(const QString, buffer);
+        const Folder folder;
+        const std::filesystem::path mesh = folder.writeGltf(buffer.toStdString());
+        const Result<SourceScene> scene = imported(mesh);
+        QVERIFY2(scene.hasValue(), scene ? "" : scene.error().message.c_str());
+        QVERIFY(logOf(mesh).contains("opened " + buffer + '\n'));
+    }
+    void filesOutsideAreRefusedByName_data() {
+        QTest::addColumn<QString>("buffer");
+        for (const char* buffer : {"../outside.bin", "../../../../../../etc/passwd", "/etc/passwd",
+                                   "sub/../../outside.bin", "out.bin", "/proc/self/environ"})
+            QTest::newRow(buffer) << buffer;
+    }
+    void filesOutsideAreRefusedByName() {
+        QFETCH(const QString, buffer);
+        const Folder folder;
+        const std::filesystem::path mesh = folder.writeGltf(buffer.toStdString());
+        QCOMPARE(QString::fromStdString(imported(mesh).error().message),
+                 "\"wall.gltf\" refers to \"" + buffer +
+                     "\", which lies outside its folder; only files in the folder of a mesh and below are read.");
+        QVERIFY(logOf(mesh).contains("refused " + buffer + '\n'));
+        QVERIFY(!logOf(mesh).contains("opened " + buffer));
+    }
+    void fifoIsNotOpened() {
+        const Folder folder;
+        const std::filesystem::path mesh = folder.writeGltf("fifo.bin");
+        QVERIFY(QString::fromStdString(imported(mesh).error().message).contains("could not open referenced file"));
+        QVERIFY(!logOf(mesh).contains("opened fifo.bin"));
+    }
+    void unreadMaterialFileIsNoted() {
+        const Folder folder;
+        const Result<SourceScene> scene =
+            imported(folder.write("wall.obj", "mtllib ../outside.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QCOMPARE(scene->notes.size(), std::size_t{1});
+        QCOMPARE(scene->notes[0],
+                 std::string("The file refers to \"../outside.mtl\", which lies outside its folder; only "
+                             "files in the folder of a mesh and below are read."));
+    }
+    void meshMayBeALink() {
+        const Folder folder;
+        std::filesystem::rename(folder.writeGltf("inside.bin"), folder.path("../elsewhere.gltf"));
+        std::filesystem::create_symlink("../elsewhere.gltf", folder.path("linked.gltf"));
+        QVERIFY(imported(folder.path("linked.gltf")).hasValue());
+    }
+    void utf16AndByteOrderMarksAreRead() {
+        const Folder folder;
+        const std::string obj = "mtllib wall.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Brick\nf 1 2 3\n";
+        const std::string mtl = "newmtl Brick\nKd 1 0 0\n";
+        const auto isRead = [&](const std::string& objBytes, const std::string& mtlBytes) {
+            folder.write("wall.mtl", mtlBytes);
+            const Result<SourceScene> scene = imported(folder.write("wall.obj", objBytes));
+            return scene && scene->objects[0].points[1] == Vec3(1, 0, 0) &&
+                   scene->materials[scene->objects[0].triangles[0].material].name == "Brick";
+        };
+        QVERIFY(isRead(obj, mtl));
+        QVERIFY(isRead(utf16(obj, false), utf16(mtl, true)));
+        QVERIFY(isRead(utf16(obj, true), mtl));
+        QVERIFY(isRead("\xef\xbb\xbf" + obj, "\xef\xbb\xbf" + mtl));
+    }
+    void binaryPlyMayBeginWithALineFeed() {
+        // assimp alone crashes on it.
+        const Folder folder;
+        std::string ply =
+            "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        ply += std::string("\n\0\0\x3f", 4) + std::string(8, '\0');  // x is slightly above 0.5
+        ply += std::string("\0\0\x80\x3f", 4) + std::string(8, '\0');
+        ply += std::string(4, '\0') + std::string("\0\0\x80\x3f", 4) + std::string(4, '\0');
+        ply += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+        const Result<SourceScene> scene = imported(folder.write("wall.ply", ply));
+        QVERIFY2(scene.hasValue(), scene ? "" : scene.error().message.c_str());
+        QCOMPARE(scene->objects[0].triangles.size(), std::size_t{1});
+        QVERIFY(std::abs(scene->objects[0].points[0].x - 0.5) < 1e-6);
+        QVERIFY(scene->objects[0].points[1] == Vec3(1, 0, 0) && scene->objects[0].points[2] == Vec3(0, 1, 0));
+    }
+    void otherFormatsAreRefusedWithoutPaths() {
+        const Folder folder;
+        for (const char* name : {"cube.dae", "cube.3ds"}) {
+            const std::string message = imported(folder.write(name, "<COLLADA/>")).error().message;
+            QCOMPARE(message, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; \"" + std::string(name) +
+                                  "\" is none of these, or of a version that is not supported.");
+        }
+        const std::string empty = imported(folder.write("empty.ply", "")).error().message;
+        QVERIFY2(empty.find("/mesh") == std::string::npos, empty.c_str());
+    }
+};
+
+RUBBLE_TEST(MeshFilesTest)
+#include "MeshFilesTest.moc"
