@@ -197,7 +197,8 @@ void drawTitle(SvgWriter& svg, const Frame& frame, double top, const PatternPane
     if (!isCut || !panel.seeds.empty()) svg << countText(panel.seeds.size(), "seed", "seeds") << ", ";
     svg << (isCut ? countText(panel.partition.pieceCount(), "piece", "pieces") : countText(cells, "cell", "cells"))
         << "; ";
-    svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth) << " m</text>\n";
+    svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth);
+    svg << " m</text>\n";
 }
 
 void drawPanel(SvgWriter& svg, const Frame& frame, std::size_t index, const PatternPanel& panel,

@@ -34,8 +34,8 @@ std::optional<Explosion> explosionAlong(const Session& session, Explosion explos
     return explosion;
 }
 
-/// The trajectory time t to displacement d at speed v under gravity g solves g²/4 t⁴ - (d·g + v²) t² + d² = 0. The
-/// smaller root t² is computed without cancellation, which also covers g = 0.
+/// The trajectory time t to displacement d at speed v under gravity g solves g²/4 t⁴ - (d·g + v²) t² + d² = 0.
+/// The smaller root t² is computed without cancellation, which also covers g = 0.
 Throw aimedAt(Throw thrown, Vec3 target, Vec3 gravity) {
     thrown.to = target;
     const Vec3 d = target - thrown.from;

@@ -104,8 +104,8 @@ struct Divergence {
         double metres = 0.0;  // its distance from it
     };
     std::optional<Distance> distance;  // at the next keyframe, once it has been played
-    /// The divergence as a ReplayMismatch: `At step 12 "front 4.1" breaks under an impact of 1321 N·s; in the recording
-    /// it does not.` Its value is the difference.
+    /// The divergence as a ReplayMismatch: `At step 12 "front 4.1" breaks under an impact of 1321 N·s; in the
+    /// recording it does not.` Its value is the difference.
     Diagnostic diagnostic() const;
 };
 
