@@ -15,6 +15,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # a precompiled header.
   target_compile_options(rubble_language INTERFACE "SHELL:--param ggc-min-heapsize=524288")
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND RUBBLE_UNITY)
+  # Types in anonymous namespaces of sources, which the compiler takes for headers.
+  target_compile_options(rubble_language INTERFACE -Wno-subobject-linkage)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms on joining literals and strings: GCC bugs 105329 and 105651.
   target_compile_options(rubble_language INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)

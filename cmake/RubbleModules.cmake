@@ -8,7 +8,7 @@
 #   USES         modules whose headers this one may include (transitively)
 #   LINKS        third-party targets that appear in the module's headers
 #   PRIVATE      third-party targets used in its .cpp files only
-#   PRECOMPILED  what most of its sources include, a header in cmake/precompiled; Core.h by default
+#   PRECOMPILED  what most of its sources include, a header in cmake/precompiled; none by default
 function(rubble_module folder)
   cmake_parse_arguments(MODULE "" "PRECOMPILED" "PARTS;USES;LINKS;PRIVATE" ${ARGN})
   rubble_module_target(${folder} target)
@@ -31,10 +31,9 @@ function(rubble_module folder)
     get_property(used_folders GLOBAL PROPERTY RUBBLE_FOLDERS_${used_target})
     list(APPEND below ${used_folders})
   endforeach()
-  if(NOT MODULE_PRECOMPILED)
-    set(MODULE_PRECOMPILED Core.h)
+  if(MODULE_PRECOMPILED)
+    rubble_precompile(${target} ${MODULE_PRECOMPILED})
   endif()
-  rubble_precompile(${target} ${MODULE_PRECOMPILED})
   rubble_declare_dependencies(${folder} PARTS ${MODULE_PARTS} USES ${below})
 endfunction()
 

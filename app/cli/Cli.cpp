@@ -18,7 +18,7 @@ constexpr const char* kDescription =
     "Rubble makes solids destructible: it fractures prisms into Voronoi fragments and exports them to 3D programs and "
     "engines.";
 
-constexpr const char* kFooter = R"(Results go to standard output, errors and warnings to standard error.
+constexpr const char* kProgramFooter = R"(Results go to standard output, errors and warnings to standard error.
 Exit status: 0 success, 1 error (also out of memory), 2 wrong usage, 130 stopped by Ctrl+C.
 
 Examples:
@@ -63,7 +63,7 @@ int finish(const Status& status, const CliContext& context) {
 
 int runCli(const std::vector<std::string>& arguments, const CliContext& context) {
     CLI::App program(kDescription, "rubble-cli");
-    program.footer(kFooter);
+    program.footer(kProgramFooter);
     program.set_version_flag("--version", std::string("rubble-cli ") + programVersion(), "Print the version and exit");
     program.set_help_flag("-h,--help", "Print this help and exit");
     program.require_subcommand(0, 1);  // a missing verb is reported below

@@ -1,6 +1,8 @@
 #pragma once
 // What nearly every test includes.
 
-#include "Files.h"
+#include "Geometry.h"
 
 #include <QTest>
+
+#include <filesystem>

@@ -16,7 +16,9 @@ constexpr double kTypicalFragmentSize = 0.25;  // of the length of its parent
 /// The position in Asset::leaves of a pattern index behind those of the levels.
 std::size_t leafAt(const Asset& asset, std::size_t index) { return index - asset.levels.size() - 1; }
 
-QString tr(const char* text) { return QCoreApplication::translate("AssetPatterns", text); }
+struct AssetPatternsTexts {
+    Q_DECLARE_TR_FUNCTIONS(AssetPatterns)
+};
 
 }  // namespace
 
@@ -101,11 +103,12 @@ Box2 domainBounds(const Asset& asset, std::size_t index) {
 }
 
 QString patternName(const Asset& asset, std::size_t index) {
-    if (index == 0) return tr("Whole asset");
-    if (index <= asset.levels.size()) return tr("Fragments, level %1").arg(index);
+    if (index == 0) return AssetPatternsTexts::tr("Whole asset");
+    if (index <= asset.levels.size()) return AssetPatternsTexts::tr("Fragments, level %1").arg(index);
     const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
     const QString name = QString::fromStdString(leaf.fragment);
-    return leaf.level ? tr("Fragment %1").arg(name) : tr("Fragment %1, kept whole").arg(name);
+    return leaf.level ? AssetPatternsTexts::tr("Fragment %1").arg(name)
+                      : AssetPatternsTexts::tr("Fragment %1, kept whole").arg(name);
 }
 
 }  // namespace rubble

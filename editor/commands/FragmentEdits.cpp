@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::uint32_t kDefaultSeedCount = 5;
 
-QString tr(const char* text) { return QCoreApplication::translate("FragmentEdits", text); }
+struct FragmentEditsTexts {
+    Q_DECLARE_TR_FUNCTIONS(FragmentEdits)
+};
 
 /// The direction perpendicular to the principal axis of an area.
 Vec2 minorAxisOf(const AreaMoments& moments) {
@@ -73,7 +75,7 @@ Line splitLine(const Polygon& outline, Vec2 origin) {
 }
 
 Edit fractureFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
-    Edit edit{.text = tr("Fracture Fragments")};
+    Edit edit{.text = FragmentEditsTexts::tr("Fracture Fragments")};
     Asset changed = *findAsset(project, asset);
     for (const SelectedPiece& piece : pieces) {
         FragmentLevel& leaf = leafOf(changed, piece.path);
@@ -90,7 +92,7 @@ Edit fractureFragments(const Project& project, Id asset, const std::vector<Selec
 Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
     Asset changed = *findAsset(project, asset);
     for (const SelectedPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
-    return modify(tr("Keep Fragments Whole"), std::move(changed));
+    return modify(FragmentEditsTexts::tr("Keep Fragments Whole"), std::move(changed));
 }
 
 Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
@@ -101,13 +103,13 @@ Edit mergeFragments(const Project& project, Id asset, const std::vector<Selected
     }
     Asset changed = *findAsset(project, asset);
     changed.edits.push_back(std::move(merge));
-    return modify(tr("Merge Fragments"), std::move(changed));
+    return modify(FragmentEditsTexts::tr("Merge Fragments"), std::move(changed));
 }
 
 Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
     Asset changed = *findAsset(project, asset);
     for (const SelectedPiece& piece : pieces) changed.edits.push_back(FragmentSplit{piece.path, piece.splitLine});
-    return modify(tr("Split Fragments"), std::move(changed));
+    return modify(FragmentEditsTexts::tr("Split Fragments"), std::move(changed));
 }
 
 Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
@@ -115,7 +117,7 @@ Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& 
     const EditFilter filter{seeds, parent};
     std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); });
     std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
-    return modify(tr("Restore Fragments"), std::move(changed));
+    return modify(FragmentEditsTexts::tr("Restore Fragments"), std::move(changed));
 }
 
 bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {

@@ -14,7 +14,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("GreyImageLoading", text); }
+struct GreyImageLoadingTexts {
+    Q_DECLARE_TR_FUNCTIONS(GreyImageLoading)
+};
 
 /// Formats of pixels alone. A vector picture could name other files, which Qt would open.
 const QByteArrayList kFormats{"png", "jpeg", "jpg", "bmp", "pbm", "pgm", "ppm"};
@@ -77,19 +79,23 @@ Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
     QBuffer buffer(&data);
     QImageReader reader(&buffer);
     if (!kFormats.contains(reader.format()))
-        return fault(tr("%1 is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(name));
+        return fault(GreyImageLoadingTexts::tr("%1 is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(name));
     constexpr int kMaxSide = GreyImage::kMaxSide;
     if (const QSize size = reader.size(); size.width() > kMaxSide || size.height() > kMaxSide) {
-        return fault(tr("%1 is too large: %2 × %3 pixels. Scale it down to at most %4 pixels a side.")
-                         .arg(name)
-                         .arg(size.width())
-                         .arg(size.height())
-                         .arg(kMaxSide));
+        return fault(
+            GreyImageLoadingTexts::tr("%1 is too large: %2 × %3 pixels. Scale it down to at most %4 pixels a side.")
+                .arg(name)
+                .arg(size.width())
+                .arg(size.height())
+                .arg(kMaxSide));
     }
     const QImage picture = reader.read();
-    if (picture.isNull()) return fault(tr("%1 cannot be read as a picture: %2.").arg(name, reader.errorString()));
+    if (picture.isNull())
+        return fault(GreyImageLoadingTexts::tr("%1 cannot be read as a picture: %2.").arg(name, reader.errorString()));
     if (std::max(picture.width(), picture.height()) > kMaxSide)
-        return fault(tr("%1 is too large. Scale it down to at most %2 pixels a side.").arg(name).arg(kMaxSide));
+        return fault(GreyImageLoadingTexts::tr("%1 is too large. Scale it down to at most %2 pixels a side.")
+                         .arg(name)
+                         .arg(kMaxSide));
     return std::make_shared<const GreyImage>(greyImageOf(picture));
 }
 

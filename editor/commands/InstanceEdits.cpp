@@ -1,6 +1,7 @@
 #include "editor/commands/InstanceEdits.h"
 
 #include "core/asset/placement/InstancePlacement.h"
+#include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/base/Trigonometry.h"
 
@@ -13,9 +14,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("InstanceEdits", text); }
-
-bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
+struct InstanceEditsTexts {
+    Q_DECLARE_TR_FUNCTIONS(InstanceEdits)
+};
 
 std::vector<Instance> instancesWith(const Project& project, std::span<const Id> ids) {
     std::vector<Instance> instances;
@@ -75,7 +76,7 @@ double heightOf(const Instance& instance) { return instance.pose.position.y; }
 }  // namespace
 
 Edit arrayInGrid(const Project& project, std::span<const Id> instances, const GridArray& array) {
-    InstanceCopies copies(tr("Grid Array"), project);
+    InstanceCopies copies(InstanceEditsTexts::tr("Grid Array"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int y = 0; y < array.counts[1]; ++y) {
             for (int z = 0; z < array.counts[2]; ++z) {
@@ -92,7 +93,7 @@ Edit arrayInGrid(const Project& project, std::span<const Id> instances, const Gr
 }
 
 Edit arrayInRing(const Project& project, std::span<const Id> instances, const RingArray& array) {
-    InstanceCopies copies(tr("Radial Array"), project);
+    InstanceCopies copies(InstanceEditsTexts::tr("Radial Array"), project);
     for (const Instance& instance : instancesWith(project, instances)) {
         for (int k = 1; k < array.count; ++k) {
             Instance copy = instance;
@@ -108,7 +109,7 @@ Addition placeInstance(const Project& project, Id asset, const Pose& pose) {
     for (AnySwap& swap : addition.edit.swaps) {
         if (auto* added = std::get_if<Swap<Instance>>(&swap)) added->value->pose = pose;
     }
-    addition.edit.text = tr("Place Instance");
+    addition.edit.text = InstanceEditsTexts::tr("Place Instance");
     return addition;
 }
 
@@ -120,7 +121,7 @@ Edit dropToGround(const Project& project, std::span<const Id> instances) {
     for (const Instance& instance : project.instances) {
         if (!isAmong(instances, instance.id)) resting.push_back(instance);
     }
-    Edit edit{.text = tr("Drop to Ground")};
+    Edit edit{.text = InstanceEditsTexts::tr("Drop to Ground")};
     for (Instance& instance : falling) {
         const double fall = dropDistance(instance, resting, project.ground, hulls);
         instance.pose.position.y -= fall;
@@ -135,7 +136,7 @@ Edit assignDistinctVariants(const Project& project, std::span<const Id> instance
     for (const Instance& instance : project.instances) {
         if (!isAmong(instances, instance.id)) taken[instance.asset].insert(instance.variant);
     }
-    return editInstances(tr("Assign Distinct Variants"), project, [&](Instance& instance) {
+    return editInstances(InstanceEditsTexts::tr("Assign Distinct Variants"), project, [&](Instance& instance) {
         if (isAmong(instances, instance.id)) instance.variant = reserveVariant(taken[instance.asset]);
     });
 }
@@ -147,12 +148,13 @@ Edit hideInstances(const Project& project, std::span<const Id> instances) {
 }
 
 Edit isolateInstances(const Project& project, std::span<const Id> instances) {
-    return editInstances(tr("Hide Other Instances"), project,
+    return editInstances(InstanceEditsTexts::tr("Hide Other Instances"), project,
                          [&](Instance& instance) { instance.isHidden = !isAmong(instances, instance.id); });
 }
 
 Edit showAllInstances(const Project& project) {
-    return editInstances(tr("Show All Instances"), project, [](Instance& instance) { instance.isHidden = false; });
+    return editInstances(InstanceEditsTexts::tr("Show All Instances"), project,
+                         [](Instance& instance) { instance.isHidden = false; });
 }
 
 Edit lockInstances(const Project& project, std::span<const Id> instances) {
@@ -162,7 +164,8 @@ Edit lockInstances(const Project& project, std::span<const Id> instances) {
 }
 
 Edit unlockAllInstances(const Project& project) {
-    return editInstances(tr("Unlock All Instances"), project, [](Instance& instance) { instance.isLocked = false; });
+    return editInstances(InstanceEditsTexts::tr("Unlock All Instances"), project,
+                         [](Instance& instance) { instance.isLocked = false; });
 }
 
 Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,

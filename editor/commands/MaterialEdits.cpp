@@ -11,7 +11,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("MaterialEdits", text); }
+struct MaterialEditsTexts {
+    Q_DECLARE_TR_FUNCTIONS(MaterialEdits)
+};
 
 /// The id of the material that equals a preset; adds one if there is none.
 Id findOrAddMaterial(const Project& project, const MaterialPreset& preset, Edit& edit) {
@@ -39,13 +41,13 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
 }  // namespace
 
 Addition addMaterial(const Project& project, const MaterialPreset& preset) {
-    Addition addition{{.text = tr("Add Material")}};
+    Addition addition{{.text = MaterialEditsTexts::tr("Add Material")}};
     addition.id = findOrAddMaterial(project, preset, addition.edit);
     return addition;
 }
 
 Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset, const PresetOptions& options) {
-    Edit edit{.text = tr("Apply Material")};
+    Edit edit{.text = MaterialEditsTexts::tr("Apply Material")};
     Asset changed = *findAsset(project, asset);
     changed.material = findOrAddMaterial(project, preset, edit);
     if (options.appliesPattern) applyPattern(project, preset, changed, edit);

@@ -1,5 +1,6 @@
 #include "editor/commands/ProjectEdits.h"
 
+#include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "editor/commands/AssetPatterns.h"
 
@@ -17,9 +18,9 @@ constexpr std::uint32_t kSeedsPerFragment = 4;  // of a new level
 constexpr double kDefaultShotTime = 0.5;        // s after the start
 constexpr double kGapBetweenAssets = 0.25;      // m, between a new asset and the scene
 
-QString tr(const char* text) { return QCoreApplication::translate("ProjectEdits", text); }
-
-bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
+struct ProjectEditsTexts {
+    Q_DECLARE_TR_FUNCTIONS(ProjectEdits)
+};
 
 template <class Value>
 const Value& elementWith(const std::vector<Value>& elements, Id id) {
@@ -148,7 +149,7 @@ Edit editBetween(const QString& text, const Project& from, const Project& to) {
 }
 
 Addition addAsset(const Project& project, const std::string& name, const Prism& prism) {
-    Addition addition{{.text = tr("Add Asset")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Add Asset")}};
     Asset asset{.name = uniqueName(project.assets, name), .prism = prism};
     asset.material = firstOrNewMaterial(project, addition.edit);
     asset.id = addition.id = addition.edit.allocateId(project);
@@ -160,7 +161,7 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
 }
 
 Addition duplicateAsset(const Project& project, Id source) {
-    Addition addition{{.text = tr("Duplicate Asset")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Duplicate Asset")}};
     Asset copy = elementWith(project.assets, source);
     copy.name = uniqueName(project.assets, copy.name);
     copy.id = addition.id = addition.edit.allocateId(project);
@@ -191,13 +192,13 @@ Edit removeAssets(const Project& project, std::span<const Id> assets) {
 }
 
 Addition addMaterial(const Project& project, const std::string& name) {
-    Addition addition{{.text = tr("Add Material")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Add Material")}};
     addition.id = appendMaterial(project, name, addition.edit);
     return addition;
 }
 
 Addition duplicateMaterial(const Project& project, Id source) {
-    Addition addition{{.text = tr("Duplicate Material")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Duplicate Material")}};
     Material copy = elementWith(project.materials, source);
     copy.name = uniqueName(project.materials, copy.name);
     copy.id = addition.id = addition.edit.allocateId(project);
@@ -206,7 +207,7 @@ Addition duplicateMaterial(const Project& project, Id source) {
 }
 
 Edit removeMaterial(const Project& project, Id material) {
-    Edit edit{.text = tr("Delete Material")};
+    Edit edit{.text = ProjectEditsTexts::tr("Delete Material")};
     const auto other = std::ranges::find_if(project.materials, [&](const Material& m) { return m.id != material; });
     if (other == project.materials.end()) return edit;
     addRemoval<Material>(material, edit);
@@ -220,7 +221,7 @@ Edit removeMaterial(const Project& project, Id material) {
 }
 
 Addition addInstance(const Project& project, Id asset) {
-    Addition addition{{.text = tr("Add Instance")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Add Instance")}};
     addition.id = appendInstance(project, elementWith(project.assets, asset), addition.edit);
     return addition;
 }
@@ -249,13 +250,13 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
 }
 
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action) {
-    Addition added{.edit = {.text = tr("Add Shot")}};
+    Addition added{.edit = {.text = ProjectEditsTexts::tr("Add Shot")}};
     added.id = appendShot(project, name, action, added.edit);
     return added;
 }
 
 Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot) {
-    Addition added{.edit = {.text = tr("Add Play-Test")}};
+    Addition added{.edit = {.text = ProjectEditsTexts::tr("Add Play-Test")}};
     PlayTest test{.name = uniqueName(project.playTests, shot ? shot->name : "stands")};
     if (shot) {
         test.shots = {appendShot(project, shot->name, shot->action, added.edit)};
@@ -268,10 +269,12 @@ Addition addPlayTest(const Project& project, const std::optional<ShotInput>& sho
     return added;
 }
 
-Edit removePlayTest(Id test) { return {.text = tr("Delete Play-Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}}; }
+Edit removePlayTest(Id test) {
+    return {.text = ProjectEditsTexts::tr("Delete Play-Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}};
+}
 
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern) {
-    Addition addition{{.text = tr("Add Layer")}};
+    Addition addition{{.text = ProjectEditsTexts::tr("Add Layer")}};
     addition.id = addition.edit.allocateId(project);
     Asset changed = elementWith(project.assets, asset);
     patternAt(changed, pattern)
@@ -281,7 +284,7 @@ Addition addLayer(const Project& project, Id asset, const LayerParameters& param
 }
 
 Edit addLevel(const Project& project, Id asset) {
-    Edit edit{.text = tr("Add Level")};
+    Edit edit{.text = ProjectEditsTexts::tr("Add Level")};
     const Id layer = edit.allocateId(project);
     Asset changed = elementWith(project.assets, asset);
     Level level;

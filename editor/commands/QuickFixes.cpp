@@ -22,7 +22,9 @@ namespace {
 constexpr std::uint32_t kRelaxationRounds = 3;  // added by a fix
 constexpr int kMaxSplitRounds = 8;              // of a fragment and its parts: at most 256 parts
 
-QString tr(const char* text) { return QCoreApplication::translate("QuickFixes", text); }
+struct QuickFixesTexts {
+    Q_DECLARE_TR_FUNCTIONS(QuickFixes)
+};
 
 /// The first point of an outline that repeats the previous one.
 std::optional<RingPoint> repeatedPoint(const Polygon& outline) {
@@ -179,32 +181,37 @@ bool canFix(const Project& project, const Diagnostic& problem, QuickFix fix) {
 
 QString textOf(QuickFix fix) {
     switch (fix) {
-        case QuickFix::DeleteSeed: return tr("Delete Seed");
-        case QuickFix::RemoveOverride: return tr("Remove Override");
-        case QuickFix::DeletePoint: return tr("Delete Point");
-        case QuickFix::Relax: return tr("Relax");
-        case QuickFix::MergeTinyFragments: return tr("Merge Tiny Fragments");
-        case QuickFix::ReduceCount: return tr("Reduce Count to Fit");
-        case QuickFix::SplitFragment: return tr("Split Fragment");
-        case QuickFix::KeepEnteredThreshold: return tr("Keep Entered Threshold");
+        case QuickFix::DeleteSeed: return QuickFixesTexts::tr("Delete Seed");
+        case QuickFix::RemoveOverride: return QuickFixesTexts::tr("Remove Override");
+        case QuickFix::DeletePoint: return QuickFixesTexts::tr("Delete Point");
+        case QuickFix::Relax: return QuickFixesTexts::tr("Relax");
+        case QuickFix::MergeTinyFragments: return QuickFixesTexts::tr("Merge Tiny Fragments");
+        case QuickFix::ReduceCount: return QuickFixesTexts::tr("Reduce Count to Fit");
+        case QuickFix::SplitFragment: return QuickFixesTexts::tr("Split Fragment");
+        case QuickFix::KeepEnteredThreshold: return QuickFixesTexts::tr("Keep Entered Threshold");
     }
     return {};
 }
 
 QString descriptionOf(QuickFix fix) {
     switch (fix) {
-        case QuickFix::DeleteSeed: return tr("Delete the seed and let the neighbouring cells fill its place");
-        case QuickFix::RemoveOverride: return tr("Remove the manual change to a seed that no longer exists");
-        case QuickFix::DeletePoint: return tr("Delete repeated points of the outline");
-        case QuickFix::Relax: return tr("Add a relaxation that moves scattered seeds to the centres of their cells");
+        case QuickFix::DeleteSeed:
+            return QuickFixesTexts::tr("Delete the seed and let the neighbouring cells fill its place");
+        case QuickFix::RemoveOverride:
+            return QuickFixesTexts::tr("Remove the manual change to a seed that no longer exists");
+        case QuickFix::DeletePoint: return QuickFixesTexts::tr("Delete repeated points of the outline");
+        case QuickFix::Relax:
+            return QuickFixesTexts::tr("Add a relaxation that moves scattered seeds to the centres of their cells");
         case QuickFix::MergeTinyFragments:
-            return tr("Merge each tiny fragment of the asset into the neighbour with the longest shared edge");
+            return QuickFixesTexts::tr(
+                "Merge each tiny fragment of the asset into the neighbour with the longest shared edge");
         case QuickFix::ReduceCount:
-            return tr("Reduce the count of the layer to the seeds that fit, which stay in place");
+            return QuickFixesTexts::tr("Reduce the count of the layer to the seeds that fit, which stay in place");
         case QuickFix::SplitFragment:
-            return tr("Split the fragment across its longest dimension until each part needs few convex hulls");
+            return QuickFixesTexts::tr(
+                "Split the fragment across its longest dimension until each part needs few convex hulls");
         case QuickFix::KeepEnteredThreshold:
-            return tr("Use the entered threshold and stop deriving it from the tensile strength");
+            return QuickFixesTexts::tr("Use the entered threshold and stop deriving it from the tensile strength");
     }
     return {};
 }

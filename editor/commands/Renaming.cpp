@@ -11,7 +11,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Renaming", text); }
+struct RenamingTexts {
+    Q_DECLARE_TR_FUNCTIONS(Renaming)
+};
 
 /// Calls a function with the list of a kind of elements.
 template <class Function>
@@ -26,13 +28,13 @@ auto withListOf(const Project& project, Part part, const Function& function) {
 }  // namespace
 
 QString nameFault(const Project& project, Part part, Id id, const QString& name) {
-    if (name.trimmed().isEmpty()) return tr("A name must not be empty.");
+    if (name.trimmed().isEmpty()) return RenamingTexts::tr("A name must not be empty.");
     const std::string folded = caseFolded(name.trimmed().toStdString());
     return withListOf(project, part, [&](const auto& elements) {
         const auto other = std::ranges::find_if(
             elements, [&](const auto& element) { return element.id != id && caseFolded(element.name) == folded; });
         if (other == elements.end()) return QString();
-        return tr("The name \"%1\" is already taken.").arg(QString::fromStdString(other->name));
+        return RenamingTexts::tr("The name \"%1\" is already taken.").arg(QString::fromStdString(other->name));
     });
 }
 
@@ -40,7 +42,7 @@ Edit renameElement(const Project& project, Part part, Id id, const QString& name
     return withListOf(project, part, [&](const auto& elements) {
         auto changed = *std::ranges::find(elements, id, [](const auto& element) { return element.id; });
         changed.name = name.trimmed().toStdString();
-        return modify(tr("Rename"), std::move(changed));
+        return modify(RenamingTexts::tr("Rename"), std::move(changed));
     });
 }
 

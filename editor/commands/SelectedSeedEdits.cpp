@@ -13,7 +13,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("SelectedSeedEdits", text); }
+struct SelectedSeedEditsTexts {
+    Q_DECLARE_TR_FUNCTIONS(SelectedSeedEdits)
+};
 
 bool isPlaced(const Pattern& pattern, SeedId seed) {
     const PatternLayer* layer = findLayer(pattern, seed.layer);
@@ -53,7 +55,7 @@ Edit restoreSeeds(Asset asset, const FragmentPath& parent, const FragmentSelecti
     }
     for (const SeedId seed : seeds) restoreSeed(pattern, seed);
     if (asset == before) return {};
-    return modify(tr("Restore Seeds"), std::move(asset));
+    return modify(SelectedSeedEditsTexts::tr("Restore Seeds"), std::move(asset));
 }
 
 }  // namespace rubble

@@ -9,37 +9,42 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ContactSheet", text); }
+struct ContactSheetTexts {
+    Q_DECLARE_TR_FUNCTIONS(ContactSheet)
+};
 
 QString shotText(const SheetFigures& figures) {
-    if (!figures.breakImpact) return tr("did not break");
-    const QString broke = tr("broke at %1").arg(localizedQuantity(QuantityKind::Impulse, *figures.breakImpact));
+    if (!figures.breakImpact) return ContactSheetTexts::tr("did not break");
+    const QString broke =
+        ContactSheetTexts::tr("broke at %1").arg(localizedQuantity(QuantityKind::Impulse, *figures.breakImpact));
     if (!figures.debrisHeight) return broke;
-    return tr("%1, up to %2").arg(broke, localizedQuantity(QuantityKind::Length, *figures.debrisHeight));
+    return ContactSheetTexts::tr("%1, up to %2")
+        .arg(broke, localizedQuantity(QuantityKind::Length, *figures.debrisHeight));
 }
 
 }  // namespace
 
 QString measureName(SheetMeasure measure) {
     switch (measure) {
-        case SheetMeasure::Number: return tr("Number");
-        case SheetMeasure::Pieces: return tr("Fragments");
-        case SheetMeasure::SmallestPiece: return tr("Smallest fragment");
-        case SheetMeasure::Aspect: return tr("Longest fragment");
-        case SheetMeasure::BreakImpact: return tr("Breaking impact");
-        case SheetMeasure::DebrisHeight: return tr("Debris height");
+        case SheetMeasure::Number: return ContactSheetTexts::tr("Number");
+        case SheetMeasure::Pieces: return ContactSheetTexts::tr("Fragments");
+        case SheetMeasure::SmallestPiece: return ContactSheetTexts::tr("Smallest fragment");
+        case SheetMeasure::Aspect: return ContactSheetTexts::tr("Longest fragment");
+        case SheetMeasure::BreakImpact: return ContactSheetTexts::tr("Breaking impact");
+        case SheetMeasure::DebrisHeight: return ContactSheetTexts::tr("Debris height");
     }
     return {};
 }
 
 QString captionOf(const SheetEntry& entry) {
-    const QString name = entry.number == 0 ? tr("Current") : tr("No. %1").arg(entry.number);
+    const QString name =
+        entry.number == 0 ? ContactSheetTexts::tr("Current") : ContactSheetTexts::tr("No. %1").arg(entry.number);
     if (entry.fault) return name + '\n' + QString::fromStdString(*entry.fault);
     const SheetFigures& figures = entry.figures;
     const int count = static_cast<int>(figures.pieces);
     QString text = name + " · " + QCoreApplication::translate("ContactSheet", "%Ln fragment(s)", nullptr, count) +
                    '\n' +
-                   tr("smallest %1, longest %2 : 1")
+                   ContactSheetTexts::tr("smallest %1, longest %2 : 1")
                        .arg(localizedQuantity(QuantityKind::Volume, figures.smallestPiece),
                             QLocale().toString(figures.aspect, 'f', 1));
     if (figures.isPlayed) text += '\n' + shotText(figures);

@@ -31,7 +31,7 @@ namespace rubble {
 namespace {
 
 constexpr QSize kPictureSize{240, 180};
-constexpr QSize kDefaultSize{1180, 760};
+constexpr QSize kSheetSize{1180, 760};
 constexpr double kMaxScreenFraction = 0.9;  // of the default size
 constexpr int kSettingsWidth = 300;         // pixels
 constexpr int kProgressWidth = 160;         // pixels
@@ -83,7 +83,7 @@ ContactSheetWindow::ContactSheetWindow(Workspace& workspace, QWidget* parent)
       m_cancel(createButton("remove", tr("&Cancel"), tr("Cancel and keep the finished variants"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("contact-sheet");
-    resize(kDefaultSize.boundedTo(parent->screen()->availableSize() * kMaxScreenFraction));
+    resize(kSheetSize.boundedTo(parent->screen()->availableSize() * kMaxScreenFraction));
     auto* columns = new QHBoxLayout(this);
     columns->addWidget(createSettings());
     auto* rows = new QVBoxLayout;

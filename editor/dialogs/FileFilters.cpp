@@ -10,13 +10,15 @@ namespace {
 
 const QStringList kMeshSuffixes = {"obj", "gltf", "glb", "fbx", "stl", "ply"};
 
-QString tr(const char* text) { return QCoreApplication::translate("FileFilters", text); }
+struct FileFiltersTexts {
+    Q_DECLARE_TR_FUNCTIONS(FileFilters)
+};
 
 }  // namespace
 
-QString projectFilter() { return tr("Rubble projects (*%1)").arg(kProjectSuffix); }
+QString projectFilter() { return FileFiltersTexts::tr("Rubble projects (*%1)").arg(kProjectSuffix); }
 
-QString meshFilter() { return tr("Meshes (%1)").arg("*." + kMeshSuffixes.join(" *.")); }
+QString meshFilter() { return FileFiltersTexts::tr("Meshes (%1)").arg("*." + kMeshSuffixes.join(" *.")); }
 
 bool isMeshPath(const QString& path) { return kMeshSuffixes.contains(QFileInfo(path).suffix().toLower()); }
 

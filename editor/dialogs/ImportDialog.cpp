@@ -20,11 +20,9 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kDefaultSize{920, 700};
+constexpr QSize kImportSize{920, 700};
 
-enum Column { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
-
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
 QString metresText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
 
@@ -66,7 +64,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // after the button was added to the dialog
-    resize(kDefaultSize);
+    resize(kImportSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QComboBox* box : {m_unit, m_up}) {
@@ -100,11 +98,11 @@ std::vector<Message> ImportDialog::messages() const {
     std::vector<Message> messages;
     for (const ImportedAsset& imported : m_outcome->assets) {
         for (const std::string& note : imported.notes) {
-            messages.push_back({.text = textOf(note), .asset = imported.asset});
+            messages.push_back({.text = QString::fromStdString(note), .asset = imported.asset});
         }
     }
     for (const RejectedObject& rejected : m_outcome->rejected) {
-        messages.push_back({.severity = Severity::Error, .text = textOf(rejected.error.message)});
+        messages.push_back({.severity = Severity::Error, .text = QString::fromStdString(rejected.error.message)});
     }
     return messages;
 }
@@ -209,9 +207,10 @@ void ImportDialog::apply(Found found) {
     if (found.outcome) m_outcome = std::move(*found.outcome);
     m_import->setEnabled(m_outcome && !m_outcome->assets.empty());
     QStringList refused;
-    if (!found.outcome) refused.append(textOf(found.outcome.error().message));
+    if (!found.outcome) refused.append(QString::fromStdString(found.outcome.error().message));
     if (m_outcome) {
-        for (const RejectedObject& object : m_outcome->rejected) refused.append(textOf(object.error.message));
+        for (const RejectedObject& object : m_outcome->rejected)
+            refused.append(QString::fromStdString(object.error.message));
     }
     m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
     m_refused->setVisible(!refused.isEmpty());
@@ -227,9 +226,10 @@ void ImportDialog::fillTable() {
     m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
-        const QStringList cells = {textOf(findAsset(m_outcome->project, imported.asset)->name),
+        const QStringList cells = {QString::fromStdString(findAsset(m_outcome->project, imported.asset)->name),
                                    sizeText(imported.prism), metresText(imported.prism.depth),
-                                   textOf(axisText(imported.prism.axis)), metresText(imported.tolerance)};
+                                   QString::fromStdString(axisText(imported.prism.axis)),
+                                   metresText(imported.tolerance)};
         for (int column = 0; column < kColumns; ++column) {
             m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
         }
@@ -243,7 +243,7 @@ void ImportDialog::showRow(int row) {
     m_preview->setOutline(imported.prism.outline);
     m_view->setPrism(&imported.prism);
     QStringList notes;
-    for (const std::string& note : imported.notes) notes.append(textOf(note));
+    for (const std::string& note : imported.notes) notes.append(QString::fromStdString(note));
     const double deviation = imported.prism.deviation;
     if (!imported.usesFallback && deviation == 0.0) notes.append(tr("The mesh is exactly this prism."));
     if (!imported.usesFallback && deviation > 0.0) {

@@ -18,10 +18,8 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kSwatchSize{28, 20};
-constexpr QSize kDefaultSize{760, 560};
-
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+constexpr QSize kTreeSwatchSize{28, 20};
+constexpr QSize kMaterialSize{760, 560};
 
 }  // namespace
 
@@ -37,7 +35,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
       m_summary(new QTextBrowser),
       m_preview(new PatternPreview) {
     setWindowTitle(tr("Material Library"));
-    m_list->setIconSize(kSwatchSize);
+    m_list->setIconSize(kTreeSwatchSize);
     m_list->setAccessibleName(tr("Materials"));
     m_summary->setAccessibleName(tr("Properties and sources"));
     auto* layout = new QGridLayout(this);
@@ -51,7 +49,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
     connect(m_list, &QListWidget::itemDoubleClicked, this,
             [this] { (m_apply->isEnabled() ? m_apply : m_add)->click(); });
     fill();
-    resize(kDefaultSize);
+    resize(kMaterialSize);
     m_list->setFocus();
 }
 
@@ -75,13 +73,13 @@ QWidget* MaterialDialog::createOptions() {
     folder->setEnabled(false);
     layout->addWidget(folder);
     for (const std::string& error : m_library.errors) {
-        auto* label = new QLabel(textOf(error));
+        auto* label = new QLabel(QString::fromStdString(error));
         label->setObjectName("error");
         label->setWordWrap(true);
         layout->addWidget(label);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    const QString name = asset() != nullptr ? textOf(asset()->name) : QString();
+    const QString name = asset() != nullptr ? QString::fromStdString(asset()->name) : QString();
     m_apply =
         buttons->addButton(name.isEmpty() ? tr("A&pply") : tr("A&pply to \"%1\"").arg(QString(name).replace('&', "&&")),
                            QDialogButtonBox::AcceptRole);
@@ -97,8 +95,9 @@ QWidget* MaterialDialog::createOptions() {
 
 void MaterialDialog::fill() {
     for (const LibraryMaterial& material : m_library.materials) {
-        auto* item = new QListWidgetItem(materialSwatch(material.preset), textOf(material.preset.name), m_list);
-        item->setToolTip(textOf(material.preset.note));
+        auto* item =
+            new QListWidgetItem(materialSwatch(material.preset), QString::fromStdString(material.preset.name), m_list);
+        item->setToolTip(QString::fromStdString(material.preset.note));
     }
     const Material* current = asset() ? findMaterial(m_document.project(), asset()->material) : nullptr;
     const LibraryMaterial* preset = current ? findMaterial(m_library, current->name) : nullptr;

@@ -18,9 +18,11 @@ namespace {
 constexpr QSize kSwatchSize{28, 20};
 constexpr int kPixelRatio = 3;  // of a swatch, for screens of high resolution
 
-QString tr(const char* text) { return QCoreApplication::translate("MaterialSummary", text); }
+struct MaterialSummaryTexts {
+    Q_DECLARE_TR_FUNCTIONS(MaterialSummary)
+};
 
-QString textOf(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+QString htmlText(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
 /// Returns a row of the table as HTML, with a note below it unless that is empty.
 QString rowOf(const QString& name, const QString& text, const QString& note) {
@@ -33,37 +35,42 @@ QString rowOf(const QString& name, const PresetFigure& figure, const NumberForma
     const auto number = [&](double value) { return roundedText(value, format, locale); };
     QString text = "<b>" + withUnit(number(figure.value), format) + "</b>";
     if (figure.range) {
-        text += " · " + tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
+        text +=
+            " · " + MaterialSummaryTexts::tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
     }
-    return rowOf(name, text, textOf(figure.source));
+    return rowOf(name, text, htmlText(figure.source));
 }
 
 QString layerNames(const Pattern& pattern) {
     QStringList kinds;
     for (const PatternLayer& layer : pattern.layers) kinds << layerKindName(layer.parameters).toHtmlEscaped();
-    return kinds.isEmpty() ? tr("none") : kinds.join(" + ");
+    return kinds.isEmpty() ? MaterialSummaryTexts::tr("none") : kinds.join(" + ");
 }
 
 }  // namespace
 
 QString materialSummary(const LibraryMaterial& material, const QLocale& locale) {
     const MaterialPreset& preset = material.preset;
-    QString summary = QString("<h3>%1</h3>").arg(textOf(preset.name));
-    if (!preset.note.empty()) summary += QString("<p>%1</p>").arg(textOf(preset.note));
-    summary += "<table>" + rowOf(tr("Density"), preset.density, {tr("kg/m³")}, locale) +
-               rowOf(tr("Friction"), preset.friction, {}, locale) +
-               rowOf(tr("Restitution"), preset.restitution, {}, locale);
-    if (preset.tensileStrength) summary += rowOf(tr("Strength"), *preset.tensileStrength, {tr("MPa"), -6}, locale);
+    QString summary = QString("<h3>%1</h3>").arg(htmlText(preset.name));
+    if (!preset.note.empty()) summary += QString("<p>%1</p>").arg(htmlText(preset.note));
+    summary += "<table>" +
+               rowOf(MaterialSummaryTexts::tr("Density"), preset.density, {MaterialSummaryTexts::tr("kg/m³")}, locale) +
+               rowOf(MaterialSummaryTexts::tr("Friction"), preset.friction, {}, locale) +
+               rowOf(MaterialSummaryTexts::tr("Restitution"), preset.restitution, {}, locale);
+    if (preset.tensileStrength)
+        summary += rowOf(MaterialSummaryTexts::tr("Strength"), *preset.tensileStrength,
+                         {MaterialSummaryTexts::tr("MPa"), -6}, locale);
     if (preset.fractureToughness)
-        summary += rowOf(tr("Toughness"), *preset.fractureToughness, {tr("MPa√m"), -6}, locale);
+        summary += rowOf(MaterialSummaryTexts::tr("Toughness"), *preset.fractureToughness,
+                         {MaterialSummaryTexts::tr("MPa√m"), -6}, locale);
     if (const std::optional<double> limit = transitionCrackLength(materialOf(preset, 0))) {
         const QString text = localizedQuantity(QuantityKind::Length, *limit, {}, locale);
-        summary += rowOf(tr("Crack limit"), "<b>" + text + "</b>",
-                         tr("(toughness / strength)² / π: deeper cracks lower the strength"));
+        summary += rowOf(MaterialSummaryTexts::tr("Crack limit"), "<b>" + text + "</b>",
+                         MaterialSummaryTexts::tr("(toughness / strength)² / π: deeper cracks lower the strength"));
     }
-    summary += rowOf(tr("Pattern"), layerNames(preset.pattern), {});
+    summary += rowOf(MaterialSummaryTexts::tr("Pattern"), layerNames(preset.pattern), {});
     const QString file = QString::fromStdString(material.file.string()).toHtmlEscaped();
-    if (!file.isEmpty()) summary += rowOf(tr("File"), "<small>" + file + "</small>", {});
+    if (!file.isEmpty()) summary += rowOf(MaterialSummaryTexts::tr("File"), "<small>" + file + "</small>", {});
     return summary + "</table>";
 }
 

@@ -14,12 +14,14 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("MeshReading", text); }
+struct MeshReadingTexts {
+    Q_DECLARE_TR_FUNCTIONS(MeshReading)
+};
 
 }  // namespace
 
 std::optional<SourceScene> readMesh(const QString& path, const std::filesystem::path& importer, QWidget* parent) {
-    TaskDialog dialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), parent);
+    TaskDialog dialog(MeshReadingTexts::tr("Reading %1…").arg(QFileInfo(path).fileName()), parent);
     Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
         [&](const TaskContext& task) { return importMesh(path.toStdString(), importer, task); });
     if (scene) return std::move(*scene);
@@ -29,8 +31,9 @@ std::optional<SourceScene> readMesh(const QString& path, const std::filesystem::
 
 QComboBox* createUnitBox() {
     return comboBox(
-        {tr("As in the file"), tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Inches"), tr("Feet")},
-        tr("Set the unit of the file"));
+        {MeshReadingTexts::tr("As in the file"), MeshReadingTexts::tr("Metres"), MeshReadingTexts::tr("Centimetres"),
+         MeshReadingTexts::tr("Millimetres"), MeshReadingTexts::tr("Inches"), MeshReadingTexts::tr("Feet")},
+        MeshReadingTexts::tr("Set the unit of the file"));
 }
 
 std::optional<double> metresPerUnit(const QComboBox& unitBox) {

@@ -14,7 +14,7 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kDefaultSize{420, 480};
+constexpr QSize kMeshSeedsSize{420, 480};
 
 }  // namespace
 
@@ -44,7 +44,7 @@ MeshSeedsDialog::MeshSeedsDialog(const QString& fileName, SourceScene mesh, Poly
     layout->addWidget(m_summary);
     layout->addWidget(buttons);
     m_add->setDefault(true);  // after the button was added to the dialog
-    resize(kDefaultSize);
+    resize(kMeshSeedsSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QComboBox* box : {m_unit, m_along}) {

@@ -9,8 +9,8 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMargin = 12.0;      // pixels around the outline
-constexpr double kPointRadius = 2.0;  // pixels
+constexpr double kOutlineMargin = 12.0;  // pixels around the outline
+constexpr double kPointRadius = 2.0;     // pixels
 
 QPolygonF toPolygon(const Ring& ring) {
     QPolygonF points;
@@ -36,8 +36,8 @@ void OutlinePreview::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().base());
     if (m_outline.outer.empty()) return;
     const Box2 bounds = boundsOf(m_outline.outer);
-    const double scale = std::min((width() - 2.0 * kMargin) / std::max(bounds.size().x, 1e-300),
-                                  (height() - 2.0 * kMargin) / std::max(bounds.size().y, 1e-300));
+    const double scale = std::min((width() - 2.0 * kOutlineMargin) / std::max(bounds.size().x, 1e-300),
+                                  (height() - 2.0 * kOutlineMargin) / std::max(bounds.size().y, 1e-300));
     const Vec2 middle = (bounds.min + bounds.max) / 2.0;
     QTransform pixels;
     pixels.translate(width() / 2.0, height() / 2.0);

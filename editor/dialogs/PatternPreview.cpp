@@ -14,10 +14,10 @@ namespace rubble {
 
 namespace {
 
-constexpr double kWidth = 2.0;   // m, of the wall
-constexpr double kHeight = 1.5;  // m, of the wall
-constexpr double kDepth = 0.2;   // m, of the wall
-constexpr double kMargin = 6.0;  // pixels around it
+constexpr double kWidth = 2.0;          // m, of the wall
+constexpr double kHeight = 1.5;         // m, of the wall
+constexpr double kPreviewDepth = 0.2;   // m, of the wall
+constexpr double kPreviewMargin = 6.0;  // pixels around it
 
 void addRing(const Ring& ring, const QTransform& pixels, QPainterPath& path) {
     QPolygonF points;
@@ -37,7 +37,7 @@ PatternPreview::PatternPreview(QWidget* parent) : QWidget(parent) {
 void PatternPreview::setPreset(const MaterialPreset& preset) {
     m_outside = preset.outside;
     m_inside = preset.inside;
-    const Prism wall{rectangleOutline(kWidth, kHeight), kDepth};
+    const Prism wall{rectangleOutline(kWidth, kHeight), kPreviewDepth};
     Recipe recipe;
     recipe.pattern = patternWithin(preset, boundsOf(wall.outline.outer));
     const Result<PlanarFracture> fracture = planarFracture(recipe, wall, {});
@@ -48,7 +48,8 @@ void PatternPreview::setPreset(const MaterialPreset& preset) {
 void PatternPreview::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double scale = std::min((width() - 2.0 * kMargin) / kWidth, (height() - 2.0 * kMargin) / kHeight);
+    const double scale =
+        std::min((width() - 2.0 * kPreviewMargin) / kWidth, (height() - 2.0 * kPreviewMargin) / kHeight);
     QTransform pixels;
     pixels.translate(width() / 2.0, height() / 2.0);
     pixels.scale(scale, -scale);

@@ -13,7 +13,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Export", text); }
+struct ExportTexts {
+    Q_DECLARE_TR_FUNCTIONS(Export)
+};
 
 /// Returns the settings group of a project's last export; empty for a project without a file.
 QString settingsGroup(const QString& projectPath) {
@@ -54,9 +56,10 @@ bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) 
         if (isEdited(asset)) folders.append(QString::fromStdString(asset.folder.filename().string()));
     }
     if (folders.isEmpty()) return false;
-    return confirmLoss(parent,
-                       tr("Files in %1 were changed after the last export. Replace them?").arg(folders.join(", ")),
-                       tr("Replace"), tr("Keep"));
+    return confirmLoss(
+        parent,
+        ExportTexts::tr("Files in %1 were changed after the last export. Replace them?").arg(folders.join(", ")),
+        ExportTexts::tr("Replace"), ExportTexts::tr("Keep"));
 }
 
 /// Shows the assets that failed and returns a sentence about the others.
@@ -80,7 +83,7 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
     const QString exported = QCoreApplication::translate("Export", "Exported %n asset(s) to %1", nullptr, written)
                                  .arg(QDir::toNativeSeparators(folder));
     if (unchanged == 0) return exported + '.';
-    return exported + tr("; %L1 unchanged.").arg(unchanged);
+    return exported + ExportTexts::tr("; %L1 unchanged.").arg(unchanged);
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ QString exportProject(Workspace& workspace, const ExportOptions& options, Messag
     const std::vector<Id> assets = assetsToExport(options, project);
     using Outcome = Result<std::vector<AssetExport>>;
     const auto run = [&](EditedFiles edited) {
-        TaskDialog dialog(tr("Exporting…"), parent);
+        TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
         return dialog.run<Outcome>([&](const TaskContext& task) {
             return exportPacks(project, assets, options.folder.toStdString(), options.meshes, edited, task);
         });
@@ -123,7 +126,7 @@ QString exportProject(Workspace& workspace, const ExportOptions& options, Messag
         return sentence;
     }
     if (outcome.error().code == ErrorCode::Cancelled) {
-        return tr("Export cancelled. No incomplete files were left.");
+        return ExportTexts::tr("Export cancelled. No incomplete files were left.");
     }
     const QString sentence = QString::fromStdString(outcome.error().message);
     messages.add({.severity = Severity::Error, .text = sentence});

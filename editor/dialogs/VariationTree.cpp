@@ -22,7 +22,7 @@ constexpr int kLayerRole = Qt::UserRole + 1;  // id; 0: a kind
 constexpr double kDefaultFrom = 0.5;          // default range of a parameter, relative to its value
 constexpr double kDefaultTo = 1.5;
 
-enum Column { Name, From, To };
+enum VariationColumn { Name, From, To };
 
 double numberOf(const ParameterValue& value) {
     const auto* count = std::get_if<SeedCount>(&value);

@@ -13,7 +13,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ProjectAccess", text); }
+struct ProjectAccessTexts {
+    Q_DECLARE_TR_FUNCTIONS(ProjectAccess)
+};
 
 QString timeText(std::chrono::system_clock::time_point time) {
     const QDateTime local = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(time));
@@ -31,23 +33,23 @@ ProjectAccess accessProject(const QString& path, LockTakeover takeover) {
     const QString name = QFileInfo(path).fileName();
     ProjectAccess access{.lock = std::move(attempt.lock), .holder = std::move(attempt.holder)};
     if (access.holder) {
-        access.readOnlyReason =
-            tr("\"%1\" is read-only, because it is open in %2.").arg(name, holderText(*access.holder));
+        access.readOnlyReason = ProjectAccessTexts::tr("\"%1\" is read-only, because it is open in %2.")
+                                    .arg(name, holderText(*access.holder));
     } else if (!access.lock) {
         const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
-        access.readOnlyReason = tr("\"%1\" is read-only, because \"%2\" cannot be written to: %3.")
+        access.readOnlyReason = ProjectAccessTexts::tr("\"%1\" is read-only, because \"%2\" cannot be written to: %3.")
                                     .arg(name, folder, QString::fromStdString(attempt.reason));
     }
     return access;
 }
 
 QString holderText(const LockHolder& holder) {
-    if (holder.isThisProcess) return tr("another window");
-    return tr("%1, process %2 of %3 on %4, since %5")
-        .arg(orUnknown(holder.program, tr("an unknown program")),
-             holder.process > 0 ? QString::number(holder.process) : tr("(unknown)"),
-             orUnknown(holder.user, tr("an unknown user")), orUnknown(holder.host, tr("an unknown host")),
-             timeText(holder.since));
+    if (holder.isThisProcess) return ProjectAccessTexts::tr("another window");
+    return ProjectAccessTexts::tr("%1, process %2 of %3 on %4, since %5")
+        .arg(orUnknown(holder.program, ProjectAccessTexts::tr("an unknown program")),
+             holder.process > 0 ? QString::number(holder.process) : ProjectAccessTexts::tr("(unknown)"),
+             orUnknown(holder.user, ProjectAccessTexts::tr("an unknown user")),
+             orUnknown(holder.host, ProjectAccessTexts::tr("an unknown host")), timeText(holder.since));
 }
 
 }  // namespace rubble

@@ -13,7 +13,7 @@ namespace {
 const QColor kRunning(242, 140, 40);
 const QColor kWaiting(96, 140, 190);
 constexpr int kFrame = 3;  // this and the following: points
-constexpr int kMargin = 12;
+constexpr int kHudMargin = 12;
 constexpr int kAxes = 92;    // width of the axes indicator in the corner
 constexpr int kScale = 105;  // width of the scale bar at the right
 constexpr int kChargeWidth = 220;
@@ -80,7 +80,7 @@ void PlayHud::paintTexts(QPainter& painter, QSize size) const {
     for (const QString& line : m_content.statistics) width = std::max(width, lines.horizontalAdvance(line));
     const int height = title.height() + static_cast<int>(m_content.statistics.size()) * lines.height();
     QRect text =
-        paintPlate(painter, QRect(kMargin, kMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4));
+        paintPlate(painter, QRect(kHudMargin, kHudMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4));
     painter.setPen(kPlateText);
     painter.setFont(bold);
     painter.drawText(text, Qt::AlignTop, m_content.title);
@@ -88,9 +88,9 @@ void PlayHud::paintTexts(QPainter& painter, QSize size) const {
     painter.setPen(kPlateSecondaryText);
     painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.statistics.join('\n'));
     if (m_content.hint.isEmpty()) return;
-    const int maxWidth = size.width() - kAxes - kScale - kMargin - 2 * kPlatePadding;
+    const int maxWidth = size.width() - kAxes - kScale - kHudMargin - 2 * kPlatePadding;
     const QRect bounds = lines.boundingRect(QRect(0, 0, maxWidth, 1000), Qt::TextWordWrap, m_content.hint);
-    text = paintPlate(painter, QRect(kAxes, size.height() - kMargin - bounds.height() - 2 * kPlatePadding + 4,
+    text = paintPlate(painter, QRect(kAxes, size.height() - kHudMargin - bounds.height() - 2 * kPlatePadding + 4,
                                      bounds.width() + 2 * kPlatePadding, bounds.height() + 2 * kPlatePadding - 4));
     painter.setPen(kPlateSecondaryText);
     painter.drawText(text, Qt::TextWordWrap, m_content.hint);
@@ -125,8 +125,8 @@ void PlayHud::paintHeat(QPainter& painter, QSize size) const {
     const int width =
         std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));
     const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
-    const QRect inside = paintPlate(
-        painter, QRect(size.width() - kMargin - width - 2 * kPlatePadding, kMargin, width + 2 * kPlatePadding, height));
+    const QRect inside = paintPlate(painter, QRect(size.width() - kHudMargin - width - 2 * kPlatePadding, kHudMargin,
+                                                   width + 2 * kPlatePadding, height));
     const auto colourOf = [](double value) {
         const Colour colour = heatColour(value);
         return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),

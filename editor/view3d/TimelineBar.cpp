@@ -18,7 +18,7 @@ namespace {
 constexpr double kHandle = 6.0;  // this and the following: points
 constexpr double kTrackHeight = 6.0;
 constexpr double kMarkHeight = 12.0;
-constexpr int kMargin = 10;
+constexpr int kTextMargin = 10;
 constexpr double kMarkTolerance = 4.0;
 const QColor kBreak(214, 69, 48);
 
@@ -40,7 +40,7 @@ QSize TimelineBar::sizeHint() const { return {300, std::max(26, fontMetrics().he
 
 /// Between the time labels at both ends.
 QRectF TimelineBar::track() const {
-    const int text = fontMetrics().horizontalAdvance(timeText(8888.88)) + kMargin;
+    const int text = fontMetrics().horizontalAdvance(timeText(8888.88)) + kTextMargin;
     return QRectF(text + kHandle, (height() - kTrackHeight) / 2.0, std::max(20.0, width() - 2.0 * (text + kHandle)),
                   kTrackHeight);
 }
@@ -66,7 +66,7 @@ void TimelineBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRect inside = rect().adjusted(kMargin, 0, -kMargin, 0);
+    const QRect inside = rect().adjusted(kTextMargin, 0, -kTextMargin, 0);
     painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, timeText(static_cast<double>(frame.step) * dt));
     painter.drawText(inside, Qt::AlignVCenter | Qt::AlignRight, timeText(static_cast<double>(frame.length) * dt));
     const QRectF whole = track();

@@ -14,7 +14,9 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("LayerText", text); }
+struct LayerTextTexts {
+    Q_DECLARE_TR_FUNCTIONS(LayerText)
+};
 
 /// Fills the template of one layer's summary.
 class SummaryWriter {
@@ -56,9 +58,9 @@ private:
     QString countText(const SeedCount& count, const QString& singular, const QString& plural) const {
         switch (count.by) {
             case CountBy::Number: break;
-            case CountBy::Density: return tr("%1 per m²").arg(roundedText(count.amount, {}, m_locale));
+            case CountBy::Density: return LayerTextTexts::tr("%1 per m²").arg(roundedText(count.amount, {}, m_locale));
             case CountBy::PieceSize:
-                return tr("fragments of %1")
+                return LayerTextTexts::tr("fragments of %1")
                     .arg(localizedQuantity(QuantityKind::Length, count.amount, m_units, m_locale));
         }
         return number(count.amount, singular, plural);
@@ -89,7 +91,8 @@ QString inTitleCase(QString text) {
 }
 
 QString layerText(const PatternLayer& layer, const Units& units, const QLocale& locale) {
-    return tr("%1, %2").arg(layerKindName(layer.parameters), SummaryWriter(layer.parameters, units, locale).text());
+    return LayerTextTexts::tr("%1, %2").arg(layerKindName(layer.parameters),
+                                            SummaryWriter(layer.parameters, units, locale).text());
 }
 
 }  // namespace rubble

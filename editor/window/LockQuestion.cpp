@@ -9,17 +9,21 @@ namespace rubble {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("LockQuestion", text); }
+struct LockQuestionTexts {
+    Q_DECLARE_TR_FUNCTIONS(LockQuestion)
+};
 
 Question questionAbout(const QString& path, const LockHolder& holder) {
-    Question question{.text = tr("\"%1\" is open in %2.").arg(QFileInfo(path).fileName(), holderText(holder))};
-    question.answers = {{tr("Open Read-Only"), QMessageBox::AcceptRole}, {tr("Cancel"), QMessageBox::RejectRole}};
+    Question question{
+        .text = LockQuestionTexts::tr("\"%1\" is open in %2.").arg(QFileInfo(path).fileName(), holderText(holder))};
+    question.answers = {{LockQuestionTexts::tr("Open Read-Only"), QMessageBox::AcceptRole},
+                        {LockQuestionTexts::tr("Cancel"), QMessageBox::RejectRole}};
     if (holder.isRunningHere) {
-        question.informativeText = tr("Close it there first, or open it read-only here.");
+        question.informativeText = LockQuestionTexts::tr("Close it there first, or open it read-only here.");
     } else {
-        question.informativeText =
-            tr("Rubble cannot tell whether that program is still running. Take the lock over only if it has ended.");
-        question.answers.push_back({tr("Take Over Lock"), QMessageBox::DestructiveRole});
+        question.informativeText = LockQuestionTexts::tr(
+            "Rubble cannot tell whether that program is still running. Take the lock over only if it has ended.");
+        question.answers.push_back({LockQuestionTexts::tr("Take Over Lock"), QMessageBox::DestructiveRole});
     }
     return question;
 }

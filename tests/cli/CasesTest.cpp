@@ -1,53 +1,30 @@
 // Tests all verbs of app/cli.
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileBytes.h"
+#include "tests/support/files/FileTree.h"
 
 #include <QDir>
-#include <QDirIterator>
-#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+using namespace rubble;
 
 namespace {
 
 const QString kCases = RUBBLE_SOURCE_DIR "/tests/cli/cases";
 const bool isUpdating = qEnvironmentVariableIsSet("RUBBLE_UPDATE_CASES");
 
-QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// All files below a folder by their relative paths.
-QMap<QString, QByteArray> treeOf(const QString& folder) {
-    QMap<QString, QByteArray> tree;
-    QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString path = files.next();
-        tree[QDir(folder).relativeFilePath(path)] = contentOf(path);
-    }
-    return tree;
-}
-
-void writeTree(const QString& folder, const QMap<QString, QByteArray>& tree) {
-    for (auto file = tree.begin(); file != tree.end(); ++file) {
-        const QString path = folder + '/' + file.key();
-        QVERIFY(QDir().mkpath(QFileInfo(path).path()));
-        QFile copy(path);
-        QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write(file.value()) == file.value().size());
-    }
-}
-
-/// The expected or actual result of a run.
-struct Outcome {
+/// The expected or actual result of a runCase.
+struct CaseResult {
     QByteArray out;
     QByteArray err;
     QByteArray exit;
 };
 
 /// Runs the program in a folder with the case's `args` and `stdin`.
-Outcome run(const QString& folder, const QString& caseFolder) {
-    QByteArray lines = contentOf(caseFolder + "/args");
+CaseResult runCase(const QString& folder, const QString& caseFolder) {
+    QByteArray lines = bytesOfFile(caseFolder + "/args");
     lines.replace("{source}", RUBBLE_SOURCE_DIR);
     QStringList arguments;
     for (const QByteArray& line : lines.split('\n')) {
@@ -56,7 +33,7 @@ Outcome run(const QString& folder, const QString& caseFolder) {
     QProcess program;
     program.setWorkingDirectory(folder);
     program.start(RUBBLE_CLI, arguments);
-    program.write(contentOf(caseFolder + "/stdin"));
+    program.write(bytesOfFile(caseFolder + "/stdin"));
     program.closeWriteChannel();
     if (!program.waitForFinished(60000)) return {{}, "did not end within a minute", "-1"};
     const int exit = program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
@@ -83,20 +60,20 @@ private slots:
     void outputAndFilesMatch() {
         QFETCH(QString, folder);
         QTemporaryDir place;
-        writeTree(place.path(), treeOf(folder + "/before"));
-        const Outcome seen = run(place.path(), folder);
-        const QMap<QString, QByteArray> after = treeOf(place.path());
+        writeFileTree(place.path(), fileTree(folder + "/before"));
+        const CaseResult seen = runCase(place.path(), folder);
+        const FileTree after = fileTree(place.path());
 
         if (isUpdating) {
-            writeTree(folder, {{"stdout", seen.out}, {"stderr", seen.err}, {"exit", seen.exit + '\n'}});
+            writeFileTree(folder, {{"stdout", seen.out}, {"stderr", seen.err}, {"exit", seen.exit + '\n'}});
             QDir(folder + "/after").removeRecursively();
-            if (after != treeOf(folder + "/before")) writeTree(folder + "/after", after);
+            if (after != fileTree(folder + "/before")) writeFileTree(folder + "/after", after);
         }
-        QCOMPARE(QString::fromUtf8(seen.out), QString::fromUtf8(contentOf(folder + "/stdout")));
-        QCOMPARE(QString::fromUtf8(seen.err), QString::fromUtf8(contentOf(folder + "/stderr")));
-        QCOMPARE(seen.exit, contentOf(folder + "/exit").trimmed());
+        QCOMPARE(QString::fromUtf8(seen.out), QString::fromUtf8(bytesOfFile(folder + "/stdout")));
+        QCOMPARE(QString::fromUtf8(seen.err), QString::fromUtf8(bytesOfFile(folder + "/stderr")));
+        QCOMPARE(seen.exit, bytesOfFile(folder + "/exit").trimmed());
         const bool isWriting = QFileInfo::exists(folder + "/after");
-        const QMap<QString, QByteArray> expected = treeOf(folder + (isWriting ? "/after" : "/before"));
+        const FileTree expected = fileTree(folder + (isWriting ? "/after" : "/before"));
         QCOMPARE(after.keys(), expected.keys());
         for (auto file = expected.begin(); file != expected.end(); ++file) {
             QVERIFY2(after[file.key()] == file.value(), qPrintable(file.key() + " differs"));

@@ -1,10 +1,11 @@
 // Tests that a full disk, a failing disk and a kill leave files as they were before or as they are to be: each call to
 // the file system that a save and an export make fails once, and the program is killed before each.
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileBytes.h"
+#include "tests/support/files/FileTree.h"
 #include "tests/support/files/RunProgram.h"
 
 #include <QDir>
-#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -14,41 +15,18 @@ using namespace rubble;
 
 namespace {
 
-using Tree = QMap<QString, QByteArray>;
-
-QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// All files below a folder, hidden ones included.
-Tree treeOf(const QString& folder) {
-    Tree tree;
-    QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString path = files.next();
-        tree[QDir(folder).relativeFilePath(path)] = contentOf(path);
-    }
-    return tree;
-}
-
 /// The files without those that a killed process may leave: temporary ones and locks.
-Tree visibleOf(const Tree& tree) {
-    Tree visible;
+FileTree visibleOf(const FileTree& tree) {
+    FileTree visible;
     for (auto file = tree.begin(); file != tree.end(); ++file) {
         if (!file.key().startsWith('.') && !file.key().contains("/.")) visible[file.key()] = file.value();
     }
     return visible;
 }
 
-void writeTree(const QString& folder, const Tree& tree) {
+void replaceFileTree(const QString& folder, const FileTree& tree) {
     QVERIFY(QDir(folder).removeRecursively() && QDir().mkpath(folder));
-    for (auto file = tree.begin(); file != tree.end(); ++file) {
-        const QString path = folder + '/' + file.key();
-        QVERIFY(QDir().mkpath(QFileInfo(path).path()));
-        QFile copy(path);
-        QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write(file.value()) == file.value().size());
-    }
+    writeFileTree(folder, tree);
 }
 
 enum class Renames { All, Plain };  // plain: without flags, as on network file systems
@@ -79,19 +57,19 @@ class FaultTest : public QObject {
         if (renames == Renames::Plain) environment.insert("RUBBLE_FAULT_NO_FLAGS", "1");
         QFile::remove(m_report);
         const ProgramOutcome outcome = runProgram(RUBBLE_CLI, inFolder(command), environment);
-        failed = QString::fromUtf8(contentOf(m_report));
+        failed = QString::fromUtf8(bytesOfFile(m_report));
         return outcome;
     }
 
     /// Lets each call of a command fail, on a folder with the files `before`.
-    void checkEveryCall(const QStringList& command, const Tree& before, int code, Renames renames) {
-        writeTree(m_folder, before);
+    void checkEveryCall(const QStringList& command, const FileTree& before, int code, Renames renames) {
+        replaceFileTree(m_folder, before);
         const ProgramOutcome whole = runProgram(RUBBLE_CLI, inFolder(command));
         QVERIFY2(whole.exit == 0, qPrintable(whole.error));
-        const Tree after = treeOf(m_folder);
+        const FileTree after = fileTree(m_folder);
         QVERIFY(after != before);
         for (int call = 1;; ++call) {
-            writeTree(m_folder, before);
+            replaceFileTree(m_folder, before);
             QString failed;
             const ProgramOutcome outcome = runWithFault(command, call, code, renames, failed);
             if (failed.isEmpty()) {
@@ -99,10 +77,10 @@ class FaultTest : public QObject {
                 break;
             }
             const QByteArray where = "call " + QByteArray::number(call) + ", " + failed.toUtf8();
-            const Tree state = treeOf(m_folder);
+            const FileTree state = fileTree(m_folder);
             const bool isKilled = code == 0;
             if (isKilled) {
-                const Tree visible = visibleOf(state);
+                const FileTree visible = visibleOf(state);
                 const bool isMovedAway =
                     renames == Renames::Plain && visible.isEmpty() && state.size() >= before.size();
                 QVERIFY2(visible == before || visible == after || isMovedAway, where);
@@ -116,7 +94,7 @@ class FaultTest : public QObject {
             if (visibleOf(state) == after) continue;
             const ProgramOutcome again = runProgram(RUBBLE_CLI, inFolder(command));
             QVERIFY2(again.exit == 0, where + ": " + again.error.toUtf8());
-            QVERIFY2(treeOf(m_folder) == after, where);
+            QVERIFY2(fileTree(m_folder) == after, where);
         }
     }
 
@@ -137,8 +115,8 @@ private slots:
     void fileIsOldOrNew() {
         QFETCH(int, code);
         checkEveryCall({"new", "{folder}/wall.rubble"}, {}, code, Renames::All);
-        const Tree before{{"wall.rubble", contentOf(RUBBLE_SOURCE_DIR "/tests/cli/cases/import-name-taken/before/"
-                                                                      "wall.rubble")}};
+        const FileTree before{{"wall.rubble", bytesOfFile(RUBBLE_SOURCE_DIR "/tests/cli/cases/import-name-taken/before/"
+                                                                            "wall.rubble")}};
         checkEveryCall({"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", "{folder}/wall.rubble"},
                        before, code, Renames::All);
     }
@@ -163,9 +141,9 @@ private slots:
             return QStringList{"export", project, "--out", "{folder}", "--threads", "1", "--format", format};
         };
         checkEveryCall(exported("obj"), {}, code, renames);
-        writeTree(m_folder, {});
+        replaceFileTree(m_folder, {});
         QCOMPARE(runProgram(RUBBLE_CLI, inFolder(exported("glb"))).exit, 0);
-        Tree before = treeOf(m_folder);
+        FileTree before = fileTree(m_folder);
         before["wall/wall.glb.import"] = "of an engine";
         checkEveryCall(exported("obj"), before, code, renames);
     }

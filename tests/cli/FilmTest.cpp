@@ -2,6 +2,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
 #include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -12,34 +13,24 @@
 
 #include <csignal>
 
-using rubble::test::meanDifference;
-namespace test = rubble::test;
+using namespace rubble;
+using test::meanDifference;
 
 namespace {
 
-void startFilm(QProcess& program, const QTemporaryDir& place, const QStringList& options) {
-    program.start(RUBBLE_CLI, QStringList{"film", RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("film"),
-                                          "--samples", "0", "--shot", "box at the door"} +
-                                  options);
+QStringList filmArguments(const QTemporaryDir& place, const QStringList& options) {
+    return QStringList{"film",
+                       RUBBLE_SOURCE_DIR "/projects/house.rubble",
+                       place.filePath("film"),
+                       "--samples",
+                       "0",
+                       "--shot",
+                       "box at the door"} +
+           options;
 }
 
-struct Outcome {
-    int exit = -1;
-    QByteArray out, err;
-};
-
-Outcome film(const QTemporaryDir& place, const QStringList& options) {
-    QProcess program;
-    startFilm(program, place, options);
-    program.waitForFinished(120000);
-    return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
-}
-
-Outcome run(const QStringList& arguments) {
-    QProcess program;
-    program.start(RUBBLE_CLI, arguments);
-    program.waitForFinished(120000);
-    return {program.exitCode(), program.readAllStandardOutput(), program.readAllStandardError()};
+ProgramOutcome film(const QTemporaryDir& place, const QStringList& options) {
+    return runProgram(RUBBLE_CLI, filmArguments(place, options));
 }
 
 QStringList filesIn(const QTemporaryDir& place) {
@@ -57,9 +48,9 @@ class FilmTest : public QObject {
 private slots:
     void pictureIsWrittenEveryFewSteps() {
         const QTemporaryDir place;
-        const Outcome outcome = film(place, {"--steps", "45", "--every", "20", "--size", "180x120"});
-        QCOMPARE(outcome.err, QByteArray());
-        QCOMPARE(outcome.out, "3 pictures written to " + place.filePath("film").toUtf8() + "\n");
+        const ProgramOutcome outcome = film(place, {"--steps", "45", "--every", "20", "--size", "180x120"});
+        QCOMPARE(outcome.error, QString());
+        QCOMPARE(outcome.output, "3 pictures written to " + place.filePath("film") + "\n");
         QCOMPARE(filesIn(place), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
         for (const QString& name : filesIn(place)) QCOMPARE(frame(place, name).size(), QSize(180, 120));
         QVERIFY(meanDifference(frame(place, "frame-0000.png"), frame(place, "frame-0001.png")) < 0.1);  // at rest
@@ -81,11 +72,11 @@ private slots:
     void folderWithAFilmIsRejected() {
         const QTemporaryDir place;
         QCOMPARE(film(place, {"--steps", "0", "--size", "18x12"}).exit, 0);
-        const Outcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
+        const ProgramOutcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
         QCOMPARE(outcome.exit, 1);
-        QCOMPARE(outcome.err, place.filePath("film").toUtf8() +
-                                  " already contains a film: frame-0000.png. Choose another folder, or remove its "
-                                  "pictures.\n");
+        QCOMPARE(outcome.error, place.filePath("film") +
+                                    " already contains a film: frame-0000.png. Choose another folder, or remove its "
+                                    "pictures.\n");
     }
     void filmIsEncodedWithFfmpeg() {
         const QTemporaryDir place;
@@ -99,30 +90,30 @@ private slots:
                                   "18x12"};
         {
             const test::Ffmpeg none;
-            const Outcome outcome = run(options);
+            const ProgramOutcome outcome = runProgram(RUBBLE_CLI, options);
             QCOMPARE(outcome.exit, 1);
-            QCOMPARE(outcome.err,
-                     QByteArray("A film needs ffmpeg, which is not installed; give a folder instead to write its "
-                                "pictures.\n"));
+            QCOMPARE(outcome.error,
+                     QString("A film needs ffmpeg, which is not installed; give a folder instead to write its "
+                             "pictures.\n"));
         }
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        const Outcome outcome = run(options);
-        QCOMPARE(outcome.err, QByteArray());
-        QCOMPARE(outcome.out, "3 pictures written to " + path.toUtf8() + "\n");
+        const ProgramOutcome outcome = runProgram(RUBBLE_CLI, options);
+        QCOMPARE(outcome.error, QString());
+        QCOMPARE(outcome.output, "3 pictures written to " + path + "\n");
         QFile film(path);
         QVERIFY(film.open(QIODevice::ReadOnly));
         QVERIFY(film.readAll().contains("-framerate\n6\n"));  // real time
     }
     void startAfterTheEndIsRejected() {
         const QTemporaryDir place;
-        const Outcome outcome = film(place, {"--from", "20", "--steps", "10"});
+        const ProgramOutcome outcome = film(place, {"--from", "20", "--steps", "10"});
         QCOMPARE(outcome.exit, 1);
-        QCOMPARE(outcome.err, QByteArray("The film would start at step 20 and end at step 10.\n"));
+        QCOMPARE(outcome.error, QString("The film would start at step 20 and end at step 10.\n"));
     }
     void controlCKeepsOnlyCompletePictures() {
         const QTemporaryDir place;
         QProcess program;
-        startFilm(program, place, {"--steps", "9999", "--size", "180x120"});
+        program.start(RUBBLE_CLI, filmArguments(place, {"--steps", "9999", "--size", "180x120"}));
         QElapsedTimer timer;
         timer.start();
         while (filesIn(place).filter(".png").size() < 2 && timer.elapsed() < 60000) QTest::qWait(5);

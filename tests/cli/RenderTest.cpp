@@ -1,36 +1,30 @@
 // Tests app/cli/verbs/RenderVerb.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QFileInfo>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
-using rubble::test::meanDifference;
+using namespace rubble;
+using test::meanDifference;
 
 namespace {
 
-struct Outcome {
-    int exit = -1;
-    QString err;
-};
-
-Outcome render(const QTemporaryDir& place, const QStringList& options, const QProcessEnvironment& environment) {
-    QProcess program;
-    program.setProcessEnvironment(environment);
-    program.start(RUBBLE_CLI, QStringList{"render", RUBBLE_SOURCE_DIR "/projects/house.rubble", "--out",
-                                          place.filePath("house.png"), "--samples", "0"} +
-                                  options);
-    program.waitForFinished(60000);
-    return {program.exitCode(), QString::fromUtf8(program.readAllStandardError())};
+ProgramOutcome render(const QTemporaryDir& place, const QStringList& options, const QProcessEnvironment& environment) {
+    return runProgram(RUBBLE_CLI,
+                      QStringList{"render", RUBBLE_SOURCE_DIR "/projects/house.rubble", "--out",
+                                  place.filePath("house.png"), "--samples", "0"} +
+                          options,
+                      environment);
 }
 
 /// A small picture of the house.
 QImage picture(const QTemporaryDir& place, const QStringList& options) {
-    const Outcome outcome =
+    const ProgramOutcome outcome =
         render(place, QStringList{"--size", "180x120"} + options, QProcessEnvironment::systemEnvironment());
-    if (outcome.exit != 0) qFatal("%s", qPrintable(outcome.err));
+    if (outcome.exit != 0) qFatal("%s", qPrintable(outcome.error));
     return QImage(place.filePath("house.png")).convertToFormat(QImage::Format_RGB888);
 }
 
@@ -44,8 +38,8 @@ private slots:
         const QTemporaryDir place;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.remove("DISPLAY");
-        const Outcome outcome = render(place, {"--size", "200x120", "--asset", "wall"}, environment);
-        QCOMPARE(outcome.err, QString());
+        const ProgramOutcome outcome = render(place, {"--size", "200x120", "--asset", "wall"}, environment);
+        QCOMPARE(outcome.error, QString());
         QCOMPARE(outcome.exit, 0);
         const QImage picture(place.filePath("house.png"));
         QCOMPARE(picture.size(), QSize(200, 120));
@@ -65,9 +59,9 @@ private slots:
         const QTemporaryDir place;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("__EGL_VENDOR_LIBRARY_DIRS", place.path());
-        const Outcome outcome = render(place, {}, environment);
-        QCOMPARE(outcome.err, QString("This machine has no OpenGL 3.3 to render images with: EGL does not support "
-                                      "rendering without a display.\n"));
+        const ProgramOutcome outcome = render(place, {}, environment);
+        QCOMPARE(outcome.error, QString("This machine has no OpenGL 3.3 to render images with: EGL does not support "
+                                        "rendering without a display.\n"));
         QCOMPARE(outcome.exit, 1);
         QVERIFY(!QFileInfo::exists(place.filePath("house.png")));
     }

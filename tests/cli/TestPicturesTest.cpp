@@ -1,15 +1,16 @@
 // Tests app/cli/verbs/TestVerb.cpp with --pictures.
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QDir>
 #include <QFile>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
-using rubble::test::meanDifference;
+using namespace rubble;
+using test::meanDifference;
 
 namespace {
 
@@ -24,18 +25,9 @@ void writeHouse(const QString& file, const QByteArray& met, const QByteArray& fa
     if (!changed.open(QIODevice::WriteOnly) || changed.write(text) != text.size()) qFatal("cannot write");
 }
 
-struct Outcome {
-    int exit = -1;
-    QString out, err;
-};
-
-Outcome tested(const QString& project, const QString& pictures) {
-    QProcess program;
-    program.start(RUBBLE_CLI,
-                  {"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
-    program.waitForFinished(120000);
-    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
-            QString::fromUtf8(program.readAllStandardError())};
+ProgramOutcome tested(const QString& project, const QString& pictures) {
+    return runProgram(RUBBLE_CLI,
+                      {"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
 }
 
 }  // namespace
@@ -48,13 +40,13 @@ private slots:
         const QString pictures = place.filePath("made/failures");
         writeHouse(place.filePath("house.rubble"), R"({"kind": "breaks", "instance": 21, "value": 0})",
                    R"({"kind": "doesNotBreak", "instance": 21, "value": 0})");
-        const Outcome outcome = tested(place.filePath("house.rubble"), pictures);
-        QCOMPARE(outcome.err, "1 of 1 play-tests failed.\n");
+        const ProgramOutcome outcome = tested(place.filePath("house.rubble"), pictures);
+        QCOMPARE(outcome.error, "1 of 1 play-tests failed.\n");
         QCOMPARE(outcome.exit, 1);
         const QRegularExpression told("after step (\\d+): " +
                                       QRegularExpression::escape(pictures + "/play-test-93.png"));
-        const QRegularExpressionMatch match = told.match(outcome.out);
-        QVERIFY2(match.hasMatch(), qPrintable(outcome.out));
+        const QRegularExpressionMatch match = told.match(outcome.output);
+        QVERIFY2(match.hasMatch(), qPrintable(outcome.output));
         QVERIFY(match.captured(1).toInt() > 30);  // the shot is fired after half a second
         QCOMPARE(QDir(pictures).entryList(QDir::Files | QDir::Hidden), QStringList{"play-test-93.png"});
         const QImage seen = QImage(pictures + "/play-test-93.png").convertToFormat(QImage::Format_RGB888);
@@ -65,7 +57,7 @@ private slots:
     }
     void noPictureIsWrittenIfAllTestsPass() {
         const QTemporaryDir place;
-        const Outcome outcome = tested(RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("failures"));
+        const ProgramOutcome outcome = tested(RUBBLE_SOURCE_DIR "/projects/house.rubble", place.filePath("failures"));
         QCOMPARE(outcome.exit, 0);
         QVERIFY(!QDir(place.filePath("failures")).exists());
     }
@@ -73,10 +65,8 @@ private slots:
 private:
     /// The output of `render` at the same step.
     static QImage drawnAfter(const QTemporaryDir& place, const QString& step) {
-        QProcess program;
-        program.start(RUBBLE_CLI, {"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
-                                   "--samples", "8", "--out", place.filePath("moment.png")});
-        program.waitForFinished(120000);
+        runProgram(RUBBLE_CLI, {"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
+                                "--samples", "8", "--out", place.filePath("moment.png")});
         return QImage(place.filePath("moment.png")).convertToFormat(QImage::Format_RGB888);
     }
 };

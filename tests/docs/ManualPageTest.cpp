@@ -1,5 +1,6 @@
 #include "editor/help/ManualPage.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/Manual.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,7 +14,6 @@ using namespace rubble;
 
 namespace {
 
-const QDir kManual(RUBBLE_SOURCE_DIR "/docs/manual");
 constexpr int kPageWidth = 780;  // pixels
 
 /// A page's picture resource for a file of this width.

@@ -1,4 +1,5 @@
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/Manual.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -7,9 +8,9 @@
 #include <QRegularExpression>
 #include <QTest>
 
-namespace {
+using rubble::kManual;
 
-const QDir kManual(RUBBLE_SOURCE_DIR "/docs/manual");
+namespace {
 
 QString textOf(const QString& page) {
     QFile file(kManual.filePath(page));

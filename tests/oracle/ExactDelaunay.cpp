@@ -1,15 +1,15 @@
 #include "tests/oracle/ExactDelaunay.h"
 
+#include "tests/oracle/RationalConvex.h"
+
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 
 namespace rubble::oracle {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
+using InputPoint = Predicates::Point_2;
 
 std::string named(const std::array<std::uint32_t, 3>& triangle) {
     return "triangle (" + std::to_string(triangle[0]) + ", " + std::to_string(triangle[1]) + ", " +
@@ -17,18 +17,18 @@ std::string named(const std::array<std::uint32_t, 3>& triangle) {
 }
 
 /// The number of triangles; 0 if all points are collinear.
-std::size_t expectedCount(const std::vector<Point>& points) {
-    const CGAL::Delaunay_triangulation_2<Kernel> triangulation(points.begin(), points.end());
+std::size_t expectedCount(const std::vector<InputPoint>& points) {
+    const CGAL::Delaunay_triangulation_2<Predicates> triangulation(points.begin(), points.end());
     return triangulation.dimension() == 2 ? triangulation.number_of_faces() : 0;
 }
 
 std::optional<std::string> triangleFault(const std::array<std::uint32_t, 3>& triangle,
-                                         const std::vector<Point>& points) {
+                                         const std::vector<InputPoint>& points) {
     for (const std::uint32_t corner : triangle)
         if (corner >= points.size()) return named(triangle) + " refers to a seed that does not exist";
-    const Point& a = points[triangle[0]];
-    const Point& b = points[triangle[1]];
-    const Point& c = points[triangle[2]];
+    const InputPoint& a = points[triangle[0]];
+    const InputPoint& b = points[triangle[1]];
+    const InputPoint& c = points[triangle[2]];
     if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN) return named(triangle) + " is not counter-clockwise";
     std::uint32_t lowest = static_cast<std::uint32_t>(points.size());
     for (std::uint32_t seed = 0; seed < points.size(); ++seed) {
@@ -47,7 +47,7 @@ std::optional<std::string> triangleFault(const std::array<std::uint32_t, 3>& tri
 
 std::optional<std::string> delaunayFault(std::span<const std::array<std::uint32_t, 3>> triangles,
                                          std::span<const Vec2> seeds) {
-    std::vector<Point> points;
+    std::vector<InputPoint> points;
     for (const Vec2 seed : seeds) points.emplace_back(seed.x, seed.y);
     if (const std::size_t count = expectedCount(points); triangles.size() != count)
         return std::to_string(triangles.size()) + " triangles instead of " + std::to_string(count);

@@ -1,9 +1,9 @@
 // Tests resources/icons.
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileBytes.h"
 
 #include <QDir>
 #include <QDirIterator>
-#include <QFile>
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
@@ -12,15 +12,12 @@
 
 #include <algorithm>
 
+using rubble::bytesOfFile;
+
 namespace {
 
 constexpr const char* kProgramIcon = "rubble.svg";  // has its own colours and size
 const QDir kIcons(RUBBLE_SOURCE_DIR "/resources/icons");
-
-QByteArray textOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// The source code that names icons: editor, viewport, and the kinds of pattern layers.
 QString code() {
@@ -28,7 +25,7 @@ QString code() {
     for (const char* part : {"editor", "viewport", "core/fracture"}) {
         const QString folder = QString(RUBBLE_SOURCE_DIR "/") + part;
         for (QDirIterator at(folder, {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); at.hasNext();) {
-            text += textOf(at.next());
+            text += bytesOfFile(at.next());
         }
     }
     return text;
@@ -65,7 +62,7 @@ private slots:
     void everyIconIsDrawnInOneStyle_data() {
         QTest::addColumn<QByteArray>("svg");
         for (const QString& name : kIcons.entryList({"*.svg"}, QDir::Files)) {
-            if (name != kProgramIcon) QTest::newRow(qPrintable(name)) << textOf(kIcons.filePath(name));
+            if (name != kProgramIcon) QTest::newRow(qPrintable(name)) << bytesOfFile(kIcons.filePath(name));
         }
     }
     void everyIconIsDrawnInOneStyle() {
@@ -100,12 +97,12 @@ private slots:
         }
     }
     void programIconIsDrawn() {
-        const QImage image = drawn(textOf(kIcons.filePath(kProgramIcon)), 64);
+        const QImage image = drawn(bytesOfFile(kIcons.filePath(kProgramIcon)), 64);
         QCOMPARE(image.pixelColor(32, 32).alpha(), 255);
         QCOMPARE(opacityOfFrame(image), 0);
     }
     void resourceContainsEveryIcon() {
-        const QString list = textOf(RUBBLE_SOURCE_DIR "/resources/icons.qrc");
+        const QString list = bytesOfFile(RUBBLE_SOURCE_DIR "/resources/icons.qrc");
         const QRegularExpression entry("<file alias=\"(.+)\">icons/\\1</file>");
         QStringList names;
         for (auto match = entry.globalMatch(list); match.hasNext();) names.append(match.next().captured(1));

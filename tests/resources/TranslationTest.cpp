@@ -1,19 +1,16 @@
 // Tests resources/translations/rubble_en.ts
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileBytes.h"
 
 #include <QDirIterator>
-#include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
 #include <QXmlStreamReader>
 
-namespace {
+using rubble::bytesOfFile;
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+namespace {
 
 /// The texts with a count in the sources of the editor.
 QSet<QString> textsInSources() {
@@ -21,7 +18,7 @@ QSet<QString> textsInSources() {
     QSet<QString> texts;
     QDirIterator file(RUBBLE_SOURCE_DIR "/editor", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
     while (file.hasNext()) {
-        const QString source = QString::fromUtf8(bytesOf(file.next()));
+        const QString source = QString::fromUtf8(bytesOfFile(file.next()));
         for (auto match = text.globalMatch(source); match.hasNext();) texts.insert(match.next().captured(1));
     }
     return texts;
@@ -36,7 +33,7 @@ private slots:
     void everyTextWithACountHasSingularAndPlural() {
         QSet<QString> translated;
         QString source;
-        QXmlStreamReader xml(bytesOf(RUBBLE_SOURCE_DIR "/resources/translations/rubble_en.ts"));
+        QXmlStreamReader xml(bytesOfFile(RUBBLE_SOURCE_DIR "/resources/translations/rubble_en.ts"));
         while (!xml.atEnd()) {
             if (xml.readNext() != QXmlStreamReader::StartElement) continue;
             if (xml.name() == QStringLiteral("source")) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kGap = 8;                     // pixels between two playbacks
+constexpr int kPlaybackGap = 8;             // pixels between two playbacks
 constexpr double kRenderingFraction = 0.9;  // of the time that a film takes; the rest is ffmpeg's
 
 /// The frame of all playbacks at a time in steps, side by side. A fractional time interpolates towards the later step.
@@ -31,7 +31,7 @@ Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& r
         if (!scene) return scene.error();
         Result<Image> image = renderer.renderImage(*scene, view, plan.samples, task);
         if (!image) return image.error();
-        frame = frame ? besideEachOther(*frame, *image, kGap) : std::move(*image);
+        frame = frame ? besideEachOther(*frame, *image, kPlaybackGap) : std::move(*image);
     }
     return std::move(*frame);
 }

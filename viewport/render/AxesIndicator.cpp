@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 // In points.
-constexpr double kCentre = 46.0, kArm = 26.0, kKnob = 8.0, kThickness = 1.3, kLetter = 3.1, kPen = 0.8;
+constexpr double kCentre = 46.0, kArm = 26.0, kKnob = 8.0, kThickness = 1.3, kAxisLetter = 3.1, kAxisPen = 0.8;
 
 constexpr std::array<glm::vec3, 3> kColours = {{{0.90f, 0.27f, 0.30f}, {0.36f, 0.68f, 0.22f}, {0.22f, 0.50f, 0.92f}}};
 
@@ -51,7 +51,7 @@ std::vector<ScreenLine> axesIndicator(const Camera& camera, double scale) {
         if (glm::length(arm.end) > kKnob) add({0.0, 0.0}, arm.end, colour, kThickness);
         add(arm.end, arm.end, colour, kKnob);
         for (const auto& [x0, y0, x1, y1] : letterOf(arm.axis)) {
-            add(arm.end + kLetter * Vec2(x0, y0), arm.end + kLetter * Vec2(x1, y1), glm::vec4(1.0f), kPen);
+            add(arm.end + kAxisLetter * Vec2(x0, y0), arm.end + kAxisLetter * Vec2(x1, y1), glm::vec4(1.0f), kAxisPen);
         }
     }
     return lines;

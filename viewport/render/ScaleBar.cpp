@@ -8,7 +8,7 @@ namespace rubble {
 namespace {
 
 // In points.
-constexpr double kLongest = 150.0, kMargin = 22.0, kTick = 4.0, kLetter = 4.6, kAdvance = 9.0, kOverBar = 11.0;
+constexpr double kLongest = 150.0, kBarMargin = 22.0, kTick = 4.0, kLetter = 4.6, kAdvance = 9.0, kOverBar = 11.0;
 constexpr double kPen = 0.75, kHalo = 2.0;
 
 /// A glyph as a polyline on a grid of 3 x 5 points, which are lettered row by row from below: "a" is the lower left
@@ -27,8 +27,8 @@ std::string_view glyphOf(char letter) {
 }
 Vec2 gridPoint(char point) { return Vec2((point - 'a') % 3 - 1, 0.5 * ((point - 'a') / 3)); }
 
-using Segment = std::array<Vec2, 2>;
-void addLetter(std::vector<Segment>& segments, char letter, Vec2 at) {
+using BarSegment = std::array<Vec2, 2>;
+void addLetter(std::vector<BarSegment>& segments, char letter, Vec2 at) {
     const std::string_view glyph = glyphOf(letter);
     for (std::size_t k = 0; k + 1 < glyph.size(); ++k) {
         if (glyph[k] == ' ' || glyph[k + 1] == ' ') continue;
@@ -64,21 +64,21 @@ RoundLength roundLength(double max) {
 std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo) {
     const double metresPerPoint = metresPerPixel(camera, size) * scale;
     const RoundLength length = roundLength(kLongest * metresPerPoint);
-    const double wide = length.metres / metresPerPoint, end = size.width / scale - kMargin, begin = end - wide;
-    std::vector<Segment> segments{{Vec2(begin, kMargin), Vec2(end, kMargin)}};
-    for (const double x : {begin, end}) segments.push_back({Vec2(x, kMargin), Vec2(x, kMargin + kTick)});
+    const double wide = length.metres / metresPerPoint, end = size.width / scale - kBarMargin, begin = end - wide;
+    std::vector<BarSegment> segments{{Vec2(begin, kBarMargin), Vec2(end, kBarMargin)}};
+    for (const double x : {begin, end}) segments.push_back({Vec2(x, kBarMargin), Vec2(x, kBarMargin + kTick)});
     double x = 0.5 * (begin + end) - 0.5 * kAdvance * static_cast<double>(length.text.size() - 1);
     for (const char letter : length.text) {
-        addLetter(segments, letter, {x, kMargin + kOverBar - kTick});
+        addLetter(segments, letter, {x, kBarMargin + kOverBar - kTick});
         x += kAdvance;
     }
     std::vector<ScreenLine> lines;
-    const auto add = [&](const Segment& segment, glm::vec4 paint, double radius) {
+    const auto add = [&](const BarSegment& segment, glm::vec4 paint, double radius) {
         lines.push_back(
             {glm::vec4(glm::dvec4(scale * segment[0], scale * segment[1])), paint, static_cast<float>(scale * radius)});
     };
-    for (const Segment& segment : segments) add(segment, glm::vec4(halo, 0.55f), kHalo);
-    for (const Segment& segment : segments) add(segment, glm::vec4(colour, 1.0f), kPen);
+    for (const BarSegment& segment : segments) add(segment, glm::vec4(halo, 0.55f), kHalo);
+    for (const BarSegment& segment : segments) add(segment, glm::vec4(colour, 1.0f), kPen);
     return lines;
 }
 

@@ -13,7 +13,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kAuditFooter =
     R"(Measures whether replacing an asset by its fragments changes anything by itself. Each asset is broken three
 times without any force: floating at rest without gravity, level by level; lying flat on the ground; and flying
 while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
@@ -114,7 +114,7 @@ Status audit(const AuditOptions& options, const CliContext& context) {
 
 Verb addAudit(CLI::App& program) {
     Command command(program, "audit", "Measure whether assets change when they are replaced by their fragments",
-                    kFooter);
+                    kAuditFooter);
     const auto options = std::make_shared<AuditOptions>();
     addProjectArgument(command, options->file);
     addAssetOption(command, options->assets);

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kCheckFooter =
     R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
 Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
@@ -170,7 +170,7 @@ Status check(const CheckArguments& arguments, const CliContext& context) {
 }  // namespace
 
 Verb addCheck(CLI::App& program) {
-    Command command(program, "check", "Verify projects and exported packs", kFooter);
+    Command command(program, "check", "Verify projects and exported packs", kCheckFooter);
     const auto arguments = std::make_shared<CheckArguments>();
     command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
         .required();

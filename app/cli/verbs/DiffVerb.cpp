@@ -13,7 +13,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDiffFooter =
     R"(Compares two saved states of a project, asset by asset: the changed properties (outline, depth, material,
 threshold, layers, ...), and the fragments that were removed, added, moved or reshaped. Fragments are matched by
 their ids, assets by their names, or by their ids if they were renamed. Exits with 0 if nothing differs, and
@@ -119,7 +119,7 @@ Status diff(const DiffOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addDiff(CLI::App& program) {
-    Command command(program, "diff", "Compare two saved states of a project", kFooter);
+    Command command(program, "diff", "Compare two saved states of a project", kDiffFooter);
     const auto options = std::make_shared<DiffOptions>();
     command.argument("BEFORE", options->before, "The project before the change").required();
     command.argument("AFTER", options->after, "The project after the change").required();

@@ -14,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDrawFooter =
     R"(Draws the assets of a project, or those given by --asset, as one SVG picture: outline, seeds, their Delaunay
 triangulation and the Voronoi cells of the first level. Browsers, Inkscape and rsvg-convert open it.
 
@@ -74,7 +74,7 @@ Status draw(const DrawOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addDraw(CLI::App& program) {
-    Command command(program, "draw", "Draw seeds, Delaunay triangulation and cells as an SVG picture", kFooter);
+    Command command(program, "draw", "Draw seeds, Delaunay triangulation and cells as an SVG picture", kDrawFooter);
     const auto options = std::make_shared<DrawOptions>();
     addProjectArgument(command, options->file);
     addAssetOption(command, options->assets);

@@ -16,7 +16,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kExportFooter =
     R"(Writes each asset into a folder with its name: pack.json, which describes the whole and its fragments; meshes;
 and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole,
 unless a file in them was changed since or is not part of an export. Files that engines write beside meshes
@@ -108,7 +108,7 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
 }  // namespace
 
 Verb addExport(CLI::App& program) {
-    Command command(program, "export", "Fracture assets and write their packs and meshes", kFooter);
+    Command command(program, "export", "Fracture assets and write their packs and meshes", kExportFooter);
     const auto arguments = std::make_shared<ExportArguments>();
     MeshOptions& meshes = arguments->meshes;
     addProjectArgument(command, arguments->project);

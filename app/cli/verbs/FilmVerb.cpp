@@ -18,7 +18,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kFilmFooter =
     R"(Plays a project and draws it every few steps, from a fixed view. The pictures are FOLDER/frame-0000.png and so
 on; a sequence that is stopped keeps those that are complete. A folder that already holds such pictures is
 rejected. With ffmpeg installed, FILM.mp4 (or .mkv, .mov, .webm) encodes them as a film. With --compare each
@@ -113,7 +113,7 @@ Status film(const FilmOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addFilm(CLI::App& program) {
-    Command command(program, "film", "Render a simulation as a sequence of PNG pictures or as a film", kFooter);
+    Command command(program, "film", "Render a simulation as a sequence of PNG pictures or as a film", kFilmFooter);
     const auto options = std::make_shared<FilmOptions>();
     addProjectArgument(command, options->file);
     command.argument("FOLDER", options->output, "The folder for the pictures, or the film to write: FILM.mp4")

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kFractureFooter =
     R"(Input, from FILE or standard input:
   {"outline":[[x,y],...], "holes":[[[x,y],...],...], "depth":d, "seeds":[[x,y],...]}
 "holes" is optional; points that close a ring or repeat the one before are left out; lengths are in metres.
@@ -40,7 +40,7 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addFracture(CLI::App& program) {
-    Command command(program, "fracture", "Cut an outline into Voronoi cells, from JSON to JSON", kFooter);
+    Command command(program, "fracture", "Cut an outline into Voronoi cells, from JSON to JSON", kFractureFooter);
     const auto options = std::make_shared<FractureOptions>();
     command.argument("FILE", options->input, "The input (default: -, standard input)");
     command.option("--method", options->method, "exact (default), or thesis, the reference method with its errors")

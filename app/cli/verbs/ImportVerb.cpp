@@ -14,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kImportFooter =
     R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 2 GiB and 30 s. Each object that
 is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
 asset and an instance at the position of the mesh. Prints what was imported, merged and ignored. An object that is
@@ -141,7 +141,7 @@ Status import(const ImportVerbOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addImport(CLI::App& program) {
-    Command command(program, "import", "Import the objects of a mesh file as assets", kFooter);
+    Command command(program, "import", "Import the objects of a mesh file as assets", kImportFooter);
     const auto options = std::make_shared<ImportVerbOptions>();
     command.argument("FILE", options->mesh, "The mesh file").required();
     command.option("-i,--into", options->project, "The project to import into, created if missing")

@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kMaterialsFooter =
     R"(Without names, lists all materials, one per line. With names, prints each with the ranges and sources of its
 properties, the crack length beyond which toughness decides instead of strength, and its typical pattern. Files in
 the folder that cannot be read are reported, and the program exits with 1. Your own material replaces a built-in
@@ -164,7 +164,7 @@ Status printMaterials(const MaterialsOptions& options, const CliContext& context
 
 Verb addMaterials(CLI::App& program) {
     Command command(program, "materials", "List the materials of the library with their properties and sources",
-                    kFooter);
+                    kMaterialsFooter);
     const auto options = std::make_shared<MaterialsOptions>();
     command.argument("NAME", options->names, "Print these materials in detail");
     addMaterialsOption(command, options->folder);

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kNewFooter =
     R"(Creates a project with a material and a wall of 1 x 1 x 0.5 m with 20 seeds, ready to draw, export or edit; with
 --empty it has only the material. An existing file is not overwritten. With --material, the wall has that
 material, its typical pattern and a threshold derived from its strength; see rubble-cli materials.
@@ -53,7 +53,7 @@ Status createProject(const NewOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addNew(CLI::App& program) {
-    Command command(program, "new", "Create a project with a wall to start from", kFooter);
+    Command command(program, "new", "Create a project with a wall to start from", kNewFooter);
     const auto options = std::make_shared<NewOptions>();
     command.argument("FILE", options->file, "The project to create: wall.rubble").required();
     command.flag("--empty", options->isEmpty, "Omit the wall");

@@ -16,7 +16,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kRenderFooter =
     R"(Renders the fragments of a project's instances in 3D, with OpenGL but without a display; with --asset, a single
 asset. With --at, simulates the project to that step, with the given shots, and renders it then, framed as at
 the start. Each sample adds a direction of light; 0 renders what the editor shows while the view moves.
@@ -129,7 +129,7 @@ void addSimulationOptions(Command& command, RenderOptions& options) {
 }  // namespace
 
 Verb addRender(CLI::App& program) {
-    Command command(program, "render", "Render fragments in 3D as a PNG picture", kFooter);
+    Command command(program, "render", "Render fragments in 3D as a PNG picture", kRenderFooter);
     const auto options = std::make_shared<RenderOptions>();
     addProjectArgument(command, options->file);
     command.option("-o,--out", options->out, "The picture to write; - for standard output")

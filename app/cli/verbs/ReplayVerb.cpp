@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kReplayFooter =
     R"(Replays the recording of "simulate --record" on its project and compares every step. Exits with 1 if the
 simulation diverges, with the first step and body that differ.
 
@@ -96,7 +96,7 @@ Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addReplay(CLI::App& program) {
-    Command command(program, "replay", "Replay a recorded simulation and compare every step", kFooter);
+    Command command(program, "replay", "Replay a recorded simulation and compare every step", kReplayFooter);
     const auto options = std::make_shared<ReplayOptions>();
     command.argument("REPLAY", options->file, "The recording, written by simulate --record").required();
     command.argument("PROJECT", options->project, "The project that was recorded").required();

@@ -15,7 +15,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSeedsFooter =
     R"(Adds a layer of placed seeds to an asset, one at each vertex of the mesh. The mesh is read as by rubble-cli
 import and projected along one of its axes, with its origin at the prism's; --fit scales and moves it to fill
 the outline instead. Vertices outside the outline and duplicates are ignored, and their number is printed.
@@ -60,7 +60,7 @@ Status addSeeds(const SeedsOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addSeeds(CLI::App& program) {
-    Command command(program, "seeds", "Place seeds at the vertices of a mesh", kFooter);
+    Command command(program, "seeds", "Place seeds at the vertices of a mesh", kSeedsFooter);
     const auto options = std::make_shared<SeedsOptions>();
     command.argument("FILE", options->mesh, "The mesh file").required();
     command.option("-i,--into", options->project, "The project of the asset").required().valueName("PROJECT");

@@ -18,7 +18,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSheetFooter =
     R"(Draws variants of an asset, generated with other random seeds, side by side in one picture, and measures them; 0
 is the asset itself. With --shot and --at all are simulated to the same step first. The table has one row
 per variant, in the order of the picture.
@@ -136,7 +136,7 @@ Status sheet(const SheetOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addSheet(CLI::App& program) {
-    Command command(program, "sheet", "Draw and measure variants of an asset side by side", kFooter);
+    Command command(program, "sheet", "Draw and measure variants of an asset side by side", kSheetFooter);
     const auto options = std::make_shared<SheetOptions>();
     addProjectArgument(command, options->file);
     command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");

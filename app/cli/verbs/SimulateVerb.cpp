@@ -14,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSimulateFooter =
     R"(Input, from FILE or standard input: a project, or a scene of bodies:
   {"gravity":[x,y,z],"bodies":[{"name":s,"kind":"dynamic","density":d,"friction":f,"restitution":r,
    "position":[x,y,z],"orientation":[w,x,y,z],"velocity":[x,y,z],"angularVelocity":[x,y,z],
@@ -117,7 +117,7 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addSimulate(CLI::App& program) {
-    Command command(program, "simulate", "Simulate a project or a scene of bodies", kFooter);
+    Command command(program, "simulate", "Simulate a project or a scene of bodies", kSimulateFooter);
     const auto options = std::make_shared<SimulateOptions>();
     command.argument("FILE", options->input, "The project or scene (default: -, standard input)");
     command.option("-n,--steps", options->steps, "The number of steps to simulate")

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kStrengthFooter =
     R"(A strength requirement states that an asset survives or breaks when it falls from a height onto level ground in
 its own orientation, or when a body of a given mass and speed hits the centre of its front. Prints the impulse of each
 requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints
@@ -93,7 +93,7 @@ Status strength(const StrengthOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addStrength(CLI::App& program) {
-    Command command(program, "strength", "Check the strength requirements of assets", kFooter);
+    Command command(program, "strength", "Check the strength requirements of assets", kStrengthFooter);
     command.alias("intent");  // its old name
     const auto options = std::make_shared<StrengthOptions>();
     addProjectArgument(command, options->file);

@@ -19,7 +19,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kTestFooter =
     R"(Runs the play-tests that are saved in the project, with their shots, and prints the expectations that are not
 met. Exits with 1 if a test fails.
 
@@ -132,7 +132,7 @@ Status test(const TestOptions& options, const CliContext& context) {
 }  // namespace
 
 Verb addTest(CLI::App& program) {
-    Command command(program, "test", "Run the play-tests of a project", kFooter);
+    Command command(program, "test", "Run the play-tests of a project", kTestFooter);
     const auto options = std::make_shared<TestOptions>();
     addProjectArgument(command, options->file);
     command.option("--test", options->names, "Run only this play-test; repeatable").repeatable().valueName("NAME");

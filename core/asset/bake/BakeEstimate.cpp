@@ -13,13 +13,13 @@ namespace {
 constexpr double kBytesPerFragment = 260.0;
 constexpr double kBytesPerFracture = 4000.0;
 
-std::string rounded(double number) {
+std::string estimateText(double number) {
     return number < 1e15 ? messageText(std::round(number)) : "more than " + messageText(1e15);
 }
 
 std::string gigabytes(double bytes) {
     const double size = bytes / (1024.0 * 1024.0 * 1024.0);
-    return (size < 10.0 ? roundedText(size, 2) : rounded(size)) + " GiB";
+    return (size < 10.0 ? roundedText(size, 2) : estimateText(size)) + " GiB";
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ BakeEstimate estimateOf(const Asset& asset) {
 
 std::optional<std::string> sizeFault(const BakeEstimate& estimate) {
     if (estimate.bytes() <= kMaxBakeBytes) return std::nullopt;  // false for NaN
-    return "about " + rounded(estimate.fragments) + " fragments would take " + gigabytes(estimate.bytes()) +
+    return "about " + estimateText(estimate.fragments) + " fragments would take " + gigabytes(estimate.bytes()) +
            " of memory; at most " + gigabytes(kMaxBakeBytes) +
            " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
 }

@@ -15,9 +15,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kClearanceFraction = 0.45;  // below 1/2, so that rough edges of a piece never meet
-constexpr double kStepsPerBump = 4.0;        // of the finest octave
-constexpr std::size_t kMaxSteps = 64;        // per interval; finer bumps are left out
+constexpr double kClearanceFraction = 0.45;    // below 1/2, so that rough edges of a piece never meet
+constexpr double kStepsPerBump = 4.0;          // of the finest octave
+constexpr std::size_t kMaxIntervalSteps = 64;  // per interval; finer bumps are left out
 
 // Relative to the asset's diameter. Points within the tolerance coincide, since the frames of levels round differently;
 // shorter intervals stay straight, so that steps are longer than the tolerance.
@@ -175,7 +175,7 @@ std::vector<RoughCuts::Corner> RoughCuts::cornersBetween(const Cut& cut, double 
     const EdgeInterval* behind = intervalAt(cut.behind, middle);
     if (!here || (!behind && !(cut.gap > 0.0)) || length < kMinInterval * m_diameter) return corners;
     const double finest = m_roughness.frequency * static_cast<double>(1u << (m_roughness.octaves - 1));
-    const double wanted = std::min(std::floor(length * finest * kStepsPerBump), static_cast<double>(kMaxSteps));
+    const double wanted = std::min(std::floor(length * finest * kStepsPerBump), static_cast<double>(kMaxIntervalSteps));
     if (!(wanted >= 2.0)) return corners;
     const auto steps = static_cast<std::size_t>(wanted);
     const Vec2 first = pointOn(cut, from), last = pointOn(cut, to);

@@ -1,5 +1,6 @@
 #include "core/asset/project/Ids.h"
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -42,5 +43,7 @@ Id lowestUnusedId(const Project& project, Id after) {
 Id allocateId(Project& project) {
     return project.nextId < std::numeric_limits<Id>::max() ? project.nextId++ : lowestUnusedId(project);
 }
+
+bool isAmong(std::span<const Id> ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
 
 }  // namespace rubble

@@ -11,7 +11,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::size_t kParts = 16;  // that parallel loops over many sites are divided into
 
 /// Removes duplicate sites. Equal ones are consecutive, the one of lowest index, which stays, first.

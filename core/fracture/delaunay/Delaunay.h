@@ -13,6 +13,9 @@
 
 namespace rubble {
 
+/// The ghost vertex at infinity.
+inline constexpr std::uint32_t kGhost = kNone;
+
 /// The Delaunay triangulation of sites, closed by one ghost vertex at infinity: behind every edge of the convex hull is
 /// a ghost triangle, so that every edge has two triangles and no super-triangle is needed.
 ///
@@ -22,8 +25,9 @@ struct Delaunay {
     struct Triangle {
         std::uint32_t corner[3];  // sites, counter-clockwise; kGhost at most once
         std::uint32_t twin[3];    // the opposite half-edge of edge k
+
+        bool isGhost() const { return corner[0] == kGhost || corner[1] == kGhost || corner[2] == kGhost; }
     };
-    static constexpr std::uint32_t kGhost = kNone;
 
     UninitializedVector<Vec2> sites;            // distinct
     UninitializedVector<std::uint32_t> seedOf;  // input index of each site

@@ -10,7 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::uint32_t kMinRangeSites = 16384;   // so many that few are near the border
 constexpr std::uint32_t kMinSitesPerRange = 256;  // inserted already, before a round has ranges
 constexpr std::uint32_t kMaxRanges = 16;
@@ -26,10 +25,6 @@ void makeFirstTriangle(Delaunay& delaunay) {
     delaunay.triangles[1] = {{b, 0, kGhost}, {0, 14, 9}};
     delaunay.triangles[2] = {{c, b, kGhost}, {1, 6, 13}};
     delaunay.triangles[3] = {{0, c, kGhost}, {2, 10, 5}};
-}
-
-bool isGhost(const Delaunay::Triangle& triangle) {
-    return triangle.corner[0] == kGhost || triangle.corner[1] == kGhost || triangle.corner[2] == kGhost;
 }
 
 class InsertionRounds {
@@ -119,7 +114,7 @@ private:
             all.free.insert(all.free.end(), m_ranges[r].free.begin(), m_ranges[r].free.end());
         }
         std::uint32_t start = 0;
-        while (isGhost(m_delaunay.triangles[start])) ++start;
+        while (m_delaunay.triangles[start].isGhost()) ++start;
         insertSites(m_triangulation, start, all, m_task.cancel);
     }
 

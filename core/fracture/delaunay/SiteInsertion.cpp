@@ -10,7 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr std::uint32_t kScratch = 64;
 constexpr std::uint32_t kInsertionsBetweenCancelChecks = 4096;
 

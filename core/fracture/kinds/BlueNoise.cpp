@@ -13,9 +13,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kDefaultFraction = 0.15;  // of the outline's diameter: the minimum distance in a new layer
+constexpr double kDistanceFraction = 0.15;  // of the outline's diameter: the minimum distance in a new layer
 
-constexpr std::array kParameters{
+constexpr std::array kBlueNoiseParameters{
     parameter<&BlueNoise::minimumDistance>({.name = "minimumDistance",
                                             .caption = "Distance",
                                             .hint = "Minimum distance between seeds",
@@ -108,11 +108,11 @@ constinit const LayerKind BlueNoise::kKind{.name = "blueNoise",
                                            .icon = "layer-blue-noise",
                                            .summary = "{minimumDistance} apart",
                                            .role = LayerRole::Scatters,
-                                           .parameters = kParameters,
+                                           .parameters = kBlueNoiseParameters,
                                            .isRandom = true};
 
 BlueNoise BlueNoise::defaultsFor(const Box2& bounds) {
-    return BlueNoise{.minimumDistance = kDefaultFraction * bounds.diagonal()};
+    return BlueNoise{.minimumDistance = kDistanceFraction * bounds.diagonal()};
 }
 
 Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {

@@ -23,7 +23,7 @@ constexpr std::array<ParameterOption, 5> kBonds{{{"stretcher", "Stretcher bond"}
                                                  {"header", "Header bond"},
                                                  {"flemish", "Flemish bond"}}};
 
-constexpr std::array kParameters{
+constexpr std::array kBrickBondParameters{
     parameter<&BrickBond::bond>(
         {.name = "bond", .caption = "Bond", .hint = "How the courses overlap", .options = kBonds}),
     parameter<&BrickBond::length>({.name = "length",
@@ -136,7 +136,7 @@ constinit const LayerKind BrickBond::kKind{.name = "bricks",
                                            .hint = "Cuts along the joints of a brick wall",
                                            .icon = "layer-bricks",
                                            .role = LayerRole::Cuts,
-                                           .parameters = kParameters};
+                                           .parameters = kBrickBondParameters};
 
 const char* BrickBond::summary() const {
     const bool isHeader = bond == BondKind::Header;

@@ -11,9 +11,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kDefaultFraction = 0.12;  // of the outline's diameter: the radius in a new layer
+constexpr double kClusterFraction = 0.12;  // of the outline's diameter: the radius in a new layer
 
-constexpr std::array kParameters{
+constexpr std::array kClustersParameters{
     parameter<&Clusters::clusters>({.name = "clusters",
                                     .caption = "Clusters",
                                     .hint = "Number of clusters; adding more keeps existing ones in place",
@@ -54,10 +54,10 @@ constinit const LayerKind Clusters::kKind{.name = "clusters",
                                           .icon = "layer-clusters",
                                           .summary = "{clusters} of {seedsPerCluster|1 seed|%1 seeds}",
                                           .role = LayerRole::Scatters,
-                                          .parameters = kParameters,
+                                          .parameters = kClustersParameters,
                                           .isRandom = true};
 
-Clusters Clusters::defaultsFor(const Box2& bounds) { return Clusters{.radius = kDefaultFraction * bounds.diagonal()}; }
+Clusters Clusters::defaultsFor(const Box2& bounds) { return Clusters{.radius = kClusterFraction * bounds.diagonal()}; }
 
 Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t wanted = std::size_t{clusters} * seedsPerCluster;

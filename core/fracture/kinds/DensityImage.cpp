@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<ParameterOption, 2> kDense{{{"bright", "Bright areas"}, {"dark", "Dark areas"}}};
 
-constexpr std::array kParameters{
+constexpr std::array kDensityImageParameters{
     parameter<&DensityImage::count>(kCountParameter),
     parameter<&DensityImage::dense>({.name = "dense",
                                      .caption = "Dense",
@@ -31,7 +31,7 @@ constinit const LayerKind DensityImage::kKind{.name = "densityImage",
                                               .hint = "Seeds distributed by a grey-scale image",
                                               .icon = "layer-density-image",
                                               .role = LayerRole::Scatters,
-                                              .parameters = kParameters,
+                                              .parameters = kDensityImageParameters,
                                               .isRandom = true};
 
 const char* DensityImage::summary() const { return image ? "{count|1 seed|%1 seeds}" : "no picture"; }

@@ -9,9 +9,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxRatio = 20.0;  // more would cost digits of points on the outline's edges
+constexpr double kMaxGrain = 20.0;  // more would cost digits of points on the outline's edges
 
-constexpr std::array kParameters{
+constexpr std::array kGrainParameters{
     parameter<&Grain::angle>({.name = "angle",
                               .caption = "Angle",
                               .hint = "Direction of the grain; 0: horizontal",
@@ -21,7 +21,7 @@ constexpr std::array kParameters{
     parameter<&Grain::ratio>({.name = "ratio",
                               .caption = "Ratio",
                               .hint = "Mean length of fragments divided by their mean width",
-                              .range = {1.0, kMaxRatio},
+                              .range = {1.0, kMaxGrain},
                               .sliderRange = {1.0, 10.0}}),
 };
 
@@ -33,6 +33,6 @@ constinit const LayerKind Grain::kKind{.name = "grain",
                                        .icon = "layer-grain",
                                        .summary = "1 : {ratio}",
                                        .role = LayerRole::Measures,
-                                       .parameters = kParameters};
+                                       .parameters = kGrainParameters};
 
 }  // namespace rubble

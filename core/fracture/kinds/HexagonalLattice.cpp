@@ -13,11 +13,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kDefaultColumns = 6.0;           // cells along the longer side in a new layer
-constexpr double kMaxSteps = kMaxPairNumber / 2;  // from the centre, in each direction of the lattice
+constexpr double kLatticeColumns = 6.0;                  // cells along the longer side in a new layer
+constexpr double kMaxLatticeSteps = kMaxPairNumber / 2;  // from the centre, in each direction of the lattice
 constexpr double kRowHeight = std::numbers::sqrt3 / 2.0;
 
-constexpr std::array kParameters{
+constexpr std::array kHexagonalLatticeParameters{
     parameter<&HexagonalLattice::spacing>({.name = "spacing",
                                            .caption = "Spacing",
                                            .hint = "Distance between neighbouring seeds",
@@ -57,10 +57,10 @@ constinit const LayerKind HexagonalLattice::kKind{.name = "hexagonal",
                                                   .icon = "layer-hexagonal",
                                                   .summary = "{spacing} apart",
                                                   .role = LayerRole::Scatters,
-                                                  .parameters = kParameters};
+                                                  .parameters = kHexagonalLatticeParameters};
 
 HexagonalLattice HexagonalLattice::defaultsFor(const Box2& bounds) {
-    return {.spacing = std::max(bounds.size().x, bounds.size().y) / kDefaultColumns};
+    return {.spacing = std::max(bounds.size().x, bounds.size().y) / kLatticeColumns};
 }
 
 Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) const {
@@ -69,9 +69,9 @@ Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) cons
     const Vec2 along = spacing * Vec2(cosine(rotation), sine(rotation));
     const Vec2 across = along / 2.0 + kRowHeight * perpendicular(along);
     const double steps = std::ceil(box.diagonal() / (2.0 * kRowHeight * spacing));
-    if (!(steps < kMaxSteps)) {
+    if (!(steps < kMaxLatticeSteps)) {
         return Error{ErrorCode::Limit, context.name() + " has seeds more than " +
-                                           std::to_string(static_cast<int>(kMaxSteps)) +
+                                           std::to_string(static_cast<int>(kMaxLatticeSteps)) +
                                            " steps from its centre: increase the spacing."};
     }
     std::vector<LatticePoint> points;

@@ -9,10 +9,10 @@
 namespace rubble {
 namespace {
 
-constexpr double kDefaultFraction = 0.08;  // of the outline's diameter: the radius of a new layer
+constexpr double kImpactFraction = 0.08;  // of the outline's diameter: the radius of a new layer
 constexpr double kMaxFalloff = 8.0;
 
-constexpr std::array kParameters{
+constexpr std::array kImpactScatterParameters{
     parameter<&ImpactScatter::centre>({.name = "centre",
                                        .caption = "Centre",
                                        .hint = "Point of impact; drag it in the canvas",
@@ -40,11 +40,11 @@ constinit const LayerKind ImpactScatter::kKind{.name = "impact",
                                                .icon = "layer-impact",
                                                .summary = "{count|1 seed|%1 seeds}",
                                                .role = LayerRole::Scatters,
-                                               .parameters = kParameters,
+                                               .parameters = kImpactScatterParameters,
                                                .isRandom = true};
 
 ImpactScatter ImpactScatter::defaultsFor(const Box2& bounds) {
-    return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0, .radius = kDefaultFraction * bounds.diagonal()};
+    return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0, .radius = kImpactFraction * bounds.diagonal()};
 }
 
 SeedDensity ImpactScatter::density(const Polygon&) const {

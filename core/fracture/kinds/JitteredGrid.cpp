@@ -12,14 +12,14 @@
 namespace rubble {
 namespace {
 
-constexpr double kDefaultColumns = 6.0;  // cells along the longer side in a new layer
+constexpr double kGridColumns = 6.0;  // cells along the longer side in a new layer
 
 bool hasNumber(const JitteredGrid& grid) { return grid.cells == GridCells::Number; }
 bool hasSize(const JitteredGrid& grid) { return grid.cells == GridCells::Size; }
 
 constexpr std::array<ParameterOption, 2> kCells{{{"number", "Columns and rows"}, {"size", "Cell size"}}};
 
-constexpr std::array kParameters{
+constexpr std::array kJitteredGridParameters{
     parameter<&JitteredGrid::cells>({.name = "cells",
                                      .caption = "Grid",
                                      .hint = "Set the number of columns and rows, or the cell size",
@@ -91,7 +91,7 @@ constinit const LayerKind JitteredGrid::kKind{.name = "jitteredGrid",
                                               .hint = "One seed in each cell of a grid",
                                               .icon = "layer-grid",
                                               .role = LayerRole::Scatters,
-                                              .parameters = kParameters,
+                                              .parameters = kJitteredGridParameters,
                                               .isRandom = true};
 
 const char* JitteredGrid::summary() const {
@@ -101,7 +101,7 @@ const char* JitteredGrid::summary() const {
 
 JitteredGrid JitteredGrid::defaultsFor(const Box2& bounds) {
     const Vec2 size = bounds.size();
-    const double side = std::max(size.x, size.y) / kDefaultColumns;
+    const double side = std::max(size.x, size.y) / kGridColumns;
     const auto cellsAlong = [&](double length) {
         return static_cast<std::uint32_t>(std::max(1.0, std::floor(length / side + 0.5)));
     };

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::array kParameters{
+constexpr std::array kLloydRelaxationParameters{
     parameter<&LloydRelaxation::rounds>(
         {.name = "rounds",
          .caption = "Rounds",
@@ -38,7 +38,7 @@ constinit const LayerKind LloydRelaxation::kKind{.name = "lloyd",
                                                  .icon = "layer-lloyd",
                                                  .summary = "{rounds|1 round|%1 rounds}",
                                                  .role = LayerRole::Moves,
-                                                 .parameters = kParameters};
+                                                 .parameters = kLloydRelaxationParameters};
 
 Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const {
     return relax(rounds, context, seeds, [](const Partition& partition, std::uint32_t piece, Vec2) {

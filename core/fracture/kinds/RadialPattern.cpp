@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
-constexpr std::array kParameters{
+constexpr std::array kRadialPatternParameters{
     parameter<&RadialPattern::centre>({.name = "centre",
                                        .caption = "Centre",
                                        .hint = "Centre of the rings; drag it in the canvas",
@@ -64,7 +64,7 @@ constinit const LayerKind RadialPattern::kKind{.name = "radial",
                                                .icon = "layer-radial",
                                                .summary = "{rings|1 ring|%1 rings} of {spokes}",
                                                .role = LayerRole::Scatters,
-                                               .parameters = kParameters,
+                                               .parameters = kRadialPatternParameters,
                                                .isRandom = true};
 
 RadialPattern RadialPattern::defaultsFor(const Box2& bounds) {

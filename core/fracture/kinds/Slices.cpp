@@ -18,7 +18,7 @@ constexpr std::uint32_t kMaxCutsPerLayer = 2000;  // rotated cuts may all cross 
 constexpr double kOvershoot = 0.01;               // of the outline's extent, by which cuts exceed it
 constexpr double kMaxAngleVariation = std::numbers::pi / 4.0;
 
-constexpr std::array kParameters{
+constexpr std::array kSlicesParameters{
     parameter<&Slices::cuts>({.name = "cuts",
                               .caption = "Cuts",
                               .hint = "Number of cuts",
@@ -111,7 +111,7 @@ constinit const LayerKind Slices::kKind{.name = "slices",
                                         .icon = "layer-slices",
                                         .summary = "{cuts|1 cut|%1 cuts}",
                                         .role = LayerRole::Cuts,
-                                        .parameters = kParameters,
+                                        .parameters = kSlicesParameters,
                                         .isRandom = true};
 
 Status Slices::cut(const LayerContext& context, CutSet& set) const {

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::array kParameters{
+constexpr std::array kUniformScatterParameters{
     parameter<&UniformScatter::count>(kCountParameter),
     parameter<&UniformScatter::domain>(kDomainParameter),
 };
@@ -20,7 +20,7 @@ constinit const LayerKind UniformScatter::kKind{.name = "uniform",
                                                 .icon = "layer-uniform",
                                                 .summary = "{count|1 seed|%1 seeds}",
                                                 .role = LayerRole::Scatters,
-                                                .parameters = kParameters,
+                                                .parameters = kUniformScatterParameters,
                                                 .isRandom = true};
 
 Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const {

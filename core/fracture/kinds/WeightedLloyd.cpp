@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSubdivisions = 6;  // per side: each triangle of a cell is sampled at the centroids of their square
 
-constexpr std::array kParameters{
+constexpr std::array kWeightedLloydParameters{
     parameter<&WeightedLloyd::rounds>(
         {.name = "rounds",
          .caption = "Rounds",
@@ -80,7 +80,7 @@ constinit const LayerKind WeightedLloyd::kKind{
     .icon = "layer-weighted-lloyd",
     .summary = "{rounds|1 round|%1 rounds}",
     .role = LayerRole::Moves,
-    .parameters = kParameters};
+    .parameters = kWeightedLloydParameters};
 
 Status WeightedLloyd::apply(const LayerContext& context, SeedSet& seeds) const {
     return relax(rounds, context, seeds, [&](const Partition& partition, std::uint32_t piece, Vec2 seed) {

@@ -30,12 +30,6 @@ Distances distancesOf(const std::array<Vec2, 3>& corners, Vec2 from) {
     return {std::max(0.0, distance - extent), distance + extent};
 }
 
-std::vector<Vec2> cornersOf(const Polygon& polygon) {
-    std::vector<Vec2> corners = polygon.outer;
-    for (const Ring& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
-    return corners;
-}
-
 }  // namespace
 
 double Falloff::at(double distance) const {

@@ -5,16 +5,6 @@
 #include <algorithm>
 
 namespace rubble {
-namespace {
-
-std::vector<Vec2> cornersOf(const Polygon& polygon) {
-    std::vector<Vec2> corners = polygon.outer;
-    for (const Ring& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
-    return corners;
-}
-
-}  // namespace
-
 Polygon ScatterArea::domain(const Polygon& outline, ScatterDomain domain) {
     if (domain == ScatterDomain::Outline) return outline;
     const Box2 box = boundsOf(outline.outer);

@@ -8,7 +8,6 @@ namespace rubble {
 namespace {
 
 using Fault = std::optional<std::string>;
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
 
 std::string text(std::uint32_t number) { return std::to_string(number); }
 

@@ -14,8 +14,6 @@ using Fault = std::optional<std::string>;
 
 constexpr double kRelative = 1e-9;  // of the prism's diameter, area or volume; of a mass's moment or inertia
 
-std::string text(std::uint64_t number) { return std::to_string(number); }
-
 bool isFinite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
 /// Calls visit(from, to) for every edge, in the order of Fragment::edgeNeighbours().
@@ -38,7 +36,7 @@ Fault tableFault(const Fragments& all, const Prism& prism) {
     for (std::uint32_t i = 0; i < all.count(); ++i) {
         const std::uint32_t piece = all.pieceOfFragment[i];
         if (piece >= all.partition.pieceCount() || all.fragmentOfPiece[piece] != i) {
-            return "Fragment " + text(i) + " does not have a piece of its own.";
+            return "Fragment " + std::to_string(i) + " does not have a piece of its own.";
         }
     }
     return std::nullopt;
@@ -64,7 +62,7 @@ Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) 
     double volume = 0.0;
     const std::vector<Polytope> hulls = fragment.hulls();
     for (std::size_t k = 0; k < hulls.size(); ++k) {
-        const std::string hull = "has a hull " + text(k);
+        const std::string hull = "has a hull " + std::to_string(k);
         if (const Fault fault = verifyPolytope(hulls[k])) return hull + " that is not a valid polytope: " + *fault;
         for (const Vec3& vertex : hulls[k].vertices) {
             if (std::abs(vertex.z) != fragment.depth() / 2.0 ||
@@ -100,7 +98,7 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
         if (k > 0 && bonds[k - 1].fragment >= bonds[k].fragment) return "has bonds out of order.";
         const Bond* back = findBond(lists[bonds[k].fragment], index);
         if (!(bonds[k].area > 0.0) || !back || back->area != bonds[k].area) {
-            return "has a bond to fragment " + text(bonds[k].fragment) + " that is not mutual.";
+            return "has a bond to fragment " + std::to_string(bonds[k].fragment) + " that is not mutual.";
         }
     }
     if (hasGap) return std::nullopt;
@@ -111,7 +109,7 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
         const std::uint32_t behind = neighbours[edge++];
         if (behind == kNone || behind == index || findBond(bonds, behind)) return;
         if (!(fragment.depth() * glm::distance(from, to) <= slack)) {
-            fault = "has no bond to fragment " + text(behind) + ", which it touches.";
+            fault = "has no bond to fragment " + std::to_string(behind) + ", which it touches.";
         }
     });
     return fault;
@@ -123,7 +121,7 @@ Fault orderFault(const Fragments& fragments) {
         return std::tuple(fragments[i].seed(), std::vector(cells.begin(), cells.end()), fragments[i].partOfCell());
     };
     for (std::uint32_t i = 1; i < fragments.count(); ++i) {
-        if (!(key(i - 1) < key(i))) return "Fragment " + text(i) + " is out of order.";
+        if (!(key(i - 1) < key(i))) return "Fragment " + std::to_string(i) + " is out of order.";
     }
     return std::nullopt;
 }
@@ -163,7 +161,7 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
     BondLists bonds;
     for (std::uint32_t i = 0; i < fragments.count(); ++i) bonds.push_back(fragments[i].bonds());
     for (std::uint32_t i = 0; i < fragments.count(); ++i) {
-        const auto named = [&](const Fault& fault) { return "Fragment " + text(i) + " " + *fault; };
+        const auto named = [&](const Fault& fault) { return "Fragment " + std::to_string(i) + " " + *fault; };
         const Fragment fragment = fragments[i];
         const Polygon outline = fragment.outline();
         const double hullSlack = kRelative * diameter * perimeter(outline) * prism.depth;

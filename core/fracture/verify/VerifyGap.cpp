@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kRelative = 1e-9;  // of the outline's diameter
+constexpr double kRelativeSlack = 1e-9;  // of the outline's diameter
 
 /// Whether a point is nearer than `distance` to an edge, and its projection at least `inset` from the ends.
 bool isBeside(Vec2 point, Vec2 from, Vec2 to, double distance, double inset) {
@@ -40,7 +40,7 @@ std::optional<std::string> verifyGap(const Fragments& fragments, double gap) {
     if (!(gap > 0.0)) return std::nullopt;
     Box2 box;
     for (const std::uint32_t corner : partition.corners) box.include(partition.points[corner]);
-    const double slack = kRelative * box.diagonal();
+    const double slack = kRelativeSlack * box.diagonal();
     for (std::uint32_t fragment = 0; fragment < fragments.count(); ++fragment) {
         const std::uint32_t piece = fragments.pieceOfFragment[fragment];
         const Polygon whole = pieceOutline(partition, piece);

@@ -13,8 +13,6 @@ using PointPair = std::array<std::uint32_t, 2>;
 constexpr double kAreaTolerance = 1e-9;   // of the outline's area, or of its diagonal squared
 constexpr double kLineTolerance = 1e-12;  // of the outline's diagonal
 
-std::string text(std::uint64_t number) { return std::to_string(number); }
-
 bool isAscendingTo(std::span<const std::uint32_t> offsets, std::size_t entries, std::size_t last) {
     return offsets.size() == entries + 1 && offsets.front() == 0 && offsets.back() == last &&
            std::is_sorted(offsets.begin(), offsets.end());
@@ -27,17 +25,19 @@ Fault verifyArrays(const Partition& p) {
         return "The sizes of the partition's arrays do not match.";
     }
     for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        if (p.ringsOfPiece[piece] == p.ringsOfPiece[piece + 1]) return "Piece " + text(piece) + " has no ring.";
+        if (p.ringsOfPiece[piece] == p.ringsOfPiece[piece + 1])
+            return "Piece " + std::to_string(piece) + " has no ring.";
         const std::uint32_t seed = p.seedOfPiece[piece];
         if (seed != kNone && (seed >= p.pieceOfSeed.size() || p.pieceOfSeed[seed] > piece)) {
-            return "Seed " + text(seed) + " does not refer to its piece " + text(piece) + ".";
+            return "Seed " + std::to_string(seed) + " does not refer to its piece " + std::to_string(piece) + ".";
         }
     }
     for (std::size_t corner = 0; corner < p.corners.size(); ++corner) {
         if (p.corners[corner] >= p.points.size())
-            return "Corner " + text(corner) + " refers to a point that does not exist.";
+            return "Corner " + std::to_string(corner) + " refers to a point that does not exist.";
         const Vec2 point = p.points[p.corners[corner]];
-        if (!std::isfinite(point.x) || !std::isfinite(point.y)) return "Corner " + text(corner) + " is not finite.";
+        if (!std::isfinite(point.x) || !std::isfinite(point.y))
+            return "Corner " + std::to_string(corner) + " is not finite.";
     }
     return std::nullopt;
 }
@@ -62,10 +62,10 @@ Fault collectEdges(const Partition& p, Edges& edges) {
                 const std::uint32_t from = p.corners[corner], to = p.corners[corner + 1 < end ? corner + 1 : begin];
                 const bool isNew = from != to && edges.pieces.emplace(PointPair{from, to}, piece).second;
                 if (!isNew)
-                    return "Piece " + text(piece) + " repeats the edge from point " + text(from) + " to " + text(to) +
-                           ".";
+                    return "Piece " + std::to_string(piece) + " repeats the edge from point " + std::to_string(from) +
+                           " to " + std::to_string(to) + ".";
                 if (p.neighbours[corner] == kNone && !edges.outlineNext.emplace(from, to).second) {
-                    return "Two edges along the outline start at point " + text(from) + ".";
+                    return "Two edges along the outline start at point " + std::to_string(from) + ".";
                 }
             }
         }
@@ -82,8 +82,9 @@ Fault verifyNeighbours(const Partition& p, const Edges& edges) {
                 const auto reverse = edges.pieces.find({to, from});
                 const std::uint32_t behind = reverse == edges.pieces.end() ? kNone : reverse->second;
                 if (behind != p.neighbours[corner] || behind == piece) {
-                    return "Piece " + text(piece) + " does not have the right neighbour behind its edge from point " +
-                           text(from) + " to " + text(to) + ".";
+                    return "Piece " + std::to_string(piece) +
+                           " does not have the right neighbour behind its edge from point " + std::to_string(from) +
+                           " to " + std::to_string(to) + ".";
                 }
             }
         }
@@ -98,7 +99,7 @@ Fault verifyRingsAreSimple(const Partition& p) {
         std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
         std::sort(sorted.begin(), sorted.end());
         if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
-            return "Ring " + text(ring) + " touches itself at point " + text(*twice) + ".";
+            return "Ring " + std::to_string(ring) + " touches itself at point " + std::to_string(*twice) + ".";
         }
     }
     return std::nullopt;
@@ -121,7 +122,8 @@ Fault verifyPiecesAreConnected(const Partition& p) {
                 if (isNew) continue;
                 const std::uint32_t one = rootOf(entry->second), other = rootOf(ring);
                 if (one == other)
-                    return "Piece " + text(piece) + " is disconnected by points, one of them is " + text(point) + ".";
+                    return "Piece " + std::to_string(piece) + " is disconnected by points, one of them is " +
+                           std::to_string(point) + ".";
                 parentOf[one] = other;
             }
         }
@@ -139,19 +141,20 @@ Fault verifyOutlineIsKept(const Partition& p, const Edges& edges, const Polygon&
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Vec2 start = ring[i] - p.origin, end = ring[i + 1 < ring.size() ? i + 1 : 0] - p.origin;
             const auto found = pointAt.find({start.x, start.y});
-            if (found == pointAt.end()) return "Point " + text(i) + " of " + name + " is not a corner of any piece.";
+            if (found == pointAt.end())
+                return "Point " + std::to_string(i) + " of " + name + " is not a corner of any piece.";
             const Vec2 direction = end - start;
             const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
             std::uint32_t point = found->second;
             do {
                 const auto next = edges.outlineNext.find(point);
                 if (next == edges.outlineNext.end() || ++used > edges.outlineNext.size())
-                    return "The pieces leave " + name + " after point " + text(i) + ".";
+                    return "The pieces leave " + name + " after point " + std::to_string(i) + ".";
                 const Vec2 step = p.points[next->second] - p.points[point];
                 const Vec2 offset = p.points[next->second] - start;
                 if (step.x * direction.x + step.y * direction.y <= 0.0 ||
                     std::abs(cross(direction, offset)) > tolerance * length) {
-                    return "The pieces leave " + name + " after point " + text(i) + ".";
+                    return "The pieces leave " + name + " after point " + std::to_string(i) + ".";
                 }
                 point = next->second;
             } while (p.points[point] != end);
@@ -160,7 +163,7 @@ Fault verifyOutlineIsKept(const Partition& p, const Edges& edges, const Polygon&
     };
     if (Fault fault = follow(outline.outer, "the outline")) return fault;
     for (std::size_t hole = 0; hole < outline.holes.size(); ++hole) {
-        if (Fault fault = follow(outline.holes[hole], "hole " + text(hole))) return fault;
+        if (Fault fault = follow(outline.holes[hole], "hole " + std::to_string(hole))) return fault;
     }
     if (used != edges.outlineNext.size()) return "Some edges inside the outline have no neighbour.";
     return std::nullopt;
@@ -175,7 +178,7 @@ Fault verifyAreas(const Partition& p, const Polygon& outline, double diagonal) {
             const bool isOuter = ring == p.ringsOfPiece[piece];
             if (p.cornersOfRing[ring + 1] - p.cornersOfRing[ring] < 3 ||
                 (isOuter ? ringArea < -slack : ringArea > slack)) {
-                return "Ring " + text(ring - p.ringsOfPiece[piece]) + " of piece " + text(piece) +
+                return "Ring " + std::to_string(ring - p.ringsOfPiece[piece]) + " of piece " + std::to_string(piece) +
                        " has the wrong winding or no area.";
             }
             sum += ringArea;

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of an area: a sum of others is not the area of their union to the last bit
+constexpr double kAreaRounding = 1e-9;  // of an area: a sum of others is not the area of their union to the last bit
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<std::string> verifyNoSmallPieces(const Partition& partition, const
     const double minArea =
         minPieceArea(small, std::accumulate(areas.begin(), areas.end(), 0.0), partition.pieceCount(), depth);
     for (std::uint32_t piece = 0; piece < areas.size() && areas.size() > 1; ++piece) {
-        if (areas[piece] >= minArea * (1.0 - kRounding)) continue;
+        if (areas[piece] >= minArea * (1.0 - kAreaRounding)) continue;
         return "Piece " + std::to_string(piece) + " has " + messageText(areas[piece]) + " m², less than the " +
                messageText(minArea) + " m² that it must have.";
     }

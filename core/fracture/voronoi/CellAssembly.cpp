@@ -152,7 +152,7 @@ private:
         do {
             const std::uint32_t neighbour = targetOf(m_delaunay, spoke);
             spoke = nextAround(m_delaunay, spoke);
-            if (neighbour == Delaunay::kGhost) continue;
+            if (neighbour == kGhost) continue;
             const Vec2 toNeighbour = m_delaunay.sites[neighbour] - point, apart = toNeighbour - toSite;
             // The distance to the bisector times twice the distance of the sites.
             const double product = apart.x * (toSite.x + toNeighbour.x) + apart.y * (toSite.y + toNeighbour.y);

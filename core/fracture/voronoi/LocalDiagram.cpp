@@ -12,8 +12,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
-
 void sortUnique(std::vector<std::uint32_t>& seeds) {
     std::ranges::sort(seeds);
     seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());

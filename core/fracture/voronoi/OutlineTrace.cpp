@@ -40,7 +40,7 @@ private:
             std::uint32_t spoke = first;
             do {
                 const std::uint32_t neighbour = targetOf(m_delaunay, spoke);
-                if (neighbour != Delaunay::kGhost && m_diagram.isNearer(point, neighbour, cell)) {
+                if (neighbour != kGhost && m_diagram.isNearer(point, neighbour, cell)) {
                     cell = neighbour;
                     moved = true;
                     break;
@@ -55,8 +55,8 @@ private:
         const DirectedLine line = {m_trace.vertices[edge], m_trace.vertices[edgeEnd]};
         std::uint32_t exit = firstExit(line);
         for (;;) {
-            const std::uint32_t neighbour = exit == kNone ? Delaunay::kGhost : targetOf(m_delaunay, exit);
-            if (neighbour == Delaunay::kGhost || !m_diagram.isNearer(line.to, neighbour, m_cell)) return;
+            const std::uint32_t neighbour = exit == kNone ? kGhost : targetOf(m_delaunay, exit);
+            if (neighbour == kGhost || !m_diagram.isNearer(line.to, neighbour, m_cell)) return;
             m_trace.crossings.push_back({exit, edge, edgeEnd});
             m_cell = neighbour;
             exit = exitAfter(m_delaunay.twin(exit), line);

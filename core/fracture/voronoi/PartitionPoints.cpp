@@ -13,11 +13,6 @@ std::size_t partsOf(const Delaunay& delaunay) {
     return (delaunay.triangles.size() + kTrianglesPerPart - 1) / kTrianglesPerPart;
 }
 
-bool isGhost(const Delaunay::Triangle& triangle) {
-    return triangle.corner[0] == Delaunay::kGhost || triangle.corner[1] == Delaunay::kGhost ||
-           triangle.corner[2] == Delaunay::kGhost;
-}
-
 }  // namespace
 
 PointNumbers pointNumbers(const Delaunay& delaunay, const OutlineTrace& trace) {
@@ -34,9 +29,9 @@ void computeCorners(const Delaunay& delaunay, const LocalFrame& frame, int threa
         const IndexRange range = chunkRange(delaunay.triangles.size(), part, partsOf(delaunay));
         for (std::size_t t = range.begin; t < range.end; ++t) {
             const Delaunay::Triangle& triangle = delaunay.triangles[t];
-            points[t] = isGhost(triangle) ? Vec2{HUGE_VAL, HUGE_VAL}
-                                          : circumcentre(sites[triangle.corner[0]], sites[triangle.corner[1]],
-                                                         sites[triangle.corner[2]], frame.origin, frame.extent);
+            points[t] = triangle.isGhost() ? Vec2{HUGE_VAL, HUGE_VAL}
+                                           : circumcentre(sites[triangle.corner[0]], sites[triangle.corner[1]],
+                                                          sites[triangle.corner[2]], frame.origin, frame.extent);
         }
     });
 }

@@ -11,7 +11,6 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kGhost = Delaunay::kGhost;
 constexpr double kSideBound = 24.0 * kRounding;  // more roundings than any expression below has
 constexpr double kOrderBound = 24.0 * kRounding;
 

@@ -7,23 +7,6 @@
 namespace rubble {
 namespace {
 
-void addEdges(const Ring& ring, std::vector<std::array<Vec2, 2>>& edges) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-}
-
-std::vector<std::array<Vec2, 2>> edgesOf(const Polygon& polygon) {
-    std::vector<std::array<Vec2, 2>> edges;
-    addEdges(polygon.outer, edges);
-    for (const Ring& hole : polygon.holes) addEdges(hole, edges);
-    return edges;
-}
-
-std::vector<Box3> boxesOf(std::span<const std::array<Vec2, 2>> edges) {
-    std::vector<Box3> boxes;
-    for (const auto& [from, to] : edges) boxes.push_back(boxOf(from, to));
-    return boxes;
-}
-
 double largest(const BoundaryDistance& boundary, const Polygon& polygon) {
     return std::max(boundary.largestOf(std::span(&polygon.outer, 1)), boundary.largestOf(polygon.holes));
 }

@@ -3,29 +3,6 @@
 #include "core/geometry/polygon/RayCrossings.h"
 
 namespace rubble {
-namespace {
-
-using Edges = std::vector<std::array<Vec2, 2>>;
-
-void addEdges(const Ring& ring, Edges& edges) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-}
-
-Edges edgesOf(const Polygon& polygon) {
-    Edges edges;
-    addEdges(polygon.outer, edges);
-    for (const Ring& hole : polygon.holes) addEdges(hole, edges);
-    return edges;
-}
-
-std::vector<Box3> boxesOf(const Edges& edges) {
-    std::vector<Box3> boxes;
-    for (const auto& [from, to] : edges) boxes.push_back(boxOf(from, to));
-    return boxes;
-}
-
-}  // namespace
-
 ContainmentIndex::ContainmentIndex(const Polygon& polygon) : m_edges(edgesOf(polygon)), m_tree(boxesOf(m_edges)) {}
 
 Containment ContainmentIndex::of(Vec2 point, std::size_t* visited) const {

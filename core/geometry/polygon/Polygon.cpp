@@ -100,6 +100,22 @@ double perimeter(const Polygon& polygon) {
     return sum;
 }
 
+std::vector<Vec2> cornersOf(const Polygon& polygon) {
+    std::vector<Vec2> corners = polygon.outer;
+    for (const Ring& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+    return corners;
+}
+
+std::vector<std::array<Vec2, 2>> edgesOf(const Polygon& polygon) {
+    std::vector<std::array<Vec2, 2>> edges;
+    const auto add = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    };
+    add(polygon.outer);
+    for (const Ring& hole : polygon.holes) add(hole);
+    return edges;
+}
+
 Box2 boundsOf(std::span<const Vec2> points) {
     Box2 box;
     for (const Vec2 point : points) box.include(point);

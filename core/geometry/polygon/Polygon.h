@@ -2,6 +2,7 @@
 
 #include "core/geometry/predicates/Vec.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,10 @@ Vec2 centroid(const Polygon& polygon);
 /// The length of the boundary, including holes.
 double perimeter(std::span<const Vec2> ring);
 double perimeter(const Polygon& polygon);
+/// The corners of the outer ring and then of the holes.
+std::vector<Vec2> cornersOf(const Polygon& polygon);
+/// The edges of the outer ring and then of the holes, each from corner to corner along its ring.
+std::vector<std::array<Vec2, 2>> edgesOf(const Polygon& polygon);
 /// The bounding box.
 Box2 boundsOf(std::span<const Vec2> points);
 

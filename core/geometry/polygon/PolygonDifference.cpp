@@ -10,8 +10,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kClipperRange = 0x1p48;   // Clipper works on integers
-constexpr double kMaxCoordinate = 0x1p12;  // relative to the extent; farther points are clamped
+constexpr double kClipperRange = 0x1p48;          // Clipper works on integers
+constexpr double kMaxClipperCoordinate = 0x1p12;  // relative to the extent; farther points are clamped
 
 /// Converts points to integers and back, the polygon's own corners to their exact bits.
 class Lattice {
@@ -39,8 +39,8 @@ public:
 
 private:
     ClipperLib::IntPoint at(Vec2 point) const {
-        const Vec2 numbers =
-            glm::clamp((point - m_middle) * m_scale, -kMaxCoordinate * kClipperRange, kMaxCoordinate * kClipperRange);
+        const Vec2 numbers = glm::clamp((point - m_middle) * m_scale, -kMaxClipperCoordinate * kClipperRange,
+                                        kMaxClipperCoordinate * kClipperRange);
         return {std::llround(numbers.x), std::llround(numbers.y)};
     }
 

@@ -23,14 +23,14 @@ struct ChainNode {
 };
 
 /// The chain of an interval, by nodes.
-struct Interval {
+struct SweptInterval {
     std::uint32_t bottom = kNone;
     std::uint32_t top = kNone;
     std::uint32_t latest = kNone;
 };
 
 /// Orders the lower edges and points on the sweep line from bottom to top.
-struct IsBelow {
+struct IsSweptBelow {
     using is_transparent = void;
     const IndexedCorners* corners;
     std::size_t* steps;
@@ -52,7 +52,7 @@ struct IsBelow {
 class SweepTriangulation {
 public:
     explicit SweepTriangulation(const IndexedCorners& corners)
-        : m_corners(corners), m_status(IsBelow{&corners, &m_steps}), m_intervals(corners.points.size()) {
+        : m_corners(corners), m_status(IsSweptBelow{&corners, &m_steps}), m_intervals(corners.points.size()) {
         m_statusEntry.resize(corners.points.size(), m_status.end());
         m_nodes.reserve(2 * corners.points.size());
         m_triangles.reserve(corners.points.size() + 2 * corners.ringCount());
@@ -75,7 +75,7 @@ public:
     std::size_t steps() const { return m_steps; }
 
 private:
-    using Status = std::set<std::uint32_t, IsBelow>;
+    using Status = std::set<std::uint32_t, IsSweptBelow>;
 
     Vec2 point(std::uint32_t corner) const { return m_corners.points[corner]; }
 
@@ -106,7 +106,7 @@ private:
     }
 
     bool start(std::uint32_t corner) {
-        const Interval* below = intervalBelow(corner);
+        const SweptInterval* below = intervalBelow(corner);
         if (below != nullptr && sideOfUpperEdge(*below, corner) < 0) return false;
         const std::uint32_t node = newNode(corner);
         m_intervals[corner] = {node, node, node};
@@ -120,14 +120,14 @@ private:
     }
 
     bool continueAbove(std::uint32_t corner) {
-        Interval* interval = intervalBelow(corner);
+        SweptInterval* interval = intervalBelow(corner);
         if (interval == nullptr || !isEndOfUpperEdge(*interval, corner)) return false;
         addAbove(*interval, corner);
         return true;
     }
 
     bool end(std::uint32_t corner) {
-        Interval& interval = m_intervals[m_corners.previous[corner]];
+        SweptInterval& interval = m_intervals[m_corners.previous[corner]];
         if (!isEndOfUpperEdge(interval, corner)) return false;
         addBelow(interval, corner);
         return m_nodes[interval.bottom].above == interval.top;
@@ -135,10 +135,10 @@ private:
 
     /// Splits the interval around the corner by the diagonal to its latest corner.
     bool split(std::uint32_t corner) {
-        Interval* lower = intervalBelow(corner);
+        SweptInterval* lower = intervalBelow(corner);
         if (lower == nullptr || sideOfUpperEdge(*lower, corner) >= 0) return false;
         const std::uint32_t seen = lower->latest, copy = newNode(m_nodes[seen].corner);
-        Interval upper{copy, lower->top == seen ? copy : lower->top, copy};
+        SweptInterval upper{copy, lower->top == seen ? copy : lower->top, copy};
         if (m_nodes[seen].above != kNone) link(copy, m_nodes[seen].above);
         m_nodes[seen].above = kNone;
         lower->top = seen;
@@ -150,9 +150,9 @@ private:
 
     /// Merges the intervals below and above the corner.
     bool merge(std::uint32_t corner) {
-        Interval* lower = intervalBelow(corner);
+        SweptInterval* lower = intervalBelow(corner);
         if (lower == nullptr || !isEndOfUpperEdge(*lower, corner)) return false;
-        Interval& upper = m_intervals[m_corners.previous[corner]];
+        SweptInterval& upper = m_intervals[m_corners.previous[corner]];
         addAbove(*lower, corner);
         addBelow(upper, corner);
         link(lower->top, m_nodes[upper.bottom].above);
@@ -160,18 +160,18 @@ private:
         return true;
     }
 
-    Interval* intervalBelow(std::uint32_t corner) {
+    SweptInterval* intervalBelow(std::uint32_t corner) {
         const auto above = m_status.lower_bound(point(corner));
         return above == m_status.begin() ? nullptr : &m_intervals[*std::prev(above)];
     }
 
     /// Whether the upper edge of the interval starts at the corner.
-    bool isEndOfUpperEdge(const Interval& interval, std::uint32_t corner) const {
+    bool isEndOfUpperEdge(const SweptInterval& interval, std::uint32_t corner) const {
         return m_nodes[interval.top].corner == m_corners.next[corner];
     }
 
     /// +1 if the corner is above the upper edge, -1 if it is below.
-    int sideOfUpperEdge(const Interval& interval, std::uint32_t corner) const {
+    int sideOfUpperEdge(const SweptInterval& interval, std::uint32_t corner) const {
         const std::uint32_t top = m_nodes[interval.top].corner;
         return orient2d(point(top), point(m_corners.previous[top]), point(corner));
     }
@@ -187,7 +187,7 @@ private:
     }
 
     /// Adds the corner at the bottom of a chain and every triangle visible from it.
-    void addBelow(Interval& interval, std::uint32_t corner) {
+    void addBelow(SweptInterval& interval, std::uint32_t corner) {
         const std::uint32_t node = newNode(corner);
         link(node, lastVisible(interval.bottom, &ChainNode::above,
                                [&](std::uint32_t near, std::uint32_t far) { return addTriangle(node, far, near); }));
@@ -195,7 +195,7 @@ private:
     }
 
     /// Adds the corner at the top of a chain and every triangle visible from it.
-    void addAbove(Interval& interval, std::uint32_t corner) {
+    void addAbove(SweptInterval& interval, std::uint32_t corner) {
         const std::uint32_t node = newNode(corner);
         link(lastVisible(interval.top, &ChainNode::below,
                          [&](std::uint32_t near, std::uint32_t far) { return addTriangle(node, near, far); }),
@@ -223,7 +223,7 @@ private:
     std::size_t m_steps = 0;
     Status m_status;                              // the lower edges on the sweep line
     std::vector<Status::iterator> m_statusEntry;  // of each lower edge
-    std::vector<Interval> m_intervals;            // by lower edge
+    std::vector<SweptInterval> m_intervals;       // by lower edge
     std::vector<ChainNode> m_nodes;
     std::vector<CornerTriangle> m_triangles;
 };

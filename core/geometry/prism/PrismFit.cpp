@@ -20,12 +20,12 @@ namespace {
 
 int worldAxis(PrismAxis requested) { return static_cast<int>(requested) - static_cast<int>(PrismAxis::X); }
 
-std::size_t cornersOf(const std::vector<Ring>& rings) {
+std::size_t cornerCount(const std::vector<Ring>& rings) {
     return std::accumulate(rings.begin(), rings.end(), std::size_t{0},
                            [](std::size_t sum, const Ring& ring) { return sum + ring.size(); });
 }
 
-std::size_t cornersOf(const Polygon& polygon) { return polygon.outer.size() + cornersOf(polygon.holes); }
+std::size_t cornerCount(const Polygon& polygon) { return polygon.outer.size() + cornerCount(polygon.holes); }
 
 /// The result of fitting a prism along an axis.
 struct Attempt {
@@ -67,7 +67,7 @@ Result<PrismFit> prismIn(const AxisView& view, const TriangleMesh& mesh, double 
     if (!prism) return prism;
     const BoundaryDistance boundary(*outline);
     prism->deviation = std::max({deviation, boundary.largestOf(rings), boundary.largestOf(bottomRings)});
-    prism->collinearCorners = cornersOf(rings) - cornersOf(*outline);
+    prism->collinearCorners = cornerCount(rings) - cornerCount(*outline);
     return prism;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // The range of Clipper's integers, with the resolution of single precision: a finer one finds crossings caused by
 // rounding.
-constexpr double kClipperRange = 1 << 24;
+constexpr double kSilhouetteRange = 1 << 24;
 
 ClipperLib::Path projected(const AxisView& view, const std::array<std::uint32_t, 3>& triangle, Vec2 middle,
                            double scale) {
@@ -44,7 +44,7 @@ std::vector<Ring> silhouetteRings(const AxisView& view, const TriangleMesh& mesh
     const double size = std::max(box.size().x, box.size().y);
     if (!(size > 0.0)) return {};
     const Vec2 middle = box.min + box.size() / 2.0;
-    const double scale = kClipperRange / size;
+    const double scale = kSilhouetteRange / size;
     std::vector<ClipperLib::Paths> projections;
     for (const auto& triangle : mesh.triangles) {
         const ClipperLib::Path path = projected(view, triangle, middle, scale);

@@ -24,4 +24,11 @@ Vec3 Box3::corner(int index) const {
 
 Box3 boxOf(Vec2 from, Vec2 to) { return {Vec3(glm::min(from, to), 0.0), Vec3(glm::max(from, to), 0.0)}; }
 
+std::vector<Box3> boxesOf(std::span<const std::array<Vec2, 2>> edges) {
+    std::vector<Box3> boxes;
+    boxes.reserve(edges.size());
+    for (const auto& [from, to] : edges) boxes.push_back(boxOf(from, to));
+    return boxes;
+}
+
 }  // namespace rubble

@@ -2,6 +2,10 @@
 
 #include "core/geometry/predicates/Vec.h"
 
+#include <array>
+#include <span>
+#include <vector>
+
 namespace rubble {
 
 /// An axis-aligned box; empty (min > max) until a point is included.
@@ -18,5 +22,7 @@ struct Box3 {
 
 /// The box of a segment in the plane, with z = 0.
 Box3 boxOf(Vec2 from, Vec2 to);
+/// The boxes of edges.
+std::vector<Box3> boxesOf(std::span<const std::array<Vec2, 2>> edges);
 
 }  // namespace rubble

@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kGlbVersion = 2;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN"
 constexpr std::size_t kVertexSize = 32;             // bytes: position, normal, texture coordinates
@@ -29,7 +29,7 @@ std::size_t maxFileSize(std::span<const MeshPart> parts, const MeshMaterials& ma
     return size;
 }
 
-void appendNumber(std::string& bytes, std::size_t number) {
+void appendWord(std::string& bytes, std::size_t number) {
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 255);
 }
 
@@ -50,14 +50,14 @@ Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials
 
     std::string bytes;
     bytes.reserve(28 + json.size() + buffer.size());
-    appendNumber(bytes, kMagic);
-    appendNumber(bytes, kVersion);
-    appendNumber(bytes, 28 + json.size() + buffer.size());
-    appendNumber(bytes, json.size());
-    appendNumber(bytes, kJsonChunk);
+    appendWord(bytes, kMagic);
+    appendWord(bytes, kGlbVersion);
+    appendWord(bytes, 28 + json.size() + buffer.size());
+    appendWord(bytes, json.size());
+    appendWord(bytes, kJsonChunk);
     bytes += json;
-    appendNumber(bytes, buffer.size());
-    appendNumber(bytes, kBinaryChunk);
+    appendWord(bytes, buffer.size());
+    appendWord(bytes, kBinaryChunk);
     buffer.appendTo(bytes);
     return bytes;
 }

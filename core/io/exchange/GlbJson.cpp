@@ -29,7 +29,7 @@ double linearFromSrgb(double component) {
     return square * fifthRoot(square);  // to the power of 2.4; power() would change the last digit in exported files
 }
 
-void writeAsset(JsonWriter& json) {
+void writeGlbAsset(JsonWriter& json) {
     json.openObject("asset");
     json.text("version", "2.0");
     json.text("generator", "Rubble");
@@ -91,7 +91,7 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
     json.close();
 }
 
-void writeMaterial(JsonWriter& json, const MeshMaterial& material) {
+void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
     const Colour& colour = material.colour;
     json.openObject();
     json.text("name", material.name);
@@ -169,12 +169,12 @@ std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector
                     const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place) {
     JsonWriter json(JsonLayout::Compact, 1024 + 1500 * parts.size());
     json.openObject();
-    writeAsset(json);
+    writeGlbAsset(json);
     writeNodes(json, parts, place);
     writeMeshes(json, parts, primitives, materials);
     json.openArray("materials");
-    for (const MeshMaterial& material : materials.outside) writeMaterial(json, material);
-    writeMaterial(json, materials.inside);
+    for (const MeshMaterial& material : materials.outside) writeGlbMaterial(json, material);
+    writeGlbMaterial(json, materials.inside);
     json.close();
     json.openArray("accessors");
     for (const std::vector<GlbPrimitive>& part : primitives) {

@@ -8,12 +8,6 @@
 namespace rubble {
 namespace {
 
-std::string numberText(double value) {
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
-
 /// Returns text from a file for use in a message: quoted, shortened to 40 bytes, without control characters.
 std::string quoted(std::string_view text) {
     constexpr std::size_t kMaxLength = 40;

@@ -28,12 +28,6 @@ constexpr std::size_t kMaxColumns = 3;
 constexpr std::array<std::string_view, 8> kCellColours = {"#f6d5c3", "#cfe3d4", "#f8e8b8", "#cddcef",
                                                           "#ead3e4", "#dfe8c2", "#c8e4e6", "#e3d9c9"};
 
-std::string numberText(double value) {
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
-
 /// Returns metres rounded to millimetres, exact if that would be zero.
 std::string lengthText(double metres) {
     const double rounded = std::round(metres * 1000.0) / 1000.0;

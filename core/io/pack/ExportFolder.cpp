@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "rubble-manifest";
-constexpr std::uint32_t kVersion = 1;
+constexpr const char* kManifestFormat = "rubble-manifest";
+constexpr std::uint32_t kManifestVersion = 1;
 constexpr std::size_t kMaxFlushes = 16;  // of single files; above, the whole file system is flushed once
 /// Files that engines write beside those that they import: Godot, Unity.
 constexpr std::array kEngineSuffixes{".import", ".uid", ".meta"};
@@ -54,8 +54,8 @@ bool isEngineFile(const fs::directory_entry& entry) {
 std::string manifestJson(const Manifest& manifest) {
     JsonWriter json;
     json.openObject();
-    json.text("format", kFormat);
-    json.wholeNumber("version", std::uint64_t{kVersion});
+    json.text("format", kManifestFormat);
+    json.wholeNumber("version", std::uint64_t{kManifestVersion});
     json.text("source", manifest.source);
     json.openArray("files");
     for (const ManifestEntry& file : manifest.files) {
@@ -78,7 +78,7 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
     if (!document) return std::nullopt;
     const JsonValue root = document->root();
     root.requireObject({"format", "version", "source", "files"});
-    if (root["format"].text() != kFormat || root["version"].index() != kVersion) return std::nullopt;
+    if (root["format"].text() != kManifestFormat || root["version"].index() != kManifestVersion) return std::nullopt;
     Manifest manifest;
     manifest.source = root["source"].text();
     for (const JsonValue file : root["files"].elements()) {
@@ -127,7 +127,7 @@ Result<std::optional<fs::path>> findEditedFile(const fs::path& folder) {
     return std::optional<fs::path>();
 }
 
-Status writeNewFile(const fs::path& path, std::string_view bytes, bool isFlushed) {
+Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFlushed) {
     OpenFile file(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
     if (!file.isOpen()) return cannotWrite(path, errno);
     if (const int code = writeAll(file.descriptor(), bytes)) return cannotWrite(path, code);
@@ -138,12 +138,12 @@ Status writeNewFile(const fs::path& path, std::string_view bytes, bool isFlushed
 
 /// Locks a folder against others that replace folders in it, where the file system has locks, until it is closed.
 Result<OpenFile> lockFolder(const fs::path& folder, const TaskContext& task) {
-    constexpr int kPollMilliseconds = 10;
+    constexpr int kLockPollMilliseconds = 10;
     OpenFile lock(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
     if (!lock.isOpen()) return cannotRead(folder, errno);
     while (::flock(lock.descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        ::poll(nullptr, 0, kPollMilliseconds);
+        ::poll(nullptr, 0, kLockPollMilliseconds);
     }
     return lock;
 }
@@ -267,11 +267,11 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
     const bool isFlushed = files.size() <= kMaxFlushes;
     for (const ExportFile& file : files) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        const Status written = writeNewFile((*partial)->path() / file.name, file.bytes, isFlushed);
+        const Status written = writeExportedFile((*partial)->path() / file.name, file.bytes, isFlushed);
         if (!written) return written;
         manifest.files.push_back(entryOf(file.name, file.bytes));
     }
-    const Status listed = writeNewFile((*partial)->path() / kManifestName, manifestJson(manifest), isFlushed);
+    const Status listed = writeExportedFile((*partial)->path() / kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
     if (!isFlushed && ::syncfs((*partial)->descriptor()) != 0) return cannotWrite(folder, errno);
     if (const Status replaced = replaceExport(**partial, folder, edited, task); !replaced) return replaced;

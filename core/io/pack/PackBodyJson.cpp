@@ -1,11 +1,9 @@
 #include "core/io/pack/PackBodyJson.h"
 
+#include "core/io/json/VectorJson.h"
+
 namespace rubble {
 namespace {
-
-void writeVector(JsonWriter& json, std::string_view key, Vec3 vector) {
-    json.numbers(key, {vector.x, vector.y, vector.z});
-}
 
 void writeInertia(JsonWriter& json, const Mat3& inertia, double density) {
     json.rows("inertia", std::array{0, 1, 2}, [&](int row) {

@@ -3,7 +3,7 @@
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/project/Threshold.h"
 #include "core/base/Parallel.h"
-#include "core/io/json/JsonWriter.h"
+#include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackBodyJson.h"
 #include "core/io/pack/PackFormat.h"
 
@@ -12,11 +12,7 @@ namespace {
 
 constexpr std::size_t kChunk = 64;  // bodies of a task
 
-void writeColour(JsonWriter& json, std::string_view key, const Colour& colour) {
-    json.numbers(key, {colour.red, colour.green, colour.blue});
-}
-
-void writeMaterial(JsonWriter& json, const AssetMaterials& material) {
+void writePackMaterial(JsonWriter& json, const AssetMaterials& material) {
     json.openObject("material");
     json.text("name", material.own.name);
     json.number("density", material.own.density);
@@ -61,7 +57,7 @@ void writeHeader(JsonWriter& json, const Asset& asset, const AssetMaterials& mat
     json.close();
     json.text("hash", packHash(asset, material, meshes).hex());
     json.number("threshold", thresholdOf(asset, material.own));
-    writeMaterial(json, material);
+    writePackMaterial(json, material);
     json.openArray("meshes", JsonLayout::CompactLines);
     for (const PackMeshFile& mesh : meshes) writeMesh(json, mesh);
     json.close();

@@ -1,13 +1,9 @@
+#include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/PackFormat.h"
 
 namespace rubble {
 namespace {
-
-Vec3 readVector(const JsonValue& value) {
-    const auto [x, y, z] = value.numbers<3>();
-    return {x, y, z};
-}
 
 /// Reads an index; null becomes kNone.
 std::uint32_t readOptionalIndex(const JsonValue& value) { return value.isNull() ? kNone : value.index(0, kNone - 1); }
@@ -61,7 +57,7 @@ Bond readNeighbour(const JsonValue& value) {
     return {.fragment = value["fragment"].index(0, kNone - 1), .area = value["area"].number(above(0.0))};
 }
 
-PackBody readBody(const JsonValue& value) {
+PackBody readPackBody(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"});
     return {.id = value["id"].text(),
@@ -76,7 +72,7 @@ PackBody readBody(const JsonValue& value) {
             .hulls = value["hulls"].list(readHull)};
 }
 
-Colour readColour(const JsonValue& value) {
+Colour readUnitColour(const JsonValue& value) {
     const auto [red, green, blue] = value.numbers<3>(between(0.0, 1.0));
     return {red, green, blue};
 }
@@ -87,8 +83,8 @@ Material readMaterial(const JsonValue& value) {
             .density = value["density"].number(above(0.0)),
             .friction = value["friction"].number(atLeast(0.0)),
             .restitution = value["restitution"].number(between(0.0, 1.0)),
-            .outside = readColour(value["outside"]),
-            .inside = readColour(value["inside"])};
+            .outside = readUnitColour(value["outside"]),
+            .inside = readUnitColour(value["inside"])};
 }
 
 PackMeshFile readMesh(const JsonValue& value) {
@@ -106,7 +102,7 @@ void requireWords(const JsonValue& value, std::initializer_list<std::array<std::
     }
 }
 
-Pack readVersion1(const JsonValue& root) {
+Pack readPack1(const JsonValue& root) {
     root.requireObject({"format", "version", "units", "axes", "asset", "hash", "threshold", "material", "meshes",
                         "whole", "fragments"});
     root["units"].requireObject({"length", "mass", "time"});
@@ -122,8 +118,8 @@ Pack readVersion1(const JsonValue& root) {
             .threshold = root["threshold"].number(above(0.0)),
             .material = readMaterial(root["material"]),
             .meshes = root["meshes"].list(readMesh),
-            .whole = readBody(root["whole"]),
-            .fragments = root["fragments"].list(readBody)};
+            .whole = readPackBody(root["whole"]),
+            .fragments = root["fragments"].list(readPackBody)};
 }
 
 }  // namespace
@@ -133,7 +129,7 @@ Result<Pack> readPack(std::string_view json) {
     if (!document) return document.error();
     const Result<std::uint32_t> version = versionOf(*document, kPackFormat);
     if (!version) return version.error();
-    Pack pack = readVersion1(document->root());
+    Pack pack = readPack1(document->root());
     if (document->firstError()) return *document->firstError();
     return pack;
 }

@@ -2,7 +2,7 @@
 
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/io/json/JsonDocument.h"
-#include "core/io/project/SceneJson.h"
+#include "core/io/json/VectorJson.h"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +93,7 @@ Pose readPose(const JsonValue& body) {
 }
 
 /// Reads all members but the hulls.
-SceneBody readBody(const JsonValue& value) {
+SceneBody readSceneBody(const JsonValue& value) {
     SceneBody body;
     if (value.isObject() && value["name"].isPresent()) body.name = value["name"].text();
     value.requireObject({"name", "hulls"}, {"kind", "density", "friction", "restitution", "position", "orientation",
@@ -129,7 +129,7 @@ Result<BodyScene> readScene(JsonDocument& document) {
     if (root["gravity"].isPresent()) scene.gravity = readVector(root["gravity"]);
     ShapeLibrary shapes;
     for (const JsonValue value : root["bodies"].elements()) {
-        SceneBody body = readBody(value);
+        SceneBody body = readSceneBody(value);
         const Hulls hulls = document.firstError() ? Hulls() : value["hulls"].list(readPoints);
         if (document.firstError()) return withBodyName(body, *document.firstError());
         const Result<std::uint32_t> shape = shapes.shapeOf(hulls);

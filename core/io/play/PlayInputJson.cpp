@@ -1,7 +1,7 @@
 #include "core/io/play/PlayInputJson.h"
 
+#include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"
-#include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 
 #include <array>

@@ -1,17 +1,18 @@
 #include "core/io/play/ReplayFile.h"
 
 #include "core/io/json/FormatVersion.h"
+#include "core/io/json/VectorJson.h"
 #include "core/io/play/PlayInputJson.h"
 #include "core/io/project/ProjectFile.h"
-#include "core/io/project/SceneJson.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
 
 #include <algorithm>
 
 namespace rubble {
 namespace {
 
-constexpr FileFormat kFormat{.name = "rubble-replay", .noun = "replay", .version = kReplayVersion};
+constexpr FileFormat kReplayFormat{.name = "rubble-replay", .noun = "replay", .version = kReplayVersion};
 
 std::string hexOf(std::uint64_t value) { return ContentHash{0, value}.hex().substr(16); }
 
@@ -90,7 +91,7 @@ ReplayStep readStepVersion1(const JsonValue& value) {
     return step;
 }
 
-void writeBody(JsonWriter& json, const ReplayBody& body) {
+void writeReplayBody(JsonWriter& json, const ReplayBody& body) {
     const Quat& orientation = body.pose.orientation;
     json.openObject({}, JsonLayout::Inline);
     json.wholeNumber("body", std::uint64_t{body.number});
@@ -99,7 +100,7 @@ void writeBody(JsonWriter& json, const ReplayBody& body) {
     json.close();
 }
 
-ReplayBody readBody(const JsonValue& value) {
+ReplayBody readReplayBody(const JsonValue& value) {
     value.requireObject({"body", "position", "orientation"});
     const auto [w, x, y, z] = value["orientation"].numbers<4>();
     return {value["body"].index(), {readVector(value["position"]), Quat{w, x, y, z}}};
@@ -108,13 +109,13 @@ ReplayBody readBody(const JsonValue& value) {
 void writeKeyframe(JsonWriter& json, const ReplayKeyframe& frame) {
     json.openObject();
     json.wholeNumber("step", frame.step);
-    json.list("bodies", frame.bodies, writeBody);
+    json.list("bodies", frame.bodies, writeReplayBody);
     json.close();
 }
 
 ReplayKeyframe readKeyframe(const JsonValue& value) {
     value.requireObject({"step", "bodies"});
-    return {value["step"].wholeNumber(), value["bodies"].list(readBody)};
+    return {value["step"].wholeNumber(), value["bodies"].list(readReplayBody)};
 }
 
 template <class Element>
@@ -231,10 +232,6 @@ Replay readReplay(const JsonValue& root, std::uint32_t version) {
     return replay;
 }
 
-Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
-    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
-}
-
 }  // namespace
 
 ContentHash projectHash(const Project& project) { return contentHash(projectText(project)); }
@@ -242,7 +239,7 @@ ContentHash projectHash(const Project& project) { return contentHash(projectText
 std::string replayText(const Replay& replay) {
     JsonWriter json;
     json.openObject();
-    json.text("format", kFormat.name);
+    json.text("format", kReplayFormat.name);
     json.wholeNumber("version", std::uint64_t{replay.isDetailed ? kReplayVersion : 1});
     json.text("program", replay.program);
     json.text("project", replay.project.hex());
@@ -265,7 +262,7 @@ std::string replayText(const Replay& replay) {
 Result<Replay> readReplayText(std::string_view json) {
     Result<JsonDocument> document = JsonDocument::parse(json);
     if (!document) return document.error();
-    const Result<std::uint32_t> version = versionOf(*document, kFormat);
+    const Result<std::uint32_t> version = versionOf(*document, kReplayFormat);
     if (!version) return version.error();
     Replay replay = readReplay(document->root(), *version);
     if (document->firstError()) return *document->firstError();

@@ -1,7 +1,7 @@
 #include "core/io/play/SimulationJson.h"
 
 #include "core/io/json/JsonWriter.h"
-#include "core/io/project/SceneJson.h"
+#include "core/io/json/VectorJson.h"
 
 namespace rubble {
 namespace {

@@ -29,7 +29,7 @@ void writeChange(JsonWriter& json, const RecipeChange& change) {
     json.close();
 }
 
-void writeLevel(JsonWriter& json, std::size_t number, const LevelDifference& level) {
+void writeLevelDifference(JsonWriter& json, std::size_t number, const LevelDifference& level) {
     json.openObject({}, JsonLayout::Inline);
     json.wholeNumber("level", std::uint64_t{number});
     json.wholeNumber("before", std::uint64_t{level.before});
@@ -62,7 +62,7 @@ std::string assetDifferenceJson(std::span<const AssetDifference> differences) {
         json.list("recipe", difference.recipe, writeChange);
         json.openArray("levels");
         const std::vector<LevelDifference>& levels = difference.pieces.levels;
-        for (std::size_t k = 0; k < levels.size(); ++k) writeLevel(json, k, levels[k]);
+        for (std::size_t k = 0; k < levels.size(); ++k) writeLevelDifference(json, k, levels[k]);
         json.close();
         json.list("pieces", difference.pieces.pieces, writePiece);
         json.close();

@@ -147,7 +147,7 @@ Material readMaterialMembers1(const JsonValue& value) {
             .inside = readColour(value["inside"])};
 }
 
-Asset readMembers1(const JsonValue& value) {
+Asset readAsset1(const JsonValue& value) {
     return {.id = value["id"].index(),
             .name = value["name"].text(),
             .material = value["material"].index(),
@@ -160,7 +160,7 @@ Asset readMembers1(const JsonValue& value) {
 }
 
 Asset readMembers2(const JsonValue& value) {
-    Asset asset = readMembers1(value);
+    Asset asset = readAsset1(value);
     asset.cutAtImpact = value["cutAtImpact"].optional(readCutAtImpact);
     asset.requirements = value["intents"].list(readRequirement);
     return asset;
@@ -177,15 +177,6 @@ Asset readMembers4(const JsonValue& value) {
 }
 
 }  // namespace
-
-void writeColour(JsonWriter& json, std::string_view key, const Colour& colour) {
-    json.numbers(key, {colour.red, colour.green, colour.blue});
-}
-
-Colour readColour(const JsonValue& value) {
-    const auto [red, green, blue] = value.numbers<3>();
-    return {red, green, blue};
-}
 
 void writeMaterial(JsonWriter& json, const Material& material) {
     json.openObject();
@@ -245,7 +236,7 @@ void writeAsset(JsonWriter& json, const Asset& asset) {
 Asset readAssetVersion1(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
-    return readMembers1(value);
+    return readAsset1(value);
 }
 
 Asset readAssetVersion2(const JsonValue& value) {

@@ -3,12 +3,9 @@
 #include "core/asset/project/Project.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
+#include "core/io/json/VectorJson.h"
 
 namespace rubble {
-
-/// Write and read a colour as an array of red, green and blue.
-void writeColour(JsonWriter& json, std::string_view key, const Colour& colour);
-Colour readColour(const JsonValue& value);
 
 /// Write a material and an asset as elements of an array.
 void writeMaterial(JsonWriter& json, const Material& material);

@@ -6,6 +6,7 @@
 #include "core/io/project/AssetJson.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
 #include "material_preset.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr FileFormat kFormat{.name = "rubble-material", .noun = "material", .version = 1};
+constexpr FileFormat kPresetFormat{.name = "rubble-material", .noun = "material", .version = 1};
 
 void writeProperty(JsonWriter& json, std::string_view key, const PresetFigure& figure) {
     json.openObject(key);
@@ -84,10 +85,6 @@ MaterialPreset readPreset(const JsonValue& root) {
             .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{}};
 }
 
-Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
-    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
-}
-
 std::vector<std::filesystem::path> jsonFilesIn(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code ignored;  // a missing folder counts as empty
@@ -133,8 +130,8 @@ bool isSameName(std::string_view first, std::string_view second) {
 std::string materialPresetText(const MaterialPreset& preset) {
     JsonWriter json;
     json.openObject();
-    json.text("format", kFormat.name);
-    json.wholeNumber("version", std::uint64_t{kFormat.version});
+    json.text("format", kPresetFormat.name);
+    json.wholeNumber("version", std::uint64_t{kPresetFormat.version});
     writePreset(json, preset);
     json.close();
     return std::move(json).finished();
@@ -143,7 +140,7 @@ std::string materialPresetText(const MaterialPreset& preset) {
 Result<MaterialPreset> readMaterialPresetText(std::string_view json) {
     Result<JsonDocument> document = JsonDocument::parse(json);
     if (!document) return document.error();
-    if (const Result<std::uint32_t> version = versionOf(*document, kFormat); !version) return version.error();
+    if (const Result<std::uint32_t> version = versionOf(*document, kPresetFormat); !version) return version.error();
     MaterialPreset preset = readPreset(document->root());
     if (document->firstError()) return *document->firstError();
     if (const std::optional<std::string> fault = verifyPreset(preset)) return Error{ErrorCode::BadInput, *fault};

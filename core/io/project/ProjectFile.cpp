@@ -6,6 +6,7 @@
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
 #include "core/io/system/Temporary.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr FileFormat kFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
+constexpr FileFormat kProjectFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
 /// The readers of the elements whose format differs between versions.
 struct ElementReaders {
@@ -35,7 +36,7 @@ Project readCommon(const JsonValue& root, const ElementReaders& read) {
             .playTests = root["playTests"].list(readPlayTest)};
 }
 
-Project readVersion1(const JsonValue& root) {
+Project readProject1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
     return readCommon(root, {readMaterialVersion1, readAssetVersion1, readInstanceVersion2});
@@ -71,18 +72,14 @@ Project readVersion5(const JsonValue& root) { return readSinceVersion2(root, {re
 
 /// The reader of each version, version 1 at index 0. A new version adds a reader; older ones stay and set defaults.
 constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{
-    &readVersion1, &readVersion2, &readVersion3, &readVersion4, &readVersion5};
+    &readProject1, &readVersion2, &readVersion3, &readVersion4, &readVersion5};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
-    const Result<std::uint32_t> version = versionOf(document, kFormat);
+    const Result<std::uint32_t> version = versionOf(document, kProjectFormat);
     if (!version) return version.error();
     Project project = kReaders[*version - 1](document.root());
     if (document.firstError()) return *document.firstError();
     return project;
-}
-
-Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
-    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
 }
 
 }  // namespace
@@ -90,7 +87,7 @@ Error withPath(const char* what, const std::filesystem::path& path, const Error&
 std::string projectText(const Project& project) {
     JsonWriter json;
     json.openObject();
-    json.text("format", kFormat.name);
+    json.text("format", kProjectFormat.name);
     json.wholeNumber("version", kProjectVersion);
     json.wholeNumber("nextId", project.nextId);
     json.list("materials", project.materials, writeMaterial);

@@ -6,12 +6,12 @@ namespace rubble {
 namespace {
 
 // In the order of their enumerators.
-constexpr std::array<std::string_view, 2> kRules{"impact", "momentum"};
+constexpr std::array<std::string_view, 2> kDamageRules{"impact", "momentum"};
 
 std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
 
 /// Reads the members of an instance that all versions have.
-Instance readMembers1(const JsonValue& value) {
+Instance readInstance1(const JsonValue& value) {
     const auto [w, x, y, z] = value["orientation"].numbers<4>();
     return {.id = value["id"].index(),
             .name = value["name"].text(),
@@ -22,15 +22,6 @@ Instance readMembers1(const JsonValue& value) {
 }
 
 }  // namespace
-
-void writeVector(JsonWriter& json, std::string_view key, Vec3 vector) {
-    json.numbers(key, {vector.x, vector.y, vector.z});
-}
-
-Vec3 readVector(const JsonValue& value) {
-    const auto [x, y, z] = value.numbers<3>();
-    return {x, y, z};
-}
 
 void writeInstance(JsonWriter& json, const Instance& instance) {
     const Quat& orientation = instance.pose.orientation;
@@ -50,13 +41,13 @@ void writeInstance(JsonWriter& json, const Instance& instance) {
 
 Instance readInstanceVersion2(const JsonValue& value) {
     value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
-    return readMembers1(value);
+    return readInstance1(value);
 }
 
 Instance readInstance(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"});
-    Instance instance = readMembers1(value);
+    Instance instance = readInstance1(value);
     instance.variant = value["variant"].index();
     instance.isHidden = value["hidden"].boolean();
     instance.isLocked = value["locked"].boolean();
@@ -82,7 +73,7 @@ Ground readGround(const JsonValue& value) {
 
 void writeDamage(JsonWriter& json, const Damage& damage) {
     json.openObject("damage");
-    json.text("rule", kRules[static_cast<std::size_t>(damage.rule)]);
+    json.text("rule", kDamageRules[static_cast<std::size_t>(damage.rule)]);
     json.boolean("thesis", damage.isThesis);
     json.number("thesisThreshold", damage.thesisThreshold);
     json.close();
@@ -90,7 +81,7 @@ void writeDamage(JsonWriter& json, const Damage& damage) {
 
 Damage readDamage(const JsonValue& value) {
     value.requireObject({"rule", "thesis", "thesisThreshold"});
-    return {.rule = static_cast<DamageRule>(value["rule"].oneOf(kRules)),
+    return {.rule = static_cast<DamageRule>(value["rule"].oneOf(kDamageRules)),
             .isThesis = value["thesis"].boolean(),
             .thesisThreshold = value["thesisThreshold"].number()};
 }

@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
+#include "core/io/json/VectorJson.h"
 
 namespace rubble {
 
@@ -19,9 +20,5 @@ Instance readInstanceVersion2(const JsonValue& value);
 Ground readGround(const JsonValue& value);
 Damage readDamage(const JsonValue& value);
 Debris readDebris(const JsonValue& value);
-
-/// Write and read a vector as an array of three numbers.
-void writeVector(JsonWriter& json, std::string_view key, Vec3 vector);
-Vec3 readVector(const JsonValue& value);
 
 }  // namespace rubble

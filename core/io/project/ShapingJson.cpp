@@ -6,14 +6,14 @@ namespace rubble {
 namespace {
 
 // In the order of their enumerators and of the alternatives of FragmentEdit.
-constexpr std::array<std::string_view, 3> kRules{"keep", "merge", "dropSeeds"};
+constexpr std::array<std::string_view, 3> kSmallPieceRules{"keep", "merge", "dropSeeds"};
 constexpr std::array<std::string_view, 4> kMeasures{"area", "volume", "partOfMean", "partOfWhole"};
 constexpr std::array<std::string_view, 2> kEdits{"merge", "split"};
 static_assert(kEdits.size() == std::variant_size_v<FragmentEdit>);
 
 void writeSmallPieces(JsonWriter& json, const SmallPieces& small) {
     json.openObject("smallPieces", JsonLayout::Inline);
-    json.text("rule", kRules[static_cast<std::size_t>(small.rule)]);
+    json.text("rule", kSmallPieceRules[static_cast<std::size_t>(small.rule)]);
     json.text("measure", kMeasures[static_cast<std::size_t>(small.measure)]);
     json.number("limit", small.limit);
     json.close();
@@ -21,7 +21,7 @@ void writeSmallPieces(JsonWriter& json, const SmallPieces& small) {
 
 SmallPieces readSmallPieces(const JsonValue& value) {
     value.requireObject({"rule", "measure", "limit"});
-    return {.rule = static_cast<SmallPieceRule>(value["rule"].oneOf(kRules)),
+    return {.rule = static_cast<SmallPieceRule>(value["rule"].oneOf(kSmallPieceRules)),
             .measure = static_cast<PieceMeasure>(value["measure"].oneOf(kMeasures)),
             .limit = value["limit"].number()};
 }

@@ -1,7 +1,7 @@
 #include "core/io/project/ShotJson.h"
 
 #include "core/asset/checks/PlayFaults.h"
-#include "core/io/project/SceneJson.h"
+#include "core/io/json/VectorJson.h"
 
 #include <array>
 

@@ -19,4 +19,8 @@ Error cannotRead(const std::filesystem::path& path, int code) {
     return error;
 }
 
+Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
+    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
+}
+
 }  // namespace rubble

@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 constexpr std::size_t kMaxSize = std::size_t{1} << 30;  // bytes, as of files
-constexpr int kPollMilliseconds = 50;                   // latency of a cancellation
+constexpr int kReadPollMilliseconds = 50;               // latency of a cancellation
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Result<std::string> readStream(int descriptor, const std::filesystem::path& name
     while (!cancel.isCancelled()) {
         // A pipe that no program has opened for writing yet is not at its end: read() would not wait for one.
         pollfd polled{descriptor, POLLIN, 0};
-        if (::poll(&polled, 1, kPollMilliseconds) <= 0) continue;
+        if (::poll(&polled, 1, kReadPollMilliseconds) <= 0) continue;
         const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
         if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (count < 0) return cannotRead(name, errno);

@@ -24,4 +24,10 @@ void appendNumber(std::string& text, std::uint32_t value) {
     text.append(number, writeInteger(number, value));
 }
 
+std::string numberText(double value) {
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
 }  // namespace rubble

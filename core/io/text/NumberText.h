@@ -22,6 +22,8 @@ inline char* writeInteger(char* at, std::uint64_t value) {
     return at;
 }
 
+/// Returns the same text as a string.
+std::string numberText(double value);
 /// Appends the same text to a string.
 void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::uint32_t value);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/physics/math/Vec3f.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +17,7 @@ using FloatRow = std::array<float, kBlockLanes>;
 using IndexRow = std::array<std::uint32_t, kBlockLanes>;
 struct Vec3Row {
     FloatRow x, y, z;
+    Vec3f at(std::size_t lane) const { return Vec3f(x[lane], y[lane], z[lane]); }
 };
 struct QuatRow {
     FloatRow x, y, z, w;

@@ -7,8 +7,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // of a rotation's length: it is made a unit
-
 /// Mass properties of single precision, with room for the sums and products of a solver step.
 constexpr double kMinMagnitude = 1e-37, kMaxMagnitude = 1e37;
 

@@ -8,6 +8,9 @@
 
 namespace rubble {
 
+/// How far the length of an orientation may be from 1, for numbers written with four digits; it is normalised then.
+inline constexpr double kUnitTolerance = 1e-3;
+
 /// Whether every coordinate's magnitude is at most `most`; false for NaN.
 bool isWithin(Vec3 v, double most);
 

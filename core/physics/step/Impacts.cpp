@@ -16,8 +16,6 @@ constexpr float kRoundingSpeed = 0.01f;  // m/s, tolerance
 constexpr float kImpactDepth = 0.005f;  // m
 constexpr float kHitSpeed = 1.0f;       // m/s
 
-Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
-
 /// Calls visit(block, lane) for each contact of a region.
 template <class Visit>
 void visitContacts(const WorldState& state, const Regions& regions, std::size_t region, const Visit& visit) {
@@ -57,7 +55,7 @@ int computeCentroid(const ContactBlock& block, std::size_t lane, const Counts& c
     centroid = Vec3f(0.0f);
     for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
         if (!counts(block.points[i])) continue;
-        centroid += at(block.points[i].position, lane);
+        centroid += block.points[i].position.at(lane);
         ++count;
     }
     if (count > 0) centroid *= 1.0f / static_cast<float>(count);
@@ -95,7 +93,7 @@ std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block
     HitEvent hit{state.idOf(block.first[lane]),
                  state.idOf(block.second[lane]),
                  toDouble(state.poses[block.first[lane]].centre + position),
-                 toDouble(at(block.normal, lane)),
+                 toDouble(block.normal.at(lane)),
                  0.0,
                  0.0};
     for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
@@ -142,7 +140,7 @@ std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step)
         Vec3f position(0.0f);
         if (computeCentroid(block, lane, approaches, position) == 0) return;
         const std::uint32_t a = block.first[lane], b = block.second[lane];
-        const Vec3f normal = at(block.normal, lane), positionB = position + at(block.centreOffset, lane);
+        const Vec3f normal = block.normal.at(lane), positionB = position + block.centreOffset.at(lane);
         const Vec3f speed = state.motions[b].velocity + cross(state.motions[b].angularVelocity, positionB) -
                             state.motions[a].velocity - cross(state.motions[a].angularVelocity, position);
         const float inverseMass =
@@ -188,8 +186,8 @@ std::vector<ContactPoint> contactPointsOf(const WorldState& state) {
         for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
             const PointRows& point = block.points[i];
             points.push_back({state.idOf(block.first[lane]), state.idOf(block.second[lane]),
-                              toDouble(state.poses[block.first[lane]].centre + at(point.position, lane)),
-                              toDouble(at(block.normal, lane)), point.separation[lane], point.impulse[lane]});
+                              toDouble(state.poses[block.first[lane]].centre + point.position.at(lane)),
+                              toDouble(block.normal.at(lane)), point.separation[lane], point.impulse[lane]});
         }
     };
     visitContacts(state, list);

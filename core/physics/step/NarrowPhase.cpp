@@ -16,7 +16,7 @@ constexpr float kMaxSlack = 0.02f;  // m
 constexpr float kGapFraction = 0.75f;
 /// Bodies that move more than this fraction of the thinner one's width in a step get a swept manifold.
 constexpr float kSweptFraction = 0.5f;
-constexpr std::size_t kMinChunk = 1024;  // contacts
+constexpr std::size_t kMinContacts = 1024;  // contacts
 
 /// Replaces the manifold by that of the time of impact, if the hulls touch within the displacement.
 void sweep(HullCollision& collision, const Hull& first, const Hull& second, RelativePose pose, Vec3f displacement) {
@@ -41,7 +41,6 @@ Vec3f tangentOf(Vec3f normal) {
 }
 
 // Access to one lane.
-Vec3f at(const Vec3Row& rows, std::size_t lane) { return Vec3f(rows.x[lane], rows.y[lane], rows.z[lane]); }
 void put(Vec3f v, Vec3Row& rows, std::size_t lane) {
     rows.x[lane] = v.x;
     rows.y[lane] = v.y;
@@ -59,7 +58,7 @@ void rotateFriction(ContactBlock& block, std::size_t lane, Vec3f normal) {
     const Vec3f tangent = tangentOf(normal);
     const float x = block.frictionX[lane], y = block.frictionY[lane];
     if (x != 0.0f || y != 0.0f) {  // zero for new contacts
-        const Vec3f oldTangent = at(block.tangent, lane), oldNormal = at(block.normal, lane);
+        const Vec3f oldTangent = block.tangent.at(lane), oldNormal = block.normal.at(lane);
         const Vec3f friction = oldTangent * x + cross(oldNormal, oldTangent) * y;
         block.frictionX[lane] = dot(friction, tangent);
         block.frictionY[lane] = dot(friction, cross(normal, tangent));
@@ -123,7 +122,7 @@ void collideStale(WorldState& state, ThreadPool& threads, const Regions& regions
 /// Collides contacts without manifold whose bodies may touch now.
 void collideSeparated(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
                       float dt, bool newOnly) {
-    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinChunk);
+    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinContacts);
     scratch.separated.resize(chunks);
     threads.forEachChunk(state.separated.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         scratch.separated[chunk].clear();

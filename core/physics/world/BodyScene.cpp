@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/physics/state/VerifyBody.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +13,23 @@ namespace {
 
 using Sentence = std::optional<std::string>;
 
-constexpr double kUnitTolerance = 1e-3;  // of the length of an orientation, for numbers written with four digits
-
 std::string ownerText(const SceneBody& body) { return "Body \"" + body.name + "\""; }
 
-std::string outOfRange(const char* what, double value, const std::string& range) {
+std::string mustBe(const char* what, double value, const std::string& range) {
     return std::string("the ") + what + " is " + messageText(value) + ", but it must be " + range + ".";
 }
 
 Sentence rangeFault(const char* what, double value, double min, double max) {
     if (value >= min && value <= max) return std::nullopt;
-    return outOfRange(what, value, "from " + messageText(min) + " to " + messageText(max));
+    return mustBe(what, value, "from " + messageText(min) + " to " + messageText(max));
 }
 
 Sentence densityFault(const SceneBody& body) {
     const bool isDynamic = body.kind == BodyKind::Dynamic;
     const bool isEnough = isDynamic ? body.density > 0.0 : body.density >= 0.0;
     if (isEnough && body.density <= kMaxDensity) return std::nullopt;
-    return outOfRange("density", body.density,
-                      (isDynamic ? "above 0 and at most " : "from 0 to ") + messageText(kMaxDensity));
+    return mustBe("density", body.density,
+                  (isDynamic ? "above 0 and at most " : "from 0 to ") + messageText(kMaxDensity));
 }
 
 /// A vector that is not finite or longer than `most`.
@@ -43,7 +42,7 @@ Sentence vectorFault(const char* what, Vec3 value, double most) {
 Sentence orientationFault(const Quat& orientation) {
     const double length = glm::length(orientation);
     if (std::abs(length - 1.0) <= kUnitTolerance) return std::nullopt;
-    return outOfRange("length of the orientation", length, "1");
+    return mustBe("length of the orientation", length, "1");
 }
 
 Sentence valueFault(const SceneBody& body) {

@@ -18,8 +18,6 @@ constexpr double kLeverFactor =
 constexpr int kSettlingSteps = 60;  // before the swap on the ground
 const Quat kFlat{0.5 * std::sqrt(2.0), -0.5 * std::sqrt(2.0), 0.0, 0.0};  // z up
 
-double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
-
 /// A project with one instance of an asset and no forces.
 Project isolated(const Project& project, Id asset) {
     Project scene;
@@ -61,7 +59,8 @@ std::string idOf(const PlayBody& body) { return body.asset->bake->fragmentId(bod
 /// An upper bound of the speed of a body's corners.
 double speedOf(const Session& session, const PlayBody& body) {
     const BodyState state = session.world().state(body.body);
-    return lengthOf(state.velocity) + lengthOf(state.angularVelocity) * session.world().shape(body.body).boundingRadius;
+    return glm::length(state.velocity) +
+           glm::length(state.angularVelocity) * session.world().shape(body.body).boundingRadius;
 }
 
 void updateFastest(const Session& session, PieceSpeed& fastest) {
@@ -193,7 +192,7 @@ double gapFractionOf(const Bake& bake, double gap) {
     return 1.0 - volume / bake.whole.volume;
 }
 
-double driftOf(Vec3 now, Vec3 before, double scale) { return lengthOf(now - before) / scale; }
+double driftOf(Vec3 now, Vec3 before, double scale) { return glm::length(now - before) / scale; }
 
 /// Measures the drift in the step of the swap in flight.
 Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
@@ -209,8 +208,8 @@ Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) 
     session.step();
     const Momenta after = session.world().momenta();
     audit.massDrift = std::abs(massOf(session) - mass) / mass;
-    audit.momentumDrift = driftOf(after.linear, before.linear, lengthOf(before.linear));
-    audit.angularDrift = driftOf(after.angular, before.angular, lengthOf(before.angular));
+    audit.momentumDrift = driftOf(after.linear, before.linear, glm::length(before.linear));
+    audit.angularDrift = driftOf(after.angular, before.angular, glm::length(before.angular));
     audit.energyGain = (after.kinetic - before.kinetic) / before.kinetic;
     return success();
 }

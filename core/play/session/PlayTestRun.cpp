@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kUntouched = 0.01;  // m
 
-double lengthOf(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
-
 /// Observes the run of a test.
 class TestObserver {
 public:
@@ -34,7 +32,7 @@ public:
         for (const Start& start : m_starts) {
             const PlayBody* body = m_session.body(start.number);
             if (body == nullptr) continue;
-            const double moved = lengthOf(m_session.world().state(body->body).centre - start.centre);
+            const double moved = glm::length(m_session.world().state(body->body).centre - start.centre);
             recordMove(body->origin, moved);
         }
     }
@@ -173,7 +171,7 @@ private:
 
     ExpectationOutcome nothingFaster(const Expectation& expectation) const {
         const auto [body, speed] = largest(expectation.instance, [&](const PlayBody& one) {
-            return lengthOf(m_session.world().state(one.body).velocity);
+            return glm::length(m_session.world().state(one.body).velocity);
         });
         return {body == nullptr || speed <= expectation.value,
                 nameOf(expectation.instance, "everything") + " ends below a speed of " +

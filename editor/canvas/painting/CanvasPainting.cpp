@@ -81,7 +81,7 @@ public:
                 const std::uint32_t halfEdge = 4 * triangle + k;
                 const std::uint32_t from = delaunay.origin(halfEdge);
                 const std::uint32_t to = delaunay.origin(Delaunay::next(halfEdge));
-                if (from == Delaunay::kGhost || to == Delaunay::kGhost || from > to) continue;
+                if (from == kGhost || to == kGhost || from > to) continue;
                 addLine(m_pattern.site(from), m_pattern.site(to), lines);
             }
         }

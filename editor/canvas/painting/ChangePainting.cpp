@@ -14,12 +14,14 @@ namespace rubble {
 
 namespace {
 
-constexpr double kWidth = 2.0;      // of outlines, pixels
-constexpr double kArrowHead = 5.0;  // pixels
-constexpr double kMinArrow = 3.0;   // pixels; shorter moves have no arrow
-constexpr int kFillAlpha = 60;      // of 255
+constexpr double kOutlineWidth = 2.0;  // of outlines, pixels
+constexpr double kArrowHead = 5.0;     // pixels
+constexpr double kMinArrow = 3.0;      // pixels; shorter moves have no arrow
+constexpr int kFillAlpha = 60;         // of 255
 
-QString tr(const char* text) { return QCoreApplication::translate("CanvasChanges", text); }
+struct CanvasChangesTexts {
+    Q_DECLARE_TR_FUNCTIONS(CanvasChanges)
+};
 
 QColor colourOf(PieceChange change, const CanvasColours& colours) {
     switch (change) {
@@ -36,7 +38,7 @@ Qt::BrushStyle hatchOf(PieceChange change) {
 }
 
 QPen ghostPen(const QColor& colour) {
-    QPen pen(colour, kWidth, Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
+    QPen pen(colour, kOutlineWidth, Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
     pen.setDashPattern({3.0, 2.0});
     return pen;
 }
@@ -69,7 +71,7 @@ void paintArrow(QPainter& painter, QPointF from, QPointF to, const QColor& colou
     const double length = std::hypot(offset.x(), offset.y());
     if (length < kMinArrow) return;
     const QPointF along = offset / length * std::min(kArrowHead, length), across(-along.y(), along.x());
-    painter.setPen(QPen(colour, kWidth, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(colour, kOutlineWidth, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(from, to);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
@@ -102,7 +104,7 @@ private:
             fill.setAlpha(kFillAlpha);
             m_painter.fillPath(path, fill);
             m_painter.fillPath(path, QBrush(colour, hatchOf(piece.change)));
-            m_painter.strokePath(path, QPen(colour, kWidth));
+            m_painter.strokePath(path, QPen(colour, kOutlineWidth));
             return;
         }
         const QPainterPath ghost = pathOf(*m_compared.before, piece.before, m_view);
@@ -143,7 +145,7 @@ void paintChangeMarker(QPainter& painter, QPointF centre, PieceChange change, co
     if (change != PieceChange::Moved) painter.fillRect(box, fill);
     if (isShape) painter.fillRect(box, QBrush(colour, hatchOf(change)));
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(isShape ? QPen(colour, kWidth) : ghostPen(colour));
+    painter.setPen(isShape ? QPen(colour, kOutlineWidth) : ghostPen(colour));
     painter.drawRect(box);
     if (change == PieceChange::Moved)
         paintArrow(painter, centre - QPointF(4.0, 0.0), centre + QPointF(5.0, 0.0), colour);
@@ -151,12 +153,12 @@ void paintChangeMarker(QPainter& painter, QPointF centre, PieceChange change, co
 
 QString changeText(PieceChange change, std::size_t count) {
     switch (change) {
-        case PieceChange::Gone: return tr("removed: %L1").arg(count);
-        case PieceChange::Added: return tr("added: %L1").arg(count);
-        case PieceChange::Moved: return tr("moved: %L1").arg(count);
+        case PieceChange::Gone: return CanvasChangesTexts::tr("removed: %L1").arg(count);
+        case PieceChange::Added: return CanvasChangesTexts::tr("added: %L1").arg(count);
+        case PieceChange::Moved: return CanvasChangesTexts::tr("moved: %L1").arg(count);
         case PieceChange::Reshaped: break;
     }
-    return tr("reshaped: %L1").arg(count);
+    return CanvasChangesTexts::tr("reshaped: %L1").arg(count);
 }
 
 }  // namespace rubble

@@ -230,7 +230,7 @@ std::uint32_t DrawablePattern::triangleAt(Vec2 point) const {
     const Delaunay& delaunay = m_baked->triangulation;
     for (std::uint32_t k = 0; k < delaunay.triangles.size(); ++k) {
         const auto& corner = delaunay.triangles[k].corner;
-        if (std::ranges::find(corner, Delaunay::kGhost) != std::end(corner)) continue;
+        if (std::ranges::find(corner, kGhost) != std::end(corner)) continue;
         const Vec2 a = site(corner[0]), b = site(corner[1]), c = site(corner[2]);
         if (orient2d(a, b, point) >= 0 && orient2d(b, c, point) >= 0 && orient2d(c, a, point) >= 0) return k;
     }

@@ -20,7 +20,9 @@ constexpr double kLargestCircle = 1e5;          // pixels; larger circles look l
 constexpr std::size_t kMaxDetailedSeeds = 600;  // more are marked by squares, which are faster
 constexpr double kMessageMargin = 40.0;         // pixels
 
-QString tr(const char* text) { return QCoreApplication::translate("HighlightPainting", text); }
+struct HighlightPaintingTexts {
+    Q_DECLARE_TR_FUNCTIONS(HighlightPainting)
+};
 
 QColor withAlpha(QColor colour, int alpha) {
     colour.setAlpha(alpha);
@@ -124,10 +126,10 @@ void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::
                         const CanvasView& view, const CanvasColours& colours) {
     const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
     const QStringList lines = {
-        tr("Fragment %1").arg(QString::fromStdString(pattern.fragmentId(piece))),
+        HighlightPaintingTexts::tr("Fragment %1").arg(QString::fromStdString(pattern.fragmentId(piece))),
         localizedQuantity(QuantityKind::Area, pattern.area(piece)),
         QCoreApplication::translate("HighlightPainting", "%Ln neighbour(s)", nullptr, neighbours),
-        tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
+        HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
     };
     paintLabel(painter, beside, lines, colours, colours.panelEdge, view);
 }

@@ -17,16 +17,18 @@ namespace rubble {
 namespace {
 
 // All in pixels.
-constexpr double kPadding = 8.0;
+constexpr double kLegendPadding = 8.0;
 constexpr double kSampleWidth = 22.0;
 constexpr double kRowHeight = 17.0;
 constexpr double kScaleWidth = 130.0;
 constexpr double kScaleHeight = 42.0;
-constexpr double kMarkerSize = 4.0;
+constexpr double kSampleSize = 4.0;
 constexpr double kEdgeMargin = 10.0;
 constexpr std::size_t kMaxLayers = 6;
 
-QString tr(const char* text) { return QCoreApplication::translate("CanvasLegend", text); }
+struct CanvasLegendTexts {
+    Q_DECLARE_TR_FUNCTIONS(CanvasLegend)
+};
 
 /// A sample, painted around a point, and its meaning.
 struct Row {
@@ -36,13 +38,13 @@ struct Row {
 
 QString scaleTitle(CellColouring colouring) {
     switch (colouring) {
-        case CellColouring::Area: return tr("Area");
-        case CellColouring::Neighbours: return tr("Neighbours");
-        case CellColouring::Aspect: return tr("Aspect ratio");
-        case CellColouring::Level: return tr("Deeper levels");
-        case CellColouring::Volume: return tr("Volume");
-        case CellColouring::Mass: return tr("Mass");
-        case CellColouring::Threshold: return tr("Break threshold");
+        case CellColouring::Area: return CanvasLegendTexts::tr("Area");
+        case CellColouring::Neighbours: return CanvasLegendTexts::tr("Neighbours");
+        case CellColouring::Aspect: return CanvasLegendTexts::tr("Aspect ratio");
+        case CellColouring::Level: return CanvasLegendTexts::tr("Deeper levels");
+        case CellColouring::Volume: return CanvasLegendTexts::tr("Volume");
+        case CellColouring::Mass: return CanvasLegendTexts::tr("Mass");
+        case CellColouring::Threshold: return CanvasLegendTexts::tr("Break threshold");
         case CellColouring::None:
         case CellColouring::Piece: break;
     }
@@ -68,9 +70,12 @@ public:
         if (contents.compared) addChanges(*contents.compared);
         if (contents.overlays.hasSeeds) addSeeds();
         if (contents.overlays.hasTriangles)
-            addLine(hasScale() ? colours.triangleOnScale : colours.triangle, tr("Delaunay triangulation"));
-        if (contents.overlays.hasWholeVoronoi) addLine(colours.wholeVoronoi, tr("Voronoi diagram, unclipped"));
-        if (contents.overlays.hasBonds) addLine(colours.bond, tr("bonds (width: length of the shared edge)"));
+            addLine(hasScale() ? colours.triangleOnScale : colours.triangle,
+                    CanvasLegendTexts::tr("Delaunay triangulation"));
+        if (contents.overlays.hasWholeVoronoi)
+            addLine(colours.wholeVoronoi, CanvasLegendTexts::tr("Voronoi diagram, unclipped"));
+        if (contents.overlays.hasBonds)
+            addLine(colours.bond, CanvasLegendTexts::tr("bonds (width: length of the shared edge)"));
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
@@ -86,21 +91,22 @@ public:
             width = std::max(width, kSampleWidth + QFontMetricsF(font).horizontalAdvance(row.text));
         }
         const double rows = kRowHeight * static_cast<double>(m_rows.size());
-        const QSizeF size(std::ceil(width) + 2.0 * kPadding, rows + (isScaled ? kScaleHeight : 0.0) + 2.0 * kPadding);
+        const QSizeF size(std::ceil(width) + 2.0 * kLegendPadding,
+                          rows + (isScaled ? kScaleHeight : 0.0) + 2.0 * kLegendPadding);
         const QRectF panel(
             QPointF(view.size.width() - size.width() - kEdgeMargin, view.size.height() - size.height() - kEdgeMargin),
             size);
         paintPanel(painter, panel);
-        double top = panel.top() + kPadding;
+        double top = panel.top() + kLegendPadding;
         for (const Row& row : m_rows) {
-            const QPointF middle(panel.left() + kPadding + kSampleWidth / 2.0 - 4.0, top + kRowHeight / 2.0);
+            const QPointF middle(panel.left() + kLegendPadding + kSampleWidth / 2.0 - 4.0, top + kRowHeight / 2.0);
             row.paintSample(painter, middle);
             painter.setPen(m_colours.text);
-            painter.drawText(QRectF(panel.left() + kPadding + kSampleWidth, top, width, kRowHeight), Qt::AlignVCenter,
-                             row.text);
+            painter.drawText(QRectF(panel.left() + kLegendPadding + kSampleWidth, top, width, kRowHeight),
+                             Qt::AlignVCenter, row.text);
             top += kRowHeight;
         }
-        if (isScaled) paintScale(painter, QRectF(panel.left() + kPadding, top, width, kScaleHeight));
+        if (isScaled) paintScale(painter, QRectF(panel.left() + kLegendPadding, top, width, kScaleHeight));
         painter.restore();
     }
 
@@ -111,7 +117,7 @@ private:
     }
 
     void addChanges(const ComparedAsset& compared) {
-        if (compared.isEmpty()) m_rows.push_back({[](QPainter&, QPointF) {}, tr("no changes")});
+        if (compared.isEmpty()) m_rows.push_back({[](QPainter&, QPointF) {}, CanvasLegendTexts::tr("no changes")});
         for (int k = 0; k < kPieceChanges; ++k) {
             const auto change = static_cast<PieceChange>(k);
             const std::size_t count = compared.pieces.count(change);
@@ -126,9 +132,9 @@ private:
         const DrawablePattern& pattern = *m_contents.pattern;
         const std::vector<PatternLayer>& layers = pattern.baked().asset->pattern.layers;
         const DrawablePattern::Counts& counts = pattern.counts();
-        addSeedMarker(SeedOrigin::Scattered, counts.scattered, tr("scattered seed"));
-        addSeedMarker(SeedOrigin::Moved, counts.moved, tr("moved by hand"));
-        addSeedMarker(SeedOrigin::Placed, counts.placed, tr("placed by hand"));
+        addSeedMarker(SeedOrigin::Scattered, counts.scattered, CanvasLegendTexts::tr("scattered seed"));
+        addSeedMarker(SeedOrigin::Moved, counts.moved, CanvasLegendTexts::tr("moved by hand"));
+        addSeedMarker(SeedOrigin::Placed, counts.placed, CanvasLegendTexts::tr("placed by hand"));
         for (std::size_t k = 0; k < std::min(layers.size(), kMaxLayers) && layers.size() > 1; ++k) {
             if (layers[k].isOn && kindOf(layers[k].parameters).role != LayerRole::Moves) addLayer(k, layers[k]);
         }
@@ -141,34 +147,35 @@ private:
         m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
                               painter.setPen(Qt::NoPen);
                               painter.setBrush(m_colours.text);
-                              paintSeedMarker(painter, at, kMarkerSize, origin);
+                              paintSeedMarker(painter, at, kSampleSize, origin);
                           },
                           text});
     }
 
     void addLayer(std::size_t number, const PatternLayer& layer) {
-        m_rows.push_back({[number](QPainter& painter, QPointF at) {
-                              painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
-                          },
-                          tr("layer %1: %2").arg(number + 1).arg(layerKindName(layer.parameters).toLower())});
+        m_rows.push_back(
+            {[number](QPainter& painter, QPointF at) {
+                 painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
+             },
+             CanvasLegendTexts::tr("layer %1: %2").arg(number + 1).arg(layerKindName(layer.parameters).toLower())});
     }
 
     void addDuplicates(std::size_t count) {
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.fault, 1.5));
-                              painter.drawEllipse(at, kMarkerSize + 2.0, kMarkerSize + 2.0);
+                              painter.drawEllipse(at, kSampleSize + 2.0, kSampleSize + 2.0);
                           },
-                          tr("duplicate seeds: %1").arg(count)});
+                          CanvasLegendTexts::tr("duplicate seeds: %1").arg(count)});
     }
 
     void addWithoutCell(std::size_t count) {
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.text, 1.5));
-                              painter.drawEllipse(at, kMarkerSize, kMarkerSize);
+                              painter.drawEllipse(at, kSampleSize, kSampleSize);
                           },
-                          tr("seeds without a cell: %1").arg(count)});
+                          CanvasLegendTexts::tr("seeds without a cell: %1").arg(count)});
     }
 
     void addLine(const QColor& colour, const QString& text) {
@@ -185,7 +192,7 @@ private:
                               painter.setBrush(QBrush(m_colours.label, Qt::BDiagPattern));
                               painter.drawRect(QRectF(at.x() - 7.5, at.y() - 4.5, 15.0, 9.0));
                           },
-                          tr("hidden fragment")});
+                          CanvasLegendTexts::tr("hidden fragment")});
     }
 
     void paintPanel(QPainter& painter, const QRectF& panel) const {
@@ -212,7 +219,7 @@ private:
         const auto& [least, most] = m_contents.range;
         if (least == most) {
             painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
-                             tr("all: %1").arg(scaleText(colouring, least, m_contents)));
+                             CanvasLegendTexts::tr("all: %1").arg(scaleText(colouring, least, m_contents)));
             return;
         }
         painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents));

@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr int kMaxFaults = 16;
-constexpr double kMarkerSize = 6.0;     // pixels, radius of a fault's marker
+constexpr double kFaultSize = 6.0;      // pixels, radius of a fault's marker
 constexpr double kMaxCoordinate = 1e6;  // pixels; nothing is painted beyond
 
 bool isEdgeFault(const PolygonFault& fault) {
@@ -51,7 +51,7 @@ void paintFaults(QPainter& painter, const Polygon& outline, const std::vector<Po
         if (!hasPlace(fault) || std::abs(at.x()) > kMaxCoordinate || std::abs(at.y()) > kMaxCoordinate) continue;
         painter.setPen(QPen(colours.fault, 2.0));
         painter.setBrush(colours.halo);
-        painter.drawEllipse(at, kMarkerSize, kMarkerSize);
+        painter.drawEllipse(at, kFaultSize, kFaultSize);
         painter.drawLine(at - QPointF(2.5, 2.5), at + QPointF(2.5, 2.5));
         painter.drawLine(at - QPointF(2.5, -2.5), at + QPointF(2.5, -2.5));
     }

@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 bool isGhost(const Delaunay::Triangle& triangle) {
-    return std::ranges::find(triangle.corner, Delaunay::kGhost) != std::end(triangle.corner);
+    return std::ranges::find(triangle.corner, kGhost) != std::end(triangle.corner);
 }
 
 /// A point along a direction, outside the box.
@@ -40,7 +40,7 @@ std::vector<std::array<Vec2, 2>> voronoiEdges(const Delaunay& delaunay, const Bo
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t halfEdge = 4 * triangle + k;
             const std::uint32_t from = delaunay.origin(halfEdge), to = delaunay.origin(Delaunay::next(halfEdge));
-            if (from == Delaunay::kGhost || to == Delaunay::kGhost || from > to) continue;
+            if (from == kGhost || to == kGhost || from > to) continue;
             if (const auto line = dualOf(delaunay, halfEdge, box)) lines.push_back(*line);
         }
     }

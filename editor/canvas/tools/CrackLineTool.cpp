@@ -18,7 +18,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kGrabRadius = 9.0;         // pixels
+constexpr double kPointGrabRadius = 9.0;    // pixels
 constexpr double kPathStep = 3.0;           // pixels between freehand points
 constexpr double kSimplifyTolerance = 2.0;  // pixels
 constexpr double kPointSize = 7.0;          // pixels
@@ -84,7 +84,7 @@ void forEachLine(const Pattern& pattern, Visit visit) {
 
 std::optional<CrackLineTool::LinePoint> CrackLineTool::pointAt(const CanvasPointer& pointer) const {
     std::optional<LinePoint> nearest;
-    double least = kGrabRadius * kGrabRadius;
+    double least = kPointGrabRadius * kPointGrabRadius;
     if (!m_state.displayedAsset()) return nearest;
     forEachLine(m_state.displayedAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
         for (std::size_t k = 0; k < line.points.size(); ++k) {

@@ -15,16 +15,18 @@ namespace rubble {
 namespace {
 
 // In pixels.
-constexpr double kRadius = 7.0;       // of the ring
-constexpr double kGrabRadius = 10.0;  // within which a press grabs the handle
-constexpr double kCross = 11.0;       // half the length of the cross
+constexpr double kRadius = 7.0;             // of the ring
+constexpr double kHandleGrabRadius = 10.0;  // within which a press grabs the handle
+constexpr double kCross = 11.0;             // half the length of the cross
 constexpr double kWidth = 1.75;
 constexpr double kHaloWidth = 4.5;
 constexpr double kAngleHandleDistance = 0.3;  // from the centre of the asset, of its diagonal
 constexpr double kAngleHandleSpacing = 0.8;   // of the previous one: handles with equal angles do not overlap
 constexpr std::string_view kDirection = "angle";
 
-QString tr(const char* text) { return QCoreApplication::translate("ParameterHandles", text); }
+struct ParameterHandlesTexts {
+    Q_DECLARE_TR_FUNCTIONS(ParameterHandles)
+};
 
 void paintHandle(QPainter& painter, QPointF at, const QColor& colour) {
     for (const QColor& penColour : {QColor(255, 255, 255, 200), colour}) {
@@ -59,7 +61,8 @@ ParameterValue valueAt(const ParameterHandle& handle, Vec2 position) {
 }
 
 QString stepText(const ParameterHandle& handle) {
-    return (handle.pivot ? tr("Rotate %1") : tr("Move %1")).arg(patternText(handle.parameter->caption));
+    return (handle.pivot ? ParameterHandlesTexts::tr("Rotate %1") : ParameterHandlesTexts::tr("Move %1"))
+        .arg(patternText(handle.parameter->caption));
 }
 
 }  // namespace
@@ -86,7 +89,7 @@ std::vector<ParameterHandle> parameterHandles(const Asset& asset) {
 
 std::optional<ParameterHandle> ParameterHandles::handleAt(QPointF pixels) const {
     std::optional<ParameterHandle> nearest;
-    double least = kGrabRadius * kGrabRadius;
+    double least = kHandleGrabRadius * kHandleGrabRadius;
     if (!m_state.displayedAsset()) return nearest;
     for (const ParameterHandle& handle : parameterHandles(*m_state.displayedAsset())) {
         const QPointF off = m_state.view.pixels(handle.position) - pixels;
@@ -144,7 +147,8 @@ QString ParameterHandles::text() const {
     if (!m_hovered || !m_state.displayedAsset()) return {};
     const PatternLayer* layer = findLayer(m_state.displayedAsset()->pattern, m_hovered->layer);
     if (!layer) return {};
-    return tr("%1 of %2").arg(patternText(m_hovered->parameter->caption), layerKindName(layer->parameters).toLower());
+    return ParameterHandlesTexts::tr("%1 of %2")
+        .arg(patternText(m_hovered->parameter->caption), layerKindName(layer->parameters).toLower());
 }
 
 }  // namespace rubble

@@ -17,7 +17,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kGrabRadius = 9.0;  // pixels, within which a press grabs a seed
+constexpr double kSeedGrabRadius = 9.0;  // pixels, within which a press grabs a seed
 
 QString moveText(std::size_t count) { return SeedTool::tr("Move %n Seed(s)", nullptr, static_cast<int>(count)); }
 
@@ -50,7 +50,7 @@ std::optional<Vec2> positionByHand(const Pattern& pattern, SeedId seed) {
 }  // namespace
 
 std::uint32_t SeedTool::seedAt(const CanvasPointer& pointer) const {
-    return m_state.pattern ? m_state.pattern->nearestSeed(pointer.metres, kGrabRadius / m_state.view.scale) : kNone;
+    return m_state.pattern ? m_state.pattern->nearestSeed(pointer.metres, kSeedGrabRadius / m_state.view.scale) : kNone;
 }
 
 void SeedTool::press(const CanvasPointer& pointer) {

@@ -12,7 +12,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kPadding = 3;            // pixels
+constexpr int kBreadcrumbPadding = 3;  // pixels
 constexpr double kCornerRadius = 4.0;  // pixels
 constexpr int kMaxNameLength = 24;     // of the asset's name
 
@@ -28,7 +28,7 @@ QString shortened(const QString& name) {
 }  // namespace
 
 Breadcrumb::Breadcrumb(QWidget* parent) : QWidget(parent), m_layout(new QHBoxLayout(this)) {
-    m_layout->setContentsMargins(kPadding, kPadding, 2 * kPadding, kPadding);
+    m_layout->setContentsMargins(kBreadcrumbPadding, kBreadcrumbPadding, 2 * kBreadcrumbPadding, kBreadcrumbPadding);
     m_layout->setSpacing(1);
     m_layout->setSizeConstraint(QLayout::SetFixedSize);
     setCursor(Qt::ArrowCursor);
@@ -62,7 +62,7 @@ void Breadcrumb::add(const QString& text, const FragmentPath& fragment, bool isC
         QFont bold = current->font();
         bold.setBold(true);
         current->setFont(bold);
-        current->setContentsMargins(kPadding, 0, 0, 0);
+        current->setContentsMargins(kBreadcrumbPadding, 0, 0, 0);
         return m_layout->addWidget(current);
     }
     auto* button = new QToolButton(this);

@@ -23,7 +23,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMargin = 24.0;  // pixels around the fitted outline
+constexpr double kFitMargin = 24.0;  // pixels around the fitted outline
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;   // of QWheelEvent::angleDelta()
 constexpr double kSelectionMargin = 0.75;  // around the selection, of its size
@@ -122,7 +122,7 @@ void PatternCanvas::fit() {
     // The rulers cover two edges.
     CanvasView view = m_state.view;
     view.size = QSizeF(size()) - QSizeF(kRulerWidth, kRulerWidth);
-    view = fitted(view, boundsOf(shown->prism.outline.outer), kMargin);
+    view = fitted(view, boundsOf(shown->prism.outline.outer), kFitMargin);
     view.size = size();
     m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
     updatePointer();
@@ -141,7 +141,7 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
     // Keeps the size positive for a single point, and some context around it.
     const double least = kMinFramedSize * boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
     const Vec2 around(std::max(kSelectionMargin * box.diagonal(), least));
-    setView(fitted(m_state.view, {box.min - around, box.max + around}, kMargin));
+    setView(fitted(m_state.view, {box.min - around, box.max + around}, kFitMargin));
 }
 
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {

@@ -10,7 +10,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMargin = 8;
+constexpr int kBarMargin = 8;
 constexpr int kBarHeight = 14;
 constexpr double kScaleMargin = 1.6;  // factor
 const QColor kFits(46, 158, 91), kSurvives(0, 114, 178), kBreaks(213, 94, 0);
@@ -45,14 +45,14 @@ void IntervalBar::setInterval(const std::vector<StrengthRequirement>& requiremen
 
 double IntervalBar::positionOf(double impulse) const {
     const double fraction = std::log(std::clamp(impulse, m_from, m_to) / m_from) / std::log(m_to / m_from);
-    return kMargin + fraction * (width() - 2.0 * kMargin);
+    return kBarMargin + fraction * (width() - 2.0 * kBarMargin);
 }
 
 void IntervalBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const int line = fontMetrics().height();
-    const QRectF bar(kMargin, line + 8, width() - 2 * kMargin, kBarHeight);
+    const QRectF bar(kBarMargin, line + 8, width() - 2 * kBarMargin, kBarHeight);
     painter.setPen(QPen(palette().color(QPalette::Mid), 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(bar, 3, 3);
@@ -81,7 +81,7 @@ void IntervalBar::paintEvent(QPaintEvent*) {
     const int half = fontMetrics().horizontalAdvance(text) / 2 + 2;
     const int middle = std::clamp(static_cast<int>(x), half, std::max(half, width() - half));
     painter.drawText(QRect(middle - half, 0, 2 * half, line), Qt::AlignCenter, text);
-    const QRect below(kMargin, static_cast<int>(bar.bottom()) + 4, width() - 2 * kMargin, line);
+    const QRect below(kBarMargin, static_cast<int>(bar.bottom()) + 4, width() - 2 * kBarMargin, line);
     painter.drawText(below, Qt::AlignLeft, QString::fromStdString(impulseText(m_from)));
     painter.drawText(below, Qt::AlignRight, QString::fromStdString(impulseText(m_to)));
 }

@@ -15,7 +15,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kColumnMargin = 14;       // pixels that a column is wider than its text
+constexpr int kPlayColumnMargin = 14;   // pixels that a column is wider than its text
 constexpr int kPaintMilliseconds = 66;  // between repaints of the graph: faster ones are unreadable
 
 }  // namespace
@@ -65,11 +65,11 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
 void PlayPanel::widenColumns() {
     QHeaderView& header = *m_view->header();
     header.setStretchLastSection(false);
-    const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kColumnMargin;
+    const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kPlayColumnMargin;
     for (int column = 0; column < BreakModel::kColumns; ++column) {
         const int title =
             fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-        header.resizeSection(column, std::max(least, title + kColumnMargin));
+        header.resizeSection(column, std::max(least, title + kPlayColumnMargin));
     }
     header.setSectionResizeMode(BreakModel::kName, QHeaderView::Stretch);
 }

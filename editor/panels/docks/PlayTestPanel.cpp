@@ -27,7 +27,7 @@ namespace rubble {
 
 namespace {
 
-enum Column { kExpected, kResult };
+enum TestColumn { kExpected, kResult };
 constexpr int kIdRole = Qt::UserRole;       // of a test
 constexpr int kRowRole = Qt::UserRole + 1;  // of an expectation; -1: the test itself
 constexpr int kMinFormWidth = 260;          // pixels

@@ -28,7 +28,7 @@ const std::array<Stage, kStageCount> kStages{
      {QT_TRANSLATE_NOOP("rubble::StepGraph", "Integration"), &StepCost::finish, {204, 121, 167}}}};
 
 constexpr double kMinHeight = 0.2;  // ms
-constexpr int kMargin = 6;
+constexpr int kGraphMargin = 6;
 constexpr int kLegendColumns = 2;
 
 QString milliseconds(double value) { return StepGraph::tr("%1 ms").arg(QLocale().toString(value, 'f', 2)); }
@@ -67,7 +67,7 @@ void StepGraph::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const int line = fontMetrics().height();
     constexpr int kLegendRows = (static_cast<int>(kStageCount) + kLegendColumns - 1) / kLegendColumns;
-    const QRect inside = rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    const QRect inside = rect().adjusted(kGraphMargin, kGraphMargin, -kGraphMargin, -kGraphMargin);
     const QRect graph = inside.adjusted(0, 0, 0, -kLegendRows * line - 4);
     painter.setPen(QPen(palette().color(QPalette::Mid), 1));
     painter.setBrush(palette().color(QPalette::Base));
@@ -110,7 +110,7 @@ void StepGraph::paintLegend(QPainter& painter, const QRect& place) const {
         const int row = static_cast<int>(k) / kLegendColumns, column = static_cast<int>(k) % kLegendColumns;
         const QPoint at(place.left() + column * width, place.top() + row * line);
         painter.fillRect(QRect(at.x(), at.y() + (line - square) / 2, square, square), kStages[k].colour);
-        const QRect text(at.x() + square + 4, at.y(), width - square - 4 - kMargin, line);
+        const QRect text(at.x() + square + 4, at.y(), width - square - 4 - kGraphMargin, line);
         const QString time = m_costs.empty() ? QString() : QLocale().toString(m_costs.back().*kStages[k].cost, 'f', 2);
         const int nameWidth = text.width() - fontMetrics().horizontalAdvance(time + ' ');
         painter.drawText(text, Qt::AlignVCenter | Qt::AlignLeft,

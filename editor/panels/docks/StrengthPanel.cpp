@@ -24,8 +24,6 @@ namespace rubble {
 
 namespace {
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
-
 /// The first of the two grid rows of a requirement.
 int rowOf(std::size_t index) { return 2 * static_cast<int>(index); }
 
@@ -127,7 +125,8 @@ const Asset* StrengthPanel::asset() const { return findAsset(m_document.project(
 
 void StrengthPanel::refresh() {
     const Asset* shown = asset();
-    m_title->setText(shown ? tr("<b>%1</b>").arg(textOf(shown->name).toHtmlEscaped()) : tr("No asset selected"));
+    m_title->setText(shown ? tr("<b>%1</b>").arg(QString::fromStdString(shown->name).toHtmlEscaped())
+                           : tr("No asset selected"));
     setEnabled(shown != nullptr);
     m_suggested.reset();
     m_bar->setVisible(shown != nullptr);
@@ -138,7 +137,7 @@ void StrengthPanel::refresh() {
         if (const Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
             const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), *whole);
             if (found) interval = *found;
-            m_verdict->setText(found ? QString() : textOf(found.error().message));
+            m_verdict->setText(found ? QString() : QString::fromStdString(found.error().message));
         }
     }
     refreshRows(*shown, interval ? &*interval : nullptr);
@@ -156,11 +155,12 @@ void StrengthPanel::refresh() {
 }
 
 QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& interval) const {
-    if (const std::optional<std::string> conflict = conflictText(asset, interval)) return textOf(*conflict);
+    if (const std::optional<std::string> conflict = conflictText(asset, interval))
+        return QString::fromStdString(*conflict);
     if (asset.requirements.empty()) return tr("No requirements: any threshold is valid.");
     const bool isMet = interval.contains(thresholdOf(m_document.project(), asset));
     return (isMet ? tr("The threshold is valid: %1.") : tr("The threshold is not valid: it must be %1."))
-        .arg(textOf(intervalText(interval)));
+        .arg(QString::fromStdString(intervalText(interval)));
 }
 
 /// Rebuilds the rows, two per requirement, if what they show has changed.
@@ -269,13 +269,13 @@ void StrengthPanel::refreshAudit() {
     m_audit->setEnabled(!m_audits.isBusy());
     m_audit->setText(m_audits.isBusy() ? tr("Auditing…") : tr("Audit Swap"));
     m_fix->setVisible(faultySeed().has_value());
-    if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(textOf(faultySeed()->text())));
+    if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(QString::fromStdString(faultySeed()->text())));
     if (audit == nullptr) {
         return m_auditText->setText(tr("Not audited since the last change"));
     }
     QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
     for (const Diagnostic& one : audit->diagnostics) {
-        if (one.severity != Severity::Note) lines << textOf(one.message).toHtmlEscaped();
+        if (one.severity != Severity::Note) lines << QString::fromStdString(one.message).toHtmlEscaped();
     }
     lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
                  .arg(audit->contacts)

@@ -16,10 +16,10 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMargin = 8;         // pixels, as all here
-constexpr double kBarWidth = 9.0;  // approximately
+constexpr int kHistogramMargin = 8;  // pixels, as all here
+constexpr double kBarWidth = 9.0;    // approximately
 constexpr int kMaxBars = 40;
-constexpr double kMinHeight = 2.0;  // of a bar that is not empty
+constexpr double kMinBarHeight = 2.0;  // of a bar that is not empty
 
 }  // namespace
 
@@ -55,7 +55,9 @@ void VolumeHistogram::setAxis(HistogramAxis axis) {
     updateBars();
 }
 
-void VolumeHistogram::placeAxisButton() { m_axisButton->move(width() - m_axisButton->width() - kMargin, kMargin / 2); }
+void VolumeHistogram::placeAxisButton() {
+    m_axisButton->move(width() - m_axisButton->width() - kHistogramMargin, kHistogramMargin / 2);
+}
 
 void VolumeHistogram::updateBars() {
     const int bars = std::clamp(static_cast<int>(plotRect().width() / kBarWidth), 1, kMaxBars);
@@ -70,7 +72,8 @@ void VolumeHistogram::updateBars() {
 
 QRectF VolumeHistogram::plotRect() const {
     const int line = fontMetrics().height();
-    return QRectF(rect()).adjusted(kMargin, line + 2 * kMargin, -kMargin, -line - kMargin);
+    return QRectF(rect()).adjusted(kHistogramMargin, line + 2 * kHistogramMargin, -kHistogramMargin,
+                                   -line - kHistogramMargin);
 }
 
 QRectF VolumeHistogram::barRect(int bar) const {
@@ -167,7 +170,7 @@ void VolumeHistogram::paintBars(QPainter& painter) const {
         }
         if (bar.count == 0) continue;
         const auto heightOf = [&](std::uint32_t count) {
-            return count == 0 ? 0.0 : std::max(place.height() * count / highest, kMinHeight);
+            return count == 0 ? 0.0 : std::max(place.height() * count / highest, kMinBarHeight);
         };
         QRectF column = place.adjusted(0.5, 0.0, -0.5, 0.0);
         column.setTop(place.bottom() - heightOf(bar.count));
@@ -181,11 +184,13 @@ void VolumeHistogram::paintBars(QPainter& painter) const {
 
 void VolumeHistogram::paintTexts(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::Text));
-    const QRect head(kMargin, m_axisButton->y(), m_axisButton->x() - 2 * kMargin, m_axisButton->height());
+    const QRect head(kHistogramMargin, m_axisButton->y(), m_axisButton->x() - 2 * kHistogramMargin,
+                     m_axisButton->height());
     painter.drawText(head, Qt::AlignVCenter | Qt::AlignLeft,
                      fontMetrics().elidedText(tr("By volume"), Qt::ElideRight, head.width()));
     if (m_bars.empty()) return;
-    const QRect foot(kMargin, static_cast<int>(plotRect().bottom()) + 3, width() - 2 * kMargin, fontMetrics().height());
+    const QRect foot(kHistogramMargin, static_cast<int>(plotRect().bottom()) + 3, width() - 2 * kHistogramMargin,
+                     fontMetrics().height());
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignTop, volume(m_bars.front().min));
     if (m_bars.size() > 1) painter.drawText(foot, Qt::AlignRight | Qt::AlignTop, volume(m_bars.back().max));
 }

@@ -18,8 +18,6 @@ namespace {
 constexpr Id kEntered = 1;  // sources of the threshold
 constexpr Id kDerived = 2;
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
-
 bool isRectangle(const Ring& ring) {
     const Box2 box = boundsOf(ring);
     return ring.size() == 4 && std::ranges::all_of(ring, [&](Vec2 point) {
@@ -60,16 +58,16 @@ std::vector<Asset> AssetPage::selected() const {
 }
 
 QString AssetPage::faultOf(const Asset& asset) const {
-    const QString name = nameFault(m_document.project(), Part::Asset, asset.id, textOf(asset.name));
+    const QString name = nameFault(m_document.project(), Part::Asset, asset.id, QString::fromStdString(asset.name));
     if (!name.isEmpty()) return name;
     const Result<Prism> prism = validated(asset.prism);
-    return prism ? QString() : textOf(prism.error().message);
+    return prism ? QString() : QString::fromStdString(prism.error().message);
 }
 
 void AssetPage::buildAsset(Section& section) {
     auto* name = section.addRow(tr("Name"), new QLineEdit, tr("Name of the asset, also in exports"));
     m_form.bind(
-        name, tr("Rename"), [](const Asset& asset) { return textOf(asset.name); },
+        name, tr("Rename"), [](const Asset& asset) { return QString::fromStdString(asset.name); },
         [](Asset& asset, const QString& entered) { asset.name = entered.trimmed().toStdString(); });
     m_material = section.addRow(tr("Material"), new QComboBox, tr("Material of the asset"));
     m_form.bind(m_material, tr("Set Material"), &Asset::material);
@@ -130,7 +128,7 @@ void AssetPage::showThreshold(const Asset& asset) {
     if (!isDerived) {
         return m_derivation->setText(
             tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")
-                .arg(textOf(material.name)));
+                .arg(QString::fromStdString(material.name)));
     }
     m_derivation->setText(tr("%1 × %2 × %3 = %4")
                               .arg(text(QuantityKind::Pressure, *material.tensileStrength),
@@ -194,12 +192,12 @@ void AssetPage::setUnits(const Units& units) {
 void AssetPage::refresh() {
     std::vector<ComboItem> materials;
     for (const Material& material : m_document.project().materials) {
-        materials.push_back({material.id, textOf(material.name), material.outside});
+        materials.push_back({material.id, QString::fromStdString(material.name), material.outside});
     }
     setItems(*m_material, materials);
     std::vector<ComboItem> insides{{0, tr("Same as Asset"), {}}};
     for (const Material& material : m_document.project().materials) {
-        insides.push_back({material.id, textOf(material.name), material.inside});
+        insides.push_back({material.id, QString::fromStdString(material.name), material.inside});
     }
     setItems(*m_inside, insides);
     m_form.refresh();

@@ -16,8 +16,6 @@ namespace rubble {
 
 namespace {
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
-
 double assetThreshold(const Project& project, const Instance& instance) {
     const Asset* asset = findAsset(project, instance.asset);
     return asset ? thresholdOf(project, *asset) : 0.0;
@@ -42,7 +40,9 @@ InstancePage::InstancePage(Document& document, Selection& selection, QWidget* pa
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
     m_form.setFault([this](const Instance& instance) {
         const bool isOne = m_selection.instances().size() == 1;
-        return isOne ? nameFault(m_document.project(), Part::Instance, instance.id, textOf(instance.name)) : QString();
+        return isOne
+                   ? nameFault(m_document.project(), Part::Instance, instance.id, QString::fromStdString(instance.name))
+                   : QString();
     });
     buildInstance(*m_instance);
     buildTransform(*transform);
@@ -60,7 +60,7 @@ std::vector<Instance> InstancePage::selected() const {
 void InstancePage::buildInstance(Section& section) {
     m_name = section.addRow(tr("Name"), new QLineEdit, tr("Name of the instance"));
     m_form.bind(
-        m_name, tr("Rename"), [](const Instance& instance) { return textOf(instance.name); },
+        m_name, tr("Rename"), [](const Instance& instance) { return QString::fromStdString(instance.name); },
         [](Instance& instance, const QString& entered) { instance.name = entered.trimmed().toStdString(); });
     m_asset = section.addRow(tr("Asset"), new QComboBox, tr("Asset of the instance"));
     m_form.bind(m_asset, tr("Set Asset"), &Instance::asset);
@@ -155,7 +155,8 @@ void InstancePage::setUnits(const Units& units) {
 
 void InstancePage::refresh() {
     std::vector<ComboItem> assets;
-    for (const Asset& asset : m_document.project().assets) assets.push_back({asset.id, textOf(asset.name), {}});
+    for (const Asset& asset : m_document.project().assets)
+        assets.push_back({asset.id, QString::fromStdString(asset.name), {}});
     setItems(*m_asset, assets);
     m_form.refresh();
     const std::vector<Instance> instances = selected();

@@ -33,8 +33,6 @@ std::vector<Material> selectedMaterials(const Document& document, const Selectio
 double shown(const std::optional<double>& number) { return number.value_or(0.0); }
 std::optional<double> entered(double number) { return number > 0.0 ? std::optional(number) : std::nullopt; }
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
-
 }  // namespace
 
 MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidget* parent)
@@ -52,7 +50,7 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
     layout->addStretch();
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
     m_form.setFault([&document](const Material& material) {
-        return nameFault(document.project(), Part::Material, material.id, textOf(material.name));
+        return nameFault(document.project(), Part::Material, material.id, QString::fromStdString(material.name));
     });
     bindName(*m_section);
     bindDynamics(*m_section);
@@ -65,7 +63,7 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
 void MaterialPage::bindName(Section& section) {
     auto* name = section.addRow(tr("Name"), new QLineEdit, tr("Name of the material, also in exports"));
     m_form.bind(
-        name, tr("Rename"), [](const Material& material) { return textOf(material.name); },
+        name, tr("Rename"), [](const Material& material) { return QString::fromStdString(material.name); },
         [](Material& material, const QString& entered) { material.name = entered.trimmed().toStdString(); });
 }
 
@@ -125,7 +123,7 @@ void MaterialPage::refresh() {
     m_crackLimit->setText(limit ? localizedQuantity(QuantityKind::Length, *limit, {}, locale()) : tr("Unknown"));
     QStringList users;
     for (const Asset& asset : m_document.project().assets) {
-        if (asset.material == m_selection.material()) users.append(textOf(asset.name));
+        if (asset.material == m_selection.material()) users.append(QString::fromStdString(asset.name));
     }
     m_uses->setText(users.isEmpty() ? tr("No asset") : users.join(", "));
 }

@@ -10,7 +10,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMaxFriction = 1.5;  // of the slider
+constexpr double kMaxFrictionSlider = 1.5;  // of the slider
 
 }  // namespace
 
@@ -47,9 +47,9 @@ void ScenePage::buildGround(Section& section) {
     m_form.bind(
         m_height, tr("Set Ground Height"), [](const SceneSettings& scene) { return scene.ground.height; },
         [](SceneSettings& scene, double entered) { scene.ground.height = entered; });
-    auto* friction =
-        section.addRow(tr("Friction"), new SliderField(fieldRange(ProjectNumber::Friction, 0.05), 0.0, kMaxFriction),
-                       tr("Coefficient of friction of the ground"));
+    auto* friction = section.addRow(tr("Friction"),
+                                    new SliderField(fieldRange(ProjectNumber::Friction, 0.05), 0.0, kMaxFrictionSlider),
+                                    tr("Coefficient of friction of the ground"));
     m_form.bind(
         friction, tr("Set Ground Friction"), [](const SceneSettings& scene) { return scene.ground.friction; },
         [](SceneSettings& scene, double entered) { scene.ground.friction = entered; });

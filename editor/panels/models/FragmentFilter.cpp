@@ -16,7 +16,9 @@ namespace {
 
 constexpr double kRelativeTolerance = 1e-9;  // fragments' values carry the rounding of their constructed corners
 
-QString tr(const char* text) { return QCoreApplication::translate("FragmentFilter", text); }
+struct FragmentFilterTexts {
+    Q_DECLARE_TR_FUNCTIONS(FragmentFilter)
+};
 
 std::optional<Comparison> comparisonOf(const QString& symbol) {
     static const std::vector<std::pair<QString, Comparison>> kSymbols = {
@@ -67,9 +69,11 @@ Result<FragmentColumn> columnNamed(const QString& name) {
     }
     if (columns.size() == 1) return columns[0];
     if (columns.empty()) {
-        return fault(tr("There is no column \"%1\". Use one of %2.").arg(name, joined(numericColumns())));
+        return fault(
+            FragmentFilterTexts::tr("There is no column \"%1\". Use one of %2.").arg(name, joined(numericColumns())));
     }
-    return fault(tr("Column \"%1\" is ambiguous: it may be one of %2.").arg(name, joined(columns)));
+    return fault(
+        FragmentFilterTexts::tr("Column \"%1\" is ambiguous: it may be one of %2.").arg(name, joined(columns)));
 }
 
 /// Parses a filter word by word.
@@ -82,7 +86,8 @@ public:
 
     Result<FragmentFilter> filter() {
         while (m_next < m_words.size()) {
-            if (isOperator(m_next)) return fault(tr("Enter the name of a column before \"%1\".").arg(m_words[m_next]));
+            if (isOperator(m_next))
+                return fault(FragmentFilterTexts::tr("Enter the name of a column before \"%1\".").arg(m_words[m_next]));
             if (!isOperator(m_next + 1)) {
                 m_filter.texts.push_back(m_words[m_next++].toStdString());
             } else if (const Status status = readCondition(); !status) {
@@ -102,15 +107,17 @@ private:
         const Result<FragmentColumn> column = columnNamed(name);
         if (!column) return column.error();
         const std::optional<Comparison> comparison = comparisonOf(symbol);
-        if (!comparison) return fault(tr("\"%1\" is not a comparison. Use one of < <= = != >= >.").arg(symbol));
+        if (!comparison)
+            return fault(FragmentFilterTexts::tr("\"%1\" is not a comparison. Use one of < <= = != >= >.").arg(symbol));
         m_next += 2;
         if (m_next == m_words.size() || isOperator(m_next)) {
-            return fault(tr("Enter a number after \"%1 %2\".").arg(name, symbol));
+            return fault(FragmentFilterTexts::tr("Enter a number after \"%1 %2\".").arg(name, symbol));
         }
         const NumberFormat format = formatOf(*column, m_units);
         const QString number = m_words[m_next++];
         std::optional<double> bound = parseNumber(number, format, m_locale);
-        if (!bound) return fault(tr("\"%1\" after \"%2 %3\" is not a number.").arg(number, name, symbol));
+        if (!bound)
+            return fault(FragmentFilterTexts::tr("\"%1\" after \"%2 %3\" is not a number.").arg(number, name, symbol));
         if (const std::optional<double> withUnit = numberWithUnit(number, format)) {
             bound = withUnit;
             ++m_next;
@@ -146,14 +153,14 @@ bool FragmentFilter::accepts(const FragmentMetrics& metrics, std::uint32_t fragm
 
 QString nameOf(FragmentColumn column) {
     switch (column) {
-        case FragmentColumn::Name: return tr("Fragment");
-        case FragmentColumn::Area: return tr("Area");
-        case FragmentColumn::Volume: return tr("Volume");
-        case FragmentColumn::Mass: return tr("Mass");
-        case FragmentColumn::Aspect: return tr("Aspect");
-        case FragmentColumn::Neighbours: return tr("Neighbours");
-        case FragmentColumn::Level: return tr("Level");
-        case FragmentColumn::Problems: return tr("Problems");
+        case FragmentColumn::Name: return FragmentFilterTexts::tr("Fragment");
+        case FragmentColumn::Area: return FragmentFilterTexts::tr("Area");
+        case FragmentColumn::Volume: return FragmentFilterTexts::tr("Volume");
+        case FragmentColumn::Mass: return FragmentFilterTexts::tr("Mass");
+        case FragmentColumn::Aspect: return FragmentFilterTexts::tr("Aspect");
+        case FragmentColumn::Neighbours: return FragmentFilterTexts::tr("Neighbours");
+        case FragmentColumn::Level: return FragmentFilterTexts::tr("Level");
+        case FragmentColumn::Problems: return FragmentFilterTexts::tr("Problems");
     }
     return {};
 }

@@ -11,13 +11,15 @@ namespace rubble {
 
 namespace {
 
-constexpr double kFadedOpacity = 0.45;  // of the text of a hidden fragment
+constexpr double kFadedTextOpacity = 0.45;  // of the text of a hidden fragment
 
 /// A mix of text and background: the disabled text of some palettes is unreadable.
 QColor fadedText() {
     const QPalette palette = QGuiApplication::palette();
     const QColor text = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
-    const auto mixed = [](int a, int b) { return static_cast<int>(kFadedOpacity * a + (1.0 - kFadedOpacity) * b); };
+    const auto mixed = [](int a, int b) {
+        return static_cast<int>(kFadedTextOpacity * a + (1.0 - kFadedTextOpacity) * b);
+    };
     return {mixed(text.red(), ground.red()), mixed(text.green(), ground.green()), mixed(text.blue(), ground.blue())};
 }
 

@@ -15,41 +15,41 @@ namespace rubble {
 
 namespace {
 
-using Kind = ProjectModel::Kind;
 using Node = ProjectModel::Node;
+using NodeKind = ProjectModel::Kind;
 
 constexpr int kGroups = 3;      // top-level rows
 constexpr int kKindShift = 32;  // of the kind in an index's internal id, above the element's id
 
 quintptr packed(Node node) { return static_cast<quintptr>(node.kind) << kKindShift | node.id; }
-Node unpacked(quintptr packed) { return {static_cast<Kind>(packed >> kKindShift), static_cast<Id>(packed)}; }
+Node unpacked(quintptr packed) { return {static_cast<NodeKind>(packed >> kKindShift), static_cast<Id>(packed)}; }
 
-Kind groupOf(Kind kind) {
+NodeKind groupOf(NodeKind kind) {
     switch (kind) {
-        case Kind::Material: return Kind::Materials;
-        case Kind::Asset: return Kind::Assets;
-        default: return Kind::Scene;
+        case NodeKind::Material: return NodeKind::Materials;
+        case NodeKind::Asset: return NodeKind::Assets;
+        default: return NodeKind::Scene;
     }
 }
 
-Kind kindIn(Kind group) {
+NodeKind kindIn(NodeKind group) {
     switch (group) {
-        case Kind::Materials: return Kind::Material;
-        case Kind::Assets: return Kind::Asset;
-        default: return Kind::Instance;
+        case NodeKind::Materials: return NodeKind::Material;
+        case NodeKind::Assets: return NodeKind::Asset;
+        default: return NodeKind::Instance;
     }
 }
 
-Part partOf(Kind kind) {
+Part partOf(NodeKind kind) {
     switch (kind) {
-        case Kind::Material: return Part::Material;
-        case Kind::Asset: return Part::Asset;
-        case Kind::Instance: return Part::Instance;
+        case NodeKind::Material: return Part::Material;
+        case NodeKind::Asset: return Part::Asset;
+        case NodeKind::Instance: return Part::Instance;
         default: return Part::Scene;
     }
 }
 
-bool isNamed(Kind kind) { return partOf(kind) != Part::Scene; }
+bool isNamed(NodeKind kind) { return partOf(kind) != Part::Scene; }
 
 /// Calls function(layer, pattern index) for all layers, in the order of AssetPatterns.h. A layer that a fragment
 /// inherits from its level is visited once, with the level.
@@ -78,7 +78,7 @@ int rowOf(const List& ids, Id id) {
 }
 
 QVariant flagOf(const Project& project, Node node, int role) {
-    const Instance* instance = node.kind == Kind::Instance ? findInstance(project, node.id) : nullptr;
+    const Instance* instance = node.kind == NodeKind::Instance ? findInstance(project, node.id) : nullptr;
     if (!instance) return {};
     return role == ProjectModel::kHiddenRole ? instance->isHidden : instance->isLocked;
 }

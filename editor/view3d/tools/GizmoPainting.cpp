@@ -12,10 +12,10 @@ namespace {
 const QColor kAxisColours[] = {QColor(0xe5, 0x48, 0x4d), QColor(0x4c, 0xa8, 0x3d), QColor(0x3b, 0x7d, 0xe0)};
 const QColor kViewHandle(0xf2, 0xf2, 0xf2);
 const QColor kHighlight(0xff, 0xc4, 0x2e);
-const QColor kUnderline(0, 0, 0, 110);           // separates lines from any background
-constexpr double kLine = 2.5, kThickLine = 3.5;  // points
-constexpr double kTip = 13.0, kTipWidth = 5.0;   // points
-constexpr QPointF kLabelOffset{18.0, 22.0};
+const QColor kGizmoUnderline(0, 0, 0, 110);          // separates lines from any background
+constexpr double kThinLine = 2.5, kThickLine = 3.5;  // points
+constexpr double kTip = 13.0, kTipWidth = 5.0;       // points
+constexpr QPointF kGizmoLabelOffset{18.0, 22.0};
 constexpr double kLabelMargin = 5.0;
 
 QPointF qt(Vec2 point) { return {point.x, point.y}; }
@@ -39,7 +39,7 @@ void paintHandle(QPainter& painter, GizmoHandle handle, const GizmoView& view, b
     if (line.empty()) return;
     const QColor colour = isHighlighted ? kHighlight : axisOf(handle) ? kAxisColours[*axisOf(handle)] : kViewHandle;
     const QPolygonF shape = polygonOf(line);
-    const double width = isHighlighted ? kThickLine : kLine;
+    const double width = isHighlighted ? kThickLine : kThinLine;
     const auto pen = [](const QColor& ink, double wide) {
         return QPen(ink, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     };
@@ -47,19 +47,19 @@ void paintHandle(QPainter& painter, GizmoHandle handle, const GizmoView& view, b
     inside.setAlpha(isPlaneHandle(handle) ? 90 : 60);
     const bool isArea = isPlaneHandle(handle) || handle == GizmoHandle::MoveInView;
     painter.setBrush(isArea ? QBrush(inside) : QBrush(Qt::NoBrush));
-    painter.setPen(pen(kUnderline, width + 2.0));
+    painter.setPen(pen(kGizmoUnderline, width + 2.0));
     painter.drawPolyline(shape);
     painter.setPen(pen(colour, width));
     isArea ? painter.drawPolygon(shape) : painter.drawPolyline(shape);
     if (line.size() != 2) return;
     painter.setBrush(colour);
-    painter.setPen(pen(kUnderline, 1.0));
+    painter.setPen(pen(kGizmoUnderline, 1.0));
     painter.drawPolygon(tipOf(line[0], line[1]));
 }
 
 void paintEdges(QPainter& painter, const std::vector<std::array<Vec3, 2>>& edges, const ViewportWidget& viewport) {
     for (const double width : {3.5, 1.5}) {
-        painter.setPen(QPen(width > 2.0 ? kUnderline : kHighlight, width, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(width > 2.0 ? kGizmoUnderline : kHighlight, width, Qt::SolidLine, Qt::RoundCap));
         for (const auto& [from, to] : edges) {
             const std::optional<QPointF> a = viewport.pointOf(from), b = viewport.pointOf(to);
             if (a && b) painter.drawLine(*a, *b);
@@ -70,7 +70,7 @@ void paintEdges(QPainter& painter, const std::vector<std::array<Vec3, 2>>& edges
 void paintPointerLabel(QPainter& painter, QPointF pointer, const QString& text, QSize viewSize) {
     if (text.isEmpty()) return;
     const QFontMetricsF metrics(painter.font());
-    QRectF box(pointer + kLabelOffset,
+    QRectF box(pointer + kGizmoLabelOffset,
                QSizeF(metrics.horizontalAdvance(text) + 2.0 * kLabelMargin, metrics.height() + kLabelMargin));
     box.moveRight(std::min(box.right(), viewSize.width() - kLabelMargin));
     box.moveBottom(std::min(box.bottom(), viewSize.height() - kLabelMargin));

@@ -15,17 +15,17 @@ namespace rubble {
 namespace {
 
 constexpr double kSnapDistance = 12.0;  // this and the following: points
-const QColor kLine(76, 194, 255);
-const QColor kUnderline(10, 14, 20, 190);
+const QColor kMeasureLine(76, 194, 255);
+const QColor kMeasureUnderline(10, 14, 20, 190);
 constexpr double kRadius = 4.5;
 constexpr double kCorner = 6.0;
-constexpr int kLabelOffset = 16;
-constexpr int kMargin = 6;
+constexpr int kMeasureOffset = 16;
+constexpr int kMeasureMargin = 6;
 
 QString lengthText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
 
 void paintLine(QPainter& painter, QPointF from, QPointF to) {
-    for (const auto& [colour, width] : {std::pair(kUnderline, 4.5), std::pair(kLine, 2.0)}) {
+    for (const auto& [colour, width] : {std::pair(kMeasureUnderline, 4.5), std::pair(kMeasureLine, 2.0)}) {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(from, to);
     }
@@ -34,7 +34,7 @@ void paintLine(QPainter& painter, QPointF from, QPointF to) {
 /// A square on a corner, a ring elsewhere.
 void paintPoint(QPainter& painter, QPointF at, bool isCorner) {
     painter.setBrush(Qt::NoBrush);
-    for (const auto& [colour, width] : {std::pair(kUnderline, 4.0), std::pair(kLine, 2.0)}) {
+    for (const auto& [colour, width] : {std::pair(kMeasureUnderline, 4.0), std::pair(kMeasureLine, 2.0)}) {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         if (isCorner) {
             painter.drawRect(QRectF(at.x() - kCorner, at.y() - kCorner, 2.0 * kCorner, 2.0 * kCorner));
@@ -51,12 +51,14 @@ void paintLabel(QPainter& painter, QPointF beside, const QString& title, const Q
     bold.setBold(true);
     const QFontMetrics plain(font), strong(bold);
     const int width = std::max(strong.horizontalAdvance(title), plain.horizontalAdvance(detail));
-    QRect plate(beside.toPoint() + QPoint(kLabelOffset, kLabelOffset),
+    QRect plate(beside.toPoint() + QPoint(kMeasureOffset, kMeasureOffset),
                 QSize(width + 2 * kPlatePadding, strong.height() + plain.height() + 2 * kPlatePadding - 4));
-    if (plate.right() > viewSize.width() - kMargin) plate.moveRight(static_cast<int>(beside.x()) - kLabelOffset);
-    if (plate.bottom() > viewSize.height() - kMargin) plate.moveBottom(static_cast<int>(beside.y()) - kLabelOffset);
-    plate.moveLeft(std::max(plate.left(), kMargin));
-    plate.moveTop(std::max(plate.top(), kMargin));
+    if (plate.right() > viewSize.width() - kMeasureMargin)
+        plate.moveRight(static_cast<int>(beside.x()) - kMeasureOffset);
+    if (plate.bottom() > viewSize.height() - kMeasureMargin)
+        plate.moveBottom(static_cast<int>(beside.y()) - kMeasureOffset);
+    plate.moveLeft(std::max(plate.left(), kMeasureMargin));
+    plate.moveTop(std::max(plate.top(), kMeasureMargin));
     const QRect inside = paintPlate(painter, plate);
     painter.setPen(kPlateText);
     painter.setFont(bold);

@@ -2,6 +2,7 @@
 
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/PlayStage.h"
 
 #include <QSignalSpy>
@@ -9,8 +10,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 20000;  // ms
 
 /// A block with a test that holds and one that does not.
 Project testedBlock() {

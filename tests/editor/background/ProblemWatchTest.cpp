@@ -3,6 +3,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
+#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -14,8 +15,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms, for baking on a busy machine
 
 std::shared_ptr<const BakedAsset> bakedOf(const Asset& asset) {
     const auto made = std::make_shared<const Bake>(*bake(asset));

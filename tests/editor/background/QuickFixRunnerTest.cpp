@@ -4,6 +4,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
+#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -11,8 +12,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms, for baking on a busy machine
 
 std::vector<Diagnostic> problemsIn(const Project& project, DiagnosticCode kind) {
     AssetBakes bakes;

@@ -4,6 +4,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
+#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -11,8 +12,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms, for baking on a busy machine
 
 /// Two boxes of scattered seeds.
 Project boxes() {

@@ -4,6 +4,7 @@
 #include "editor/document/Document.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
+#include "tests/support/editor/EditedProject.h"
 
 #include <QTest>
 
@@ -26,18 +27,6 @@ Project boxes(int count) {
     return project;
 }
 
-/// The project after an edit; verifies that undo restores the bytes.
-Project after(const Project& project, Edit edit) {
-    Document document(project);
-    document.push(std::move(edit));
-    const Project changed = document.project();
-    const auto fault = verifyProject(changed);
-    if (fault) qWarning("%s", fault->c_str());
-    document.undoStack().undo();
-    if (fault || projectText(document.project()) != projectText(project)) return {};
-    return changed;
-}
-
 constexpr Id kFirst[] = {10};
 constexpr Id kBoth[] = {10, 11};
 
@@ -47,7 +36,8 @@ class InstanceEditsTest : public QObject {
     Q_OBJECT
 private slots:
     void gridArrayAddsAllCopies() {
-        const Project changed = after(boxes(1), arrayInGrid(boxes(1), kFirst, {{3, 2, 1}, {1.5, 1.0, 9.0}}));
+        const Project changed =
+            test::editedProject(boxes(1), arrayInGrid(boxes(1), kFirst, {{3, 2, 1}, {1.5, 1.0, 9.0}}));
         QCOMPARE(changed.instances.size(), std::size_t{6});
         QCOMPARE(changed.instances[0].pose.position, Vec3(0.0));
         QCOMPARE(changed.instances[1].pose.position, Vec3(1.5, 0.0, 0.0));
@@ -56,7 +46,7 @@ private slots:
     }
     void ringArrayRotatesItsCopies() {
         const RingArray ring{.count = 4, .centre = {-1.0, 0.0}, .angle = std::numbers::pi / 2.0};
-        const Project changed = after(boxes(1), arrayInRing(boxes(1), kFirst, ring));
+        const Project changed = test::editedProject(boxes(1), arrayInRing(boxes(1), kFirst, ring));
         QCOMPARE(changed.instances.size(), std::size_t{4});
         // A rotation by 90 degrees about y maps x to -z.
         const Pose& quarter = changed.instances[1].pose;
@@ -68,7 +58,7 @@ private slots:
         Project project = boxes(2);
         project.instances[0].pose.position = {0.0, 5.0, 0.0};
         project.instances[1].pose.position = {0.25, 3.0, 0.0};
-        const Project changed = after(project, dropToGround(project, kBoth));
+        const Project changed = test::editedProject(project, dropToGround(project, kBoth));
         QCOMPARE(changed.instances[1].pose.position.y, 0.0);
         QCOMPARE(changed.instances[0].pose.position.y, 1.0);
         QVERIFY(dropToGround(changed, kBoth).isEmpty());
@@ -77,26 +67,26 @@ private slots:
         Project project = boxes(4);
         project.instances[3].variant = 1;
         const std::vector<Id> three{10, 11, 12};
-        const Project changed = after(project, assignDistinctVariants(project, three));
+        const Project changed = test::editedProject(project, assignDistinctVariants(project, three));
         std::vector<std::uint32_t> variants;
         for (const Instance& instance : changed.instances) variants.push_back(instance.variant);
         QCOMPARE(variants, (std::vector<std::uint32_t>{0, 2, 3, 1}));
     }
     void hideAndLockCanBeReversed() {
         const Project project = boxes(3);
-        const Project hidden = after(project, hideInstances(project, kFirst));
+        const Project hidden = test::editedProject(project, hideInstances(project, kFirst));
         QVERIFY(hidden.instances[0].isHidden && !hidden.instances[1].isHidden);
-        QVERIFY(after(hidden, showAllInstances(hidden)) == project);
-        const Project alone = after(hidden, isolateInstances(hidden, kFirst));
+        QVERIFY(test::editedProject(hidden, showAllInstances(hidden)) == project);
+        const Project alone = test::editedProject(hidden, isolateInstances(hidden, kFirst));
         QVERIFY(!alone.instances[0].isHidden && alone.instances[1].isHidden && alone.instances[2].isHidden);
-        const Project locked = after(project, lockInstances(project, kBoth));
+        const Project locked = test::editedProject(project, lockInstances(project, kBoth));
         QVERIFY(locked.instances[1].isLocked && !locked.instances[2].isLocked);
-        QVERIFY(after(locked, unlockAllInstances(locked)) == project);
+        QVERIFY(test::editedProject(locked, unlockAllInstances(locked)) == project);
     }
     void placesAnInstanceAtAPose() {
         const Pose pose{.position = {1.0, 2.0, 3.0}};
         Addition added = placeInstance(boxes(1), 2, pose);
-        const Project changed = after(boxes(1), std::move(added.edit));
+        const Project changed = test::editedProject(boxes(1), std::move(added.edit));
         QVERIFY(findInstance(changed, added.id)->pose == pose);
         QVERIFY(findInstance(changed, 99) == nullptr);
     }

@@ -6,6 +6,7 @@
 #include "core/io/project/MaterialPresetFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/EditedProject.h"
 
 #include <QTest>
 
@@ -15,17 +16,6 @@ namespace {
 
 MaterialPreset preset(const char* name) { return findMaterial(materialLibrary(), name)->preset; }
 
-/// Applies an edit; verifies the project and that undo restores the bytes.
-Project after(Project project, Edit edit) {
-    const std::string before = projectText(project);
-    swapInto(project, edit);
-    Project result = project;
-    if (const auto fault = verifyProject(result)) qFatal("%s", fault->c_str());
-    swapInto(project, edit);
-    if (projectText(project) != before) qFatal("Undoing gives another project.");
-    return result;
-}
-
 }  // namespace
 
 class MaterialEditsTest : public QObject {
@@ -33,7 +23,7 @@ class MaterialEditsTest : public QObject {
 private slots:
     void presetIsAddedOnce() {
         Addition first = addMaterial(starterProject(), preset("glass"));
-        const Project project = after(starterProject(), first.edit);
+        const Project project = test::editedProject(starterProject(), first.edit);
         QCOMPARE(project.materials.size(), std::size_t{2});
         QCOMPARE(*findMaterial(project, first.id)->tensileStrength, 4.5e7);
         const Addition again = addMaterial(project, preset("glass"));
@@ -43,13 +33,13 @@ private slots:
     void takenNameGetsANumber() {
         const Addition added =
             addMaterial(starterProject(), preset("plaster"));  // differs from the starter project's plaster
-        const Project project = after(starterProject(), added.edit);
+        const Project project = test::editedProject(starterProject(), added.edit);
         QCOMPARE(findMaterial(project, added.id)->name, std::string("plaster 2"));
     }
     void appliesPatternAndThreshold() {
         const Project before = starterProject();
         const Id wall = before.assets[0].id;
-        const Project project = after(before, applyPreset(before, wall, preset("glass"), {true, true}));
+        const Project project = test::editedProject(before, applyPreset(before, wall, preset("glass"), {true, true}));
         const Asset& asset = *findAsset(project, wall);
         QCOMPARE(findMaterial(project, asset.material)->name, std::string("glass"));
         QCOMPARE(asset.pattern.layers.size(), std::size_t{2});
@@ -60,7 +50,7 @@ private slots:
     void appliesOnlyWhatTheOptionsSay() {
         const Project before = starterProject();
         const Id wall = before.assets[0].id;
-        const Project project = after(before, applyPreset(before, wall, preset("ice"), {}));
+        const Project project = test::editedProject(before, applyPreset(before, wall, preset("ice"), {}));
         QVERIFY(findAsset(project, wall)->pattern == before.assets[0].pattern);
         QVERIFY(!findAsset(project, wall)->contactTime);
     }
@@ -70,9 +60,10 @@ private slots:
         const std::string layer = std::to_string(wall.pattern.layers[0].id);
         wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
         wall.leaves = {{.fragment = layer + ".3", .level = {}}};
-        const Project project = after(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
+        const Project project =
+            test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
         QVERIFY(project.assets[0].edits.empty() && project.assets[0].leaves.empty());
-        const Project kept = after(before, applyPreset(before, wall.id, preset("stone"), {}));
+        const Project kept = test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {}));
         QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].leaves.empty());
     }
     void presetHasThePatternOfAnAsset() {

@@ -3,6 +3,7 @@
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Document.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/asset/RandomEdits.h"
@@ -32,8 +33,7 @@ private slots:
                 document.push(randomEdit(document.project(), random, mergeKey));
                 if (random.below(8) == 0) document.undoStack().undo();
                 const std::optional<std::string> fault = verifyProject(document.project());
-                QVERIFY2(!fault,
-                         qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault.value_or("")))));
+                QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
             }
             const std::string after = projectText(document.project());
             const int steps = document.undoStack().index();

@@ -5,6 +5,7 @@
 #include "editor/commands/InstanceEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/TestSettings.h"
+#include "tests/support/files/FileBytes.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -128,8 +129,7 @@ private:
     }
 
     QByteArray packOf(const QString& folder) const {
-        QFile file(m_folder->filePath("packs/" + folder + "/pack.json"));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        return bytesOfFile(m_folder->filePath("packs/" + folder + "/pack.json"));
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

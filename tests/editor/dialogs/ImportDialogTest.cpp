@@ -5,6 +5,7 @@
 #include "editor/document/Document.h"
 #include "editor/document/Translations.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Patience.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QComboBox>
@@ -21,7 +22,6 @@ using namespace rubble;
 
 namespace {
 
-constexpr int kPatience = 60000;  // ms, for searching on a busy machine
 const QString kMeshes = QString(RUBBLE_SOURCE_DIR) + "/tests/data/meshes/";
 
 /// A visible import dialog for an empty project, after its first search.

@@ -5,6 +5,7 @@
 #include "core/io/project/ProjectLock.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 
 #include <QFile>
@@ -15,11 +16,6 @@
 using namespace rubble;
 
 namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 void setBytes(const QString& path, const QByteArray& bytes) {
     QFile file(path);
@@ -46,15 +42,15 @@ private slots:
     void openAndSaveKeepsTheBytes() {
         Document document(emptyProject());
         DocumentFile file(document);
-        const QByteArray before = bytesOf(m_path);
+        const QByteArray before = bytesOfFile(m_path);
         QVERIFY(file.open(m_path));
         QCOMPARE(file.name(), "wall.rubble");
         edit(document);
         QVERIFY(file.save());
-        QVERIFY(bytesOf(m_path) != before && !document.isModified());
+        QVERIFY(bytesOfFile(m_path) != before && !document.isModified());
         document.undoStack().undo();
         QVERIFY(file.save());
-        QCOMPARE(bytesOf(m_path), before);
+        QCOMPARE(bytesOfFile(m_path), before);
     }
     void invalidFileLeavesTheDocument() {
         setBytes(m_path, "{");
@@ -168,12 +164,12 @@ private slots:
     void restoredBackupIsUnsaved() {
         Document document(starterProject());
         DocumentFile file(document);
-        QVERIFY(file.restore(backupOf(m_path, contentHash(bytesOf(m_path).toStdString())), accessProject(m_path)));
+        QVERIFY(file.restore(backupOf(m_path, contentHash(bytesOfFile(m_path).toStdString())), accessProject(m_path)));
         QCOMPARE(file.path(), m_path);
         QVERIFY(document.isModified() && document.project().assets.empty());
         QVERIFY(file.diskState() == DiskState::Unchanged);
         QVERIFY(file.save());
-        QCOMPARE(bytesOf(m_path), bytesOf(backupPath()));
+        QCOMPARE(bytesOfFile(m_path), bytesOfFile(backupPath()));
     }
     void restoredBackupKnowsWhatItIsBasedOn() {
         Document document(emptyProject());

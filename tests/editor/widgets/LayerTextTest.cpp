@@ -10,7 +10,7 @@ using namespace rubble;
 
 namespace {
 
-QString text(const LayerParameters& parameters, const Units& units = {}) {
+QString textOfLayer(const LayerParameters& parameters, const Units& units = {}) {
     return layerText({.parameters = parameters}, units, QLocale::c()).replace(QChar(QChar::Nbsp), ' ');
 }
 
@@ -20,30 +20,31 @@ class LayerTextTest : public QObject {
     Q_OBJECT
 private slots:
     void countsAreWrittenInAllThreeWays() {
-        QCOMPARE(text(UniformScatter{.count = 7}), "Uniform, 7 seeds");
-        QCOMPARE(text(UniformScatter{.count = 1}), "Uniform, 1 seed");
-        QCOMPARE(text(UniformScatter{.count = SeedCount(CountBy::Density, 12.5)}), "Uniform, 12.5 per m²");
-        QCOMPARE(text(UniformScatter{.count = SeedCount(CountBy::PieceSize, 0.25)}), "Uniform, fragments of 0.25 m");
+        QCOMPARE(textOfLayer(UniformScatter{.count = 7}), "Uniform, 7 seeds");
+        QCOMPARE(textOfLayer(UniformScatter{.count = 1}), "Uniform, 1 seed");
+        QCOMPARE(textOfLayer(UniformScatter{.count = SeedCount(CountBy::Density, 12.5)}), "Uniform, 12.5 per m²");
+        QCOMPARE(textOfLayer(UniformScatter{.count = SeedCount(CountBy::PieceSize, 0.25)}),
+                 "Uniform, fragments of 0.25 m");
     }
     void lengthsAreInThePreferredUnit() {
-        QCOMPARE(text(BlueNoise{.minimumDistance = 0.2}), "Blue noise, 0.2 m apart");
-        QCOMPARE(text(BlueNoise{.minimumDistance = 0.2}, {LengthUnit::Centimetre}), "Blue noise, 20 cm apart");
+        QCOMPARE(textOfLayer(BlueNoise{.minimumDistance = 0.2}), "Blue noise, 0.2 m apart");
+        QCOMPARE(textOfLayer(BlueNoise{.minimumDistance = 0.2}, {LengthUnit::Centimetre}), "Blue noise, 20 cm apart");
     }
     void summaryDependsOnOptions() {
         JitteredGrid grid{.columns = 4, .rows = 3, .cellWidth = 0.5, .cellHeight = 0.25};
-        QCOMPARE(text(grid), "Jittered grid, 4 × 3");
+        QCOMPARE(textOfLayer(grid), "Jittered grid, 4 × 3");
         grid.cells = GridCells::Size;
-        QCOMPARE(text(grid), "Jittered grid, 0.5 m × 0.25 m");
-        QCOMPARE(text(DensityImage{}), "Density image, no picture");
+        QCOMPARE(textOfLayer(grid), "Jittered grid, 0.5 m × 0.25 m");
+        QCOMPARE(textOfLayer(DensityImage{}), "Density image, no picture");
     }
     void elementsAreCounted() {
-        QCOMPARE(text(PlacedSeeds{{{0, {0.1, 0.2}}, {1, {0.3, 0.4}}}}), "Placed seeds, 2");
-        QCOMPARE(text(CrackLines{}), "Crack lines, 0 lines");
+        QCOMPARE(textOfLayer(PlacedSeeds{{{0, {0.1, 0.2}}, {1, {0.3, 0.4}}}}), "Placed seeds, 2");
+        QCOMPARE(textOfLayer(CrackLines{}), "Crack lines, 0 lines");
     }
     void everyKindHasAnIconAndACompleteSummary() {
         for (const PatternKind* kind : patternKinds()) {
             QVERIFY2(!iconNamed(kind->icon).isNull(), kind->icon);
-            const QString summary = text(kind->defaultsFor({{0.0, 0.0}, {2.0, 1.0}}));
+            const QString summary = textOfLayer(kind->defaultsFor({{0.0, 0.0}, {2.0, 1.0}}));
             QVERIFY2(!summary.contains('{') && !summary.contains('%'), qPrintable(summary));
         }
     }

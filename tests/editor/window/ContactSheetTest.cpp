@@ -12,6 +12,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 
 #include <QApplication>
@@ -31,8 +32,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
 
 /// A box of 1 m on the ground, and a shot that throws a box at it.
 Project pane() {

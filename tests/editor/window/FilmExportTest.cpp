@@ -21,12 +21,6 @@
 
 using namespace rubble;
 
-namespace {
-
-constexpr double kStep = 1.0 / 60.0;
-
-}  // namespace
-
 /// Film export from the window: images with and without destruction, films with ffmpeg, cancelling and errors.
 class FilmExportTest : public EditorStory {
     Q_OBJECT

@@ -11,6 +11,7 @@
 #include "editor/window/Program.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 
 #include <QCheckBox>
@@ -31,8 +32,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms, for baking on a busy machine
 
 template <class Button>
 Button& buttonIn(const QWidget& parent, const QString& text) {

@@ -7,6 +7,7 @@
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/editor/Pictures.h"
+#include "tests/support/files/FileBytes.h"
 
 #include <QLabel>
 #include <QProcess>
@@ -16,7 +17,6 @@ using namespace rubble;
 
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
 const Vec3 kBesideTheDoor{1.5, 1.5, 3.0};
 
 }  // namespace
@@ -31,7 +31,7 @@ private slots:
         openFile(pathOf("house.rubble"));
         if (!hasView()) QSKIP("There is no OpenGL here.");
         play().thread().useSteppedClock();
-        m_bytes = bytesOf("house.rubble");
+        m_bytes = bytesOfFile(pathOf("house.rubble"));
     }
 
     void houseStands() {
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(canvas().isVisible());
         QCOMPARE(hint(), canvas().hint());
         QVERIFY(!window().workspace().document().isModified());
-        QCOMPARE(bytesOf("house.rubble"), m_bytes);
+        QCOMPARE(bytesOfFile(pathOf("house.rubble")), m_bytes);
     }
     void cleanupTestCase() { close(); }
 
@@ -166,10 +166,6 @@ private:
         play().thread().post([&](PlayEngine& engine) { hash = engine.session().hash(); });
         play().thread().settle();
         return hash;
-    }
-    QByteArray bytesOf(const QString& name) {
-        QFile file(pathOf(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
     QByteArray m_bytes;

@@ -10,7 +10,9 @@
 #include "editor/window/Program.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
+#include "tests/support/files/FileBytes.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
@@ -29,13 +31,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 20000;  // ms, for baking on a busy machine
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 int differentPixels(const QImage& a, const QImage& b) {
     int count = 0;
@@ -133,7 +128,7 @@ private slots:
         const QString path = m_folder.filePath("story.rubble");
         test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
         QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
-        QCOMPARE(bytesOf(path).toStdString(), m_editedBytes);
+        QCOMPARE(bytesOfFile(path).toStdString(), m_editedBytes);
         QVERIFY(!m_window->isWindowModified());
         m_window->findChild<Section*>("shape")->setCollapsed(true);
         QVERIFY(m_window->close());
@@ -155,7 +150,7 @@ private slots:
         int objects = 0;
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
             if (file.path().extension() != ".obj") continue;
-            for (const QByteArray& line : bytesOf(QString::fromStdString(file.path().string())).split('\n')) {
+            for (const QByteArray& line : bytesOfFile(QString::fromStdString(file.path().string())).split('\n')) {
                 objects += line.startsWith("o ");
             }
         }

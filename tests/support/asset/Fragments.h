@@ -4,6 +4,9 @@
 #include "core/fracture/pieces/Extrusion.h"
 #include "tests/support/geometry/Outlines.h"
 
+#include <string>
+#include <vector>
+
 namespace rubble {
 
 inline Asset assetOf(Polygon outline, double depth) {
@@ -17,6 +20,11 @@ inline Pattern scatterOf(std::uint32_t count, std::uint32_t layer) {
     Pattern pattern;
     pattern.layers.push_back({.id = layer, .randomSeed = 7, .parameters = UniformScatter{.count = count}});
     return pattern;
+}
+
+/// A level of one layer that scatters seeds; the layer's random seed is its id.
+inline Level scatteredLevel(Id layer, std::uint32_t count, double minimumVolume = 0.0) {
+    return {{{{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = count}}}}, minimumVolume};
 }
 
 /// The square ring with one more hole in its left side, half a metre deep, volume 5.98, as asset "old ring" in 12
@@ -71,6 +79,13 @@ inline Bake halvedSquare() {
     return bakeOf({{{rectangle({0.0, 0.0}, {0.5, 1.0}), {}}, {kNone, 1, kNone, kNone}},
                    {{rectangle({0.5, 0.0}, {1.0, 1.0}), {}}, {kNone, kNone, kNone, 0}}},
                   2.0);
+}
+
+/// The ids of all fragments, in order.
+inline std::vector<std::string> idsOf(const Bake& bake) {
+    std::vector<std::string> ids;
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) ids.push_back(bake.fragmentId(k));
+    return ids;
 }
 
 }  // namespace rubble

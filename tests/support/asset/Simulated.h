@@ -54,3 +54,5 @@ inline double energyOf(const World& world) { return world.momenta().kinetic + wo
 inline bool isLongRun() { return qEnvironmentVariableIsSet("RUBBLE_LONG"); }
 
 }  // namespace rubble::test
+
+Q_DECLARE_METATYPE(rubble::BodyScene)

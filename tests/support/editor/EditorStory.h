@@ -6,6 +6,7 @@
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
+#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -25,7 +26,7 @@ namespace rubble {
 /// Base of the tests that drive a whole window by mouse and keys. The window's settings are separate from the user's.
 class EditorStory : public QObject {
 protected:
-    static constexpr int kPatience = 60000;  // ms, for baking and drawing on a busy machine
+    static constexpr double kStep = 1.0 / 60.0;  // s
 
     void open(Project project) {
         begin();

@@ -41,12 +41,6 @@ inline Sentence errorFault(const Error& error) {
     return "The error \"" + error.message + "\" is not a sentence.";
 }
 
-inline std::size_t cornersOf(const Polygon& polygon) {
-    std::size_t corners = polygon.outer.size();
-    for (const Ring& hole : polygon.holes) corners += hole.size();
-    return corners;
-}
-
 /// Whether a project may have an asset of this prism; others are partitioned, but not extruded.
 inline bool isBakeable(const Prism& prism) {
     Project project{.nextId = 3};
@@ -73,7 +67,7 @@ inline Sentence stageFault(const FractureInput& input) {
 inline Sentence fractureFault(std::string_view bytes) {
     const Result<FractureInput> input = readFractureInput(bytes);
     if (!input) return errorFault(input.error());
-    if (input->seeds.size() > kMaxFuzzedSeeds || cornersOf(input->prism.outline) > kMaxFuzzedCorners)
+    if (input->seeds.size() > kMaxFuzzedSeeds || cornersOf(input->prism.outline).size() > kMaxFuzzedCorners)
         return std::nullopt;
     for (const FractureMethod method : {FractureMethod::Exact, FractureMethod::Thesis}) {
         const Result<std::string> json = fractureJson(*input, method);

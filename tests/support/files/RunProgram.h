@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// How a program ended and what it printed; -1 where it could not be started, crashed or took over a minute.
+/// How a program ended and what it printed; -1 where it could not be started, crashed or took over two minutes.
 struct ProgramOutcome {
     int exit = -1;
     QString output;
@@ -13,7 +13,7 @@ struct ProgramOutcome {
 
 inline ProgramOutcome runProgram(const QString& program, const QStringList& arguments,
                                  const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
-    constexpr int kLongestMilliseconds = 60000;
+    constexpr int kLongestMilliseconds = 120000;
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(program, arguments);

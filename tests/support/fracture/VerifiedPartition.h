@@ -7,8 +7,11 @@
 #include "core/fracture/verify/VerifyNearestSeed.h"
 #include "core/fracture/verify/VerifyPartition.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
+#include "tests/support/ErrorText.h"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace rubble {
 
@@ -28,6 +31,11 @@ inline Result<Partition> verifiedPartition(const Polygon& outline, std::span<con
     if (const auto fault = verifyPartition(*partition, prism->outline)) return error("verifyPartition", *fault);
     if (const auto fault = verifyNearestSeed(*partition, seeds)) return error("verifyNearestSeed", *fault);
     return partition;
+}
+
+/// The error of verifiedPartition(); empty if there is none.
+inline std::string partitionFault(const Polygon& outline, const std::vector<Vec2>& seeds) {
+    return errorText(verifiedPartition(outline, seeds));
 }
 
 /// The stages of a pattern on an outline, each verified.

@@ -4,11 +4,14 @@
 #include "core/base/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/physics/shape/Hull.h"
+#include "core/physics/shape/Shape.h"
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 namespace rubble::test {
 
@@ -52,5 +55,8 @@ inline Polytope randomSolid(Random& random) {
 }
 
 inline Hull hullOf(const Polytope& polytope) { return *makeHull(polytope, Vec3(0.0)); }
+
+/// A shape of one box about the origin.
+inline std::shared_ptr<const Shape> boxShape(Vec3 sides) { return *makeShape(std::vector{boxOf(sides)}); }
 
 }  // namespace rubble::test

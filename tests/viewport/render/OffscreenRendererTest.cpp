@@ -13,7 +13,7 @@ using test::meanDifference;
 namespace {
 
 const QString kPictures = RUBBLE_SOURCE_DIR "/tests/data/pictures/";
-constexpr ImageSize kSize{240, 160};
+constexpr ImageSize kReferenceSize{240, 160};
 // Mean absolute difference over all pixels and channels, of 255. Drivers draw edges slightly differently; without the
 // key light or with faces inside out, images differ by more than 4.
 constexpr double kTolerance = 1.0;
@@ -26,14 +26,17 @@ std::shared_ptr<const RenderScene> houseScene(const SceneOptions& options) {
 }
 
 RenderView viewOf(const RenderScene& scene, const RenderSettings& settings, double moment = 1.0) {
-    RenderView view{.camera = orbited({}, 0.6, 0.4), .size = kSize, .settings = settings, .stepFraction = moment};
-    view.camera = framing(view.camera, boundsOf(scene), kSize);
+    RenderView view{
+        .camera = orbited({}, 0.6, 0.4), .size = kReferenceSize, .settings = settings, .stepFraction = moment};
+    view.camera = framing(view.camera, boundsOf(scene), kReferenceSize);
     return view;
 }
 
 QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderView& view, int samples = 0) {
     const Image image = renderImage(scene, view, samples).value();
-    return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
+    return QImage(image.pixels.data(), kReferenceSize.width, kReferenceSize.height, 3 * kReferenceSize.width,
+                  QImage::Format_RGB888)
+        .copy();
 }
 QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderSettings& settings, int samples) {
     return shown(scene, viewOf(*scene, settings), samples);
@@ -114,7 +117,7 @@ private slots:
     void renderingCanBeCancelled() {
         const TaskContext task;
         task.cancel.cancel();
-        QVERIFY(renderImage(houseScene({}), {.size = kSize}, 4, task).error().code == ErrorCode::Cancelled);
+        QVERIFY(renderImage(houseScene({}), {.size = kReferenceSize}, 4, task).error().code == ErrorCode::Cancelled);
     }
     void pngRoundTripKeepsPixels() {
         Image image{2, 3, {}};

@@ -16,11 +16,11 @@ using namespace rubble;
 
 namespace {
 
-constexpr ImageSize kSize{200, 200};
+constexpr ImageSize kPictureSize{200, 200};
 constexpr glm::vec4 kRed{1.0f, 0.0f, 0.0f, 1.0f};
 
 /// A wall of 1 x 1 x 0.5 m about its origin.
-RenderScene wallScene() {
+RenderScene centredWall() {
     RenderScene scene = sceneOf(starterProject(), {});
     const Vec3 middle = boundsOf(scene).centre();
     for (RenderPose& motion : scene.poses) motion.position += glm::vec4(glm::vec3(scene.origin - middle), 0.0f);
@@ -29,13 +29,15 @@ RenderScene wallScene() {
 
 /// From the front, without shadows. `scale`: pixels per point.
 QImage picture(const RenderScene& scene, double scale = 1.0) {
-    RenderView view{.size = kSize};
-    view.camera = framing(view.camera, boundsOf(wallScene()), kSize);
+    RenderView view{.size = kPictureSize};
+    view.camera = framing(view.camera, boundsOf(centredWall()), kPictureSize);
     view.settings.hasShadows = view.settings.hasAxes = false;
     view.settings.msaa = 1;
     view.settings.scale = scale;
     const Image image = renderImage(std::make_shared<RenderScene>(scene), view, 0).value();
-    return QImage(image.pixels.data(), kSize.width, kSize.height, 3 * kSize.width, QImage::Format_RGB888).copy();
+    return QImage(image.pixels.data(), kPictureSize.width, kPictureSize.height, 3 * kPictureSize.width,
+                  QImage::Format_RGB888)
+        .copy();
 }
 
 bool isRed(const QImage& image, int x, int y) {
@@ -49,7 +51,7 @@ class OverlayPictureTest : public QObject {
     Q_OBJECT
 private slots:
     void lineHasItsPositionAndWidth() {
-        RenderScene scene = wallScene();
+        RenderScene scene = centredWall();
         const float front = 0.6f;  // in front of the wall, m
         scene.lines = {{glm::vec4(-0.3f, 0.0f, front, 4.0f), glm::vec4(0.3f, 0.0f, front, 0.0f), kRed}};
         for (const int scale : {1, 2}) {
@@ -61,7 +63,7 @@ private slots:
         }
     }
     void occludedLineIsFaint() {
-        RenderScene scene = wallScene();
+        RenderScene scene = centredWall();
         const QColor wall = picture(scene).pixelColor(100, 100);
         scene.lines = {{glm::vec4(-0.3f, 0.0f, -0.6f, 4.0f), glm::vec4(0.3f, 0.0f, -0.6f, 0.0f), kRed}};
         const QImage seen = picture(scene);
@@ -69,7 +71,7 @@ private slots:
         QVERIFY(seen.pixelColor(100, 100).green() < wall.green() - 20);
     }
     void boxIsDrawnAsItsEdges() {
-        RenderScene scene = wallScene();
+        RenderScene scene = centredWall();
         scene.boxes = {{glm::vec4(-0.3f, -0.3f, 0.5f, 2.0f), glm::vec4(0.3f, 0.3f, 0.6f, 0.0f), kRed}};
         const QImage seen = picture(scene);
         QVERIFY(!isRed(seen, 100, 100));
@@ -78,7 +80,7 @@ private slots:
         QVERIFY2(edges == 2 || edges == 4, qPrintable(QString::number(edges)));  // near and far edges may coincide
     }
     void dustIsOccludedByWalls() {
-        RenderScene scene = wallScene();
+        RenderScene scene = centredWall();
         const QImage clear = picture(scene);
         const auto puffAt = [&](float z) {
             scene.puffs = {
@@ -90,7 +92,7 @@ private slots:
         QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades at the wall
     }
     void heatVariesOverTheSurface() {
-        RenderScene scene = wallScene(), heated = scene;
+        RenderScene scene = centredWall(), heated = scene;
         const Vec3 middle = boundsOf(scene).centre();
         BodyForecast forecast{.threshold = 120.0,
                               .projectile = {.mass = 10.0, .from = middle + Vec3(0.0, 0.0, 4.0), .speed = 8.0}};
@@ -101,12 +103,12 @@ private slots:
         heated.heats = {surfaceHeat(forecast, heated.origin)};
         for (BodyAppearance& look : heated.appearances) look.heat = 1;
         const QImage seen = picture(heated);
-        const Camera camera = framing({}, boundsOf(scene), kSize);
+        const Camera camera = framing({}, boundsOf(scene), kPictureSize);
         std::set<QRgb> colours;
         for (const Vec3& away : {Vec3(0.1, 0.15, 0.25), Vec3(0.4, -0.3, 0.25), Vec3(-0.44, 0.42, 0.25)}) {
             const std::uint32_t flat = packed(heatColour(forecast.at(middle + away, {0.0, 0.0, 1.0})));
             for (BodyAppearance& look : scene.appearances) look.outside = flat;
-            const Vec2 pixel = pixelOf(camera, middle + away, kSize).value();
+            const Vec2 pixel = pixelOf(camera, middle + away, kPictureSize).value();
             const auto colourIn = [&](const QImage& image) {
                 return image.pixelColor(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
             };
@@ -119,7 +121,7 @@ private slots:
         QCOMPARE(colours.size(), std::size_t{3});  // the centre yields least, so the impact is largest
     }
     void outdoorSceneHasHorizonAndScaleBar() {
-        RenderScene scene = wallScene();
+        RenderScene scene = centredWall();
         scene.isOutdoors = true;
         const QImage seen = picture(scene);
         QVERIFY(seen.pixelColor(5, 5).blue() > seen.pixelColor(5, 5).red() + 3);   // sky

@@ -1,6 +1,7 @@
 #include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
+#include "tests/support/editor/StarterScene.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SurfacelessContext.h"
@@ -10,19 +11,12 @@ using namespace rubble;
 
 namespace {
 
-constexpr ImageSize kSize{200, 200};
-
-std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
-    const Project project = starterProject();
-    AssetBakes bakes;
-    bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
-    return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
-}
+constexpr ImageSize kViewSize{200, 200};
 
 /// The wall from the front.
 RenderView frontView(const RenderScene& scene) {
-    RenderView view{.size = kSize};
-    view.camera = framing(view.camera, boundsOf(scene), kSize);
+    RenderView view{.size = kViewSize};
+    view.camera = framing(view.camera, boundsOf(scene), kViewSize);
     return view;
 }
 
@@ -38,10 +32,10 @@ private slots:
     void cleanupTestCase() { m_renderer.reset(); }
 
     void picksTheVisibleBody() {
-        const auto scene = wallScene();
+        const auto scene = test::starterScene();
         m_renderer->setScene(scene);
         const RenderView view = frontView(*scene);
-        const double scale = 1.0 / metresPerPixel(view.camera, kSize);
+        const double scale = 1.0 / metresPerPixel(view.camera, kViewSize);
         for (std::uint32_t body = 0; body < scene->poses.size(); ++body) {
             const Vec3 centre = scene->origin + Vec3(scene->poses[body].position) - view.camera.target;
             // The front face is nearer than the target, and so a little larger.
@@ -54,7 +48,7 @@ private slots:
         QVERIFY(!m_renderer->bodyAt(view, -1, 500));
     }
     void picksMovingBodiesAtInterpolatedPoses() {
-        RenderScene moved = *wallScene();
+        RenderScene moved = *test::starterScene();
         const std::uint32_t body = pickedAt(moved, 1.0).value();
         moved.previousPoses = moved.poses;
         moved.previousPoses[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of view
@@ -88,7 +82,7 @@ private slots:
         QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && pieces.bodyBytes == whole.bodyBytes);
     }
     void secondImageOfAStepUploadsNothing() {
-        RenderScene moved = *wallScene();
+        RenderScene moved = *test::starterScene();
         moved.previousPoses = moved.poses;
         const auto scene = std::make_shared<RenderScene>(moved);
         QVERIFY(drawn(scene, 0.2).bodyBytes > 0);
@@ -97,11 +91,11 @@ private slots:
         QCOMPARE(again.drawCalls, std::uint64_t{2});
     }
     void hiddenBodiesAreNotPicked() {
-        const auto all = wallScene();
+        const auto all = test::starterScene();
         m_renderer->setScene(all);
         const RenderView view = frontView(*all);
         const std::uint32_t body = m_renderer->bodyAt(view, 100, 100).value();
-        m_renderer->setScene(wallScene({.hidden = {all->picks[body]}}));
+        m_renderer->setScene(test::starterScene({.hidden = {all->picks[body]}}));
         QVERIFY(m_renderer->bodyAt(view, 100, 100) != body);
     }
 
@@ -112,7 +106,7 @@ private:
         m_renderer->setScene(scene);
         RenderView view = frontView(*scene);
         view.stepFraction = moment;
-        const RenderTarget target(kSize, PixelFormat::Colour, 1);
+        const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
         m_renderer->draw(view, target.framebuffer());
         const RenderCounts& now = m_renderer->counts();
         return {now.drawCalls - before.drawCalls, now.geometryBytes - before.geometryBytes,
@@ -121,7 +115,7 @@ private:
 
     /// The body at the centre of the original wall, at a step fraction.
     std::optional<std::uint32_t> pickedAt(const RenderScene& scene, double moment) {
-        RenderView view = frontView(*wallScene());
+        RenderView view = frontView(*test::starterScene());
         view.stepFraction = moment;
         m_renderer->setScene(std::make_shared<RenderScene>(scene));
         return m_renderer->bodyAt(view, 100, 100);

@@ -1,3 +1,4 @@
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/Camera.h"
 
@@ -19,9 +20,6 @@ Vec2 pixelOf(Vec3 point, const Camera& camera, const Box3& bounds) {
     return {(clip.x / clip.w + 1.0) / 2.0 * kSize.width, (1.0 - clip.y / clip.w) / 2.0 * kSize.height};
 }
 
-bool isNear(Vec3 a, Vec3 b, double reach = 1e-12) { return glm::length(a - b) <= reach; }
-bool isNear(Vec2 a, Vec2 b, double reach = 1e-9) { return glm::length(a - b) <= reach; }
-
 Box3 boxAround(Vec3 middle, double half) { return {middle - Vec3(half), middle + Vec3(half)}; }
 
 Camera randomCamera(std::mt19937& random) {
@@ -40,15 +38,15 @@ class CameraTest : public QObject {
 private slots:
     void standardViewsLookAlongTheAxes() {
         const Camera camera{.distance = 2.0};
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Front)), {0, 0, 2}));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Back)), {0, 0, -2}));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Right)), {2, 0, 0}));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Left)), {-2, 0, 0}));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Top)), {0, 2, 0}));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Bottom)), {0, -2, 0}));
-        QVERIFY(isNear(axesOf(alignedTo(camera, StandardView::Top)).up, {0, 0, -1}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Front)), {0, 0, 2}, 1e-12));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Back)), {0, 0, -2}, 1e-12));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Right)), {2, 0, 0}, 1e-12));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Left)), {-2, 0, 0}, 1e-12));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Top)), {0, 2, 0}, 1e-12));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Bottom)), {0, -2, 0}, 1e-12));
+        QVERIFY(isNear(axesOf(alignedTo(camera, StandardView::Top)).up, {0, 0, -1}, 1e-12));
         const double third = 2.0 / std::sqrt(3.0);
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Isometric)), {third, third, third}));
+        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Isometric)), {third, third, third}, 1e-12));
     }
     void elevationIsClamped() {
         const Camera camera = orbited({}, 0.0, 10.0);
@@ -60,7 +58,7 @@ private slots:
         for (int round = 0; round < 100; ++round) {
             const Camera camera = randomCamera(random);
             const Camera moved = panned(camera, {30.0, -20.0}, kSize);
-            QVERIFY(isNear(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}));
+            QVERIFY(isNear(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}, 1e-9));
         }
     }
     void dollyKeepsThePointUnderThePointer() {
@@ -70,10 +68,10 @@ private slots:
             const CameraAxes axes = axesOf(camera);
             const Vec3 point = camera.target + metresPerPixel(camera, kSize) * (120.0 * axes.right - 70.0 * axes.up);
             const Vec2 pixel = pixelOf(point, camera, boxAround(camera.target, 1.0));
-            QVERIFY(isNear(pixel, {320.0, 220.0}));
+            QVERIFY(isNear(pixel, {320.0, 220.0}, 1e-9));
             const Camera nearer = dollied(camera, 0.5, pixel, kSize);
             QCOMPARE(nearer.distance, 0.5 * camera.distance);
-            QVERIFY(isNear(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel));
+            QVERIFY(isNear(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel, 1e-9));
         }
     }
     void framingFitsTheBox() {
@@ -118,7 +116,7 @@ private slots:
             const double reach = 0.3 * camera.distance;
             const Vec3 point = camera.target + reach * (0.3 * axes.right - 0.2 * axes.up + 0.9 * axes.back);
             const std::optional<Vec2> pixel = pixelOf(camera, point, kSize);
-            QVERIFY(pixel && isNear(*pixel, pixelOf(point, camera, boxAround(point, 1.0))));
+            QVERIFY(pixel && isNear(*pixel, pixelOf(point, camera, boxAround(point, 1.0)), 1e-9));
             const Ray ray = rayThrough(camera, *pixel, kSize);
             const Vec3 nearest = ray.at(glm::dot(point - ray.from, ray.direction));
             QVERIFY(glm::distance(nearest, point) < 1e-9 * camera.distance);

@@ -9,7 +9,7 @@ using namespace rubble;
 
 namespace {
 
-constexpr ImageSize kSize{400, 300};
+constexpr ImageSize kWindowSize{400, 300};
 constexpr auto kBlender = NavigationStyle::Blender, kMaya = NavigationStyle::Maya;
 
 std::optional<StandardView> viewOf(int key, Qt::KeyboardModifiers modifiers = {}) {
@@ -36,13 +36,13 @@ private slots:
         QVERIFY(!dragOf(kMaya, Qt::MiddleButton, {}));
     }
     void orbitingFollowsThePointer() {
-        const Camera camera = dragged({}, Drag::Orbit, {-150.0, 75.0}, kSize);
+        const Camera camera = dragged({}, Drag::Orbit, {-150.0, 75.0}, kWindowSize);
         QCOMPARE(camera.azimuth, std::numbers::pi / 2.0);
         QCOMPARE(camera.elevation, std::numbers::pi / 4.0);
     }
     void draggingUpAndWheelForwardZoomIn() {
-        QVERIFY(dragged({}, Drag::Zoom, {0.0, -30.0}, kSize).distance < Camera{}.distance);
-        QVERIFY(dragged({}, Drag::Zoom, {0.0, 30.0}, kSize).distance > Camera{}.distance);
+        QVERIFY(dragged({}, Drag::Zoom, {0.0, -30.0}, kWindowSize).distance < Camera{}.distance);
+        QVERIFY(dragged({}, Drag::Zoom, {0.0, 30.0}, kWindowSize).distance > Camera{}.distance);
         QVERIFY(std::abs(wheelFactor(120.0) * 1.2 - 1.0) < 1e-15);
         QVERIFY(std::abs(wheelFactor(-240.0) - 1.44) < 1e-15);
     }

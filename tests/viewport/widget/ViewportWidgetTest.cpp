@@ -1,5 +1,6 @@
 #include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/StarterScene.h"
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -17,24 +18,17 @@ using namespace rubble;
 
 namespace {
 
-constexpr QSize kSize(480, 360);
+constexpr QSize kWidgetSize(480, 360);
 const QPoint kMiddle(240, 180), kCorner(5, 5);
-
-std::shared_ptr<const RenderScene> wallScene(const SceneMarks& marks = {}) {
-    const Project project = starterProject();
-    AssetBakes bakes;
-    bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
-    return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
-}
 
 /// The wall from the front, in its own window, without animation.
 std::unique_ptr<ViewportWidget> shownWall() {
     auto viewport = std::make_unique<ViewportWidget>();
     viewport->setCameraAnimation(false);
-    viewport->resize(kSize);
+    viewport->resize(kWidgetSize);
     viewport->show();
     if (!QTest::qWaitForWindowExposed(viewport.get())) return nullptr;
-    viewport->setScene(wallScene());
+    viewport->setScene(test::starterScene());
     viewport->alignTo(StandardView::Front);
     viewport->frameAll();
     viewport->setFocus();
@@ -70,17 +64,17 @@ class ViewportWidgetTest : public QObject {
 private slots:
     void firstSceneIsFramed() {
         ViewportWidget viewport;
-        viewport.resize(kSize);
+        viewport.resize(kWidgetSize);
         viewport.show();
         QVERIFY(QTest::qWaitForWindowExposed(&viewport));
         QCOMPARE(viewport.errorText(), QString());
         viewport.setScene(std::make_shared<RenderScene>());
         const Camera before = viewport.camera();
-        viewport.setScene(wallScene());
+        viewport.setScene(test::starterScene());
         QVERIFY(glm::length(viewport.camera().target - boundsOf(viewport.scene()).centre()) < 1e-9);
         QVERIFY(viewport.camera().distance != before.distance);
         const Camera framed = viewport.camera();
-        viewport.setScene(wallScene({.selected = {{2, 0, 3}}}));
+        viewport.setScene(test::starterScene({.selected = {{2, 0, 3}}}));
         QVERIFY(viewport.camera() == framed);
     }
     void middleButtonOrbitsPansAndZooms() {
@@ -92,7 +86,7 @@ private slots:
         QVERIFY(viewport->camera().target == front.target);
         viewport->setCamera(front);
         drag(*viewport, Qt::MiddleButton, Qt::ShiftModifier, kMiddle, kMiddle + QPoint(50, 0));
-        const double metres = 50.0 * metresPerPixel(front, {kSize.width(), kSize.height()});
+        const double metres = 50.0 * metresPerPixel(front, {kWidgetSize.width(), kWidgetSize.height()});
         QVERIFY(std::abs(viewport->camera().target.x - (front.target.x - metres)) < 1e-12);
         viewport->setCamera(front);
         drag(*viewport, Qt::MiddleButton, Qt::ControlModifier, kMiddle, kMiddle + QPoint(0, -50));
@@ -131,7 +125,7 @@ private slots:
     void fFramesSelectionAndHomeFramesAll() {
         const auto viewport = shownWall();
         const Camera all = viewport->camera();
-        viewport->setScene(wallScene({.selected = {viewport->scene().picks[4]}}));
+        viewport->setScene(test::starterScene({.selected = {viewport->scene().picks[4]}}));
         QTest::keyClick(viewport.get(), Qt::Key_F);
         QVERIFY(viewport->camera().distance < all.distance);
         QVERIFY(glm::length(viewport->camera().target - boundsOf(viewport->scene(), kSelected).centre()) < 1e-9);
@@ -166,7 +160,7 @@ private slots:
         const QImage before = viewport->grab().toImage();
         QVERIFY(before.pixelColor(kMiddle) != before.pixelColor(kMiddle.x(), 2));
         const auto pick = viewport->scene().picks;
-        viewport->setScene(wallScene({.selected = {{pick[0].asset, 0, kNone}}}));
+        viewport->setScene(test::starterScene({.selected = {{pick[0].asset, 0, kNone}}}));
         const QImage after = viewport->grab().toImage();
         QVERIFY(colourfulness(after, kMiddle) > colourfulness(before, kMiddle) + 30);
     }

@@ -10,17 +10,17 @@ using namespace rubble;
 
 namespace {
 
-using Change = std::function<void(Asset&)>;
+using AssetChange = std::function<void(Asset&)>;
 
 }  // namespace
-Q_DECLARE_METATYPE(Change)
+Q_DECLARE_METATYPE(AssetChange)
 
 class BakeHashTest : public QObject {
     Q_OBJECT
 private slots:
     void hashCoversTheAsset_data() {
-        QTest::addColumn<Change>("change");
-        const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
+        QTest::addColumn<AssetChange>("change");
+        const auto row = [](const char* name, const AssetChange& change) { QTest::newRow(name) << change; };
         row("id", [](Asset& a) { a.id = 4; });
         row("depth", [](Asset& a) { a.prism.depth = 0.75; });
         row("corner", [](Asset& a) { a.prism.outline.outer[1].x = 1.5; });
@@ -47,7 +47,7 @@ private slots:
         row("another level", [](Asset& a) { a.levels.push_back({}); });
     }
     void hashCoversTheAsset() {
-        QFETCH(Change, change);
+        QFETCH(AssetChange, change);
         Asset asset = hashedBox();
         const ContentHash before = bakeInputHash(asset);
         change(asset);
@@ -116,8 +116,8 @@ private slots:
         }
     }
     void hashCoversShaping_data() {
-        QTest::addColumn<Change>("change");
-        const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
+        QTest::addColumn<AssetChange>("change");
+        const auto row = [](const char* name, const AssetChange& change) { QTest::newRow(name) << change; };
         const auto merge = [](Asset& a) -> FragmentMerge& { return std::get<FragmentMerge>(a.edits[0]); };
         const auto split = [](Asset& a) -> FragmentSplit& { return std::get<FragmentSplit>(a.edits[1]); };
         row("rule", [](Asset& a) { a.shaping.smallPieces.rule = SmallPieceRule::DropSeeds; });
@@ -147,7 +147,7 @@ private slots:
         });
     }
     void hashCoversShaping() {
-        QFETCH(Change, change);
+        QFETCH(AssetChange, change);
         Asset asset = hashedBox();
         asset.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::Area, 0.01}, .gap = 0.001};
         asset.leaves = {{"5.0", Level{.pattern = {{{.id = 40, .randomSeed = 3, .parameters = UniformScatter{3}}}},
@@ -159,8 +159,8 @@ private slots:
         QVERIFY(bakeInputHash(asset) != before);
     }
     void hashIgnoresWhatDoesNotAffectTheBake_data() {
-        QTest::addColumn<Change>("change");
-        const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
+        QTest::addColumn<AssetChange>("change");
+        const auto row = [](const char* name, const AssetChange& change) { QTest::newRow(name) << change; };
         row("name", [](Asset& a) { a.name = "wall"; });
         row("material", [](Asset& a) { a.material = 2; });
         row("threshold", [](Asset& a) { a.threshold = 7.0; });
@@ -180,7 +180,7 @@ private slots:
         });
     }
     void hashIgnoresWhatDoesNotAffectTheBake() {
-        QFETCH(Change, change);
+        QFETCH(AssetChange, change);
         Asset asset = hashedBox();
         const ContentHash before = bakeInputHash(asset);
         change(asset);

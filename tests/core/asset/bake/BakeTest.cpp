@@ -2,6 +2,7 @@
 
 #include "core/asset/checks/VerifyBake.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 #include "tests/support/asset/LayeredBox.h"
 
 #include <QTest>
@@ -22,13 +23,7 @@ Asset scatteredBox() {
     return asset;
 }
 
-std::vector<std::string> idsOf(const Bake& bake) {
-    std::vector<std::string> ids;
-    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) ids.push_back(bake.fragmentId(k));
-    return ids;
-}
-
-std::string faultOf(const Bake& bake, const Asset& asset) { return verifyBake(bake, asset).value_or(""); }
+std::string bakeFault(const Bake& bake, const Asset& asset) { return verifyBake(bake, asset).value_or(""); }
 
 Bake bakedOn(int threads, const Asset& asset) {
     TaskContext task;
@@ -71,7 +66,7 @@ private slots:
         QVERIFY(result->fragment(1).solid.offset() == Vec3(0.75, 0.5, 0.0));
         QCOMPARE(result->fragment(1).parent, kNone);
         QCOMPARE(result->fragment(1).childCount, 0u);
-        QCOMPARE(faultOf(*result, asset), std::string());
+        QCOMPARE(bakeFault(*result, asset), std::string());
     }
     void levelFracturesTheFragmentsAboveIt() {
         const Asset asset = layeredBox();
@@ -85,7 +80,7 @@ private slots:
         QCOMPARE(result->fragment(6).level, 1u);
         QVERIFY(result->fragment(6).solid.offset() == Vec3(0.625, 0.25, 0.0));  // in the prism's frame
         QCOMPARE(result->fragment(6).solid.bonds()[0].fragment, 1u);            // among its siblings
-        QCOMPARE(faultOf(*result, asset), std::string());
+        QCOMPARE(bakeFault(*result, asset), std::string());
     }
     void smallFragmentsAreNotFractured() {
         Asset asset = layeredBox();
@@ -94,7 +89,7 @@ private slots:
         const Result<Bake> result = bake(asset);
         QCOMPARE(result->fragment(0).childCount, 4u);
         QCOMPARE(result->fragment(1).childCount, 0u);
-        QCOMPARE(faultOf(*result, asset), std::string());
+        QCOMPARE(bakeFault(*result, asset), std::string());
     }
     void fragmentThatWouldGiveOnePieceIsNotFractured() {
         Asset asset = layeredBox();
@@ -120,7 +115,7 @@ private slots:
         const Asset asset = scatteredBox();
         const Result<Bake> result = bake(asset);
         QCOMPARE(result->fractures.back().level, 2u);
-        QCOMPARE(faultOf(*result, asset), std::string());
+        QCOMPARE(bakeFault(*result, asset), std::string());
     }
     void resultIsIndependentOfThreads() {
         const Asset asset = scatteredBox();

@@ -20,11 +20,11 @@ Pattern placed(std::vector<Vec2> positions) {
     return {{{.id = 5, .parameters = seeds}}};
 }
 
-Pattern scattered(SeedCount count) {
+Pattern scatteredPattern(SeedCount count) {
     return {{{.id = 5, .randomSeed = 7, .parameters = UniformScatter{.count = count}}}};
 }
 
-std::vector<std::string> idsOf(const std::string& parentId, const FractureResult& fracture) {
+std::vector<std::string> idsOfFragments(const std::string& parentId, const FractureResult& fracture) {
     std::vector<std::string> ids;
     for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
         ids.push_back(fragmentId(parentId, fracture.seeds, fracture.fragments[k]));
@@ -38,7 +38,8 @@ class FractureResultTest : public QObject {
     Q_OBJECT
 private slots:
     void allStagesAreConsistent() {
-        const Result<FractureResult> fracture = fractureResult({.pattern = scattered(50)}, {squareRing(), 0.5}, {});
+        const Result<FractureResult> fracture =
+            fractureResult({.pattern = scatteredPattern(50)}, {squareRing(), 0.5}, {});
         QVERIFY(fracture);
         QCOMPARE(fracture->seeds.positions.size(), std::size_t{50});
         QCOMPARE(verifyDelaunay(fracture->delaunay, fracture->seeds.positions).value_or(""), std::string());
@@ -47,26 +48,27 @@ private slots:
     }
     void outlineMayHaveEitherWinding() {
         const Result<FractureResult> fracture =
-            fractureResult({.pattern = scattered(3)}, {{reversed(unitSquare().outer), {}}, 1.0}, {});
+            fractureResult({.pattern = scatteredPattern(3)}, {{reversed(unitSquare().outer), {}}, 1.0}, {});
         QVERIFY(fracture);
         QVERIFY(signedArea(fracture->prism.outline.outer) > 0.0);
     }
     void fragmentsAreNamedAfterTheirSeeds() {
         const Result<FractureResult> fracture =
             fractureResult({.pattern = placed({{0.25, 0.5}, {0.75, 0.5}})}, {unitSquare(), 1.0}, {});
-        QCOMPARE(idsOf("3", *fracture), (std::vector<std::string>{"3/5.10", "3/5.11"}));
+        QCOMPARE(idsOfFragments("3", *fracture), (std::vector<std::string>{"3/5.10", "3/5.11"}));
     }
     void partsOfACutApartCellAreNumbered() {
         const Result<FractureResult> fracture =
             fractureResult({.pattern = placed({{2, 2}, {0, 0}})}, {lShape(), 1.0}, {});
-        QCOMPARE(idsOf("3/5.1", *fracture), (std::vector<std::string>{"3/5.1/5.10.0", "3/5.1/5.10.1", "3/5.1/5.11"}));
+        QCOMPARE(idsOfFragments("3/5.1", *fracture),
+                 (std::vector<std::string>{"3/5.1/5.10.0", "3/5.1/5.10.1", "3/5.1/5.11"}));
     }
     void withoutSeedsThereIsOneFragment() {
         const Result<FractureResult> fracture = fractureResult({}, {unitSquare(), 1.0}, {});
-        QCOMPARE(idsOf("3", *fracture), (std::vector<std::string>{"3/0.0"}));
+        QCOMPARE(idsOfFragments("3", *fracture), (std::vector<std::string>{"3/0.0"}));
     }
     void fragmentsFractureDifferently() {
-        const Pattern pattern = scattered(5);
+        const Pattern pattern = scatteredPattern(5);
         const Pattern first = patternFor("3/5.0", pattern), second = patternFor("3/5.1", pattern);
         QVERIFY(first.layers[0].randomSeed != second.layers[0].randomSeed);
         QVERIFY(first.layers[0].randomSeed != pattern.layers[0].randomSeed);
@@ -78,10 +80,10 @@ private slots:
         };
         QCOMPARE(codeOf({}, {unitSquare(), 0.0}), ErrorCode::BadInput);
         QCOMPARE(codeOf({}, {{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}, 1.0}), ErrorCode::Crossing);
-        QCOMPARE(codeOf(scattered({CountBy::Density, kMaxSeeds + 1.0}), {unitSquare(), 1.0}), ErrorCode::Limit);
+        QCOMPARE(codeOf(scatteredPattern({CountBy::Density, kMaxSeeds + 1.0}), {unitSquare(), 1.0}), ErrorCode::Limit);
         TaskContext task;
         task.cancel.cancel();
-        QCOMPARE(fractureResult({.pattern = scattered(5)}, {unitSquare(), 1.0}, task).error().code,
+        QCOMPARE(fractureResult({.pattern = scatteredPattern(5)}, {unitSquare(), 1.0}, task).error().code,
                  ErrorCode::Cancelled);
     }
 };

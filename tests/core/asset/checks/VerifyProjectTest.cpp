@@ -35,15 +35,15 @@ std::shared_ptr<Surface> copyOfSurface(const Project& project) {
     return std::make_shared<Surface>(*project.assets[0].surface);
 }
 
-using Change = std::function<void(Project&)>;
+using ProjectChange = std::function<void(Project&)>;
 
 }  // namespace
-Q_DECLARE_METATYPE(Change)
+Q_DECLARE_METATYPE(ProjectChange)
 
 class VerifyProjectTest : public QObject {
     Q_OBJECT
 
-    static void row(const char* sentence, const Change& change) { QTest::newRow(sentence) << change; }
+    static void row(const char* sentence, const ProjectChange& change) { QTest::newRow(sentence) << change; }
 
 private slots:
     void validProjectsHaveNoFault() {
@@ -71,7 +71,7 @@ private slots:
     }
 
     void faultsOfIdsAndNamesAreNamed_data() {
-        QTest::addColumn<Change>("change");
+        QTest::addColumn<ProjectChange>("change");
         row("Asset 0 \"wall\" has the id 0, which names nothing.", [](Project& p) { p.assets[0].id = 0; });
         row("Play-test 8 \"stands\" has an id that is not below the project's next id, 8.",
             [](Project& p) { p.nextId = 8; });
@@ -97,7 +97,7 @@ private slots:
     void faultsOfIdsAndNamesAreNamed() { changeIsReported(); }
 
     void missingReferencesAreNamed_data() {
-        QTest::addColumn<Change>("change");
+        QTest::addColumn<ProjectChange>("change");
         row("Asset 2 \"wall\" refers to material 9, which does not exist.",
             [](Project& p) { p.assets[0].material = 9; });
         row("Instance 5 \"left\" refers to asset 1, which does not exist.",
@@ -113,7 +113,7 @@ private slots:
     void missingReferencesAreNamed() { changeIsReported(); }
 
     void numbersOutOfRangeAreNamed_data() {
-        QTest::addColumn<Change>("change");
+        QTest::addColumn<ProjectChange>("change");
         row("Material 1 \"brick\": the density is 0, but it must be from 0.001 to 1000000.",
             [](Project& p) { p.materials[0].density = 0.0; });
         row("Material 1 \"brick\": the friction is -0.1, but it must be from 0 to 1000.",
@@ -240,7 +240,7 @@ private slots:
 
 private:
     void changeIsReported() {
-        QFETCH(Change, change);
+        QFETCH(ProjectChange, change);
         Project project = smallProject();
         change(project);
         QCOMPARE(verifyProject(project).value_or("no fault"), std::string(QTest::currentDataTag()));

@@ -33,7 +33,7 @@ ImportOutcome imported(Project project, const SourceScene& scene, const ImportOp
     return std::move(*outcome);
 }
 
-QString faultOf(const SourceScene& scene, const ImportOptions& options = {}) {
+QString importFault(const SourceScene& scene, const ImportOptions& options = {}) {
     const Result<ImportOutcome> outcome = importedInto({}, scene, "file", options, {});
     if (!outcome) return QString::fromStdString(outcome.error().message);
     if (outcome->rejected.empty() || outcome->project != Project{}) return "";
@@ -113,7 +113,7 @@ private slots:
         const ImportOutcome outcome = imported({}, sceneOf({objectOf("Set", both)}));
         QCOMPARE(outcome.project.assets.size(), std::size_t{2});
         QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts; each becomes an asset."));
-        QCOMPARE(faultOf(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
+        QCOMPARE(importFault(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
                  QString("\"Set\" would have 2 unconnected parts; an asset has one."));
     }
     void cavityIsRejected() {
@@ -121,7 +121,7 @@ private slots:
         for (Vec3& point : hollow.points) point = 0.5 * point + Vec3(10.5, 0.25, 0.0);
         for (auto& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
         TriangleMesh around = placed(prismSolid({rectangle({0, 0}, {2, 1}), {}}, 2.0), {{10, 0, 0}});
-        QCOMPARE(faultOf(sceneOf({objectOf("Box", joined(around, hollow))})),
+        QCOMPARE(importFault(sceneOf({objectOf("Box", joined(around, hollow))})),
                  QString("\"Box\": The mesh has a cavity: one of its 2 parts is inverted and lies within another."));
     }
     void nonPrismIsRejectedOrReplacedByItsFallback() {
@@ -129,7 +129,7 @@ private slots:
         for (std::size_t i = 6; i < 12; ++i) mesh.points[i] += Vec3(0.0032, 0, 0);
         const SourceScene scene = sceneOf({objectOf("Bent", mesh)});
         const QString shifted = "The top cap is shifted by 3.2 mm relative to the bottom, seen along the z axis.";
-        QCOMPARE(faultOf(scene), "\"Bent\": " + shifted);
+        QCOMPARE(importFault(scene), "\"Bent\": " + shifted);
         const ImportOutcome cap = imported({}, scene, {.fallback = PrismFallback::TopCap});
         QVERIFY(cap.assets[0].usesFallback);
         QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "Its top cap along z replaces it: " + shifted);
@@ -161,14 +161,15 @@ private slots:
         const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
         for (const std::optional<PrismFallback>& fallback :
              {std::optional<PrismFallback>(), std::optional(PrismFallback::Silhouette)})
-            QCOMPARE(faultOf(sceneOf({objectOf("Sheet", flat)}), {.fallback = fallback}),
+            QCOMPARE(importFault(sceneOf({objectOf("Sheet", flat)}), {.fallback = fallback}),
                      QString("\"Sheet\": The mesh is flat; an asset needs a depth."));
     }
     void failedFallbackIsNamed() {
         const TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 1, 0}},
                                    {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
         QCOMPARE(
-            faultOf(sceneOf({objectOf("Roof", pyramid)}), {.axis = PrismAxis::Y, .fallback = PrismFallback::TopCap}),
+            importFault(sceneOf({objectOf("Roof", pyramid)}),
+                        {.axis = PrismAxis::Y, .fallback = PrismFallback::TopCap}),
             QString("\"Roof\": Its top cap cannot replace it: The mesh has no flat face at the end of the y axis."));
     }
     void notesOfTheFileAreKept() {
@@ -192,9 +193,9 @@ private slots:
     }
     void otherErrorsAreNamed() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});
-        QCOMPARE(faultOf(scene, {.asset = "Roof"}),
+        QCOMPARE(importFault(scene, {.asset = "Roof"}),
                  QString("The file has several objects and none named \"Roof\"; it has \"Wall\", \"Gable\"."));
-        QCOMPARE(faultOf(scene, {.metresPerUnit = 0.0}),
+        QCOMPARE(importFault(scene, {.metresPerUnit = 0.0}),
                  QString("The unit is 0 m; it must be from 0.000001 to 1000000."));
         const TaskContext context;
         context.cancel.cancel();

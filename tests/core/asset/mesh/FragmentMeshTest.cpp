@@ -34,7 +34,7 @@ Mesh pieceMesh(const Polygon& outline, const std::vector<std::uint32_t>& neighbo
     return fragmentMesh(bake.fragment(0), asset);
 }
 
-std::string faultOf(const Mesh& mesh, double volume) { return verifyMesh(mesh, volume).value_or(""); }
+std::string meshFault(const Mesh& mesh, double volume) { return verifyMesh(mesh, volume).value_or(""); }
 
 }  // namespace
 
@@ -43,7 +43,7 @@ class FragmentMeshTest : public QObject {
 private slots:
     void halfHasOneInsideFace() {
         const Mesh mesh = leftHalfMesh(assetOf(unitSquare(), 2.0));
-        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(meshFault(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
         QCOMPARE(mesh.faces.size(), std::size_t{6});
         QCOMPARE(insideFaces(mesh), 1L);
@@ -79,7 +79,7 @@ private slots:
         // The neighbours above and below meet at (0.5, 0.5): the cap has five corners, so must the sides.
         const Mesh mesh = pieceMesh({{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}, {}},
                                     {kNone, 1, 1, kNone, kNone}, 2.0, assetOf(unitSquare(), 2.0));
-        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(meshFault(mesh, 1.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{7});
         QCOMPARE(mesh.faces[0].cornerCount, 5u);
         QCOMPARE(insideFaces(mesh), 2L);
@@ -87,25 +87,25 @@ private slots:
     void coincidentCornersAreMerged() {
         const Mesh mesh = pieceMesh({{{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}, {}},
                                     {kNone, 1, 1, kNone, kNone, kNone}, 1.0, assetOf(unitSquare(), 1.0));
-        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(meshFault(mesh, 1.0), "");
         QCOMPARE(mesh.positions.size(), std::size_t{8});
     }
     void concavePieceHasConvexCapFaces() {
         const Polygon corner{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
         const Mesh mesh = pieceMesh(corner, {kNone, kNone, 1, 1, kNone, kNone}, 1.0,
                                     assetOf({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, 1.0));
-        QCOMPARE(faultOf(mesh, 3.0), "");
+        QCOMPARE(meshFault(mesh, 3.0), "");
         QCOMPARE(mesh.faces.size(), std::size_t{2 + 2 + 6});
         QCOMPARE(mesh.positions.size(), std::size_t{12});
         QCOMPARE(insideFaces(mesh), 2L);
-        QCOMPARE(faultOf(triangulated(mesh), 3.0), "");
+        QCOMPARE(meshFault(triangulated(mesh), 3.0), "");
     }
     void pieceWithAHoleIsClosed() {
         const Polygon frame{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
         const Mesh mesh =
             pieceMesh(frame, {kNone, kNone, kNone, kNone, kNone, kNone, kNone, 1}, 0.5, assetOf(frame, 0.5));
-        QCOMPARE(faultOf(mesh, 4.0), "");
-        QCOMPARE(faultOf(triangulated(mesh), 4.0), "");
+        QCOMPARE(meshFault(mesh, 4.0), "");
+        QCOMPARE(meshFault(triangulated(mesh), 4.0), "");
         QCOMPARE(insideFaces(mesh), 1L);
         // The hole's first side runs up from (1, 1): out of the solid is to its right, +x.
         QVERIFY(mesh.normals[mesh.faces[mesh.faces.size() - 4].normal] == Vec3(1.0, 0.0, 0.0));
@@ -118,7 +118,7 @@ private slots:
         fragment.level = 1;
         const Mesh mesh = fragmentMesh(fragment, assetOf(unitSquare(), 2.0));
         QCOMPARE(insideFaces(mesh), 2L);
-        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(meshFault(mesh, 1.0), "");
     }
     void wholeHasOnlyOutsideFaces() {
         const Asset asset =
@@ -127,7 +127,7 @@ private slots:
         bake.whole = massOfPrism(asset.prism.outline, asset.prism.depth);
         bake.wholeHulls.resize(4);
         const Mesh mesh = wholeMesh(bake, asset);
-        QCOMPARE(faultOf(mesh, 1.5), "");
+        QCOMPARE(meshFault(mesh, 1.5), "");
         QCOMPARE(insideFaces(mesh), 0L);
         QVERIFY(mesh.positions[0] == Vec3(-0.5, -0.5, 1.0));
     }
@@ -142,7 +142,7 @@ private slots:
             {{Vec3{0, 1, -1}, Vec3{0, -3, -1}, Vec3{0, 1, 3}}, {Vec2{0, -1}, Vec2{4, -1}, Vec2{0, 3}}, 0}};
         asset.surface = std::make_shared<const Surface>(surface);
         const Mesh mesh = leftHalfMesh(asset);
-        QCOMPARE(faultOf(mesh, 1.0), "");
+        QCOMPARE(meshFault(mesh, 1.0), "");
         QCOMPARE(mesh.faces[0].material, 0u);  // faces are ordered by material: the back comes first,
         QCOMPARE(mesh.faces[4].material, 1u);  // the front last of the outside faces
         const std::vector<Vec2> front = {{0.5, 0.0}, {1.5, 0.0}, {1.5, 3.0}, {0.5, 3.0}};

@@ -4,6 +4,7 @@
 #include "core/asset/mesh/FractalNoise.h"
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/geometry/polygon/PolygonFaults.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/DrawnOutlines.h"
 #include "tests/support/asset/Projects.h"
@@ -23,10 +24,6 @@ Asset halves(double amplitude, double gap = 0.0) {
     asset.shaping.gap = gap;
     asset.shaping.roughness = {.amplitude = amplitude, .frequency = 8.0, .octaves = 2, .randomSeed = 5};
     return asset;
-}
-
-QString about(std::uint64_t seed, const std::string& fault) {
-    return QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault));
 }
 
 }  // namespace
@@ -123,13 +120,13 @@ private slots:
             if (seed % 3 == 0) asset.shaping.gap = random.between(0.001, 0.05);
             const Bake baked = *bake(asset);
             const auto fault = verifyMeshes(baked, asset);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
+            QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
             const RoughCuts cuts(baked, asset);
             for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
                 const Polygon drawn = test::drawnOutline(baked, k, cuts);
                 corners += drawn.outer.size();
                 QVERIFY2(polygonFaults(drawn).empty(),
-                         qPrintable(about(seed, "fragment " + std::to_string(k) + " crosses itself")));
+                         qPrintable(faultOfSeed(seed, "fragment " + std::to_string(k) + " crosses itself")));
             }
         }
         QVERIFY(corners > 50'000);

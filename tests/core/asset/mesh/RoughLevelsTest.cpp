@@ -3,8 +3,10 @@
 #include "core/asset/checks/VerifyMeshes.h"
 #include "core/asset/mesh/RoughCuts.h"
 #include "core/geometry/polygon/PolygonFaults.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/DrawnOutlines.h"
+#include "tests/support/asset/Fragments.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/asset/RandomAssets.h"
 
@@ -24,19 +26,15 @@ Asset halvesAndQuarters(double amplitude) {
     return asset;
 }
 
-Level scattered(Id layer, std::uint32_t count, double minimumVolume = 0.0) {
-    return {{{{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = count}}}}, minimumVolume};
-}
-
 /// An asset of random outline, broken on three levels, rough in a random way.
 Asset randomLevels(std::uint64_t seed) {
     Random random(seed);
     Asset asset = test::randomAsset(random, static_cast<int>(seed)).assets[0];
-    asset.pattern = scattered(90, 2 + static_cast<std::uint32_t>(random.below(8))).pattern;
+    asset.pattern = scatteredLevel(90, 2 + static_cast<std::uint32_t>(random.below(8))).pattern;
     asset.pattern.layers[0].randomSeed = seed;
-    asset.levels = {scattered(91, 2 + static_cast<std::uint32_t>(random.below(6)), random.between(0.0, 0.02)),
-                    scattered(92, 3, random.between(0.0, 0.01))};
-    if (seed % 5 == 0) asset.leaves = {{"90.0", {}}, {"90.1", scattered(93, 12)}};
+    asset.levels = {scatteredLevel(91, 2 + static_cast<std::uint32_t>(random.below(6)), random.between(0.0, 0.02)),
+                    scatteredLevel(92, 3, random.between(0.0, 0.01))};
+    if (seed % 5 == 0) asset.leaves = {{"90.0", {}}, {"90.1", scatteredLevel(93, 12)}};
     if (seed % 7 == 0) asset.edits = {FragmentMerge{"90.0", {"90.1"}}, FragmentMerge{"90.2/91.0", {"90.2/91.1"}}};
     asset.shaping.roughness = {.amplitude = random.between(0.001, 0.3),
                                .frequency = random.between(1.0, 60.0),
@@ -75,10 +73,6 @@ bool isWithin(const Polygon& polygon, Vec2 place) {
     look(polygon.outer);
     for (const Ring& hole : polygon.holes) look(hole);
     return isInside || distance < 1e-9;
-}
-
-QString about(std::uint64_t seed, const std::string& fault) {
-    return QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault));
 }
 
 }  // namespace
@@ -149,14 +143,14 @@ private slots:
             const Bake baked = *bake(asset);
             const std::vector<Polygon> drawn = drawnOutlines(baked, asset);
             const std::string fault = faultOf(baked, asset, drawn);
-            QVERIFY2(fault.empty(), qPrintable(about(seed, fault)));
+            QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
             for (const BakedFracture& fracture : baked.fractures) {
                 test::BoundarySum sum;
                 sum.add(fracture.parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[fracture.parent],
                         -1);
                 for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) sum.add(drawn[fracture.first + k], 1);
                 const double left = sum.remainingLength();
-                QVERIFY2(left < 1e-7, qPrintable(about(seed, std::to_string(left) + " m of cuts do not fit")));
+                QVERIFY2(left < 1e-7, qPrintable(faultOfSeed(seed, std::to_string(left) + " m of cuts do not fit")));
             }
             corners += cornerCount(drawn);
             deepest += baked.fractures.back().level == 2;
@@ -173,12 +167,13 @@ private slots:
             const Bake baked = *bake(asset);
             const std::vector<Polygon> drawn = drawnOutlines(baked, asset);
             const std::string fault = faultOf(baked, asset, drawn);
-            QVERIFY2(fault.empty(), qPrintable(about(seed, fault)));
+            QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
             for (std::uint32_t k = 0; k < drawn.size(); ++k) {
                 const std::uint32_t parent = baked.fragment(k).parent;
                 const Polygon whole = parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[parent];
                 for (const Vec2 corner : drawn[k].outer) {
-                    QVERIFY2(isWithin(whole, corner), qPrintable(about(seed, baked.fragmentId(k) + " stands out")));
+                    QVERIFY2(isWithin(whole, corner),
+                             qPrintable(faultOfSeed(seed, baked.fragmentId(k) + " stands out")));
                 }
             }
         }
@@ -200,7 +195,7 @@ private slots:
     /// Bricks leave joints as wide as their mortar, whatever gap is asked for: pieces of bricks have none.
     void piecesOfBricksFitTogether() {
         Asset asset = boxAsset(3, 5, BrickBond{BondKind::Stretcher, 0.4, 0.2, 0.2, 0.02, {0.0, 0.0}});
-        asset.levels = {scattered(91, 5)};
+        asset.levels = {scatteredLevel(91, 5)};
         asset.shaping.roughness = {.amplitude = 0.05, .frequency = 20.0, .octaves = 2, .randomSeed = 1};
         const Bake baked = *bake(asset);
         QCOMPARE(verifyMeshes(baked, asset).value_or(""), std::string());

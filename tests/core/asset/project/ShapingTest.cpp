@@ -4,7 +4,9 @@
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/VerifyBake.h"
 #include "core/asset/project/Variants.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Fragments.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/asset/RandomAssets.h"
 
@@ -21,16 +23,6 @@ namespace {
 /// A box in a row of four columns, a quarter of a metre wide: 3/5.0 to 3/5.3.
 Asset columns() {
     return boxAsset(3, 5, PlacedSeeds{{{0, {0.125, 0.5}}, {1, {0.375, 0.5}}, {2, {0.625, 0.5}}, {3, {0.875, 0.5}}}});
-}
-
-Level scattered(Id layer, std::uint32_t count, double minimumVolume = 0.0) {
-    return {{{{.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = count}}}}, minimumVolume};
-}
-
-std::vector<std::string> idsOf(const Bake& bake) {
-    std::vector<std::string> ids;
-    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) ids.push_back(bake.fragmentId(k));
-    return ids;
 }
 
 std::vector<std::string> messagesOf(const Bake& bake) {
@@ -70,7 +62,7 @@ class ShapingTest : public QObject {
 
     static void verified(const Bake& bake, const Asset& asset, std::uint64_t seed = 0) {
         const auto fault = verifyBake(bake, asset);
-        QVERIFY2(!fault, qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault.value_or("")))));
+        QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
     }
 
 private slots:
@@ -128,8 +120,8 @@ private slots:
     }
     void fragmentCanOverrideItsLevel() {
         Asset asset = columns();
-        asset.levels = {scattered(6, 4)};
-        asset.leaves = {{"5.1", {}}, {"5.2", scattered(7, 6)}, {"5.9", {}}};
+        asset.levels = {scatteredLevel(6, 4)};
+        asset.leaves = {{"5.1", {}}, {"5.2", scatteredLevel(7, 6)}, {"5.9", {}}};
         const Bake leaves = *bake(asset);
         QCOMPARE(leaves.fragment(0).childCount, 4u);
         QCOMPARE(leaves.fragment(1).childCount, 0u);
@@ -142,7 +134,7 @@ private slots:
         Asset asset = columns();
         FragmentPath path = "5.0";
         for (Id layer = 10; layer < 20; ++layer) {
-            asset.leaves.push_back({path, scattered(layer, 3, 0.002)});
+            asset.leaves.push_back({path, scatteredLevel(layer, 3, 0.002)});
             path += "/" + std::to_string(layer) + ".0";
         }
         const Bake deep = *bake(asset);
@@ -154,11 +146,11 @@ private slots:
     }
     void overridingOneFragmentKeepsAllOthers() {
         Asset asset = columns();
-        asset.levels = {scattered(6, 5), scattered(8, 3)};
-        asset.leaves = {{"5.2/6.1", scattered(7, 4)}};
+        asset.levels = {scatteredLevel(6, 5), scatteredLevel(8, 3)};
+        asset.leaves = {{"5.2/6.1", scatteredLevel(7, 4)}};
         asset.shaping.gap = 0.004;
         const auto before = hashesOf(*bake(asset));
-        asset.leaves[0].level = scattered(7, 9);
+        asset.leaves[0].level = scatteredLevel(7, 9);
         const auto after = hashesOf(*bake(asset));
         std::size_t same = 0, gone = 0;
         for (const auto& [id, hash] : before) {
@@ -212,13 +204,13 @@ private slots:
             Random random(seed);
             Project project = test::randomAsset(random, static_cast<int>(seed));
             Asset asset = project.assets[0];
-            asset.pattern = scattered(90, 2 + static_cast<std::uint32_t>(random.below(20))).pattern;
+            asset.pattern = scatteredLevel(90, 2 + static_cast<std::uint32_t>(random.below(20))).pattern;
             asset.pattern.layers[0].randomSeed = seed;
-            asset.levels = {scattered(91, 3, random.between(0.0, 0.05))};
+            asset.levels = {scatteredLevel(91, 3, random.between(0.0, 0.05))};
             asset.shaping.smallPieces = {static_cast<SmallPieceRule>(random.below(3)),
                                          static_cast<PieceMeasure>(random.below(4)), random.between(0.001, 0.3)};
             if (seed % 2 == 0) asset.shaping.gap = random.between(0.001, 0.05);
-            if (seed % 5 == 0) asset.leaves = {{"90.1", scattered(92, 4)}, {"90.3", {}}};
+            if (seed % 5 == 0) asset.leaves = {{"90.1", scatteredLevel(92, 4)}, {"90.3", {}}};
             if (seed % 3 == 0) {
                 asset.edits = {FragmentSplit{"90.2", {{0.0, 0.0}, {1.0, 0.5}}}, FragmentMerge{"90.0", {"90.1", "90.4"}},
                                FragmentMerge{"90.5/91.0", {"90.5/91.1"}}};

@@ -22,12 +22,12 @@ Triangles trianglesOf(const std::vector<Vec2>& seeds) {
     return delaunay ? triangleList(*delaunay) : Triangles{};
 }
 
-std::string faultOf(const std::vector<Vec2>& seeds) {
+std::string triangulationFault(const std::vector<Vec2>& seeds) {
     const Result<Delaunay> delaunay = triangulate(seeds);
     return delaunay ? verifyDelaunay(*delaunay, seeds).value_or("") : delaunay.error().message;
 }
 
-bool isSame(const Delaunay::Triangle& a, const Delaunay::Triangle& b) {
+bool isSameTriangle(const Delaunay::Triangle& a, const Delaunay::Triangle& b) {
     return std::ranges::equal(a.corner, b.corner) && std::ranges::equal(a.twin, b.twin);
 }
 
@@ -67,13 +67,13 @@ private slots:
     void collinearSitesHaveNoTriangles() {
         const std::vector<Vec2> seeds = {{3, 3}, {1, 1}, {0, 0}, {2, 2}};
         QCOMPARE(trianglesOf(seeds), Triangles{});
-        QCOMPARE(faultOf(seeds), std::string());
+        QCOMPARE(triangulationFault(seeds), std::string());
         QCOMPARE(triangulate(seeds)->triangles.size(), std::size_t{6});
     }
     void zeroOneAndTwoSeedsAreValid() {
-        QCOMPARE(faultOf({}), std::string());
-        QCOMPARE(faultOf({{1, 2}}), std::string());
-        QCOMPARE(faultOf({{1, 2}, {3, 4}}), std::string());
+        QCOMPARE(triangulationFault({}), std::string());
+        QCOMPARE(triangulationFault({{1, 2}}), std::string());
+        QCOMPARE(triangulationFault({{1, 2}, {3, 4}}), std::string());
     }
     void ofEqualSeedsTheFirstIsKept() {
         const Result<Delaunay> delaunay = triangulate(std::vector<Vec2>{{1, 1}, {0, 0}, {1, 1}, {0, 1}, {1, 1}});
@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(triangleList(*delaunay), (Triangles{{0, 3, 1}}));
     }
     void invalidCoordinatesAreRejectedWithTheirSeed() {
-        QCOMPARE(faultOf({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}}),
+        QCOMPARE(triangulationFault({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}}),
                  std::string("Seed 1 has a coordinate that is not finite: nan."));
         QCOMPARE(triangulate(std::vector<Vec2>{{1e300, 0}}).error().code, ErrorCode::BadInput);
     }
@@ -90,7 +90,7 @@ private slots:
             const Result<Delaunay> one = triangulate(seeds, {.threads = 1}), three = triangulate(seeds, {.threads = 3});
             QCOMPARE(verifyDelaunay(*one, seeds).value_or(""), std::string());
             QVERIFY(one->seedOf == three->seedOf && one->duplicates == three->duplicates);
-            QVERIFY(std::ranges::equal(one->triangles, three->triangles, isSame));
+            QVERIFY(std::ranges::equal(one->triangles, three->triangles, isSameTriangle));
         }
     }
     void cancellationStops() {
@@ -128,7 +128,7 @@ private slots:
                     case 4: seeds.push_back({1e6 + 1e-6 * a, -1e6 + 1e-6 * b}); break;
                 }
             }
-            const std::string fault = faultOf(seeds);
+            const std::string fault = triangulationFault(seeds);
             QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
         }
     }

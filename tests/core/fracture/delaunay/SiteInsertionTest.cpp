@@ -63,7 +63,7 @@ std::vector<Vec2> pointsOnCircle(std::uint64_t seed, std::size_t count, Vec2 cen
 
 /// The exact sign of the in-circle determinant, or for a ghost of the side of the hull edge.
 int exactConflict(const Delaunay& delaunay, std::array<std::uint32_t, 3> corner, Vec2 p) {
-    const auto ghost = std::ranges::find(corner, Delaunay::kGhost);
+    const auto ghost = std::ranges::find(corner, kGhost);
     if (ghost != corner.end()) std::ranges::rotate(corner, ghost);
     const Vec2 second = delaunay.sites[corner[1]], third = delaunay.sites[corner[2]];
     if (ghost != corner.end()) return orient2dExact(second, third, p);

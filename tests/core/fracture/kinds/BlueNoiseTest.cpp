@@ -1,6 +1,8 @@
 // Tests core/fracture/kinds/BlueNoise.cpp, core/fracture/sampling/SeedGrid.cpp and VoidCells.cpp.
 #include "core/fracture/pattern/Pattern.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
@@ -10,15 +12,9 @@ using namespace rubble;
 
 namespace {
 
-const Polygon kSquare{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}};
-const Polygon kHoledL{{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}},
-                      {{{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.75, 0.25}}}};
+Result<Seeds> triedBlueNoise(const BlueNoise& noise, const Polygon& outline) { return layerSeeds(noise, outline, 3); }
 
-Result<Seeds> tried(const BlueNoise& noise, const Polygon& outline) {
-    return seedsOf({{{.id = 1, .randomSeed = 3, .parameters = noise}}}, outline);
-}
-
-Seeds scattered(const BlueNoise& noise, const Polygon& outline) { return tried(noise, outline).value(); }
+Seeds blueNoiseSeeds(const BlueNoise& noise, const Polygon& outline) { return triedBlueNoise(noise, outline).value(); }
 
 double squaredLength(Vec2 vector) { return vector.x * vector.x + vector.y * vector.y; }
 
@@ -42,8 +38,8 @@ class BlueNoiseTest : public QObject {
     Q_OBJECT
 private slots:
     void seedsKeepTheMinimumDistance() {
-        for (const Polygon& outline : {kSquare, kHoledL}) {
-            const Seeds seeds = scattered({.minimumDistance = 0.05}, outline);
+        for (const Polygon& outline : {unitSquare(), lShapeWithHole()}) {
+            const Seeds seeds = blueNoiseSeeds({.minimumDistance = 0.05}, outline);
             QVERIFY(leastSquaredDistance(seeds.positions) >= 0.05 * 0.05);
             for (const Vec2 seed : seeds.positions) QVERIFY(containment(outline, seed) != Containment::Outside);
         }
@@ -51,10 +47,10 @@ private slots:
     void maximalSamplingLeavesNoGap() {
         // Every point of a fine grid in the outline is nearer to a seed than the distance, up to 1/1000.
         const double distance = 0.1;
-        const Seeds seeds = scattered({.minimumDistance = distance}, kHoledL);
+        const Seeds seeds = blueNoiseSeeds({.minimumDistance = distance}, lShapeWithHole());
         for (double x = 0.0; x <= 2.0; x += 0.0101) {
             for (double y = 0.0; y <= 2.0; y += 0.0101) {
-                if (containment(kHoledL, {x, y}) == Containment::Outside) continue;
+                if (containment(lShapeWithHole(), {x, y}) == Containment::Outside) continue;
                 QVERIFY(squaredDistanceToNearest({x, y}, seeds.positions) <= 1.01 * 1.01 * distance * distance);
             }
         }
@@ -62,13 +58,13 @@ private slots:
     void maximalCountIsWithinPackingBounds() {
         // Discs of radius d cover the square: at least 1 / (pi d^2) = 318.8. Discs of radius d / 2 do not overlap and
         // fill at most pi / sqrt(12) of the square grown by d / 2: at most 2 (1 + d)^2 / (sqrt(3) d^2) = 1230.6.
-        const std::size_t count = scattered({.minimumDistance = 0.0316}, kSquare).positions.size();
+        const std::size_t count = blueNoiseSeeds({.minimumDistance = 0.0316}, unitSquare()).positions.size();
         QVERIFY2(count >= 319 && count <= 1230, qPrintable(QString::number(count)));
     }
     void greaterCountKeepsEarlierSeeds() {
-        const Seeds full = scattered({.minimumDistance = 0.1}, kHoledL);
+        const Seeds full = blueNoiseSeeds({.minimumDistance = 0.1}, lShapeWithHole());
         for (const std::uint32_t count : {1u, 10u, 100u}) {
-            const Seeds few = scattered({.minimumDistance = 0.1, .count = count}, kHoledL);
+            const Seeds few = blueNoiseSeeds({.minimumDistance = 0.1, .count = count}, lShapeWithHole());
             QCOMPARE(few.positions.size(), std::size_t{count});
             QVERIFY(std::equal(few.positions.begin(), few.positions.end(), full.positions.begin()));
             QVERIFY(few.diagnostics.empty());
@@ -76,7 +72,7 @@ private slots:
     }
     void missingRoomIsReported() {
         // No two points of a unit square are 1.5 m apart: its diagonal is 1.41 m.
-        const Seeds seeds = scattered({.minimumDistance = 1.5, .count = 7}, kSquare);
+        const Seeds seeds = blueNoiseSeeds({.minimumDistance = 1.5, .count = 7}, unitSquare());
         QCOMPARE(seeds.positions.size(), std::size_t{1});
         QCOMPARE(seeds.diagnostics.size(), std::size_t{1});
         QCOMPARE(seeds.diagnostics[0].code, DiagnosticCode::NoRoom);
@@ -86,36 +82,37 @@ private slots:
                  std::string("Layer 1 found room for 1 of 7 seeds at a distance of 1.5 m."));
     }
     void boundingBoxIsFilled() {
-        const Seeds seeds = scattered({.minimumDistance = 0.1, .domain = ScatterDomain::BoundingBox}, kHoledL);
+        const Seeds seeds =
+            blueNoiseSeeds({.minimumDistance = 0.1, .domain = ScatterDomain::BoundingBox}, lShapeWithHole());
         int missingQuarter = 0;
         for (const Vec2 seed : seeds.positions) missingQuarter += seed.x > 1.0 && seed.y > 1.0 ? 1 : 0;
         QVERIFY(missingQuarter > 40);
     }
     void sliversTakeBoundedTime() {
         const Polygon sliver{{{0.0, 0.0}, {1.0, 1.0}, {0.999999, 1.0}}, {}};
-        const Seeds seeds = scattered({.minimumDistance = 0.01}, sliver);
+        const Seeds seeds = blueNoiseSeeds({.minimumDistance = 0.01}, sliver);
         QVERIFY(seeds.positions.size() > 70 && seeds.positions.size() < 143);  // sqrt(2) / 0.01 at most, half at least
     }
     void tinyDistancesTerminate() {
-        const Seeds seeds = scattered({.minimumDistance = 1e-200, .count = 1000}, kSquare);
+        const Seeds seeds = blueNoiseSeeds({.minimumDistance = 1e-200, .count = 1000}, unitSquare());
         QCOMPARE(seeds.positions.size(), std::size_t{1000});
         // 1e-9 m at 1e6 m is ten units in the last place: only a hundred points exist.
-        Polygon speck = kSquare;
+        Polygon speck = unitSquare();
         for (Vec2& corner : speck.outer) corner = corner * 1e-9 + Vec2{1e6, 1e6};
-        QVERIFY(tried({.minimumDistance = 1e-100, .count = 1000}, speck).hasValue());
+        QVERIFY(triedBlueNoise({.minimumDistance = 1e-100, .count = 1000}, speck).hasValue());
     }
     void invalidDistancesAreRejected() {
         const double infinity = std::numeric_limits<double>::infinity();
         for (const double distance : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
-            const Result<Seeds> seeds = tried({.minimumDistance = distance}, kSquare);
+            const Result<Seeds> seeds = triedBlueNoise({.minimumDistance = distance}, unitSquare());
             QVERIFY(!seeds);
             QCOMPARE(seeds.error().code, ErrorCode::BadInput);
         }
-        QCOMPARE(tried({.minimumDistance = -1.0}, kSquare).error().message,
+        QCOMPARE(triedBlueNoise({.minimumDistance = -1.0}, unitSquare()).error().message,
                  std::string("Layer 1: \"Distance\" is -1 m, but must be finite and above zero."));
     }
     void tooManySeedsAreRejectedEarly() {
-        const Result<Seeds> seeds = tried({.minimumDistance = 1e-5}, kSquare);
+        const Result<Seeds> seeds = triedBlueNoise({.minimumDistance = 1e-5}, unitSquare());
         QVERIFY(!seeds);
         QCOMPARE(seeds.error().code, ErrorCode::Limit);
     }

@@ -1,6 +1,7 @@
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
@@ -12,15 +13,12 @@ using namespace rubble;
 
 namespace {
 
-Seeds scattered(const Clusters& clusters, const Polygon& outline) {
-    return seedsOf({{{.id = 1, .randomSeed = 8, .parameters = clusters}}}, outline).value();
+Seeds clusteredSeeds(const Clusters& clusters, const Polygon& outline) {
+    return layerSeeds(clusters, outline, 8).value();
 }
 
-std::map<std::uint32_t, Vec2> byIndex(const Clusters& clusters) {
-    std::map<std::uint32_t, Vec2> seeds;
-    const Seeds all = scattered(clusters, squareRing());
-    for (std::size_t k = 0; k < all.ids.size(); ++k) seeds[all.ids[k].index] = all.positions[k];
-    return seeds;
+std::map<std::uint32_t, Vec2> clusteredInRing(const Clusters& clusters) {
+    return positionsByIndex(clusteredSeeds(clusters, squareRing()));
 }
 
 }  // namespace
@@ -29,7 +27,7 @@ class ClustersTest : public QObject {
     Q_OBJECT
 private slots:
     void seedsStayWithinTheirCluster() {
-        const auto seeds = byIndex({.clusters = 5, .seedsPerCluster = 30, .radius = 0.1});
+        const auto seeds = clusteredInRing({.clusters = 5, .seedsPerCluster = 30, .radius = 0.1});
         QCOMPARE(seeds.size(), std::size_t{150});
         for (std::uint32_t cluster = 0; cluster < 5; ++cluster) {
             for (std::uint32_t k = 1; k < 30; ++k) {
@@ -39,15 +37,15 @@ private slots:
         }
     }
     void addedClustersAndSeedsKeepTheOthers() {
-        const auto few = byIndex({.clusters = 3, .seedsPerCluster = 4});
-        const auto many = byIndex({.clusters = 7, .seedsPerCluster = 9});
+        const auto few = clusteredInRing({.clusters = 3, .seedsPerCluster = 4});
+        const auto many = clusteredInRing({.clusters = 7, .seedsPerCluster = 9});
         QCOMPARE(many.size(), std::size_t{63});
         for (const auto& [index, seed] : few) QCOMPARE(many.at(index), seed);
     }
     void missingRoomIsReported() {
         // A plank a micrometre wide: hardly any random point within half a metre is in it.
-        const Seeds seeds =
-            scattered({.clusters = 2, .seedsPerCluster = 10, .radius = 0.5}, {rectangle({0.0, 0.0}, {1.0, 1e-6}), {}});
+        const Seeds seeds = clusteredSeeds({.clusters = 2, .seedsPerCluster = 10, .radius = 0.5},
+                                           {rectangle({0.0, 0.0}, {1.0, 1e-6}), {}});
         QCOMPARE(seeds.diagnostics.size(), std::size_t{1});
         QCOMPARE(seeds.diagnostics[0].code, DiagnosticCode::NoRoom);
         QCOMPARE(seeds.diagnostics[0].place.layer, 1u);

@@ -3,6 +3,7 @@
 #include "core/fracture/pattern/Pattern.h"
 #include "tests/support/ChiSquare.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
@@ -25,11 +26,9 @@ std::shared_ptr<GreyImage> randomImage(std::uint32_t bits, std::uint64_t randomS
     return image;
 }
 
-Seeds scattered(const DensityImage& layer, const Polygon& outline) {
-    return seedsOf({{{.id = 1, .randomSeed = 3, .parameters = layer}}}, outline).value();
-}
+Seeds seedsOfImage(const DensityImage& layer, const Polygon& outline) { return layerSeeds(layer, outline, 3).value(); }
 
-std::string faultOf(const GreyImage& image) {
+std::string imageFault(const GreyImage& image) {
     const DensityImage layer{.image = std::make_shared<GreyImage>(image)};
     return verifyPattern({{{.id = 1, .parameters = layer}}}).value_or("");
 }
@@ -57,7 +56,7 @@ private slots:
         const Polygon outline = isRing ? squareRing() : Polygon{rectangle({0.0, 0.0}, {4.0, 4.0}), {}};
         const auto image = randomImage(static_cast<std::uint32_t>(bits), 21);
         constexpr double kCount = 50'000.0;
-        const Seeds seeds = scattered(
+        const Seeds seeds = seedsOfImage(
             {.count = 50'000, .dense = isDark ? DenseWhere::Dark : DenseWhere::Bright, .image = image}, outline);
         std::vector<double> seen(kSide * kSide, 0.0), expected(kSide * kSide, 0.0);
         for (const Vec2 seed : seeds.positions) {
@@ -85,7 +84,7 @@ private slots:
         const auto white = std::make_shared<GreyImage>(GreyImage{.width = 1, .height = 1, .grey = {255}});
         std::vector<double> seen(4, 0.0);
         for (const Vec2 seed :
-             scattered({.count = 8000, .dense = DenseWhere::Bright, .image = white}, triangle).positions) {
+             seedsOfImage({.count = 8000, .dense = DenseWhere::Bright, .image = white}, triangle).positions) {
             QVERIFY(containment(triangle, seed) != Containment::Outside);
             seen[seed.x > 1.0 ? 0 : seed.y > 1.0 ? 1 : seed.x + seed.y > 1.0 ? 2 : 3] += 1.0;
         }
@@ -93,18 +92,18 @@ private slots:
     }
     void greaterCountKeepsEarlierSeeds() {
         const auto image = randomImage(8, 5);
-        const Seeds few = scattered({.count = 50, .image = image}, lShape());
-        Seeds many = scattered({.count = 80, .image = image}, lShape());
+        const Seeds few = seedsOfImage({.count = 50, .image = image}, lShape());
+        Seeds many = seedsOfImage({.count = 80, .image = image}, lShape());
         many.positions.resize(50);
         QCOMPARE(many.positions, few.positions);
     }
     void noImageGivesNoSeeds() {
-        const Seeds seeds = scattered({.count = 50}, unitSquare());
+        const Seeds seeds = seedsOfImage({.count = 50}, unitSquare());
         QVERIFY(seeds.positions.empty() && seeds.diagnostics.empty());
     }
     void imagesWithoutDensityAreReported() {
         const auto white = std::make_shared<GreyImage>(GreyImage{.width = 1, .height = 1, .grey = {255}});
-        const Seeds seeds = scattered({.count = 50, .dense = DenseWhere::Dark, .image = white}, unitSquare());
+        const Seeds seeds = seedsOfImage({.count = 50, .dense = DenseWhere::Dark, .image = white}, unitSquare());
         QVERIFY(seeds.positions.empty());
         QCOMPARE(seeds.diagnostics.size(), std::size_t{1});
         QCOMPARE(seeds.diagnostics[0].code, DiagnosticCode::NoRoom);
@@ -114,22 +113,22 @@ private slots:
     }
     void invalidImagesAreRejected() {
         const GreyImage good{.width = 2, .height = 1, .grey = {0, 255}};
-        QCOMPARE(faultOf(good), std::string());
+        QCOMPARE(imageFault(good), std::string());
         GreyImage image = good;
         image.width = 3;
-        QCOMPARE(faultOf(image), std::string("Layer 1: the image has 2 values for 3 x 1 pixels."));
+        QCOMPARE(imageFault(image), std::string("Layer 1: the image has 2 values for 3 x 1 pixels."));
         image.width = 1025;
-        QCOMPARE(faultOf(image),
+        QCOMPARE(imageFault(image),
                  std::string("Layer 1: the image has 1025 x 1 pixels, but from 1 to 1024 a side are allowed."));
         image = good;
         image.bits = 12;
-        QCOMPARE(faultOf(image), std::string("Layer 1: the image has 12 bits per pixel, but must have 8 or 16."));
+        QCOMPARE(imageFault(image), std::string("Layer 1: the image has 12 bits per pixel, but must have 8 or 16."));
         image = good;
         image.grey[0] = 256;
-        QCOMPARE(faultOf(image), std::string("Layer 1: the image has a value of 256, but 255 is white."));
+        QCOMPARE(imageFault(image), std::string("Layer 1: the image has a value of 256, but 255 is white."));
         image = good;
         image.opacity = {255};
-        QCOMPARE(faultOf(image), std::string("Layer 1: the image has 1 values for 2 x 1 pixels."));
+        QCOMPARE(imageFault(image), std::string("Layer 1: the image has 1 values for 2 x 1 pixels."));
     }
 };
 

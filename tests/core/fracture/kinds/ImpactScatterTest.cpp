@@ -3,6 +3,7 @@
 #include "core/fracture/sampling/FalloffArea.h"
 #include "tests/support/ChiSquare.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
@@ -13,8 +14,8 @@ using namespace rubble;
 
 namespace {
 
-Seeds scattered(const ImpactScatter& scatter, const Polygon& outline, std::uint64_t randomSeed = 4) {
-    return seedsOf({{{.id = 1, .randomSeed = randomSeed, .parameters = scatter}}}, outline).value();
+Seeds seedsOfImpact(const ImpactScatter& scatter, const Polygon& outline, std::uint64_t randomSeed = 4) {
+    return layerSeeds(scatter, outline, randomSeed).value();
 }
 
 /// The expected distribution of seeds over the cells of a grid: the sum of the density over many small squares with
@@ -59,7 +60,7 @@ private slots:
         constexpr int kSide = 8;
         const Box2 box = boundsOf(squareRing().outer);
         std::vector<double> seen(kSide * kSide, 0.0);
-        for (const Vec2 seed : scattered(scatter, squareRing()).positions) {
+        for (const Vec2 seed : seedsOfImpact(scatter, squareRing()).positions) {
             const Vec2 cell =
                 glm::min(glm::floor((seed - box.min) / box.size() * static_cast<double>(kSide)), kSide - 1.0);
             seen[static_cast<std::size_t>(cell.y * kSide + cell.x)] += 1.0;
@@ -68,8 +69,8 @@ private slots:
         QVERIFY2(ratio < 1.0, qPrintable(QString::number(ratio)));
     }
     void greaterCountKeepsEarlierSeeds() {
-        const Seeds few = scattered({.count = 50}, lShape());
-        Seeds many = scattered({.count = 80}, lShape());
+        const Seeds few = seedsOfImpact({.count = 50}, lShape());
+        Seeds many = seedsOfImpact({.count = 80}, lShape());
         many.positions.resize(50);
         QCOMPARE(many.positions, few.positions);
     }
@@ -77,14 +78,14 @@ private slots:
         for (const double radius : {1e-300, 1e-9, 1e300}) {
             for (const double centre : {0.5, 1e6, -1e200}) {
                 const ImpactScatter scatter{.centre = {centre, 0.5}, .count = 200, .radius = radius, .falloff = 8.0};
-                QCOMPARE(scattered(scatter, unitSquare()).positions.size(), std::size_t{200});
+                QCOMPARE(seedsOfImpact(scatter, unitSquare()).positions.size(), std::size_t{200});
             }
         }
         QVERIFY(FalloffArea::of(unitSquare(), {{0.5, 0.5}, 1e-300, 8.0}).value().partCount() < 1'000'000);
     }
     void sliversAreFilledQuickly() {
         const Polygon sliver{{{0.0, 0.0}, {1.0, 1.0}, {0.999999, 1.0}}, {}};
-        for (const Vec2 seed : scattered({.centre = {0.5, 0.5}, .count = 500}, sliver).positions) {
+        for (const Vec2 seed : seedsOfImpact({.centre = {0.5, 0.5}, .count = 500}, sliver).positions) {
             QVERIFY(std::abs(seed.y - seed.x) <= 1.1e-6);
         }
     }

@@ -2,6 +2,7 @@
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
@@ -12,15 +13,10 @@ using namespace rubble;
 
 namespace {
 
-Result<Seeds> tried(const JitteredGrid& grid, const Polygon& outline) {
-    return seedsOf({{{.id = 1, .randomSeed = 5, .parameters = grid}}}, outline);
-}
+Result<Seeds> triedGrid(const JitteredGrid& grid, const Polygon& outline) { return layerSeeds(grid, outline, 5); }
 
-std::map<std::uint32_t, Vec2> byIndex(const JitteredGrid& grid, const Polygon& outline) {
-    std::map<std::uint32_t, Vec2> seeds;
-    const Seeds all = tried(grid, outline).value();
-    for (std::size_t k = 0; k < all.ids.size(); ++k) seeds[all.ids[k].index] = all.positions[k];
-    return seeds;
+std::map<std::uint32_t, Vec2> gridSeeds(const JitteredGrid& grid, const Polygon& outline) {
+    return positionsByIndex(triedGrid(grid, outline).value());
 }
 
 }  // namespace
@@ -30,11 +26,11 @@ class JitteredGridTest : public QObject {
 private slots:
     void withoutJitterSeedsAreAtCellCentres() {
         const Polygon bar{rectangle({1.0, 2.0}, {5.0, 4.0}), {}};
-        const Seeds seeds = tried({.columns = 2, .rows = 1, .jitter = 0.0}, bar).value();
+        const Seeds seeds = triedGrid({.columns = 2, .rows = 1, .jitter = 0.0}, bar).value();
         QCOMPARE(seeds.positions, (std::vector<Vec2>{{2.0, 3.0}, {4.0, 3.0}}));
     }
     void jitteredSeedsStayInTheirCells() {
-        const auto seeds = byIndex({.columns = 5, .rows = 8, .jitter = 1.0}, unitSquare());
+        const auto seeds = gridSeeds({.columns = 5, .rows = 8, .jitter = 1.0}, unitSquare());
         QCOMPARE(seeds.size(), std::size_t{40});
         for (std::uint32_t column = 0; column < 5; ++column) {
             for (std::uint32_t row = 0; row < 8; ++row) {
@@ -45,8 +41,8 @@ private slots:
         }
     }
     void addedColumnsAndRowsKeepIndicesAndPositions() {
-        const auto few = byIndex({.columns = 3, .rows = 4}, unitSquare());
-        const auto many = byIndex({.columns = 6, .rows = 12}, unitSquare());
+        const auto few = gridSeeds({.columns = 3, .rows = 4}, unitSquare());
+        const auto many = gridSeeds({.columns = 6, .rows = 12}, unitSquare());
         for (const auto& [index, seed] : few) {
             // The same fraction of a cell of half the width and a third of the height.
             const Vec2 other = many.at(index);
@@ -56,7 +52,8 @@ private slots:
     void gridByCellSizeIsCentred() {
         // 1.05 m hold five cells of 0.2 m with 2.5 cm left at both ends; 0.32 m hold two, which extend 4 cm beyond.
         const Polygon bar{rectangle({0.0, 0.0}, {1.05, 0.32}), {}};
-        const auto seeds = byIndex({.cells = GridCells::Size, .cellWidth = 0.2, .cellHeight = 0.2, .jitter = 0.0}, bar);
+        const auto seeds =
+            gridSeeds({.cells = GridCells::Size, .cellWidth = 0.2, .cellHeight = 0.2, .jitter = 0.0}, bar);
         QCOMPARE(seeds.size(), std::size_t{10});
         const Vec2 first = seeds.at(0), last = seeds.at(pairIndex(4, 1));
         QVERIFY(std::abs(first.x - 0.125) < 1e-12 && std::abs(first.y - 0.06) < 1e-12);
@@ -64,22 +61,23 @@ private slots:
     }
     void seedsInHolesAreOmittedExceptInBoundingBox() {
         // Of 4 x 4 cells of a metre the central four are in the hole.
-        QCOMPARE(byIndex({.columns = 4, .rows = 4}, squareRing()).size(), std::size_t{12});
+        QCOMPARE(gridSeeds({.columns = 4, .rows = 4}, squareRing()).size(), std::size_t{12});
         const JitteredGrid all{.columns = 4, .rows = 4, .domain = ScatterDomain::BoundingBox};
-        QCOMPARE(byIndex(all, squareRing()).size(), std::size_t{16});
+        QCOMPARE(gridSeeds(all, squareRing()).size(), std::size_t{16});
     }
     void tooManyCellsAreRejected() {
         const Result<Seeds> fine =
-            tried({.cells = GridCells::Size, .cellWidth = 1e-5, .cellHeight = 1.0}, unitSquare());
+            triedGrid({.cells = GridCells::Size, .cellWidth = 1e-5, .cellHeight = 1.0}, unitSquare());
         QVERIFY(!fine);
         QCOMPARE(fine.error().code, ErrorCode::Limit);
         QCOMPARE(fine.error().message,
                  std::string("Layer 1 has 100000 cells along one side, but 10000 is the maximum."));
-        const Result<Seeds> many = tried({.columns = 10'000, .rows = 1'001}, unitSquare());
+        const Result<Seeds> many = triedGrid({.columns = 10'000, .rows = 1'001}, unitSquare());
         QVERIFY(!many);
         QCOMPARE(many.error().message, std::string("Layer 1 brings the pattern above 10000000 seeds."));
-        QVERIFY(tried({.cells = GridCells::Size, .cellWidth = 1e-320, .cellHeight = 1.0}, unitSquare()).error().code ==
-                ErrorCode::Limit);
+        QVERIFY(
+            triedGrid({.cells = GridCells::Size, .cellWidth = 1e-320, .cellHeight = 1.0}, unitSquare()).error().code ==
+            ErrorCode::Limit);
     }
     void pairIndicesAreConsecutiveAndAscending() {
         std::uint32_t expected = 0;

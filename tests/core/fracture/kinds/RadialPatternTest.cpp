@@ -1,6 +1,7 @@
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/LayerSeeds.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
@@ -14,11 +15,8 @@ namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
 
-std::map<std::uint32_t, Vec2> byIndex(const RadialPattern& radial, const Polygon& outline) {
-    std::map<std::uint32_t, Vec2> seeds;
-    const Seeds all = seedsOf({{{.id = 1, .randomSeed = 8, .parameters = radial}}}, outline).value();
-    for (std::size_t k = 0; k < all.ids.size(); ++k) seeds[all.ids[k].index] = all.positions[k];
-    return seeds;
+std::map<std::uint32_t, Vec2> radialSeeds(const RadialPattern& radial, const Polygon& outline) {
+    return positionsByIndex(layerSeeds(radial, outline, 8).value());
 }
 
 std::uint32_t indexOf(std::uint32_t ring, std::uint32_t spoke) { return 1 + pairIndex(ring, spoke); }
@@ -38,7 +36,7 @@ private slots:
                                    .exponent = 2.0,
                                    .rotation = kPi / 2.0,
                                    .variation = 0.0};
-        const auto seeds = byIndex(radial, kWide);
+        const auto seeds = radialSeeds(radial, kWide);
         QCOMPARE(seeds.size(), std::size_t{9});
         QCOMPARE(seeds.at(0), Vec2(1.0, -2.0));
         const auto isAt = [&](std::uint32_t ring, std::uint32_t spoke, Vec2 place) {
@@ -52,7 +50,7 @@ private slots:
     }
     void variedSeedsStayWithinHalfway() {
         const RadialPattern radial{.radius = 5.0, .rings = 10, .spokes = 12, .exponent = 1.0, .variation = 1.0};
-        for (const auto& [index, seed] : byIndex(radial, kWide)) {
+        for (const auto& [index, seed] : radialSeeds(radial, kWide)) {
             if (index == 0) continue;
             const double distance = std::hypot(seed.x, seed.y), angle = std::atan2(seed.y, seed.x);
             const double ring = std::round(distance / 0.5), spoke = std::round(angle / (kPi / 6.0) + 12.0);
@@ -61,16 +59,16 @@ private slots:
         }
     }
     void addedRingsAndSpokesKeepIndices() {
-        const auto few = byIndex({.radius = 1.0, .rings = 3, .spokes = 5, .exponent = 1.0}, kWide);
-        const auto many = byIndex({.radius = 2.0, .rings = 6, .spokes = 5, .exponent = 1.0}, kWide);
+        const auto few = radialSeeds({.radius = 1.0, .rings = 3, .spokes = 5, .exponent = 1.0}, kWide);
+        const auto many = radialSeeds({.radius = 2.0, .rings = 6, .spokes = 5, .exponent = 1.0}, kWide);
         for (const auto& [index, seed] : few) {
             QVERIFY(std::abs(seed.x - many.at(index).x) + std::abs(seed.y - many.at(index).y) < 1e-12);
         }
-        const auto dense = byIndex({.radius = 1.0, .rings = 3, .spokes = 9}, kWide);
+        const auto dense = radialSeeds({.radius = 1.0, .rings = 3, .spokes = 9}, kWide);
         for (const auto& [index, seed] : few) QVERIFY(dense.contains(index));
     }
     void seedsOutsideAreOmitted() {
-        const auto seeds = byIndex({.radius = 2.0, .rings = 4, .spokes = 8, .variation = 0.0}, squareRing());
+        const auto seeds = radialSeeds({.radius = 2.0, .rings = 4, .spokes = 8, .variation = 0.0}, squareRing());
         QVERIFY(seeds.contains(0));  // the centre is a corner of the outline
         for (const auto& [index, seed] : seeds) QVERIFY(containment(squareRing(), seed) != Containment::Outside);
         QVERIFY(seeds.size() < 33);

@@ -40,7 +40,7 @@ Broken broken(const Polygon& outline, const std::vector<Vec2>& seeds, double dep
 }
 
 /// Cuts [0, x_n] x [0, 1] at x_1 ... x_(n-1); strip i belongs to seed i.
-Partition strips(const std::vector<double>& cuts) {
+Partition stripsBetween(const std::vector<double>& cuts) {
     Partition partition;
     const auto count = static_cast<std::uint32_t>(cuts.size());
     partition.points = {{0, 0}, {0, 1}};
@@ -157,7 +157,7 @@ private slots:
     }
     void thinPieceTransfersItsMassToItsNeighbour() {
         const double width = 0x1p-40;
-        const Broken box = extruded(strips({0.5, 0.5 + width, 1.0}), unitSquare(), 1.0);
+        const Broken box = extruded(stripsBetween({0.5, 0.5 + width, 1.0}), unitSquare(), 1.0);
         QCOMPARE(box.count(), std::size_t{2});
         QCOMPARE(box.fragments.diagnostics.size(), std::size_t{1});
         const Diagnostic& report = box.fragments.diagnostics[0];
@@ -176,7 +176,7 @@ private slots:
     }
     void massTransfersPassThinNeighbours() {
         const double width = 0x1p-40;
-        const Broken box = extruded(strips({width, 2 * width, 3 * width, 1.0}), unitSquare(), 1.0);
+        const Broken box = extruded(stripsBetween({width, 2 * width, 3 * width, 1.0}), unitSquare(), 1.0);
         QCOMPARE(box.count(), std::size_t{1});
         QCOMPARE(box[0].seed(), 3u);
         QCOMPARE(box[0].volume(), 1.0);
@@ -210,7 +210,7 @@ private slots:
     void cancelledTaskFails() {
         TaskContext task;
         task.cancel.cancel();
-        const Result<Fragments> fragments = extrudedFragments({unitSquare(), 1.0}, strips({0.5, 1.0}), task);
+        const Result<Fragments> fragments = extrudedFragments({unitSquare(), 1.0}, stripsBetween({0.5, 1.0}), task);
         QVERIFY(!fragments);
         QCOMPARE(fragments.error().code, ErrorCode::Cancelled);
     }

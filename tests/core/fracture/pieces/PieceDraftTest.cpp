@@ -2,6 +2,7 @@
 #include "core/fracture/pieces/PieceDraft.h"
 
 #include "core/fracture/verify/VerifyPartition.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/RandomPartitions.h"
 
@@ -11,13 +12,7 @@
 
 using namespace rubble;
 
-namespace {
-
-QString about(std::uint64_t seed, const std::string& fault) {
-    return QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 class PieceDraftTest : public QObject {
     Q_OBJECT
@@ -99,7 +94,7 @@ private slots:
             }
             const Partition partition = std::move(draft).finished();
             const auto fault = verifyPartition(partition, made.outline);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
+            QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
         }
         QVERIFY(splits > 1500);
         QVERIFY(merges > 500);

@@ -7,6 +7,7 @@
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/verify/VerifyGap.h"
 #include "core/fracture/verify/VerifyPartition.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/RandomPartitions.h"
 
@@ -25,10 +26,6 @@ Fragments withGap(const Polygon& outline, const std::vector<Vec2>& seeds, double
 }
 
 double widthOfBox(const Fragment& fragment) { return boundsOf(fragment.outline().outer).size().x; }
-
-QString about(std::uint64_t seed, const std::string& fault) {
-    return QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault));
-}
 
 /// An upper bound of the area that a margin removes from a piece: strips along its cut edges, and corners.
 double mostLost(const Partition& partition, std::uint32_t piece, double margin) {
@@ -142,7 +139,7 @@ private slots:
             const Fragments pieces = *extrudedFragments(prism, partition, gap);
             auto fault = verifyGap(pieces, gap);
             if (!fault) fault = verifyFragments(pieces, prism);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
+            QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
             double lost = 0.0;
             for (std::uint32_t k = 0; k < pieces.count(); ++k) {
                 if (!pieces[k].isConvex()) ++concave;
@@ -152,11 +149,11 @@ private slots:
                     return report.code == DiagnosticCode::VanishedPiece && report.place.seed == pieces[k].seed();
                 });
                 const bool isLittle = isApart || taken <= mostLost(partition, piece, gap / 2.0) + 1e-9;
-                QVERIFY2(isLittle, qPrintable(about(seed, "too much of " + std::to_string(k))));
+                QVERIFY2(isLittle, qPrintable(faultOfSeed(seed, "too much of " + std::to_string(k))));
                 lost += pieces[k].volume();
             }
             QVERIFY2(std::abs(lost + pieces.gapArea * 0.5 - area(made.outline) * 0.5) < 1e-9,
-                     qPrintable(about(seed, "volume")));
+                     qPrintable(faultOfSeed(seed, "volume")));
         }
         QVERIFY(concave > 1500);
     }

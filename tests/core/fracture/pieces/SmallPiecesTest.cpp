@@ -1,6 +1,7 @@
 #include "core/fracture/pieces/SmallPieces.h"
 
 #include "core/fracture/verify/VerifyPartition.h"
+#include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/RandomPartitions.h"
 
@@ -11,7 +12,7 @@ using namespace rubble;
 namespace {
 
 /// Strips of the unit square, divided at these x.
-Partition strips(const std::vector<double>& middles) {
+Partition stripsAround(const std::vector<double>& middles) {
     std::vector<Vec2> seeds;
     for (const double x : middles) seeds.push_back({x, 0.5});
     return *voronoiPartition(unitSquare(), seeds);
@@ -30,10 +31,6 @@ double smallestOf(const Partition& partition) {
     return smallest;
 }
 
-QString about(std::uint64_t seed, const std::string& fault) {
-    return QString("seed %1: %2").arg(seed).arg(QString::fromStdString(fault));
-}
-
 }  // namespace
 
 class SmallPiecesTest : public QObject {
@@ -42,7 +39,7 @@ private slots:
     void smallestPieceMergesAlongTheLongestSharedEdge() {
         // Cells [0, 0.375], [0.375, 0.5625], [0.5625, 1]: the middle one is merged into the first of equal neighbours.
         const Partition merged =
-            withoutSmallPieces(strips({0.25, 0.5, 0.625}), {SmallPieceRule::Merge, PieceMeasure::Area, 0.2}, 1.0);
+            withoutSmallPieces(stripsAround({0.25, 0.5, 0.625}), {SmallPieceRule::Merge, PieceMeasure::Area, 0.2}, 1.0);
         QCOMPARE(merged.pieceCount(), 2u);
         QCOMPARE(merged.pieceOfSeed[1], kNone);
         QCOMPARE(merged.diagnostics.size(), std::size_t{1});
@@ -70,7 +67,7 @@ private slots:
     }
     void atLeastOnePieceRemains() {
         const Partition merged =
-            withoutSmallPieces(strips({0.1, 0.5, 0.7}), {SmallPieceRule::Merge, PieceMeasure::Area, 100.0}, 1.0);
+            withoutSmallPieces(stripsAround({0.1, 0.5, 0.7}), {SmallPieceRule::Merge, PieceMeasure::Area, 100.0}, 1.0);
         QCOMPARE(merged.pieceCount(), 1u);
         QCOMPARE(merged.diagnostics.size(), std::size_t{2});
         QVERIFY(!verifyPartition(merged, unitSquare()));
@@ -95,10 +92,10 @@ private slots:
             const SmallPieces small{SmallPieceRule::Merge, measure, random.between(0.001, 0.6)};
             const Partition merged = withoutSmallPieces(made.partition, small, 0.5);
             const auto fault = verifyPartition(merged, made.outline);
-            QVERIFY2(!fault, qPrintable(about(seed, fault.value_or(""))));
+            QVERIFY2(!fault, qPrintable(faultOfSeed(seed, fault.value_or(""))));
             const double least = minPieceArea(small, area(made.outline), merged.pieceCount(), 0.5);
             QVERIFY2(merged.pieceCount() == 1 || smallestOf(merged) >= least * (1.0 - 1e-9),
-                     qPrintable(about(seed, "small")));
+                     qPrintable(faultOfSeed(seed, "small")));
 
             std::vector<double> areas = areasBySeed(made.partition);
             for (const Diagnostic& report : merged.diagnostics) {
@@ -108,7 +105,8 @@ private slots:
             }
             const std::vector<double> now = areasBySeed(merged);
             for (std::size_t k = 0; k < areas.size(); ++k) {
-                QVERIFY2(std::abs(areas[k] - now[k]) < 1e-9, qPrintable(about(seed, "area of " + std::to_string(k))));
+                QVERIFY2(std::abs(areas[k] - now[k]) < 1e-9,
+                         qPrintable(faultOfSeed(seed, "area of " + std::to_string(k))));
             }
             if (merged.pieceCount() < made.partition.pieceCount()) ++m_merged;
         }
@@ -123,7 +121,7 @@ private slots:
             Partition partition = made.partition;
             for (std::vector<std::uint32_t> dropped = seedsToDrop(partition, small, 1.0); !dropped.empty();
                  dropped = seedsToDrop(partition, small, 1.0)) {
-                QVERIFY2(dropped.size() < seeds.size(), qPrintable(about(seed, "no seed is left")));
+                QVERIFY2(dropped.size() < seeds.size(), qPrintable(faultOfSeed(seed, "no seed is left")));
                 for (std::size_t k = dropped.size(); k-- > 0;) seeds.erase(seeds.begin() + dropped[k]);
                 partition = *voronoiPartition(made.outline, seeds);
             }
@@ -132,7 +130,7 @@ private slots:
             for (const double cell : areasBySeed(partition)) {
                 const bool isEnough = cell == 0.0 || cells == 1 ||
                                       cell >= minPieceArea(small, area(made.outline), cells, 1.0) * (1 - 1e-9);
-                QVERIFY2(isEnough, qPrintable(about(seed, "a small cell")));
+                QVERIFY2(isEnough, qPrintable(faultOfSeed(seed, "a small cell")));
             }
         }
     }

@@ -13,7 +13,7 @@ std::size_t seedsIn(const SeedCount& count, const Polygon& outline, ScatterDomai
     return seedsOf({{{.id = 1, .randomSeed = 1, .parameters = scatter}}}, outline).value().positions.size();
 }
 
-std::string faultOf(const SeedCount& count) {
+std::string seedCountFault(const SeedCount& count) {
     return verifyPattern({{{.id = 1, .parameters = UniformScatter{.count = count}}}}).value_or("");
 }
 
@@ -38,12 +38,12 @@ private slots:
         }
     }
     void invalidAmountsAreRejected() {
-        QCOMPARE(faultOf(0), std::string());
-        QCOMPARE(faultOf({CountBy::Density, 0.0}),
+        QCOMPARE(seedCountFault(0), std::string());
+        QCOMPARE(seedCountFault({CountBy::Density, 0.0}),
                  std::string("Layer 1: \"Count\" is 0 per square metre, but must be finite and above zero."));
-        QCOMPARE(faultOf({CountBy::PieceSize, -1.0}),
+        QCOMPARE(seedCountFault({CountBy::PieceSize, -1.0}),
                  std::string("Layer 1: \"Count\" is -1 m per fragment, but must be finite and above zero."));
-        QCOMPARE(faultOf({CountBy::Number, 2e7}),
+        QCOMPARE(seedCountFault({CountBy::Number, 2e7}),
                  std::string("Layer 1: \"Count\" is 20000000, but must be from 0 to 10000000."));
     }
 };

@@ -22,12 +22,6 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 double nextUp(double value) { return std::nextafter(value, kInfinity); }
 
-/// The error message; empty if a partition is returned.
-std::string faultOf(const Polygon& outline, const SeedPoints& seeds) {
-    const Result<Partition> partition = verifiedPartition(outline, seeds);
-    return partition ? "" : partition.error().message;
-}
-
 /// columns × rows points, the first at the centre of a rectangle of one step.
 SeedPoints grid(int columns, int rows, Vec2 corner, double step) {
     SeedPoints seeds;
@@ -37,7 +31,7 @@ SeedPoints grid(int columns, int rows, Vec2 corner, double step) {
     return seeds;
 }
 
-SeedPoints scattered(std::size_t count, Vec2 min, Vec2 max, std::uint64_t randomSeed) {
+SeedPoints scatteredPoints(std::size_t count, Vec2 min, Vec2 max, std::uint64_t randomSeed) {
     Random random(randomSeed);
     SeedPoints seeds(count);
     for (Vec2& seed : seeds) seed = {random.between(min.x, max.x), random.between(min.y, max.y)};
@@ -110,7 +104,9 @@ private slots:
         }
         QCOMPARE(contacts, std::size_t{2 * (100 * 99 + 99 * 100)});
     }
-    void roundedGridVerifies() { QCOMPARE(faultOf(unitSquare(), grid(100, 100, {0.0, 0.0}, 0.01)), std::string()); }
+    void roundedGridVerifies() {
+        QCOMPARE(partitionFault(unitSquare(), grid(100, 100, {0.0, 0.0}, 0.01)), std::string());
+    }
     void ofEqualSeedsTheFirstIsKept() {
         const SeedPoints seeds = {{0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}, {0.25, 0.5}, {0.75, 0.5}};
         const Result<Partition> partition = verifiedPartition(unitSquare(), seeds);
@@ -140,9 +136,9 @@ private slots:
         QCOMPARE(partition->diagnostics[0].place.seed, 1u);
     }
     void clusterOfAdjacentDoublesVerifies() {
-        SeedPoints seeds = scattered(20, {0.0, 0.0}, {1.0, 1.0}, 5);
+        SeedPoints seeds = scatteredPoints(20, {0.0, 0.0}, {1.0, 1.0}, 5);
         for (int i = 0; i < 16; ++i) seeds.push_back({0.5 + 0x1p-53 * (i % 4), 0.5 + 0x1p-53 * (i / 4)});
-        QCOMPARE(faultOf(unitSquare(), seeds), std::string());
+        QCOMPARE(partitionFault(unitSquare(), seeds), std::string());
     }
     void seedsOnTheOutlineHaveCells() {
         const Result<Partition> partition =
@@ -157,8 +153,8 @@ private slots:
         const Polygon ring = squareRing();
         SeedPoints seeds = ring.outer;
         seeds.insert(seeds.end(), ring.holes[0].begin(), ring.holes[0].end());
-        QCOMPARE(faultOf(ring, seeds), std::string());
-        QCOMPARE(faultOf(lShape(), lShape().outer), std::string());
+        QCOMPARE(partitionFault(ring, seeds), std::string());
+        QCOMPARE(partitionFault(lShape(), lShape().outer), std::string());
     }
     void seedsOutsideCompete() {
         const Result<Partition> partition =
@@ -179,20 +175,20 @@ private slots:
     void roundedGridVerifiesFarFromTheOrigin() {
         const Vec2 corner{1e6, 1e6};
         const Polygon outline{rectangle(corner, corner + 1.6e-5), {}};
-        QCOMPARE(faultOf(outline, grid(16, 16, corner, 1e-6)), std::string());
-        QCOMPARE(faultOf(outline, scattered(200, corner, corner + 1.6e-5, 9)), std::string());
+        QCOMPARE(partitionFault(outline, grid(16, 16, corner, 1e-6)), std::string());
+        QCOMPARE(partitionFault(outline, scatteredPoints(200, corner, corner + 1.6e-5, 9)), std::string());
     }
     void sliversVerify() {
         const Polygon sliver{rectangle({0.0, 0.0}, {1.0, 0.001}), {}};
         for (std::uint64_t randomSeed = 0; randomSeed < 200; ++randomSeed) {
-            const SeedPoints seeds = scattered(5 + randomSeed % 100, {0.0, 0.0}, {1.0, 0.001}, randomSeed);
-            QCOMPARE(faultOf(sliver, seeds), std::string());
+            const SeedPoints seeds = scatteredPoints(5 + randomSeed % 100, {0.0, 0.0}, {1.0, 0.001}, randomSeed);
+            QCOMPARE(partitionFault(sliver, seeds), std::string());
         }
     }
     void thousandCornersVerify() {
         QCOMPARE(thousandCorners().outer.size(), std::size_t{1000});
-        QCOMPARE(faultOf(thousandCorners(), scattered(50, {-2.0, -2.0}, {2.0, 2.0}, 4)), std::string());
-        QCOMPARE(faultOf(thousandCorners(), thousandCorners().outer), std::string());
+        QCOMPARE(partitionFault(thousandCorners(), scatteredPoints(50, {-2.0, -2.0}, {2.0, 2.0}, 4)), std::string());
+        QCOMPARE(partitionFault(thousandCorners(), thousandCorners().outer), std::string());
     }
     void invalidOutlinesAreRejected_data() {
         QTest::addColumn<Polygon>("outline");
@@ -221,12 +217,12 @@ private slots:
     void invalidOutlinesAreRejected() {
         QFETCH(Polygon, outline);
         QFETCH(QString, sentence);
-        QCOMPARE(QString::fromStdString(faultOf(outline, {{0.5, 0.5}})), sentence);
+        QCOMPARE(QString::fromStdString(partitionFault(outline, {{0.5, 0.5}})), sentence);
     }
     void invalidSeedsAreRejected() {
-        QCOMPARE(faultOf(unitSquare(), {{0.5, 0.5}, {0.5, kNotANumber}}),
+        QCOMPARE(partitionFault(unitSquare(), {{0.5, 0.5}, {0.5, kNotANumber}}),
                  std::string("Seed 1 has a coordinate that is not finite: nan."));
-        QCOMPARE(faultOf(unitSquare(), {{-kInfinity, 0.5}}),
+        QCOMPARE(partitionFault(unitSquare(), {{-kInfinity, 0.5}}),
                  std::string("Seed 0 has a coordinate that is not finite: -inf."));
     }
 };

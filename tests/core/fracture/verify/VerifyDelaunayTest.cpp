@@ -10,13 +10,13 @@ using namespace rubble;
 namespace {
 
 /// A wide rhombus and a copy of its first corner: the triangles share the edge between corners 1 and 3.
-const std::vector<Vec2> kSeeds = {{0, 0}, {2, -1}, {4, 0}, {2, 1}, {0, 0}};
+const std::vector<Vec2> kRhombus = {{0, 0}, {2, -1}, {4, 0}, {2, 1}, {0, 0}};
 
 /// The fault that is found after a valid triangulation is damaged.
 template <class Break>
-std::string faultAfter(Break breakIt) {
-    Delaunay delaunay = triangulate(kSeeds).value();
-    std::vector<Vec2> seeds = kSeeds;
+std::string delaunayFaultAfter(Break breakIt) {
+    Delaunay delaunay = triangulate(kRhombus).value();
+    std::vector<Vec2> seeds = kRhombus;
     breakIt(delaunay, seeds);
     return verifyDelaunay(delaunay, seeds).value_or("");
 }
@@ -39,39 +39,40 @@ class VerifyDelaunayTest : public QObject {
     Q_OBJECT
 private slots:
     void validTriangulationPasses() {
-        QCOMPARE(faultAfter([](Delaunay&, std::vector<Vec2>&) {}), std::string());
+        QCOMPARE(delaunayFaultAfter([](Delaunay&, std::vector<Vec2>&) {}), std::string());
     }
     void missingSeedIsFound() {
-        QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) { d.duplicates.clear(); }),
+        QCOMPARE(delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) { d.duplicates.clear(); }),
                  std::string("Seed 4 is missing."));
-        QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) { d.seedOf.pop_back(); }),
+        QCOMPARE(delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) { d.seedOf.pop_back(); }),
                  std::string("The number of sites differs from the number of their seeds."));
     }
     void movedSiteIsFound() {
-        const std::string fault = faultAfter([](Delaunay& d, std::vector<Vec2>&) { d.sites[siteOf(d, 2)].x += 1e-15; });
+        const std::string fault =
+            delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) { d.sites[siteOf(d, 2)].x += 1e-15; });
         QVERIFY2(fault.find("is not where seed 2 is.") != fault.npos, fault.c_str());
     }
     void wrongDuplicatesAreFound() {
-        QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) {
+        QCOMPARE(delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) {
                      d.duplicates[0] = {4, 1};
                  }),
                  std::string("Seeds 4 and 1 are not equal."));
-        QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) {
+        QCOMPARE(delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) {
                      d.duplicates[0] = {4, 4};
                  }),
                  std::string("Seed 4 is not a duplicate of seed 4."));
     }
     void wrongTwinsAreFound() {
-        const std::string fault = faultAfter(
+        const std::string fault = delaunayFaultAfter(
             [](Delaunay& d, std::vector<Vec2>&) { std::swap(d.triangles[0].twin[0], d.triangles[0].twin[1]); });
         QVERIFY2(fault.find("and its twin do not agree.") != fault.npos, fault.c_str());
     }
     void missingTriangleIsFound() {
-        QCOMPARE(faultAfter([](Delaunay& d, std::vector<Vec2>&) { d.triangles.pop_back(); }),
+        QCOMPARE(delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>&) { d.triangles.pop_back(); }),
                  std::string("There are 5 triangles with ghosts instead of 6."));
     }
     void wrongDiagonalIsFound() {
-        const std::string fault = faultAfter([](Delaunay& d, std::vector<Vec2>& seeds) {
+        const std::string fault = delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>& seeds) {
             move(d, seeds, 1, {2, -5});
             move(d, seeds, 3, {2, 5});
         });
@@ -79,14 +80,16 @@ private slots:
     }
     void wrongTieBreakIsFound() {
         // A square: its diagonal must start at seed 0, but here it connects seeds 1 and 3.
-        const std::string fault = faultAfter([](Delaunay& d, std::vector<Vec2>& seeds) {
+        const std::string fault = delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>& seeds) {
             move(d, seeds, 1, {2, -2});
             move(d, seeds, 3, {2, 2});
         });
         QVERIFY2(fault.find("lies in the circle of triangle") != fault.npos, fault.c_str());
     }
     void clockwiseTriangleIsFound() {
-        const std::string fault = faultAfter([](Delaunay& d, std::vector<Vec2>& seeds) { move(d, seeds, 2, {1, 0}); });
+        const std::string fault = delaunayFaultAfter([](Delaunay& d, std::vector<Vec2>& seeds) {
+            move(d, seeds, 2, {1, 0});
+        });
         QVERIFY(!fault.empty());
     }
 };

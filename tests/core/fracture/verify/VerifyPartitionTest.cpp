@@ -12,24 +12,24 @@ using namespace rubble;
 
 namespace {
 
-const std::vector<Vec2> kSeeds = {{1.0, 1.0}, {3.0, 1.0}, {3.0, 3.0}, {1.0, 3.0}, {2.0, 0.25}};
+const std::vector<Vec2> kFrameSeeds = {{1.0, 1.0}, {3.0, 1.0}, {3.0, 3.0}, {1.0, 3.0}, {2.0, 0.25}};
 
 /// Five cells of a square of side 4 around a hole.
-Partition frame() { return verifiedPartition(squareRing(), kSeeds).value(); }
+Partition frame() { return verifiedPartition(squareRing(), kFrameSeeds).value(); }
 
 std::uint32_t pointAt(const Partition& partition, Vec2 place) {
     const auto found = std::ranges::find(partition.points, place);
     return static_cast<std::uint32_t>(found - partition.points.begin());
 }
 
-std::string faultOf(const Partition& partition) { return verifyPartition(partition, squareRing()).value_or(""); }
+std::string frameFault(const Partition& partition) { return verifyPartition(partition, squareRing()).value_or(""); }
 
 /// The fault that is found after a valid partition is damaged.
 template <class Break>
-std::string faultAfter(Break breakIt) {
+std::string frameFaultAfter(Break breakIt) {
     Partition partition = frame();
     breakIt(partition);
-    return faultOf(partition);
+    return frameFault(partition);
 }
 
 /// A square whose central piece touches its left and right side, so that the piece around it is disconnected.
@@ -54,29 +54,29 @@ class VerifyPartitionTest : public QObject {
     Q_OBJECT
 private slots:
     void validPartitionPasses() {
-        QCOMPARE(faultOf(frame()), std::string());
-        QCOMPARE(verifyNearestSeed(frame(), kSeeds).value_or(""), std::string());
+        QCOMPARE(frameFault(frame()), std::string());
+        QCOMPARE(verifyNearestSeed(frame(), kFrameSeeds).value_or(""), std::string());
     }
     void mismatchedArraysAreFound() {
         const std::string misfit = "The sizes of the partition's arrays do not match.";
-        QCOMPARE(faultAfter([](Partition& p) { p.neighbours.pop_back(); }), misfit);
-        QCOMPARE(faultAfter([](Partition& p) { p.ringsOfPiece.back()++; }), misfit);
-        QCOMPARE(faultAfter([](Partition& p) { p.cornersOfRing[1] = 1000; }), misfit);
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.neighbours.pop_back(); }), misfit);
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.ringsOfPiece.back()++; }), misfit);
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.cornersOfRing[1] = 1000; }), misfit);
     }
     void wrongPieceOfSeedIsFound() {
-        QCOMPARE(faultAfter([](Partition& p) { p.pieceOfSeed[p.seedOfPiece[2]] = kNone; }),
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.pieceOfSeed[p.seedOfPiece[2]] = kNone; }),
                  "Seed " + std::to_string(frame().seedOfPiece[2]) + " does not refer to its piece 2.");
     }
     void invalidPointsAreFound() {
-        QCOMPARE(faultAfter([](Partition& p) { p.corners[3] = 9999; }),
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.corners[3] = 9999; }),
                  std::string("Corner 3 refers to a point that does not exist."));
-        QCOMPARE(faultAfter([](Partition& p) {
+        QCOMPARE(frameFaultAfter([](Partition& p) {
                      p.points[p.corners[3]].x = std::numeric_limits<double>::infinity();
                  }).substr(0, 6),
                  std::string("Corner"));
     }
     void wrongNeighbourIsFound() {
-        const std::string fault = faultAfter([](Partition& p) {
+        const std::string fault = frameFaultAfter([](Partition& p) {
             const auto inner = std::ranges::find_if(p.neighbours, [](std::uint32_t piece) { return piece != kNone; });
             *inner = *inner == 0 ? 1 : 0;
         });
@@ -84,7 +84,7 @@ private slots:
     }
     void cornerInsideANeighboursEdgeIsFound() {
         // A T-junction: one side of an inner edge gets a point that the other side does not have.
-        const std::string fault = faultAfter([](Partition& p) {
+        const std::string fault = frameFaultAfter([](Partition& p) {
             std::size_t corner = 0;
             while (p.neighbours[corner] == kNone) ++corner;
             p.points.push_back((p.points[p.corners[corner]] + p.points[p.corners[corner + 1]]) / 2.0);
@@ -96,7 +96,7 @@ private slots:
         QVERIFY2(fault.find("does not have the right neighbour behind its edge") != fault.npos, fault.c_str());
     }
     void missingPieceIsFound() {
-        const std::string fault = faultAfter([](Partition& p) {
+        const std::string fault = frameFaultAfter([](Partition& p) {
             p.pieceOfSeed[p.seedOfPiece.back()] = kNone;
             p.seedOfPiece.pop_back();
             p.ringsOfPiece.pop_back();
@@ -108,7 +108,7 @@ private slots:
         QVERIFY2(!fault.empty(), fault.c_str());
     }
     void duplicatePieceIsFound() {
-        const std::string fault = faultAfter([](Partition& p) {
+        const std::string fault = frameFaultAfter([](Partition& p) {
             p.seedOfPiece.push_back(p.seedOfPiece[0]);
             for (std::uint32_t corner = 0; corner < p.cornersOfRing[1]; ++corner) {
                 p.corners.push_back(p.corners[corner]);
@@ -120,17 +120,17 @@ private slots:
         QVERIFY2(fault.find("repeats the edge") != fault.npos, fault.c_str());
     }
     void movedOutlinePointIsFound() {
-        QCOMPARE(faultAfter([](Partition& p) {
+        QCOMPARE(frameFaultAfter([](Partition& p) {
                      p.points[pointAt(p, {4, 4})] = {4.0, 3.9};
                  }),
                  std::string("The pieces leave the outline after point 1."));
-        QCOMPARE(faultAfter([](Partition& p) {
+        QCOMPARE(frameFaultAfter([](Partition& p) {
                      p.points[pointAt(p, {3, 3})] = {3.0, 3.1};
                  }),
                  std::string("The pieces leave hole 0 after point 0."));
     }
     void pointBesideTheOutlineIsFound() {
-        QCOMPARE(faultAfter([](Partition& p) {
+        QCOMPARE(frameFaultAfter([](Partition& p) {
                      p.points[pointAt(p, {4, 2})].x = 3.99;
                  }),
                  std::string("The pieces leave the outline after point 1."));
@@ -144,7 +144,7 @@ private slots:
                  std::string("Ring 0 of piece 0 has the wrong winding or no area."));
     }
     void wrongGapIsFound() {
-        QCOMPARE(faultAfter([](Partition& p) { p.gap = 0.5; }),
+        QCOMPARE(frameFaultAfter([](Partition& p) { p.gap = 0.5; }),
                  std::string("The pieces' areas sum to 12.000000 m² instead of 11.500000 m²."));
     }
     void pieceDisconnectedByPointsIsFound() {
@@ -154,16 +154,16 @@ private slots:
     void cornerNearerToAnotherSeedIsFound() {
         Partition partition = frame();
         partition.points[pointAt(partition, {4, 2})].y += 1e-6;
-        const std::string fault = verifyNearestSeed(partition, kSeeds).value_or("");
+        const std::string fault = verifyNearestSeed(partition, kFrameSeeds).value_or("");
         QVERIFY2(fault.find("has a corner that is nearer to another seed than to seed") != fault.npos, fault.c_str());
     }
     void swappedSeedsAreFound() {
         Partition partition = frame();
         std::swap(partition.seedOfPiece[0], partition.seedOfPiece[1]);
-        QVERIFY(verifyNearestSeed(partition, kSeeds).has_value());
+        QVERIFY(verifyNearestSeed(partition, kFrameSeeds).has_value());
     }
     void ignoredSeedIsFound() {
-        std::vector<Vec2> seeds = kSeeds;
+        std::vector<Vec2> seeds = kFrameSeeds;
         seeds.push_back({2.0, 3.5});
         QVERIFY(verifyNearestSeed(frame(), seeds).has_value());
     }

@@ -5,6 +5,7 @@
 #include "core/geometry/polygon/LocalFrame.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/VerifiedPartition.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
@@ -12,18 +13,7 @@ using namespace rubble;
 
 namespace {
 
-const Polygon kUnitSquare = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
-const Polygon kEll = {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}};
 const Polygon kFrame = {{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{2, 2}, {2, 6}, {6, 6}, {6, 2}}}};
-/// Four teeth, a hole, and outline points in the middle of straight edges.
-const Polygon kComb = {
-    {{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {7, 8}, {7, 1}, {6, 1}, {6, 8}, {5, 8}, {5, 1}, {4, 1}, {4, 8}, {0, 8}},
-    {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
-
-std::string faultOf(const Polygon& outline, const std::vector<Vec2>& seeds) {
-    const Result<Partition> partition = verifiedPartition(outline, seeds);
-    return partition ? "" : partition.error().message;
-}
 
 }  // namespace
 
@@ -38,15 +28,15 @@ private slots:
     }
     void collinearSeedsGiveStrips() {
         const std::vector<Vec2> seeds = {{0.125, 0.5}, {0.375, 0.5}, {0.625, 0.5}, {0.875, 0.5}};
-        const Result<Partition> partition = voronoiPartition(kUnitSquare, seeds);
+        const Result<Partition> partition = voronoiPartition(unitSquare(), seeds);
         for (std::uint32_t seed = 0; seed < 4; ++seed) QCOMPARE(areaOfSeed(*partition, seed), 0.25);
-        QCOMPARE(faultOf(kUnitSquare, seeds), std::string());
+        QCOMPARE(partitionFault(unitSquare(), seeds), std::string());
     }
     void fourCocircularSeedsShareOnePoint() {
         const std::vector<Vec2> seeds = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
-        const Result<Partition> partition = voronoiPartition(kUnitSquare, seeds);
+        const Result<Partition> partition = voronoiPartition(unitSquare(), seeds);
         QCOMPARE(partition->corners.size(), std::size_t{16});
-        QCOMPARE(faultOf(kUnitSquare, seeds), std::string());
+        QCOMPARE(partitionFault(unitSquare(), seeds), std::string());
     }
     void lShapeSplitsACell() {
         // The far corner of the square that the L leaves out lies between both ends of the cell of seed 0.
@@ -54,17 +44,17 @@ private slots:
         for (const bool farFirst : {true, false}) {
             const std::vector<Vec2> seeds =
                 farFirst ? std::vector<Vec2>{{2, 2}, {0, 0}} : std::vector<Vec2>{{0, 0}, {2, 2}};
-            const Result<Partition> partition = voronoiPartition(kEll, seeds);
+            const Result<Partition> partition = voronoiPartition(lShape(), seeds);
             QCOMPARE(partition->pieceCount(), 3u);
             QCOMPARE(areaOfSeed(*partition, farFirst ? 0 : 1), 1.0);
             QCOMPARE(partition->diagnostics.size(), std::size_t{1});
             QCOMPARE(QString::fromStdString(partition->diagnostics[0].message),
                      QString("The outline cuts the cell of seed %1 into 2 pieces.").arg(farFirst ? 0 : 1));
-            QCOMPARE(faultOf(kEll, seeds), std::string());
+            QCOMPARE(partitionFault(lShape(), seeds), std::string());
         }
     }
     void farSeedHasNoCell() {
-        const Result<Partition> partition = voronoiPartition(kUnitSquare, std::vector<Vec2>{{0.5, 0.5}, {100, 100}});
+        const Result<Partition> partition = voronoiPartition(unitSquare(), std::vector<Vec2>{{0.5, 0.5}, {100, 100}});
         QCOMPARE(partition->pieceOfSeed, (UninitializedVector<std::uint32_t>{0, kNone}));
         QCOMPARE(partition->diagnostics[0].code, DiagnosticCode::SeedWithoutCell);
     }
@@ -77,10 +67,10 @@ private slots:
     void bisectorsAlongTheOutlineLeaveNoSliver() {
         // The bisector x = 1 is the L's own edge from (1, 1) to (1, 2).
         for (const std::vector<Vec2>& seeds : {std::vector<Vec2>{{0.5, 0.5}, {1.5, 0.5}}, {{1.5, 0.5}, {0.5, 0.5}}}) {
-            const Result<Partition> partition = voronoiPartition(kEll, seeds);
+            const Result<Partition> partition = voronoiPartition(lShape(), seeds);
             QCOMPARE(partition->pieceCount(), 2u);
             QCOMPARE(partition->corners.size(), std::size_t{9});
-            QCOMPARE(faultOf(kEll, seeds), std::string());
+            QCOMPARE(partitionFault(lShape(), seeds), std::string());
         }
     }
     void acuteCornerIsKept() {
@@ -91,7 +81,7 @@ private slots:
             const Vec2 along = {cosine(angle / 2.0), sine(angle / 2.0)};
             for (const double times : {0.5, 0.99, 1.01, 2.0, 4.0}) {
                 const double tip = times * kWeldFraction / (2.0 * sine(angle / 2.0));
-                QCOMPARE(faultOf(outline, {0.5 * tip * along, 1.5 * tip * along}), std::string());
+                QCOMPARE(partitionFault(outline, {0.5 * tip * along, 1.5 * tip * along}), std::string());
             }
         }
     }
@@ -109,7 +99,7 @@ private slots:
                     round % 3 == 0 ? 0.0 : random.between(-1.0, 1.0) * (round % 3 == 1 ? kWeldFraction : tip);
                 seeds.push_back(random.between(-0.5, 4.0) * tip * along + aside * Vec2{-along.y, along.x});
             }
-            const std::string fault = faultOf(outline, seeds);
+            const std::string fault = partitionFault(outline, seeds);
             QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
         }
     }
@@ -132,13 +122,13 @@ private slots:
                 round % 10 == 0 && spread > minDistance * 1e3;  // far apart against the rounding of points
             for (std::uint64_t count = isMany ? 1000 : 1 + random.below(9); count > 0; --count)
                 seeds.push_back(places[k] + spread * Vec2{random.between(-1.0, 1.0), random.between(-1.0, 1.0)});
-            const std::string fault = faultOf(outlines[k], seeds);
+            const std::string fault = partitionFault(outlines[k], seeds);
             QVERIFY2(fault.empty(), qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
         }
     }
     void areaIsKeptFarFromTheOrigin() {
         Polygon outline;
-        for (const Vec2 point : kUnitSquare.outer) outline.outer.push_back(point * 0x1p-20 + Vec2{0x1p20, -0x1p20});
+        for (const Vec2 point : unitSquare().outer) outline.outer.push_back(point * 0x1p-20 + Vec2{0x1p20, -0x1p20});
         const std::vector<Vec2> seeds = {outline.outer[0] + Vec2{0x1p-22, 0x1p-21},
                                          outline.outer[0] + Vec2{0x1.8p-21, 0x1p-21}};
         const Result<Partition> partition = voronoiPartition(outline, seeds);
@@ -150,7 +140,7 @@ private slots:
         Random random(5);
         std::vector<Vec2> seeds;
         for (int i = 0; i < 40'000; ++i) seeds.push_back(Vec2{random.unit(), random.unit()} * 9.0 - Vec2{0.5, 0.5});
-        for (const Polygon& outline : {kEll, kFrame, kComb}) {
+        for (const Polygon& outline : {lShape(), kFrame, combWithHole()}) {
             const Result<Partition> one = voronoiPartition(outline, seeds, {.threads = 1});
             const Result<Partition> two = voronoiPartition(outline, seeds, {.threads = 2});
             QCOMPARE(verifyPartition(*one, outline).value_or(""), std::string());
@@ -173,8 +163,8 @@ private slots:
                     case 3: seeds.push_back({4.0 + lattice(9) * 0x1p-50, lattice(9)}); break;
                 }
             }
-            for (const Polygon& outline : {kUnitSquare, kEll, kFrame, kComb}) {
-                const std::string fault = faultOf(outline, seeds);
+            for (const Polygon& outline : {unitSquare(), lShape(), kFrame, combWithHole()}) {
+                const std::string fault = partitionFault(outline, seeds);
                 QVERIFY2(fault.empty(),
                          qPrintable(QString("seed %1, round %2: ").arg(seed).arg(round) + fault.c_str()));
             }

@@ -1,5 +1,6 @@
 #include "core/geometry/hull/AspectRatio.h"
 #include "core/geometry/polygon/OutlineShapes.h"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -7,11 +8,7 @@
 
 using namespace rubble;
 
-namespace {
-
-bool isNear(double a, double b) { return std::abs(a - b) < 1e-12 * b; }  // a few roundings
-
-}  // namespace
+namespace {}  // namespace
 
 class AspectRatioTest : public QObject {
     Q_OBJECT

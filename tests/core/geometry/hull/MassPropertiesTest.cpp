@@ -1,6 +1,7 @@
 #include "core/base/Random.h"
 #include "core/geometry/hull/MassProperties.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
@@ -11,8 +12,8 @@ using namespace rubble;
 
 namespace {
 
-Ring rectangle(double width, double height, Vec2 corner = {0.0, 0.0}) {
-    return {corner, corner + Vec2(width, 0.0), corner + Vec2(width, height), corner + Vec2(0.0, height)};
+Ring rectangleOfSize(double width, double height, Vec2 corner = {0.0, 0.0}) {
+    return rectangle(corner, corner + Vec2(width, height));
 }
 
 double largestDifference(const Mat3& a, const Mat3& b) {
@@ -32,11 +33,11 @@ class MassPropertiesTest : public QObject {
 private slots:
     void boxHasTheTextbookTensor() {
         // 2 x 4 x 6, volume 48: inertia volume / 12 times the sums of two squared sides.
-        const MassProperties prism = massOfPrism({rectangle(2.0, 4.0), {}}, 6.0);
+        const MassProperties prism = massOfPrism({rectangleOfSize(2.0, 4.0), {}}, 6.0);
         QCOMPARE(prism.volume, 48.0);
         QVERIFY(prism.centre == Vec3(1.0, 2.0, 0.0));
         QVERIFY(largestDifference(prism.inertia, diagonal(208.0, 160.0, 80.0)) < 1e-12);
-        const MassProperties polytope = massOf(extruded(rectangle(2.0, 4.0), -3.0, 3.0));
+        const MassProperties polytope = massOf(extruded(rectangleOfSize(2.0, 4.0), -3.0, 3.0));
         QCOMPARE(polytope.volume, 48.0);
         QVERIFY(glm::distance(polytope.centre, Vec3(1.0, 2.0, 0.0)) < 1e-15);
         QVERIFY(largestDifference(polytope.inertia, diagonal(208.0, 160.0, 80.0)) < 1e-12);
@@ -52,16 +53,16 @@ private slots:
         QVERIFY(std::abs(mass.inertia[0][0] - (1.0 / 36.0 + 0.5 / 12.0)) < 1e-15);
     }
     void holeIsSubtractedForAnyWinding() {
-        Ring hole = rectangle(1.0, 1.0, {0.5, 0.5});
-        const MassProperties counterClockwise = massOfPrism({rectangle(4.0, 2.0), {hole}}, 1.0);
+        Ring hole = rectangleOfSize(1.0, 1.0, {0.5, 0.5});
+        const MassProperties counterClockwise = massOfPrism({rectangleOfSize(4.0, 2.0), {hole}}, 1.0);
         std::reverse(hole.begin(), hole.end());
-        const MassProperties clockwise = massOfPrism({rectangle(4.0, 2.0), {hole}}, 1.0);
+        const MassProperties clockwise = massOfPrism({rectangleOfSize(4.0, 2.0), {hole}}, 1.0);
         QCOMPARE(counterClockwise.volume, 7.0);
         QCOMPARE(clockwise.volume, 7.0);
         // (8 * 2 - 1 * 1) / 7 along x, the middle along y.
         QVERIFY(glm::distance(clockwise.centre, Vec3(15.0 / 7.0, 1.0, 0.0)) < 1e-15);
         QVERIFY(largestDifference(clockwise.inertia, counterClockwise.inertia) < 1e-14);
-        Ring outer = rectangle(4.0, 2.0);
+        Ring outer = rectangleOfSize(4.0, 2.0);
         std::reverse(outer.begin(), outer.end());
         QCOMPARE(massOfPrism({outer, {hole}}, 1.0).volume, 7.0);
     }
@@ -69,11 +70,11 @@ private slots:
         // 2^-20 m wide, 2^20 m from the origin: every coordinate is exact, so must the volume be.
         const double side = 0x1p-20;
         const Vec2 far{0x1p20, -0x1p20};
-        const MassProperties prism = massOfPrism({rectangle(side, side, far), {}}, 1.0);
+        const MassProperties prism = massOfPrism({rectangleOfSize(side, side, far), {}}, 1.0);
         QCOMPARE(prism.volume, side * side);
         QVERIFY(prism.centre == Vec3(far.x + side / 2, far.y + side / 2, 0.0));
         QVERIFY(std::abs(prism.inertia[2][2] / (side * side * side * side / 6.0) - 1.0) < 1e-14);
-        const MassProperties polytope = massOf(extruded(rectangle(side, side, far), 0.0, side));
+        const MassProperties polytope = massOf(extruded(rectangleOfSize(side, side, far), 0.0, side));
         QVERIFY(std::abs(polytope.volume / (side * side * side) - 1.0) < 1e-14);
         QVERIFY(std::abs(polytope.inertia[0][0] / (side * side * side * side * side / 6.0) - 1.0) < 1e-13);
     }
@@ -86,9 +87,9 @@ private slots:
         QVERIFY(flat.centre == Vec3(1.0, 0.0, 0.0));  // the mean of the corners
     }
     void halvesCombineToTheWhole() {
-        const MassProperties whole = massOf(extruded(rectangle(2.0, 1.0), 0.0, 1.0));
-        const MassProperties halves[] = {massOf(extruded(rectangle(0.5, 1.0), 0.0, 1.0)),
-                                         massOf(extruded(rectangle(1.5, 1.0, {0.5, 0.0}), 0.0, 1.0))};
+        const MassProperties whole = massOf(extruded(rectangleOfSize(2.0, 1.0), 0.0, 1.0));
+        const MassProperties halves[] = {massOf(extruded(rectangleOfSize(0.5, 1.0), 0.0, 1.0)),
+                                         massOf(extruded(rectangleOfSize(1.5, 1.0, {0.5, 0.0}), 0.0, 1.0))};
         const MassProperties sum = combined(halves);
         QVERIFY(std::abs(sum.volume - 2.0) < 1e-15);
         QVERIFY(glm::distance(sum.centre, Vec3(1.0, 0.5, 0.5)) < 1e-15);

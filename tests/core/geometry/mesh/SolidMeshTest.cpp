@@ -9,10 +9,10 @@ using namespace rubble;
 
 namespace {
 
-constexpr double kTolerance = 1e-5;
+constexpr double kSolidTolerance = 1e-5;
 
-std::string faultOf(const TriangleMesh& mesh) {
-    const Result<SolidMesh> solid = orientedSolid(mesh, kTolerance);
+std::string solidFault(const TriangleMesh& mesh) {
+    const Result<SolidMesh> solid = orientedSolid(mesh, kSolidTolerance);
     return solid ? "" : solid.error().message;
 }
 
@@ -22,7 +22,7 @@ class SolidMeshTest : public QObject {
     Q_OBJECT
 private slots:
     void solidIsUnchanged() {
-        const Result<SolidMesh> solid = orientedSolid(prismSolid(squareRing(), 0.5), kTolerance);
+        const Result<SolidMesh> solid = orientedSolid(prismSolid(squareRing(), 0.5), kSolidTolerance);
         QVERIFY(solid.hasValue());
         QVERIFY(solid->flipped.empty());
         QVERIFY(std::abs(solid->volume - 6.0) < 1e-12);
@@ -32,27 +32,28 @@ private slots:
         const auto right = box.triangles;
         std::swap(box.triangles[3][0], box.triangles[3][1]);
         std::swap(box.triangles[7][0], box.triangles[7][1]);
-        const Result<SolidMesh> solid = orientedSolid(box, kTolerance);
+        const Result<SolidMesh> solid = orientedSolid(box, kSolidTolerance);
         QCOMPARE(solid->flipped, (std::vector<std::uint32_t>{3, 7}));
         QVERIFY(std::abs(solid->volume - 1.0) < 1e-12);
         for (auto& triangle : box.triangles) std::swap(triangle[0], triangle[1]);
-        QCOMPARE(orientedSolid(box, kTolerance)->flipped.size(), std::size_t{10});
+        QCOMPARE(orientedSolid(box, kSolidTolerance)->flipped.size(), std::size_t{10});
     }
     void faultsAreCounted() {
         TriangleMesh box = prismSolid(unitSquare(), 1.0);
-        QCOMPARE(faultOf(joined(box, placed(box, {{3, 0, 0}}))), "The mesh consists of 2 disconnected parts.");
+        QCOMPARE(solidFault(joined(box, placed(box, {{3, 0, 0}}))), "The mesh consists of 2 disconnected parts.");
         TriangleMesh doubled = box;
         doubled.triangles.push_back(box.triangles[0]);
-        QCOMPARE(faultOf(doubled), "The mesh is not manifold: 3 edges have more than two faces.");
+        QCOMPARE(solidFault(doubled), "The mesh is not manifold: 3 edges have more than two faces.");
         box.triangles.pop_back();
-        QCOMPARE(faultOf(box), "The mesh is not closed: 3 edges have one face only.");
-        QCOMPARE(faultOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}), "The mesh encloses no volume.");
+        QCOMPARE(solidFault(box), "The mesh is not closed: 3 edges have one face only.");
+        QCOMPARE(solidFault({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}),
+                 "The mesh encloses no volume.");
     }
     void partsSharingOnlyAPointAreRejected() {
         const TriangleMesh one{
             {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 5, 4}, {0, 4, 6}, {0, 6, 5}, {4, 5, 6}}};
-        QCOMPARE(faultOf(one), "The mesh consists of parts that touch only at single points.");
+        QCOMPARE(solidFault(one), "The mesh consists of parts that touch only at single points.");
     }
     void projectivePlaneIsNotOrientable() {
         const TriangleMesh plane{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}},
@@ -66,7 +67,7 @@ private slots:
                                   {3, 4, 1},
                                   {4, 5, 2},
                                   {5, 1, 3}}};
-        QCOMPARE(faultOf(plane), "The mesh is not orientable: its faces cannot all be oriented the same way.");
+        QCOMPARE(solidFault(plane), "The mesh is not orientable: its faces cannot all be oriented the same way.");
     }
     void partsAreNumberedByTheirFirstTriangle() {
         const TriangleMesh box = prismSolid(unitSquare(), 1.0);

@@ -14,7 +14,7 @@ using namespace rubble;
 
 namespace {
 
-Ring star(Random& random, int corners, double size) {
+Ring starAtEqualAngles(Random& random, int corners, double size) {
     Ring ring;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / corners;
@@ -43,7 +43,7 @@ private slots:
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
         for (const int corners : {3, 4, 30, 500}) {
-            const Polygon polygon{star(random, corners, 1.0), {star(random, 5, 0.3)}};
+            const Polygon polygon{starAtEqualAngles(random, corners, 1.0), {starAtEqualAngles(random, 5, 0.3)}};
             const BoundaryDistance boundary(polygon);
             for (int query = 0; query < 300; ++query) {
                 const Vec2 point(random.between(-1.2, 1.2), random.between(-1.2, 1.2));

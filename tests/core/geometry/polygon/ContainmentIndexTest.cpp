@@ -7,23 +7,10 @@
 #include <QTest>
 
 #include <cmath>
-#include <numbers>
 
 using namespace rubble;
 
-namespace {
-
-/// A ring around the origin with radii between the given ones.
-Ring star(std::uint32_t corners, double inner, double outer) {
-    Ring ring;
-    for (std::uint32_t k = 0; k < corners; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / corners, radius = k % 2 == 0 ? outer : inner;
-        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return ring;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 class ContainmentIndexTest : public QObject {
     Q_OBJECT

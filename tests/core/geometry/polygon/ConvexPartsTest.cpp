@@ -119,13 +119,6 @@ Ring randomStar(Random& random, std::uint64_t corners, Vec2 centre, double radiu
     return ring;
 }
 
-Ring randomLatticeRing(Random& random, std::uint64_t most, std::uint64_t extent) {
-    Ring ring(3 + random.below(most - 2));
-    for (Vec2& point : ring)
-        point = {static_cast<double>(random.below(extent)), static_cast<double>(random.below(extent))};
-    return ring;
-}
-
 /// A big star with a grid of small stars as holes.
 Polygon starWithHoles(Random& random, std::uint64_t corners, int holesAcross, std::uint64_t holeCorners) {
     Polygon polygon{randomStar(random, corners, {0, 0}, 10.0), {}};

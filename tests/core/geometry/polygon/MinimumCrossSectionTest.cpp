@@ -2,6 +2,7 @@
 
 #include "core/base/Random.h"
 #include "core/geometry/polygon/OutlineShapes.h"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -12,8 +13,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr double kRounding = 1e-12;
 
 /// The polygon rotated about the origin and translated.
 Polygon turned(const Polygon& polygon, double angle, Vec2 by) {
@@ -30,8 +29,6 @@ Polygon turned(const Polygon& polygon, double angle, Vec2 by) {
     return result;
 }
 
-bool isNear(double first, double second, double tolerance) { return std::abs(first - second) <= tolerance * second; }
-
 }  // namespace
 
 class MinimumCrossSectionTest : public QObject {
@@ -43,16 +40,16 @@ private slots:
     }
     void holesAreSubtracted() {
         const Polygon frame{rectangle({0.0, 0.0}, {4.0, 4.0}), {rectangle({1.0, 1.0}, {3.0, 3.0})}};
-        QVERIFY(isNear(minimumCrossSection(frame), 2.0, kRounding));  // two bars
-        QVERIFY(isNear(crossSectionLength(frame, {0.5, 0.5}, {1.0, 0.0}), 4.0, kRounding));
-        QVERIFY(isNear(crossSectionLength(frame, {0.5, 2.0}, {1.0, 0.0}), 2.0, kRounding));
+        QVERIFY(isNear(minimumCrossSection(frame), 2.0));  // two bars
+        QVERIFY(isNear(crossSectionLength(frame, {0.5, 0.5}, {1.0, 0.0}), 4.0));
+        QVERIFY(isNear(crossSectionLength(frame, {0.5, 2.0}, {1.0, 0.0}), 2.0));
         QCOMPARE(crossSectionLength(frame, {0.0, 5.0}, {1.0, 0.0}), 0.0);
     }
     void concaveOutlineHasItsNeck() {
         // A dumbbell: two squares of 2, joined by a neck 0.2 high about the origin.
         const Ring dumbbell{{-3.0, -1.0}, {-1.0, -1.0}, {-1.0, -0.1}, {1.0, -0.1}, {1.0, -1.0}, {3.0, -1.0},
                             {3.0, 1.0},   {1.0, 1.0},   {1.0, 0.1},   {-1.0, 0.1}, {-1.0, 1.0}, {-3.0, 1.0}};
-        QVERIFY(isNear(minimumCrossSection({dumbbell, {}}), 0.2, kRounding));
+        QVERIFY(isNear(minimumCrossSection({dumbbell, {}}), 0.2));
     }
     void lineAlongAnEdgeCountsAsBesideIt() {
         const double along = crossSectionLength(unitSquare(), {0.5, 0.0}, {1.0, 0.0});
@@ -73,7 +70,7 @@ private slots:
         const Ring letter{{0.0, 0.0}, {6.0, 0.0}, {6.0, 1.0}, {1.0, 1.0},
                           {1.0, 5.0}, {6.0, 5.0}, {6.0, 6.0}, {0.0, 6.0}};
         QVERIFY(containment({letter, {}}, centroid({letter, {}})) == Containment::Outside);
-        QVERIFY(isNear(minimumCrossSection({letter, {}}), 1.0, kRounding));
+        QVERIFY(isNear(minimumCrossSection({letter, {}}), 1.0));
     }
 };
 

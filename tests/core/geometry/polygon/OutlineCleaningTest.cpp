@@ -15,7 +15,7 @@ using namespace rubble;
 
 namespace {
 
-constexpr double kTolerance = 1e-6;  // m
+constexpr double kCleaningTolerance = 1e-6;  // m
 
 /// A square, or a shape of five corners, whose edges have `count` further corners each, off by up to `noise` m.
 Ring subdivided(Random& random, int edges, int count, double noise) {
@@ -60,21 +60,21 @@ private slots:
         Random random(20261123);
         std::size_t removed = 0;
         for (int round = 0; round < 2000; ++round) {
-            const double noise = kTolerance * std::array{0.0, 1e-6, 0.3, 0.9, 1.5, 100.0}[round % 6];
+            const double noise = kCleaningTolerance * std::array{0.0, 1e-6, 0.3, 0.9, 1.5, 100.0}[round % 6];
             const Ring ring = subdivided(random, 3 + round % 3, 1 + static_cast<int>(random.below(40)), noise);
-            const Ring cleaned = withoutCollinearCorners(ring, kTolerance);
-            QCOMPARE(cleaned, simplyCleaned(ring, kTolerance));
+            const Ring cleaned = withoutCollinearCorners(ring, kCleaningTolerance);
+            QCOMPARE(cleaned, simplyCleaned(ring, kCleaningTolerance));
             removed += ring.size() - cleaned.size();
         }
         QVERIFY(removed > 10000);
     }
     void workIsLinearInTheCornersOfAStraightRun() {
         Random random(4);
-        for (const double noise : {0.0, 1e-3 * kTolerance, 0.2 * kTolerance}) {
+        for (const double noise : {0.0, 1e-3 * kCleaningTolerance, 0.2 * kCleaningTolerance}) {
             for (const int count : {1000, 16000}) {
                 const Ring ring = subdivided(random, 4, count, noise);
                 std::size_t visited = 0;
-                QVERIFY(withoutCollinearCorners(ring, kTolerance, &visited).size() < 10);
+                QVERIFY(withoutCollinearCorners(ring, kCleaningTolerance, &visited).size() < 10);
                 QVERIFY2(visited < 32 * ring.size(), qPrintable(QString::number(visited)));
             }
         }

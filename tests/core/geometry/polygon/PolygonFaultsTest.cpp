@@ -124,23 +124,6 @@ private:
     std::vector<Ring> m_rings;
 };
 
-Ring randomLatticeRing(Random& random, std::uint64_t most, std::uint64_t extent) {
-    Ring ring(3 + random.below(most - 2));
-    for (Vec2& point : ring)
-        point = {static_cast<double>(random.below(extent)), static_cast<double>(random.below(extent))};
-    return ring;
-}
-
-/// A star: corners alternating between two circles.
-Ring star(int corners, Vec2 centre, double radius) {
-    Ring ring;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / corners;
-        ring.push_back(centre + Vec2(std::cos(angle), std::sin(angle)) * (i % 2 == 0 ? radius : 0.9 * radius));
-    }
-    return ring;
-}
-
 double logBetween(Random& random, double least, double most) { return least * std::pow(most / least, random.unit()); }
 
 /// An outline of about 1 m near one of the limits of narrowFeatures(): sharp, flat, with a short edge, or with a short
@@ -369,9 +352,9 @@ private slots:
     }
     void comparisonsOfStarsGrowLikeNLogN() {
         const auto stars = [](int scale) {
-            Polygon polygon{star(25000 * scale, {0, 0}, 2.0), {}};
+            Polygon polygon{star(25000 * scale, 0.9 * 2.0, 2.0), {}};
             for (int i = 0; i < 100; ++i)
-                polygon.holes.push_back(star(25 * scale, Vec2(i % 10 - 4.5, i / 10 - 4.5) * 0.2, 0.09));
+                polygon.holes.push_back(star(25 * scale, 0.9 * 0.09, 0.09, Vec2(i % 10 - 4.5, i / 10 - 4.5) * 0.2));
             return polygon;
         };
         Polygon polygon = stars(4);

@@ -26,7 +26,7 @@ Result<PrismFit> found(const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thi
     return fitPrism(solid->mesh, axis, one->tolerance);
 }
 
-QString faultOf(const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {
+QString prismFault(const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {
     const Result<PrismFit> prism = found(mesh, axis);
     return prism ? "It is a prism." : QString::fromStdString(prism.error().message);
 }
@@ -48,8 +48,8 @@ Pose anyPose(Random& random) {
     return {{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}, glm::normalize(turn)};
 }
 
-/// A star-shaped outline with random radii between 0.5 and 1.5, every second one larger.
-Polygon star(Random& random) {
+/// A randomStarOutline-shaped outline with random radii between 0.5 and 1.5, every second one larger.
+Polygon randomStarOutline(Random& random) {
     const int count = 3 + static_cast<int>(random.below(20));
     Polygon polygon;
     for (int k = 0; k < count; ++k) {
@@ -145,7 +145,7 @@ private slots:
                 for (int round = 0; round < 40; ++round) {
                     const TriangleMesh mesh = placed(prismSolid(outline, depth), anyPose(random));
                     const Result<PrismFit> prism = found(mesh);
-                    QVERIFY2(prism.hasValue(), qPrintable(faultOf(mesh)));
+                    QVERIFY2(prism.hasValue(), qPrintable(prismFault(mesh)));
                     QVERIFY(prism->otherAxes.empty());
                     QVERIFY(std::abs(prism->depth - depth) < 1e-8 * (1.0 + depth));
                     QCOMPARE(prism->outline.holes.size(), outline.holes.size());
@@ -157,9 +157,10 @@ private slots:
     void randomStarsAreFound() {
         Random random(2024);
         for (int round = 0; round < 300; ++round) {
-            const TriangleMesh mesh = placed(prismSolid(star(random), random.between(0.1, 3.0)), anyPose(random));
+            const TriangleMesh mesh =
+                placed(prismSolid(randomStarOutline(random), random.between(0.1, 3.0)), anyPose(random));
             const Result<PrismFit> prism = found(mesh);
-            QVERIFY2(prism.hasValue(), qPrintable(QString("round %1: ").arg(round) + faultOf(mesh)));
+            QVERIFY2(prism.hasValue(), qPrintable(QString("round %1: ").arg(round) + prismFault(mesh)));
             QVERIFY(farthestFromCorners(*prism, mesh) < 1e-6);
             TriangleMesh bent = mesh;  // by ten times the tolerance
             bent.points[0] += 1e-4 * boundsOf(mesh).diagonal() * prism->axis;
@@ -180,7 +181,7 @@ private slots:
             TriangleMesh mesh = placed(prismSolid(squareRing(), 0.2), {{3, 4, 5}, turn});
             for (Vec3& point : mesh.points)
                 for (int k = 0; k < 3; ++k) point[k] = static_cast<float>(point[k]);
-            QVERIFY2(found(mesh).hasValue(), qPrintable(faultOf(mesh)));
+            QVERIFY2(found(mesh).hasValue(), qPrintable(prismFault(mesh)));
         }
     }
     void rotatedOutlineIsAlignedToItsLongestEdge() {
@@ -200,27 +201,28 @@ private slots:
     void shiftedCapIsReported() {
         TriangleMesh mesh = prismSolid(lShape(), 0.5);
         for (std::size_t i = mesh.points.size() / 2; i < mesh.points.size(); ++i) mesh.points[i] += Vec3(0.0032, 0, 0);
-        QCOMPARE(faultOf(mesh),
+        QCOMPARE(prismFault(mesh),
                  QString("The top cap is shifted by 3.2 mm relative to the bottom, seen along the z axis."));
     }
     void tiltedSidesAreReported() {
         TriangleMesh mesh = prismSolid({rectangle({-1, -1}, {1, 1}), {}}, 1.0);
         const double inset = 0.0716778;  // the tangent of 4.1 degrees
         for (std::size_t i = 4; i < 8; ++i) mesh.points[i] *= Vec3(1.0 - inset, 1.0 - inset, 1.0);
-        QCOMPARE(faultOf(mesh), QString("The sides are tilted by 4.1 degrees from the z axis."));
+        QCOMPARE(prismFault(mesh), QString("The sides are tilted by 4.1 degrees from the z axis."));
         mesh.points[0].x -= 0.1;
-        QVERIFY(faultOf(mesh).startsWith("The sides are tilted by up to "));
+        QVERIFY(prismFault(mesh).startsWith("The sides are tilted by up to "));
     }
     void otherShapesAreReported() {
         const TriangleMesh round = ball(16, 9);
-        QVERIFY2(faultOf(round).startsWith("The mesh is curved or bent: between its caps, faces are tilted by up to "),
-                 qPrintable(faultOf(round)));
-        QCOMPARE(faultOf(stepped(), PrismAxis::Z),
+        QVERIFY2(
+            prismFault(round).startsWith("The mesh is curved or bent: between its caps, faces are tilted by up to "),
+            qPrintable(prismFault(round)));
+        QCOMPARE(prismFault(stepped(), PrismAxis::Z),
                  QString("The mesh has a step: a face lies perpendicular to the z axis, 750 mm below the top cap."));
         TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1}},
                              {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
-        QCOMPARE(faultOf(pyramid), QString("The mesh has a flat cap at one end of the z axis only."));
-        QCOMPARE(faultOf(prismSolid(lShape(), 1.0), PrismAxis::X),
+        QCOMPARE(prismFault(pyramid), QString("The mesh has a flat cap at one end of the z axis only."));
+        QCOMPARE(prismFault(prismSolid(lShape(), 1.0), PrismAxis::X),
                  QString("The mesh has a step: a face lies perpendicular to the x axis, 1 m below the top cap."));
     }
     void orderInTheFileDoesNotMatter() {

@@ -15,10 +15,10 @@ using namespace rubble;
 
 namespace {
 
-const MeshMaterials kMaterials{{{"brick_outside", {0.5, 0.25, 1.0}}}, {"brick_inside", {0.0, 1.0, 0.125}}};
+const MeshMaterials kObjMaterials{{{"brick_outside", {0.5, 0.25, 1.0}}}, {"brick_inside", {0.0, 1.0, 0.125}}};
 
 std::string assembled(const std::vector<MeshPart>& parts) {
-    return objFile(parts, kMaterials, PartPlacement::Assembled, "wall.mtl");
+    return objFile(parts, kObjMaterials, PartPlacement::Assembled, "wall.mtl");
 }
 
 /// Returns the lines from the first that starts with `from` to the next that starts with `to`, exclusive.
@@ -87,7 +87,7 @@ f 2/17/6 6/18/6 7/20/6 3/19/6
         QVERIFY(text.ends_with("usemtl brick_inside\nf 12/37/12 16/38/12 13/40/12 9/39/12\n"));
     }
     void centredPartsAreAtTheOrigin() {
-        const std::string text = objFile(halves(), kMaterials, PartPlacement::Centred, "wall.mtl");
+        const std::string text = objFile(halves(), kObjMaterials, PartPlacement::Centred, "wall.mtl");
         QCOMPARE(linesBetween(text, "v ", "v 0.25 0.5"), QString("v -0.25 -0.5 1\nv 0.25 -0.5 1\n"));
     }
     void trianglesStayTriangles() {
@@ -152,14 +152,14 @@ f 2/17/6 6/18/6 7/20/6 3/19/6
         QCOMPARE(objects[0].mesh.corners.back().position, 4999u);
     }
     void outputIsIndependentOfTheLocale() {
-        const std::string before = assembled(halves()) + mtlFile(kMaterials);
+        const std::string before = assembled(halves()) + mtlFile(kObjMaterials);
         const CommaLocale german;
-        QCOMPARE(assembled(halves()) + mtlFile(kMaterials), before);
+        QCOMPARE(assembled(halves()) + mtlFile(kObjMaterials), before);
     }
     void materialsAreListedWithTheirColours() {
-        QCOMPARE(mtlFile(kMaterials), std::string("# Rubble 1: metres, y up\n"
-                                                  "newmtl brick_outside\nKd 0.5 0.25 1\nillum 1\n"
-                                                  "newmtl brick_inside\nKd 0 1 0.125\nillum 1\n"));
+        QCOMPARE(mtlFile(kObjMaterials), std::string("# Rubble 1: metres, y up\n"
+                                                     "newmtl brick_outside\nKd 0.5 0.25 1\nillum 1\n"
+                                                     "newmtl brick_inside\nKd 0 1 0.125\nillum 1\n"));
     }
 };
 

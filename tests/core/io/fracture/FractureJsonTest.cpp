@@ -1,5 +1,6 @@
 #include "core/io/fracture/FractureJson.h"
 
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/JsonCases.h"
 #include "tests/support/geometry/Outlines.h"
@@ -19,12 +20,9 @@ QJsonObject fractured(const FractureInput& input, FractureMethod method = Fractu
     return json ? QJsonDocument::fromJson(QByteArray::fromStdString(*json)).object() : QJsonObject();
 }
 
-std::string faultOf(const std::string& json) {
-    const Result<FractureInput> input = readFractureInput(json);
-    return input ? "none" : input.error().message;
-}
+std::string inputFault(const std::string& text) { return errorText(readFractureInput(text)); }
 
-ErrorCode codeOf(const std::string& json) { return readFractureInput(json).error().code; }
+ErrorCode inputErrorCode(const std::string& json) { return readFractureInput(json).error().code; }
 
 std::vector<std::uint32_t> indicesOf(const QJsonValue& array) {
     std::vector<std::uint32_t> indices;
@@ -64,23 +62,23 @@ private slots:
         QCOMPARE(report[0].toObject()["code"].toString(), QString("RepeatedPoint"));
     }
     void faultsSayThatRepeatedPointsAreNotCounted() {
-        QCOMPARE(faultOf(R"({"outline":[[0,0],[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"),
+        QCOMPARE(inputFault(R"({"outline":[[0,0],[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"),
                  std::string(
                      "The outline crosses itself between points 0 and 2, at (1, 1). Points are counted without those "
                      "that repeat others."));
     }
     void pointsThatAreAllEqualAreNoOutline() {
-        QCOMPARE(codeOf(R"({"outline":[[1,1],[1,1],[1,1],[1,1]],"depth":1,"seeds":[]})"), ErrorCode::BadInput);
+        QCOMPARE(inputErrorCode(R"({"outline":[[1,1],[1,1],[1,1],[1,1]],"depth":1,"seeds":[]})"), ErrorCode::BadInput);
     }
     void holesAreOptional() { QVERIFY(readFractureInput(inputJson(R"("seeds":[])"))->prism.outline.holes.empty()); }
     void faultsNameTheirPlace() {
-        QCOMPARE(faultOf(inputJson(R"("seeds":[[0,0],[1]])")),
+        QCOMPARE(inputFault(inputJson(R"("seeds":[[0,0],[1]])")),
                  std::string("seeds[1]: expected an array of 2 numbers, found an array of 1."));
-        QCOMPARE(faultOf(inputJson(R"("holes":[[[0.2,0.2],"x"]],"seeds":[])")),
+        QCOMPARE(inputFault(inputJson(R"("holes":[[[0.2,0.2],"x"]],"seeds":[])")),
                  std::string("holes[0][1]: expected an array of 2 numbers, found \"x\"."));
-        QCOMPARE(codeOf(inputJson(R"("seeds":{})")), ErrorCode::BadInput);
-        QCOMPARE(codeOf("{"), ErrorCode::BadInput);
-        QCOMPARE(codeOf(R"({"outline":[[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"), ErrorCode::Crossing);
+        QCOMPARE(inputErrorCode(inputJson(R"("seeds":{})")), ErrorCode::BadInput);
+        QCOMPARE(inputErrorCode("{"), ErrorCode::BadInput);
+        QCOMPARE(inputErrorCode(R"({"outline":[[0,0],[2,2],[2,0],[0,2]],"depth":1,"seeds":[]})"), ErrorCode::Crossing);
     }
 
     void counterexamplesOfTheThesisAreCorrect_data() {

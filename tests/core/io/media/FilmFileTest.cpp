@@ -3,20 +3,12 @@
 #include "core/io/media/PictureSequence.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileBytes.h"
 
 #include <QDir>
 #include <QTest>
 
 using namespace rubble;
-
-namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-}  // namespace
 
 class FilmFileTest : public QObject {
     Q_OBJECT
@@ -37,7 +29,7 @@ private slots:
         QVERIFY(findFfmpeg().has_value());
         const Status made = encode();
         QVERIFY2(made.hasValue(), made ? "" : made.error().message.c_str());
-        const QList<QByteArray> words = bytesOf(film()).split('\n');
+        const QList<QByteArray> words = bytesOfFile(film()).split('\n');
         QCOMPARE(words[words.indexOf("-framerate") + 1], QByteArray("23.976"));
         QCOMPARE(words[words.indexOf("-i") + 1], m_place->filePath("50 %% off/frame-%04d.png").toUtf8());
         QVERIFY(words.contains("yuv420p"));  // many players show nothing else
@@ -53,7 +45,7 @@ private slots:
         QCOMPARE(made.error().code, ErrorCode::Io);
         QCOMPARE(made.error().message,
                  std::string("ffmpeg could not encode the film: Error writing trailer: No space left on device"));
-        QCOMPARE(bytesOf(film()), QByteArray("old"));
+        QCOMPARE(bytesOfFile(film()), QByteArray("old"));
         QCOMPARE(QDir(m_place->path()).entryList(QDir::Files | QDir::Hidden), QStringList{"hit.mp4"});
     }
     void linksBesideTheFilmAreNotFollowed() {
@@ -64,7 +56,7 @@ private slots:
         victim.close();
         for (const char* name : {".hit.part.mp4", "hit.mp4"}) QVERIFY(victim.link(m_place->filePath(name)));
         QVERIFY(encode().hasValue());
-        QCOMPARE(bytesOf(victim.fileName()), QByteArray("mine"));
+        QCOMPARE(bytesOfFile(victim.fileName()), QByteArray("mine"));
         QVERIFY(!QFileInfo(film()).isSymLink());
     }
     void missingFfmpegIsAnError() {

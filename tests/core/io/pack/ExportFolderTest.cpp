@@ -2,6 +2,7 @@
 
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FolderNames.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -21,14 +22,6 @@ namespace {
 const ContentHash kFirst = contentHash("first");
 const ContentHash kSecond = contentHash("second");
 const std::vector<ExportFile> kFiles = {{"wall.obj", "v 0 0 0\n"}, {"wall.mtl", "newmtl a\n"}};
-
-/// The names of all entries of a folder, including hidden ones.
-std::vector<std::string> namesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
-    std::ranges::sort(names);
-    return names;
-}
 
 using Names = std::vector<std::string>;
 

@@ -13,7 +13,7 @@ using namespace rubble;
 
 namespace {
 
-std::string faultOf(std::string_view json) {
+std::string headerFault(std::string_view json) {
     rubble_pack::Pack pack;
     std::string fault;
     return rubble_pack::parse(json, pack, fault) ? "" : fault;
@@ -113,7 +113,7 @@ private slots:
         };
         for (const test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink)) {
             if (mutation.name.ends_with("one more key")) continue;  // unknown keys are ignored
-            const std::string fault = faultOf(mutation.document.dump());
+            const std::string fault = headerFault(mutation.document.dump());
             const std::string place = fault.substr(0, fault.find(": "));  // or the path of its container
             QVERIFY2(!fault.empty() && mutation.place.starts_with(place), (mutation.name + " gives: " + fault).c_str());
         }
@@ -141,16 +141,16 @@ private slots:
     }
     void indicesOutOfRangeAreRejected() {
         const nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));
-        QCOMPARE(faultOf(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
+        QCOMPARE(headerFault(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
     }
     void invalidJsonIsRejected() {
         const std::string json = packOf(boxAsset(3, 4, PlacedSeeds{}));
         for (std::size_t size = 0; size + 2 < json.size(); ++size)
-            QVERIFY(faultOf(std::string_view(json).substr(0, size)).starts_with("The text is not JSON at byte "));
+            QVERIFY(headerFault(std::string_view(json).substr(0, size)).starts_with("The text is not JSON at byte "));
         for (const char* text : {"", "{\"a\" 1}", "[1,]", "{,}", "[01]", "[1.]", "[1e]", "[+1]", "[\"\\x\"]",
                                  "[\"\\ud800\"]", "[\"\n\"]", "nul", "[1] 2", "[1e999]", "[\"\\u12\"]"})
-            QVERIFY2(faultOf(text).starts_with("The text is not JSON at byte "), text);
-        QVERIFY(faultOf(std::string(100000, '[')).ends_with("expected fewer levels."));
+            QVERIFY2(headerFault(text).starts_with("The text is not JSON at byte "), text);
+        QVERIFY(headerFault(std::string(100000, '[')).ends_with("expected fewer levels."));
     }
     void errorDoesNotChangeThePack() {
         rubble_pack::Pack pack;

@@ -32,7 +32,7 @@ std::vector<std::string> namesOf(const std::vector<ExportFile>& files) {
     return names;
 }
 
-std::string bytesOf(const std::vector<ExportFile>& files, const std::string& name) {
+std::string bytesNamed(const std::vector<ExportFile>& files, const std::string& name) {
     const auto file = std::ranges::find(files, name, &ExportFile::name);
     return file == files.end() ? std::string() : file->bytes;
 }
@@ -60,16 +60,16 @@ private slots:
     void singleFileHoldsAllFragments() {
         const std::vector<ExportFile> files = filesOf(wallAsset(), {});
         QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall-whole.glb", "wall.obj", "wall.glb", "wall.mtl"}));
-        const std::vector<ObjObject> objects = readObj(bytesOf(files, "wall.obj"));
+        const std::vector<ObjObject> objects = readObj(bytesNamed(files, "wall.obj"));
         QCOMPARE(objects.size(), std::size_t{2});
         QCOMPARE(objects[1].name, std::string("wall1"));
-        QVERIFY(bytesOf(files, "wall.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
+        QVERIFY(bytesNamed(files, "wall.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
     }
     void perFragmentFilesHoldOneFragmentEach() {
         const MeshOptions options{.glb = false, .split = FileSplit::PerFragment};
         const std::vector<ExportFile> files = filesOf(wallAsset(), options);
         QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall0.obj", "wall1.obj", "wall.mtl"}));
-        QCOMPARE(readObj(bytesOf(files, "wall1.obj"))[0].name, std::string("wall1"));
+        QCOMPARE(readObj(bytesNamed(files, "wall1.obj"))[0].name, std::string("wall1"));
     }
     void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
     void glbAloneHasNoMaterialFile() {
@@ -104,19 +104,19 @@ private slots:
         }
         QVERIFY(broken > 0 && broken < 12);
         const std::vector<ExportFile> files = filesOf(asset, {});
-        QCOMPARE(readObj(bytesOf(files, "old_ring-level0.obj")).size(), broken);
-        QCOMPARE(readObj(bytesOf(files, "old_ring.obj")).size(), baked.fragmentCount() - broken);
-        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring.obj")) - 5.98) < 6e-9);
-        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring-level0.obj")) - brokenVolume) < 6e-9);
-        QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring-whole.obj")) - 5.98) < 6e-9);
+        QCOMPARE(readObj(bytesNamed(files, "old_ring-level0.obj")).size(), broken);
+        QCOMPARE(readObj(bytesNamed(files, "old_ring.obj")).size(), baked.fragmentCount() - broken);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring.obj")) - 5.98) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-level0.obj")) - brokenVolume) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-whole.obj")) - 5.98) < 6e-9);
     }
     void allOptionsGiveClosedFragmentsWithTheWholesVolume() {
         for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
             for (const FaceShape faces : {FaceShape::Polygons, FaceShape::Triangles}) {
                 const std::vector<ExportFile> files = filesOf(ringAsset(), {.place = place, .faces = faces});
-                QVERIFY(std::abs(volumeOfObj(bytesOf(files, "old_ring.obj")) - 5.98) < 6e-9);
+                QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring.obj")) - 5.98) < 6e-9);
                 Glb glb;
-                QCOMPARE(openGlb(bytesOf(files, "old_ring.glb"), glb), std::string());
+                QCOMPARE(openGlb(bytesNamed(files, "old_ring.glb"), glb), std::string());
                 double volume = 0.0;
                 for (const nlohmann::json& node : glb.json["nodes"]) volume += volumeOf(meshOfNode(glb, node));
                 QVERIFY(std::abs(volume - 5.98) < 6e-6);  // float32
@@ -126,7 +126,8 @@ private slots:
     void assembledFragmentsAreInPlaceAndCentredOnesAtTheOrigin() {
         const auto highest = [](PartPlacement place) {
             double height = 0.0;
-            for (const ObjObject& object : readObj(bytesOf(filesOf(ringAsset(), {.place = place}), "old_ring.obj"))) {
+            for (const ObjObject& object :
+                 readObj(bytesNamed(filesOf(ringAsset(), {.place = place}), "old_ring.obj"))) {
                 for (const Vec3 position : object.mesh.positions) height = std::max(height, position.y);
             }
             return height;
@@ -136,7 +137,7 @@ private slots:
     }
     void facesOfGlbDoNotDependOnThoseOfObj() {
         const auto glb = [](FaceShape faces) {
-            return bytesOf(filesOf(ringAsset(), {.faces = faces}), "old_ring.glb");
+            return bytesNamed(filesOf(ringAsset(), {.faces = faces}), "old_ring.glb");
         };
         QVERIFY(glb(FaceShape::Polygons) == glb(FaceShape::Triangles));
     }

@@ -1,5 +1,6 @@
 // Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and VerifyPackBody.cpp.
 #include "core/base/Random.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/JsonMutations.h"
@@ -14,31 +15,28 @@ using namespace rubble;
 
 namespace {
 
-std::string faultOf(std::string_view json) {
-    const Result<Pack> pack = readPack(json);
-    return pack ? "" : pack.error().message;
-}
+std::string readingFault(std::string_view text) { return errorText(readPack(text)); }
 
 /// A box of two triangular fragments: small enough to mutate every value.
 Asset halvedBox() { return boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.75}}}}); }
 
 /// Paths at which another type is valid, too: optional indices.
-bool fits(const std::string& place, const nlohmann::json& value) {
+bool isOptionalIndex(const std::string& place, const nlohmann::json& value) {
     return (place.ends_with(".parent") || place.ends_with("].fragment")) && !place.ends_with("s].fragment") &&
            value.is_null() && place.find("neighbours") == std::string::npos;
 }
 
 Pack ringPack() { return *readPack(packOf(twoLevelRing())); }
 
-using Change = std::function<void(Pack&)>;
+using PackChange = std::function<void(Pack&)>;
 
 }  // namespace
-Q_DECLARE_METATYPE(Change)
+Q_DECLARE_METATYPE(PackChange)
 
 class PackReadingTest : public QObject {
     Q_OBJECT
 
-    static void row(const char* sentence, const Change& change) { QTest::newRow(sentence) << change; }
+    static void row(const char* sentence, const PackChange& change) { QTest::newRow(sentence) << change; }
 
 private slots:
     void everythingRoundTrips() {
@@ -87,7 +85,7 @@ private slots:
     void everyWrongTypeIsReportedWithItsPath() {
         const test::Schema schema("pack.schema.json");
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        QCOMPARE(test::untoldMutation(json, schema, fits, faultOf), std::string());
+        QCOMPARE(test::untoldMutation(json, schema, isOptionalIndex, readingFault), std::string());
     }
     void wrongValuesAreReported_data() {
         test::addWrongValueColumns();
@@ -118,10 +116,10 @@ private slots:
     }
     void wrongValuesAreReported() {
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        QCOMPARE(faultOf(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
+        QCOMPARE(readingFault(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
     }
     void verificationReportsErrors_data() {
-        QTest::addColumn<Change>("change");
+        QTest::addColumn<PackChange>("change");
         row("The hash \"\" is not 32 hexadecimal digits.", [](Pack& p) { p.hash.clear(); });
         row("The asset has no name.", [](Pack& p) { p.name.clear(); });
         row("The mesh \"../box.obj\" is not a file of the pack.", [](Pack& p) { p.meshes[0].name = "../box.obj"; });
@@ -171,7 +169,7 @@ private slots:
         row("its neighbour 19 does not exist.", [](Pack& p) { p.fragments.pop_back(); });
     }
     void verificationReportsErrors() {
-        QFETCH(Change, change);
+        QFETCH(PackChange, change);
         Pack pack = ringPack();
         change(pack);
         const std::optional<std::string> fault = verifyPack(pack);

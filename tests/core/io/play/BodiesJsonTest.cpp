@@ -1,4 +1,5 @@
 #include "core/io/play/BodiesJson.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
@@ -16,15 +17,12 @@ std::string bodyJson(const std::string& name, const std::string& members = {}) {
 
 std::string sceneJson(const std::string& bodies) { return "{\"bodies\":[" + bodies + "]}"; }
 
-std::string faultOf(const std::string& json) {
-    const Result<BodyScene> scene = readBodyScene(json);
-    return scene ? "none" : scene.error().message;
-}
+std::string sceneFault(const std::string& text) { return errorText(readBodyScene(text)); }
 
 /// Returns the error for a body with these members.
-std::string bodyFault(const std::string& members) { return faultOf(sceneJson(bodyJson("crate", members))); }
+std::string bodyFault(const std::string& members) { return sceneFault(sceneJson(bodyJson("crate", members))); }
 
-ErrorCode codeOf(const std::string& json) { return readBodyScene(json).error().code; }
+ErrorCode sceneErrorCode(const std::string& json) { return readBodyScene(json).error().code; }
 
 }  // namespace
 
@@ -80,12 +78,12 @@ private slots:
                  std::string("Body \"crate\": bodies[0].kind: expected \"static\", \"kinematic\" or \"dynamic\", found "
                              "\"solid\"."));
         QCOMPARE(bodyFault(R"("mass":3)"), std::string("Body \"crate\": bodies[0]: unknown key \"mass\"."));
-        QCOMPARE(faultOf(sceneJson(R"({"name":"crate"})")),
+        QCOMPARE(sceneFault(sceneJson(R"({"name":"crate"})")),
                  std::string("Body \"crate\": bodies[0]: the key \"hulls\" is missing."));
-        QCOMPARE(faultOf(sceneJson("7")), std::string("bodies[0]: expected an object, found 7."));
-        QCOMPARE(faultOf(sceneJson(R"({"hulls":[]})")), std::string("bodies[0]: the key \"name\" is missing."));
-        QCOMPARE(faultOf("{}"), std::string("The document: the key \"bodies\" is missing."));
-        QCOMPARE(codeOf("{"), ErrorCode::BadInput);
+        QCOMPARE(sceneFault(sceneJson("7")), std::string("bodies[0]: expected an object, found 7."));
+        QCOMPARE(sceneFault(sceneJson(R"({"hulls":[]})")), std::string("bodies[0]: the key \"name\" is missing."));
+        QCOMPARE(sceneFault("{}"), std::string("The document: the key \"bodies\" is missing."));
+        QCOMPARE(sceneErrorCode("{"), ErrorCode::BadInput);
     }
     void nanAndInfinityAreRejectedWithTheirPath() {
         QCOMPARE(bodyFault(R"("position":[0,NaN,0])"),
@@ -93,29 +91,30 @@ private slots:
         QCOMPARE(bodyFault(R"("density":-Infinity)"),
                  std::string("Body \"crate\": bodies[0].density: expected a number, found \"-Infinity\"."));
         const std::string named = "{\"name\":\"NaN \\\" NaN\",\"hulls\":[[[0,0,0],[NaN,0,0],[0,1,0],[0,0,1]]]}";
-        QCOMPARE(faultOf(sceneJson(named)),
+        QCOMPARE(sceneFault(sceneJson(named)),
                  std::string("Body \"NaN \" NaN\": bodies[0].hulls[0][1][0]: expected a number, found \"NaN\"."));
     }
     void invalidHullsAreRejectedWithTheBodysName() {
         const auto hulls = [](const std::string& value) {
-            return faultOf(sceneJson(R"({"name":"crate","hulls":)" + value + "}"));
+            return sceneFault(sceneJson(R"({"name":"crate","hulls":)" + value + "}"));
         };
         QCOMPARE(hulls("[]"), std::string("Body \"crate\": it has no hulls."));
         QCOMPARE(hulls("[[]]"), std::string("Body \"crate\": hull 0: A hull needs at least four points; there are 0."));
         const std::string flat = "[[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]]";
         QCOMPARE(hulls(flat),
                  std::string("Body \"crate\": hull 0: The 4 points lie in one plane, so they have no convex hull."));
-        QCOMPARE(codeOf(sceneJson(R"({"name":"crate","hulls":)" + flat + "}")), ErrorCode::Degenerate);
+        QCOMPARE(sceneErrorCode(sceneJson(R"({"name":"crate","hulls":)" + flat + "}")), ErrorCode::Degenerate);
     }
     void invalidValuesAreRejectedWithTheBodysName() {
         QVERIFY(bodyFault(R"("density":-1)").starts_with("Body \"crate\": the density is -1"));
-        QVERIFY(faultOf(sceneJson(bodyJson("a") + "," + bodyJson("a"))).starts_with("Two bodies have the name \"a\""));
+        QVERIFY(
+            sceneFault(sceneJson(bodyJson("a") + "," + bodyJson("a"))).starts_with("Two bodies have the name \"a\""));
     }
     void projectsAreRejected() {
         const std::string project = R"({"format":"rubble-project","version":1})";
-        QCOMPARE(faultOf(project),
+        QCOMPARE(sceneFault(project),
                  std::string("The document has a format, such as a project, and is not a scene of bodies."));
-        QCOMPARE(codeOf(project), ErrorCode::Unsupported);
+        QCOMPARE(sceneErrorCode(project), ErrorCode::Unsupported);
     }
 };
 

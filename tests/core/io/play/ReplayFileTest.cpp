@@ -32,7 +32,7 @@ Replay replayOfAll() {
     return replay;
 }
 
-QString faultOf(std::string text, const std::string& what, const std::string& with) {
+QString replayFault(std::string text, const std::string& what, const std::string& with) {
     const std::size_t at = text.find(what);
     if (at == std::string::npos) return "not found";
     text.replace(at, what.size(), with);
@@ -62,19 +62,20 @@ private slots:
     void changedElementsAreNamed() {
         const std::string text = replayText(replayOfAll());
         const QString reason = ": changed after the recording, or what was here was removed.";
-        QCOMPARE(faultOf(text, "\"mass\": 7", "\"mass\": 8"), "inputs[0]" + reason);
-        QCOMPARE(faultOf(text, "\"gravity\": [0, -1, 0]", "\"gravity\": [0, -2, 0]"), "inputs[6]" + reason);
-        QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba9876543211"), "steps[0]" + reason);
-        QCOMPARE(faultOf(text, "1320.5", "1320.6"), "steps[1]" + reason);
-        QCOMPARE(faultOf(text, "\"body\": 3, \"position\"", "\"body\": 4, \"position\""), "keyframes[0]" + reason);
+        QCOMPARE(replayFault(text, "\"mass\": 7", "\"mass\": 8"), "inputs[0]" + reason);
+        QCOMPARE(replayFault(text, "\"gravity\": [0, -1, 0]", "\"gravity\": [0, -2, 0]"), "inputs[6]" + reason);
+        QCOMPARE(replayFault(text, "fedcba9876543210", "fedcba9876543211"), "steps[0]" + reason);
+        QCOMPARE(replayFault(text, "1320.5", "1320.6"), "steps[1]" + reason);
+        QCOMPARE(replayFault(text, "\"body\": 3, \"position\"", "\"body\": 4, \"position\""), "keyframes[0]" + reason);
     }
     void removedElementsAreNamed() {
         const std::string text = replayText(replayOfAll());
         const std::string second = R"(    {"hash": "0000000000000005", "moved": [], "broke": [7, 1320.5, 9, 0]},)";
         const std::string third = ",\n    {\"hash\": \"0000000000000006\", \"moved\": [], \"broke\": []}";
-        QCOMPARE(faultOf(text, second + '\n', ""),
+        QCOMPARE(replayFault(text, second + '\n', ""),
                  QString("steps[1]: changed after the recording, or what was here was removed."));
-        QCOMPARE(faultOf(text, third, ""), QString("steps: elements were removed from the end after the recording."));
+        QCOMPARE(replayFault(text, third, ""),
+                 QString("steps: elements were removed from the end after the recording."));
     }
     void version1IsRead() {
         Replay replay = replayOfAll();
@@ -86,16 +87,17 @@ private slots:
             for (BodyCheck& check : step.moved) check.velocity = Vec3(0.0);
         }
         QVERIFY(*readReplayText(text) == replay);
-        QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba9876543211"),
+        QCOMPARE(replayFault(text, "fedcba9876543210", "fedcba9876543211"),
                  QString("stepsSeal: the steps were changed after the recording."));
     }
     void inputsThatAreNoneAreRejected() {
         const std::string text = replayText(replayOfAll());
         const std::string letGo = "{\n      \"step\": 11,\n      \"input\": \"letGo\"\n    }";
-        QCOMPARE(faultOf(text, letGo, "{\"input\": \"letGo\"}"), QString("inputs[10]: the key \"step\" is missing."));
-        QCOMPARE(faultOf(text, letGo, "{\"step\": 11}"), QString("inputs[10]: the key \"input\" is missing."));
-        QCOMPARE(faultOf(text, letGo, "[]"), QString("inputs[10]: expected an object, found an array of 0."));
-        QCOMPARE(faultOf(text, letGo, "7"), QString("inputs[10]: expected an object, found 7."));
+        QCOMPARE(replayFault(text, letGo, "{\"input\": \"letGo\"}"),
+                 QString("inputs[10]: the key \"step\" is missing."));
+        QCOMPARE(replayFault(text, letGo, "{\"step\": 11}"), QString("inputs[10]: the key \"input\" is missing."));
+        QCOMPARE(replayFault(text, letGo, "[]"), QString("inputs[10]: expected an object, found an array of 0."));
+        QCOMPARE(replayFault(text, letGo, "7"), QString("inputs[10]: expected an object, found 7."));
     }
     void recordingEndsBeforeItsLimit() {
         Replay replay = replayOfAll();
@@ -129,14 +131,14 @@ private slots:
     }
     void invalidTextIsRejected() {
         const std::string text = replayText(replayOfAll());
-        QVERIFY(faultOf(text, "rubble-replay", "rubble-project").contains("rubble-project"));
-        QVERIFY(faultOf(text, "\"version\": 2", "\"version\": 3").contains("newer"));
-        QCOMPARE(faultOf(text, "fedcba9876543210", "fedcba987654321"),
+        QVERIFY(replayFault(text, "rubble-replay", "rubble-project").contains("rubble-project"));
+        QVERIFY(replayFault(text, "\"version\": 2", "\"version\": 3").contains("newer"));
+        QCOMPARE(replayFault(text, "fedcba9876543210", "fedcba987654321"),
                  QString("steps[0].hash: expected sixteen hexadecimal digits."));
-        QCOMPARE(faultOf(text, "0123456789abcdef", "x123456789abcdef"),
+        QCOMPARE(replayFault(text, "0123456789abcdef", "x123456789abcdef"),
                  QString("project: expected thirty-two hexadecimal digits."));
-        QVERIFY(faultOf(text, "\"letGo\"", "\"leave\"").startsWith("inputs[10].input: "));
-        QVERIFY(faultOf(text, "\"dt\": 0.008333333333333333", "\"dt\": 0").startsWith("dt: "));
+        QVERIFY(replayFault(text, "\"letGo\"", "\"leave\"").startsWith("inputs[10].input: "));
+        QVERIFY(replayFault(text, "\"dt\": 0.008333333333333333", "\"dt\": 0").startsWith("dt: "));
     }
 };
 

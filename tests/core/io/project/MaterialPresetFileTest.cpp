@@ -6,6 +6,7 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "core/io/system/AtomicFile.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/JsonMutations.h"
 #include "tests/support/files/Schemas.h"
@@ -35,12 +36,9 @@ nlohmann::json barestJson() {
     return json;
 }
 
-std::string faultOf(std::string_view json) {
-    const Result<MaterialPreset> preset = readMaterialPresetText(json);
-    return preset ? "" : preset.error().message;
-}
+std::string presetFault(std::string_view text) { return errorText(readMaterialPresetText(text)); }
 
-bool fits(const std::string&, const nlohmann::json&) { return false; }
+bool noneFits(const std::string&, const nlohmann::json&) { return false; }
 
 /// The plausible range of a property of breakable solids.
 struct Sane {
@@ -245,7 +243,7 @@ private slots:
     }
     void everyWrongTypeIsReportedWithItsPath() {
         const test::Schema schema("material.schema.json");
-        QCOMPARE(test::untoldMutation(barestJson(), schema, fits, faultOf), std::string());
+        QCOMPARE(test::untoldMutation(barestJson(), schema, noneFits, presetFault), std::string());
     }
     void wrongValuesAreReported_data() {
         test::addWrongValueColumns();
@@ -276,7 +274,7 @@ private slots:
             "/pattern/1/parameters/count", "{\"perSquareMetre\": -5}");
     }
     void wrongValuesAreReported() {
-        QCOMPARE(faultOf(test::withWrongValue(glassJson())), std::string(QTest::currentDataTag()));
+        QCOMPARE(presetFault(test::withWrongValue(glassJson())), std::string(QTest::currentDataTag()));
     }
     void invalidPresetIsNotSaved() {
         MaterialPreset preset = presetOf(emptyProject().materials[0], {});

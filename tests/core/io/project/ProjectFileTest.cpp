@@ -1,6 +1,7 @@
 // Tests core/io/project/ProjectFile.cpp and the readers and writers of its parts.
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/FileLimits.h"
@@ -58,10 +59,7 @@ constexpr const char* kEmptyProject = R"({
 }
 )";
 
-std::string faultOf(std::string_view json) {
-    const Result<Project> project = readProjectText(json);
-    return project ? "" : project.error().message;
-}
+std::string projectFault(std::string_view text) { return errorText(readProjectText(text)); }
 
 nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject())); }
 
@@ -119,7 +117,7 @@ nlohmann::json version5Json() {
 }
 
 /// Paths at which another type is valid, too: optional values.
-bool fits(const std::string& place, const nlohmann::json& value) {
+bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
     if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
     if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
@@ -223,7 +221,7 @@ private slots:
     }
     void everyWrongTypeIsReportedWithItsPath() {
         const test::Schema schema("project.schema.json");
-        QCOMPARE(test::untoldMutation(fullJson(), schema, fits, faultOf, isOfKind), std::string());
+        QCOMPARE(test::untoldMutation(fullJson(), schema, isOptionalValue, projectFault, isOfKind), std::string());
     }
     void wrongValuesAreReported_data() {
         test::addWrongValueColumns();
@@ -320,7 +318,7 @@ private slots:
                             "8");
     }
     void wrongValuesAreReported() {
-        QCOMPARE(faultOf(test::withWrongValue(fullJson())), std::string(QTest::currentDataTag()));
+        QCOMPARE(projectFault(test::withWrongValue(fullJson())), std::string(QTest::currentDataTag()));
     }
     void newerVersionsAreRejected() {
         nlohmann::json json = fullJson();
@@ -371,36 +369,36 @@ private slots:
     void versionsAcceptOnlyTheirOwnKeys() {
         nlohmann::json json = version1Json();
         json["debris"] = fullJson()["debris"];
-        QCOMPARE(faultOf(json.dump()), std::string("The document: unknown key \"debris\"."));
+        QCOMPARE(projectFault(json.dump()), std::string("The document: unknown key \"debris\"."));
         json = version1Json();
         json["assets"][0]["intents"] = nlohmann::json::array();
-        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"intents\"."));
+        QCOMPARE(projectFault(json.dump()), std::string("assets[0]: unknown key \"intents\"."));
         json = version1Json();
         json["version"] = 2;
-        QCOMPARE(faultOf(json.dump()), std::string("The document: the key \"debris\" is missing."));
+        QCOMPARE(projectFault(json.dump()), std::string("The document: the key \"debris\" is missing."));
         json = version2Json();
         json["instances"][0]["variant"] = 1;
-        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: unknown key \"variant\"."));
+        QCOMPARE(projectFault(json.dump()), std::string("instances[0]: unknown key \"variant\"."));
         json = version2Json();
         json["version"] = 3;
-        QCOMPARE(faultOf(json.dump()), std::string("instances[0]: the key \"variant\" is missing."));
+        QCOMPARE(projectFault(json.dump()), std::string("instances[0]: the key \"variant\" is missing."));
         json = version3Json();
         json["assets"][0]["leaves"] = nlohmann::json::array();
-        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: unknown key \"leaves\"."));
+        QCOMPARE(projectFault(json.dump()), std::string("assets[0]: unknown key \"leaves\"."));
         json = version3Json();
         json["version"] = 4;
-        QCOMPARE(faultOf(json.dump()), std::string("assets[0]: the key \"insideMaterial\" is missing."));
+        QCOMPARE(projectFault(json.dump()), std::string("assets[0]: the key \"insideMaterial\" is missing."));
         json = version4Json();
         json["materials"][0]["tensileStrength"] = 1e6;
-        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: unknown key \"tensileStrength\"."));
+        QCOMPARE(projectFault(json.dump()), std::string("materials[0]: unknown key \"tensileStrength\"."));
         json = version4Json();
         json["version"] = 5;
-        QCOMPARE(faultOf(json.dump()), std::string("materials[0]: the key \"tensileStrength\" is missing."));
+        QCOMPARE(projectFault(json.dump()), std::string("materials[0]: the key \"tensileStrength\" is missing."));
     }
     void truncatedTextIsRejected() {
         const std::string text = projectText(fullProject());
         for (std::size_t size = 0; size + 2 < text.size(); size += 7) {
-            const std::string fault = faultOf(std::string_view(text).substr(0, size));
+            const std::string fault = projectFault(std::string_view(text).substr(0, size));
             QVERIFY2(fault.starts_with("The text is not JSON at line "), fault.c_str());
         }
     }

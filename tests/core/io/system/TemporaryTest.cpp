@@ -2,6 +2,7 @@
 
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FolderNames.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -24,13 +25,6 @@ void runAndKill(const Work& work) {
         std::raise(SIGKILL);
     }
     ::waitpid(child, nullptr, 0);
-}
-
-std::vector<std::string> namesIn(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
-    std::ranges::sort(names);
-    return names;
 }
 
 using Names = std::vector<std::string>;

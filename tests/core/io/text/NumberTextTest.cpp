@@ -11,33 +11,23 @@
 
 using namespace rubble;
 
-namespace {
-
-std::string textOf(double value) {
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
-
-}  // namespace
-
 class NumberTextTest : public QObject {
     Q_OBJECT
 private slots:
     void roundNumbersAreShort() {
-        QCOMPARE(textOf(1.0), "1");
-        QCOMPARE(textOf(-2.5), "-2.5");
-        QCOMPARE(textOf(0.1), "0.1");
-        QCOMPARE(textOf(0.1 + 0.2), "0.30000000000000004");
-        QCOMPARE(textOf(1e-7), "1e-07");
-        QCOMPARE(textOf(1e22), "1e+22");
+        QCOMPARE(numberText(1.0), "1");
+        QCOMPARE(numberText(-2.5), "-2.5");
+        QCOMPARE(numberText(0.1), "0.1");
+        QCOMPARE(numberText(0.1 + 0.2), "0.30000000000000004");
+        QCOMPARE(numberText(1e-7), "1e-07");
+        QCOMPARE(numberText(1e22), "1e+22");
     }
-    void negativeZeroIsWrittenAsZero() { QCOMPARE(textOf(-0.0), "0"); }
+    void negativeZeroIsWrittenAsZero() { QCOMPARE(numberText(-0.0), "0"); }
     void longestNumbersFit() {
-        QCOMPARE(textOf(-std::numeric_limits<double>::min()), "-2.2250738585072014e-308");
-        QCOMPARE(textOf(-std::numeric_limits<double>::min()).size(), kMaxNumberLength);
-        QCOMPARE(textOf(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
-        QCOMPARE(textOf(std::numeric_limits<double>::denorm_min()), "5e-324");
+        QCOMPARE(numberText(-std::numeric_limits<double>::min()), "-2.2250738585072014e-308");
+        QCOMPARE(numberText(-std::numeric_limits<double>::min()).size(), kMaxNumberLength);
+        QCOMPARE(numberText(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
+        QCOMPARE(numberText(std::numeric_limits<double>::denorm_min()), "5e-324");
     }
     void numbersAreAppended() {
         std::string text = "v ";
@@ -52,7 +42,7 @@ private slots:
         for (int i = 0; i < 100000; ++i) {
             const double value = std::bit_cast<double>(random.next());
             if (!std::isfinite(value)) continue;
-            const std::string text = textOf(value);
+            const std::string text = numberText(value);
             double read = 0.0;
             const auto end = std::from_chars(text.data(), text.data() + text.size(), read);
             QCOMPARE(end.ptr, text.data() + text.size());

@@ -10,7 +10,7 @@ using namespace rubble;
 
 namespace {
 
-Box randomBox(Random& random, float side) {
+Box randomCube(Random& random, float side) {
     const auto coordinate = [&] { return static_cast<float>(random.between(-5.0, 5.0)); };
     const Vec3f low(coordinate(), coordinate(), coordinate());
     return {low, low + Vec3f(side)};
@@ -33,12 +33,12 @@ private slots:
         qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
         Random random(kSeed);
         DynamicBoxTree tree;
-        for (std::uint32_t number = 0; number < 500; ++number) tree.insert(randomBox(random, 1.0f), number);
+        for (std::uint32_t number = 0; number < 500; ++number) tree.insert(randomCube(random, 1.0f), number);
         tree.update();
         NearbyBoxes near;
         std::size_t found = 0;
         for (int round = 0; round < 200; ++round) {
-            const Box first = randomBox(random, 0.5f), second = widened(first, 0.2f);
+            const Box first = randomCube(random, 0.5f), second = widened(first, 0.2f);
             near.gather(tree, joined(first, second));
             for (const Box& box : {first, second}) {
                 const std::span<const std::uint32_t> numbers = near.overlapping(box);

@@ -13,7 +13,7 @@ namespace {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-Box randomBox(Random& random, Vec3f room) {
+Box randomBoxIn(Random& random, Vec3f room) {
     const auto between = [&](float least, float most) { return static_cast<float>(random.between(least, most)); };
     const Vec3f low(between(-room.x, room.x), between(-room.y, room.y), between(-room.z, room.z));
     return {low, low + Vec3f(between(0.1f, 1.0f), between(0.1f, 1.0f), between(0.1f, 1.0f))};
@@ -59,7 +59,7 @@ private slots:
         for (const Vec3f room : {Vec3f(5.0f, 1.0f, 1.0f), Vec3f(1.0f, 5.0f, 2.0f), Vec3f(1.0f, 1.0f, 9.0f)}) {
             for (int count = 0; count < 200; count += 7) {
                 std::vector<Box> boxes;
-                for (int i = 0; i < count; ++i) boxes.push_back(randomBox(random, room));
+                for (int i = 0; i < count; ++i) boxes.push_back(randomBoxIn(random, room));
                 if (count > 0) boxes.push_back({Vec3f(-20.0f), Vec3f(20.0f)});  // as the ground is
                 const Pairs pairs = sweptPairs(boxes);
                 QVERIFY(pairs == triedPairs(boxes));

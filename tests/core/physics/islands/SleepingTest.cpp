@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <set>
 
@@ -16,16 +15,11 @@ using namespace rubble;
 
 namespace {
 
-std::shared_ptr<const Shape> unitBox() {
-    const std::array<Polytope, 1> box{test::boxOf({1.0, 1.0, 1.0})};
-    return *makeShape(box);
-}
-
 /// `count` bodies without contacts, numbered from 1.
 WorldState stateOf(std::uint32_t count) {
     WorldState state;
     state.colours.resizeBodies(1);
-    const std::shared_ptr<const Shape> shape = unitBox();
+    const std::shared_ptr<const Shape> shape = test::boxShape({1.0, 1.0, 1.0});
     for (std::uint32_t body = 0; body < count; ++body) addBody(state, {.shape = shape});
     updateAwakeBodies(state);
     return state;
@@ -91,7 +85,7 @@ private slots:
             removeBody(state, body);
             if (state.awake.size() != kCount) QFAIL("removing a body changes the list of awake bodies");
         }
-        addBody(state, {.shape = unitBox()});
+        addBody(state, {.shape = test::boxShape({1.0, 1.0, 1.0})});
         QCOMPARE(updateAwakeBodies(state), std::size_t{1});
         QCOMPARE(state.awake, (std::vector<std::uint32_t>{kCount}));
     }
@@ -100,7 +94,7 @@ private slots:
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
         WorldState state = stateOf(40);
-        const std::shared_ptr<const Shape> shape = unitBox();
+        const std::shared_ptr<const Shape> shape = test::boxShape({1.0, 1.0, 1.0});
         for (int round = 0; round < 3000; ++round) {
             const auto body = static_cast<std::uint32_t>(1 + random.below(state.bodies.size() - 1));
             const bool isAlive = state.bodies[body].shape != nullptr;

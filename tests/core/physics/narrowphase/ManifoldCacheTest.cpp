@@ -15,8 +15,8 @@ enum class Known { No, Yes };
 /// Two halves of a box that replace it between collide() and solve(); the order of proxies is swapped if others were
 /// removed before.
 std::vector<ContactPoint> pointsBetweenHalves(Known known, int takenOutBefore, const Pose& pose) {
-    const std::shared_ptr<const Shape> left = *makeShape(std::vector{test::boxOf({0.6, 1.0, 1.0})});
-    const std::shared_ptr<const Shape> right = *makeShape(std::vector{test::boxOf({0.4, 0.8, 1.2})});
+    const std::shared_ptr<const Shape> left = test::boxShape({0.6, 1.0, 1.0});
+    const std::shared_ptr<const Shape> right = test::boxShape({0.4, 0.8, 1.2});
     const Vec3 apart(0.5, 0.05, 0.0);
     World world({.gravity = Vec3(0.0)});
     std::vector<BodyId> others;
@@ -73,7 +73,7 @@ private slots:
         }
     }
     void separatedShapesHaveNoCachedManifold() {
-        const std::shared_ptr<const Shape> box = *makeShape(std::vector{test::boxOf({1.0, 1.0, 1.0})});
+        const std::shared_ptr<const Shape> box = test::boxShape({1.0, 1.0, 1.0});
         QCOMPARE(cachedManifolds(*box, *box, {1.0, 0.0, 0.0}).size(), std::size_t{1});
         QVERIFY(cachedManifolds(*box, *box, {1.1, 0.0, 0.0}).empty());
     }

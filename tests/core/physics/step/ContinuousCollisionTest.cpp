@@ -90,7 +90,6 @@ BodyScene cornerDrop() {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(BodyScene)
 Q_DECLARE_METATYPE(BodyKind)
 
 class ContinuousCollisionTest : public QObject {

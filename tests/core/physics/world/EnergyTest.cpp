@@ -41,8 +41,6 @@ BodyScene heapOf(std::uint32_t count, double restitution) {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(BodyScene)
-
 /// Conservation of momentum and energy.
 class EnergyTest : public QObject {
     Q_OBJECT

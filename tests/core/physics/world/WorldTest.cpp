@@ -22,8 +22,6 @@ BodyScene boxesAt(std::initializer_list<Vec3> places) {
     return scene;
 }
 
-std::shared_ptr<const Shape> unitBox() { return *makeShape(std::vector<Polytope>{test::boxOf({1.0, 1.0, 1.0})}); }
-
 double heightOf(const SceneWorld& moved, std::size_t body) {
     return moved.world.state(moved.bodies[body]).pose.position.y;
 }
@@ -142,7 +140,7 @@ private slots:
         test::simulate(moved.world, 0.2);
         moved.world.collide(test::kStep);
         moved.world.removeBody(moved.bodies[2]);
-        const auto half = *makeShape(std::vector<Polytope>{test::boxOf({0.5, 1.0, 1.0})});
+        const auto half = test::boxShape({0.5, 1.0, 1.0});
         const Result<BodyId> left = moved.world.addBody({.shape = half, .pose = {.position = {-0.25, 1.5, 0.0}}});
         const Result<BodyId> right = moved.world.addBody({.shape = half, .pose = {.position = {0.25, 1.5, 0.0}}});
         QVERIFY(left && right);
@@ -158,9 +156,9 @@ private slots:
     }
     void idsAreNeverReused() {
         World world;
-        const BodyId first = *world.addBody({.shape = unitBox()});
+        const BodyId first = *world.addBody({.shape = test::boxShape({1.0, 1.0, 1.0})});
         world.removeBody(first);
-        const BodyId second = *world.addBody({.shape = unitBox()});
+        const BodyId second = *world.addBody({.shape = test::boxShape({1.0, 1.0, 1.0})});
         QVERIFY(!world.contains(first) && world.contains(second));
         QVERIFY(first != second);
     }

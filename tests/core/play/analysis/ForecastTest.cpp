@@ -2,6 +2,7 @@
 
 #include "core/base/Random.h"
 #include "core/base/Trigonometry.h"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/RandomAssets.h"
@@ -26,8 +27,6 @@ std::vector<BodyForecast> forecastOf(const Session& session, const Throw& thrown
 BodyForecast forecastOfBlock(const Project& project, const Throw& thrown) {
     return forecastOf(sessionOf(project), thrown)[1];
 }
-
-bool isAbout(double value, double expected) { return std::abs(value - expected) <= 1e-9 * std::abs(expected); }
 
 /// The first impact that a throw makes, as something that breaks at 1 N s tells it: where, how, and how hard.
 PlayBreak firstBreak(Session& session, const Throw& thrown) {
@@ -102,8 +101,8 @@ private slots:
     void headOnImpactUsesBothMasses() {
         const BodyForecast block = forecastOfBlock(floatingBlock(), test::throwAtBlock(20.0, 12.0));
         const double expected = 12.0 / (1.0 / 20.0 + 1.0 / 500.0) / 100.0;
-        QVERIFY(isAbout(block.at({0.0, 5.0, 0.25}, {0.0, 0.0, 1.0}), expected));
-        QVERIFY(isAbout(block.largest, expected));
+        QVERIFY(isNear(block.at({0.0, 5.0, 0.25}, {0.0, 0.0, 1.0}), expected, 1e-9));
+        QVERIFY(isNear(block.largest, expected, 1e-9));
         QVERIFY(glm::distance(block.weakest, Vec3(0.0, 5.0, 0.25)) < 1e-6);
     }
     void offCentreImpactIsSmaller() {
@@ -111,22 +110,22 @@ private slots:
         const double inertia = 500.0 * (1.0 + 0.25) / 12.0;
         const double aslant = 12.0 * 0.75 / std::sqrt(0.75 * 0.75 + 0.4 * 0.4);
         const double expected = aslant / (1.0 / 20.0 + 1.0 / 500.0 + 0.4 * 0.4 / inertia) / 100.0;
-        QVERIFY(isAbout(block.at({0.4, 5.0, 0.25}, {0.0, 0.0, 1.0}), expected));
+        QVERIFY(isNear(block.at({0.4, 5.0, 0.25}, {0.0, 0.0, 1.0}), expected, 1e-9));
     }
     void fixedBodyHasInfiniteMass() {
         Project project = floatingBlock();
         project.instances[0].isFixed = true;
         const BodyForecast block = forecastOfBlock(project, test::throwAtBlock(20.0, 12.0));
-        QVERIFY(isAbout(block.at({0.4, 5.0, 0.25}, {0.0, 0.0, 1.0}) * 100.0,
-                        240.0 * 0.75 / std::sqrt(0.75 * 0.75 + 0.4 * 0.4)));
+        QVERIFY(isNear(block.at({0.4, 5.0, 0.25}, {0.0, 0.0, 1.0}) * 100.0,
+                       240.0 * 0.75 / std::sqrt(0.75 * 0.75 + 0.4 * 0.4), 1e-9));
     }
     void largerRestitutionIsUsed() {
         Project project = floatingBlock();
         const double before = forecastOfBlock(project, test::throwAtBlock(20.0, 12.0)).largest;
         project.materials[0].restitution = 0.5;
-        QVERIFY(isAbout(forecastOfBlock(project, test::throwAtBlock(20.0, 12.0)).largest, 1.5 * before));
+        QVERIFY(isNear(forecastOfBlock(project, test::throwAtBlock(20.0, 12.0)).largest, 1.5 * before, 1e-9));
         const double slow = forecastOfBlock(project, test::throwAtBlock(20.0, 0.9)).largest;
-        QVERIFY(isAbout(slow, before * 0.9 / 12.0));
+        QVERIFY(isNear(slow, before * 0.9 / 12.0, 1e-9));
     }
     void gravityChangesTheImpactSpeed() {
         Project project = floatingBlock();
@@ -135,7 +134,8 @@ private slots:
         thrown.from = {0.0, 10.5, 0.0};  // 5 m above the top, straight down
         const Vec3 top(0.0, 5.5, 0.0), up(0.0, 1.0, 0.0);
         const double inverseEffectiveMass = 1.0 / 20.0 + 1.0 / 500.0;
-        QVERIFY(isAbout(forecastOfBlock(project, thrown).at(top, up), std::sqrt(200.0) / inverseEffectiveMass / 100.0));
+        QVERIFY(isNear(forecastOfBlock(project, thrown).at(top, up), std::sqrt(200.0) / inverseEffectiveMass / 100.0,
+                       1e-9));
         thrown.from = {0.0, -1.0, 0.0};  // 5.5 m below: 10 m/s take it up by 5 m
         QCOMPARE(forecastOfBlock(project, thrown).at({0.0, 4.5, 0.0}, -up), 0.0);
         QCOMPARE(forecastOfBlock(project, thrown).largest, 0.0);
@@ -151,7 +151,7 @@ private slots:
         Project project = floatingBlock();
         project.damage.rule = DamageRule::Momentum;
         const BodyForecast block = forecastOfBlock(project, test::throwAtBlock(20.0, 12.0));
-        QVERIFY(isAbout(block.at({0.4, 5.2, 0.25}, {0.0, 0.0, 1.0}), 2.4));
+        QVERIFY(isNear(block.at({0.4, 5.2, 0.25}, {0.0, 0.0, 1.0}), 2.4, 1e-9));
     }
     /// A block that a blow beside its middle sent away and set turning, 1 m/s along -z.
     void movingBodyKeepsItsVelocity() {
@@ -165,7 +165,8 @@ private slots:
         const double stillApproach = -12.0 * way.z / std::sqrt(glm::dot(way, way));
         const Vec3 own = moving.mass.velocity + glm::cross(moving.mass.angularVelocity, point - moving.mass.centre);
         QVERIFY(std::abs(own.z + 1.0) > 0.3);  // it turns there, too
-        QVERIFY(isAbout(moving.at(point, normal) / still.at(point, normal), (stillApproach + own.z) / stillApproach));
+        QVERIFY(
+            isNear(moving.at(point, normal) / still.at(point, normal), (stillApproach + own.z) / stillApproach, 1e-9));
     }
     /// By the thesis what is struck is damaged by its own momentum, too, less what it keeps.
     void momentumRuleUsesTheLargerMomentum() {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kScattered = 3, kPlaced = 4;  // layers
 
-Asset wall() {
+Asset wallWithMovedSeed() {
     Asset asset = boxAsset(2, kScattered, UniformScatter{.count = 20});
     asset.prism.outline = unitSquare();
     asset.pattern.layers.push_back({.id = kPlaced, .parameters = PlacedSeeds{{{0, {0.2, 0.3}}, {5, {0.7, 0.6}}}}});
@@ -36,7 +36,7 @@ std::shared_ptr<const DrawablePattern> shown(const Asset& asset) {
 
 /// The moved seeds after a change of the asset.
 std::optional<std::vector<MovedSeed>> movedBy(const std::function<void(Asset&)>& change) {
-    const Asset before = wall();
+    const Asset before = wallWithMovedSeed();
     Asset now = before;
     change(now);
     return movedSeeds(*shown(before), now);
@@ -48,9 +48,9 @@ class MovedCellsTest : public QObject {
     Q_OBJECT
 private slots:
     void movedSeedsAreFound() {
-        const std::shared_ptr<const DrawablePattern> before = shown(wall());
+        const std::shared_ptr<const DrawablePattern> before = shown(wallWithMovedSeed());
         for (const SeedId seed : {SeedId{kScattered, 7}, SeedId{kScattered, 11}, SeedId{kPlaced, 5}}) {
-            Asset now = wall();
+            Asset now = wallWithMovedSeed();
             moveSeed(now.pattern, seed, {0.25, 0.75});
             const auto moved = movedSeeds(*before, now);
             QCOMPARE(moved->size(), std::size_t{1});
@@ -79,15 +79,15 @@ private slots:
         QVERIFY(!movedBy([](Asset& asset) { asset.prism.outline = lShape(); }));
     }
     void relaxedPatternsHaveNoMovedPart() {
-        Asset before = wall();
+        Asset before = wallWithMovedSeed();
         before.pattern.layers.push_back({.id = 5, .parameters = LloydRelaxation{}});
         Asset now = before;
         moveSeed(now.pattern, {kScattered, 7}, {0.4, 0.5});
         QVERIFY(!movedSeeds(*shown(before), now));
     }
     void movedPartReplacesChangedSeeds() {
-        const std::shared_ptr<const DrawablePattern> before = shown(wall());
-        Asset now = wall();
+        const std::shared_ptr<const DrawablePattern> before = shown(wallWithMovedSeed());
+        Asset now = wallWithMovedSeed();
         moveSeed(now.pattern, {kPlaced, 0}, {0.22, 0.3});
         MovedCells cells(before);
         const std::shared_ptr<const MovedPart> part = cells.movedPart(now);
@@ -105,8 +105,8 @@ private slots:
         QVERIFY(box.max.x >= difference.max.x && box.max.y >= difference.max.y);
     }
     void unchangedPatternsHaveNoMovedPart() {
-        MovedCells cells(shown(wall()));
-        QVERIFY(!cells.movedPart(wall()));
+        MovedCells cells(shown(wallWithMovedSeed()));
+        QVERIFY(!cells.movedPart(wallWithMovedSeed()));
     }
 };
 

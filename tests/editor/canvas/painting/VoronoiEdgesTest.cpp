@@ -1,4 +1,5 @@
 #include "editor/canvas/painting/VoronoiEdges.h"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
@@ -8,8 +9,6 @@ using namespace rubble;
 namespace {
 
 const Box2 kBox{{-1.0, -1.0}, {2.0, 2.0}};
-
-bool isNear(Vec2 a, Vec2 b) { return std::abs(a.x - b.x) < 1e-12 && std::abs(a.y - b.y) < 1e-12; }
 
 }  // namespace
 
@@ -21,9 +20,10 @@ private slots:
         const auto lines = voronoiEdges(*triangulate(seeds), kBox);
         QCOMPARE(lines.size(), std::size_t{3});
         for (const auto& [from, to] : lines) {
-            QVERIFY(isNear(from, {0.5, 0.5}) || isNear(to, {0.5, 0.5}));
-            const Vec2 end = isNear(from, {0.5, 0.5}) ? to : from;
-            QVERIFY(isNear(end, {0.5, -1.0}) || isNear(end, {-1.0, 0.5}) || isNear(end, {2.0, 2.0}));
+            QVERIFY(isNear(from, {0.5, 0.5}, 1e-12) || isNear(to, {0.5, 0.5}, 1e-12));
+            const Vec2 end = isNear(from, {0.5, 0.5}, 1e-12) ? to : from;
+            QVERIFY(isNear(end, {0.5, -1.0}, 1e-12) || isNear(end, {-1.0, 0.5}, 1e-12) ||
+                    isNear(end, {2.0, 2.0}, 1e-12));
         }
     }
     void twoSeedsHaveTheBisector() {
@@ -50,7 +50,7 @@ private slots:
     }
     void segmentsAreClippedToTheBox() {
         const auto cut = clippedTo(kBox, {-5.0, 0.0}, {5.0, 0.0});
-        QVERIFY(cut && isNear((*cut)[0], {-1.0, 0.0}) && isNear((*cut)[1], {2.0, 0.0}));
+        QVERIFY(cut && isNear((*cut)[0], {-1.0, 0.0}, 1e-12) && isNear((*cut)[1], {2.0, 0.0}, 1e-12));
         QVERIFY(!clippedTo(kBox, {-5.0, 3.0}, {5.0, 3.0}));
         QVERIFY(!clippedTo(kBox, {-5.0, 0.0}, {-2.0, 0.0}));
     }

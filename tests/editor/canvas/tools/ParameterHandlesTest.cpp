@@ -9,7 +9,7 @@ using namespace rubble;
 namespace {
 
 /// A square of 2 m with its centre at (1, 1).
-Asset wall(LayerParameters parameters) {
+Asset wallOfTwoMetres(LayerParameters parameters) {
     Asset asset = boxAsset(2, 3, std::move(parameters));
     asset.prism.outline = {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}}, {}};
     return asset;
@@ -21,23 +21,23 @@ class ParameterHandlesTest : public QObject {
     Q_OBJECT
 private slots:
     void radialLayerHasAHandleAtItsCentre() {
-        const auto handles = parameterHandles(wall(RadialPattern{.centre = {0.5, 0.25}}));
+        const auto handles = parameterHandles(wallOfTwoMetres(RadialPattern{.centre = {0.5, 0.25}}));
         QCOMPARE(handles.size(), std::size_t{1});
         QCOMPARE(handles[0].position, Vec2(0.5, 0.25));
         QVERIFY(!handles[0].pivot);
     }
     void grainHasAHandleInItsDirection() {
-        const auto handles = parameterHandles(wall(Grain{.angle = 0.0}));
+        const auto handles = parameterHandles(wallOfTwoMetres(Grain{.angle = 0.0}));
         QCOMPARE(handles.size(), std::size_t{1});
         QCOMPARE(handles[0].pivot.value(), Vec2(1.0, 1.0));
         QVERIFY(handles[0].position.x > 1.0);
         QCOMPARE(handles[0].position.y, 1.0);
     }
     void disabledLayersAndScattersHaveNone() {
-        Asset asset = wall(RadialPattern{});
+        Asset asset = wallOfTwoMetres(RadialPattern{});
         asset.pattern.layers[0].isOn = false;
         QVERIFY(parameterHandles(asset).empty());
-        QVERIFY(parameterHandles(wall(UniformScatter{})).empty());
+        QVERIFY(parameterHandles(wallOfTwoMetres(UniformScatter{})).empty());
     }
 };
 

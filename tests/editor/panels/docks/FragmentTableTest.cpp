@@ -36,7 +36,7 @@ Project projectOf(Asset asset) {
 }
 
 /// A document with its table in a window.
-struct Desk {
+struct FragmentTableDesk {
     Document document;
     Selection selection;
     Bakes bakes;
@@ -47,7 +47,7 @@ struct Desk {
     QLineEdit& filter = *table.findChild<QLineEdit*>();
     std::optional<QAbstractItemModelTester> tester;  // none for many rows, as it reads all of them on each change
 
-    explicit Desk(Asset asset) : document(projectOf(std::move(asset))) {
+    explicit FragmentTableDesk(Asset asset) : document(projectOf(std::move(asset))) {
         selection.prune(document.project());
         rebake();
         if (bakes.find(document.project().assets[0].id)->bake->fragmentCount() < 1000) tester.emplace(&model);
@@ -106,7 +106,7 @@ class FragmentTableTest : public QObject {
     Q_OBJECT
 private slots:
     void metricsOfABoxInHalves() {
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         QCOMPARE(desk.texts(Column::Name), QStringList({"2/3.0", "2/3.1"}));
         for (int row = 0; row < 2; ++row) {
             QCOMPARE(desk.text(row, Column::Area), "0.5");
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(header.toString(), "Volume (m³)");
     }
     void valuesAreInThePreferredUnit() {
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         desk.table.setUnits({LengthUnit::Centimetre});
         QCOMPARE(desk.text(0, Column::Area), "5000");
         QCOMPARE(desk.text(0, Column::Volume), "250000");
@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(desk.model.rowCount(), 0);
     }
     void massFollowsTheDensity() {
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         Material stone = desk.document.project().materials[0];
         stone.density = 1000.0;
         desk.document.push({.text = "Set Density", .swaps = {Swap<Material>{1, stone}}});
@@ -140,7 +140,7 @@ private slots:
         QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 500 kg");
     }
     void childFragmentsFollowTheirParentAndCountOnce() {
-        Desk desk(boxOfLevels());
+        FragmentTableDesk desk(boxOfLevels());
         QCOMPARE(desk.texts(Column::Name), QStringList({"2/3.0", "2/3.0/4.0", "2/3.0/4.1", "2/3.1", "2/3.2"}));
         QCOMPARE(desk.texts(Column::Level), QStringList({"0", "1", "1", "0", "0"}));
         QCOMPARE(desk.totals(), "Listed: 5 of 5, 0.5 m³, 1000 kg");
@@ -158,14 +158,14 @@ private slots:
         }
     }
     void patternWithoutSeedsGivesOneFragment() {
-        Desk desk(boxAsset(2, 3, PlacedSeeds{}));
+        FragmentTableDesk desk(boxAsset(2, 3, PlacedSeeds{}));
         QCOMPARE(desk.model.rowCount(), 1);
         QCOMPARE(desk.text(0, Column::Neighbours), "0");
         QCOMPARE(desk.text(0, Column::Aspect), "1");
     }
 
     void everyColumnSortsNumerically() {
-        Desk desk(boxOf(200));
+        FragmentTableDesk desk(boxOf(200));
         for (int column = 0; column < kFragmentColumns; ++column) {
             for (const Qt::SortOrder order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
                 desk.view.sortByColumn(column, order);
@@ -180,7 +180,7 @@ private slots:
         }
     }
     void sortingKeepsTheSelection() {
-        Desk desk(boxOf(50));
+        FragmentTableDesk desk(boxOf(50));
         desk.click(3);
         const QStringList selected = desk.selectedIds();
         QHeaderView* header = desk.view.horizontalHeader();
@@ -208,7 +208,7 @@ private slots:
     void filterLimitsTheRows() {
         QFETCH(QString, filter);
         QFETCH(QStringList, ids);
-        Desk desk(boxOfLevels());
+        FragmentTableDesk desk(boxOfLevels());
         desk.filter.setText(filter);
         QCOMPARE(desk.texts(Column::Name), ids);
     }
@@ -234,7 +234,7 @@ private slots:
     void invalidFilterIsReportedAndKeepsTheRows() {
         QFETCH(QString, filter);
         QFETCH(QString, sentence);
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         desk.filter.setText("3.1");
         desk.filter.setText(filter);
         QCOMPARE(desk.totals(), sentence);
@@ -251,7 +251,7 @@ private slots:
     }
 
     void selectingRowsSelectsFragmentsAndSeeds() {
-        Desk desk(boxOfLevels());
+        FragmentTableDesk desk(boxOfLevels());
         desk.click(3);
         QVERIFY((desk.selection.fragments() == FragmentSelection{{{3, 1}}, std::nullopt}));
         desk.click(4, Qt::ControlModifier);
@@ -271,7 +271,7 @@ private slots:
         QCOMPARE(desk.selection.seeds().size(), std::size_t{3});
     }
     void selectedSeedsAreSelectedAndScrolledTo() {
-        Desk desk(boxOf(300));
+        FragmentTableDesk desk(boxOf(300));
         desk.selection.setSeeds({{3, 250}, {3, 270}});
         QCOMPARE(desk.selectedIds(), QStringList({"2/3.250", "2/3.270"}));
         QVERIFY(desk.view.viewport()->rect().contains(desk.view.visualRect(desk.model.index(250, 0)).center()));
@@ -280,7 +280,7 @@ private slots:
         QVERIFY(desk.selectedIds().empty());
     }
     void rebakeKeepsSelectionAndScrollPosition() {
-        Desk desk(boxOf(300));
+        FragmentTableDesk desk(boxOf(300));
         desk.view.sortByColumn(1, Qt::DescendingOrder);
         desk.selection.setSeeds({{3, 7}});
         desk.view.verticalScrollBar()->setValue(120);
@@ -295,7 +295,7 @@ private slots:
     }
 
     void hiddenFragmentsAreFaded() {
-        Desk desk(boxOfLevels());
+        FragmentTableDesk desk(boxOfLevels());
         desk.click(1);
         hideSelected(desk.selection, desk.currentBake());
         QVERIFY((desk.selection.hidden() == FragmentSelection{{{3, 0}}, {{"2/3.0/4.0"}}}));
@@ -322,7 +322,7 @@ private slots:
         hide.setShortcuts({QKeySequence("H"), QKeySequence("/")});
         hide.setShortcutContext(Qt::WidgetShortcut);
         QSignalSpy triggered(&hide, &QAction::triggered);
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         desk.table.setFragmentActions({&hide}, {});
         desk.key(Qt::Key_H);
         QCOMPARE(triggered.count(), 1);
@@ -337,7 +337,7 @@ private slots:
         QCOMPARE(triggered.count(), 3);
     }
     void invertingAffectsListedFragmentsOnly() {
-        Desk desk(boxOfLevels());
+        FragmentTableDesk desk(boxOfLevels());
         desk.filter.setText("area < 0.35");
         desk.selection.setSeeds({{3, 1}});
         desk.table.invertSelection();  // of the first column only the children are listed
@@ -345,7 +345,7 @@ private slots:
         QCOMPARE(desk.selectedIds(), QStringList({"2/3.0/4.0", "2/3.0/4.1", "2/3.2"}));
     }
     void missingBakeIsReported() {
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         desk.bakes.clear();
         QCOMPARE(desk.totals(), "Baking…");
         const Error fault{ErrorCode::Crossing, "The outline crosses itself."};
@@ -354,7 +354,7 @@ private slots:
         QCOMPARE(desk.model.rowCount(), 0);
     }
     void hiddenTableComputesNothing() {
-        Desk desk(boxOfTwo());
+        FragmentTableDesk desk(boxOfTwo());
         desk.table.hide();
         desk.push(boxOf(5));
         desk.rebake();
@@ -363,7 +363,7 @@ private slots:
         QCOMPARE(desk.model.rowCount(), 5);
     }
     void fiftyThousandRowsSortAndFilter() {
-        Desk desk(boxOf(50'000));
+        FragmentTableDesk desk(boxOf(50'000));
         QCOMPARE(desk.model.rowCount(), 50'000);
         desk.view.sortByColumn(1, Qt::AscendingOrder);
         Selection::Seeds odd;

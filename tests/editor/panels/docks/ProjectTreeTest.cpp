@@ -23,7 +23,7 @@ namespace {
 using Kind = ProjectModel::Kind;
 
 /// A document with its tree in a window.
-struct Desk {
+struct ProjectTreeDesk {
     Document document;
     Selection selection;
     ProjectTree tree{document, selection};
@@ -31,7 +31,7 @@ struct Desk {
     ProjectModel& model = *tree.findChild<ProjectModel*>();
     QAbstractItemModelTester tester{&model};
 
-    explicit Desk(Project project = fullProject()) : document(std::move(project)) {
+    explicit ProjectTreeDesk(Project project = fullProject()) : document(std::move(project)) {
         selection.prune(document.project());
         tree.resize(300, 600);
         tree.show();
@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(tree.view().selectionModel()->selectedIndexes(), QModelIndexList{row});
     }
     void treeShowsTheProject() {
-        Desk desk;
+        ProjectTreeDesk desk;
         QCOMPARE(desk.text(Kind::Asset, 3), "wall");
         QCOMPARE(desk.text(Kind::Layer, 4), "Uniform, 7 seeds");
         QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 0.2\u00a0m apart (disabled)");
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 20\u00a0cm apart (disabled)");
     }
     void clicksSelect() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.click(Kind::Material, 2);
         QCOMPARE(desk.selection.material(), 2u);
         QCOMPARE(desk.selection.subject(), Part::Material);
@@ -108,7 +108,7 @@ private slots:
     void clickedIconsToggleFlagsWithoutSelecting() {
         Project project = fullProject();
         for (Instance& instance : project.instances) instance.isHidden = instance.isLocked = false;
-        Desk desk(project);
+        ProjectTreeDesk desk(project);
         desk.click(Kind::Asset, 9);
         const auto instance = [&desk] {
             return *std::ranges::find(desk.document.project().instances, 21u, &Instance::id);
@@ -126,7 +126,7 @@ private slots:
         QCOMPARE(projectText(desk.document.project()), projectText(project));
     }
     void onlyInstancesHaveIcons() {
-        Desk desk;
+        ProjectTreeDesk desk;
         const int end = desk.view.viewport()->width() - 6;
         const QRect row = desk.view.visualRect(desk.model.indexOf({Kind::Asset, 9}));
         QTest::mouseClick(desk.view.viewport(), Qt::LeftButton, {}, {end, row.center().y()});
@@ -134,12 +134,12 @@ private slots:
         QCOMPARE(desk.selection.asset(), 9u);
     }
     void rightClickOnAnIconTogglesNothing() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.clickIcon(21, ProjectModel::kHiddenRole, Qt::RightButton);
         QCOMPARE(desk.document.undoStack().count(), 0);
     }
     void rowsFollowTheSelection() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.selection.setInstances(desk.document.project(), {20, 21});
         QCOMPARE(desk.view.selectionModel()->selectedIndexes().size(), 2);
         desk.selection.setAsset(11);
@@ -148,7 +148,7 @@ private slots:
         QCOMPARE(desk.model.nodeAt(rows[0]), (ProjectModel::Node{Kind::Asset, 11}));
     }
     void replacedProjectSelectsItsFirstAsset() {
-        Desk desk(emptyProject());
+        ProjectTreeDesk desk(emptyProject());
         desk.selection.setAsset(3);  // the workspace hears of a new project before the tree does
         QCOMPARE(desk.selection.subject(), Part::Asset);
         desk.document.replace(fullProject());
@@ -158,7 +158,7 @@ private slots:
         QCOMPARE(desk.model.nodeAt(rows[0]), (ProjectModel::Node{Kind::Asset, 3}));
     }
     void f2Renames() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.click(Kind::Asset, 9);
         desk.rename("crate");
         QCOMPARE(desk.text(Kind::Asset, 9), "crate");
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(!desk.document.undoStack().canUndo());
     }
     void emptyAndTakenNamesAreRefused() {
-        Desk desk;
+        ProjectTreeDesk desk;
         QSignalSpy refusals(&desk.tree, &ProjectTree::refused);
         desk.click(Kind::Asset, 9);
         desk.rename("WALL");
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(desk.text(Kind::Asset, 9), "Box");
     }
     void ctrlDDuplicatesTheSelection() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.click(Kind::Instance, 20);
         desk.click(Kind::Instance, 21, Qt::ControlModifier);
         QTest::keyClick(&desk.view, Qt::Key_D, Qt::ControlModifier);
@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(projectText(desk.document.project()), projectText(fullProject()));
     }
     void deleteRemovesTheSelectionInOneStep() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.click(Kind::Material, 2);
         desk.click(Kind::Asset, 9, Qt::ControlModifier);
         desk.click(Kind::Instance, 20, Qt::ControlModifier);
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(projectText(desk.document.project()), projectText(fullProject()));
     }
     void lastMaterialCannotBeDeleted() {
-        Desk desk(starterProject());
+        ProjectTreeDesk desk(starterProject());
         QSignalSpy refusals(&desk.tree, &ProjectTree::refused);
         desk.click(Kind::Material, desk.document.project().materials[0].id);
         QTest::keyClick(&desk.view, Qt::Key_Delete);
@@ -212,13 +212,13 @@ private slots:
         QCOMPARE(desk.document.undoStack().count(), 0);
     }
     void addedMaterialIsSelected() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.tree.addMaterial();
         QCOMPARE(desk.selection.material(), 40u);
         QCOMPARE(desk.document.undoStack().count(), 1);
     }
     void collapsedRowsStayCollapsedWhenOthersChange() {
-        Desk desk;
+        ProjectTreeDesk desk;
         desk.view.setExpanded(desk.model.indexOf({Kind::Asset, 3}), false);
         desk.document.push(addLayer(desk.document.project(), 9, LloydRelaxation{}).edit);
         desk.document.push(removeAssets(desk.document.project(), std::vector<Id>{11}));
@@ -227,7 +227,7 @@ private slots:
         QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 9})), 2);
     }
     void reorderedLayersMove() {
-        Desk desk;
+        ProjectTreeDesk desk;
         Asset asset = *findAsset(desk.document.project(), 3);
         std::swap(asset.pattern.layers[0], asset.pattern.layers[3]);
         desk.document.push(modify("Move Layer", std::move(asset)));
@@ -236,7 +236,7 @@ private slots:
         QCOMPARE(desk.model.nodeAt(desk.model.index(3, 0, parent)).id, 4u);
     }
     void inheritedLayerHasOneRow() {
-        Desk desk;
+        ProjectTreeDesk desk;
         Asset wall = desk.document.project().assets[0];
         const int rows = desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3}));
         const QString text = desk.text(Kind::Layer, 8);
@@ -253,7 +253,7 @@ private slots:
         constexpr std::uint64_t kSeed = 1911;
         qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
         Random random(kSeed);
-        Desk desk;
+        ProjectTreeDesk desk;
         const std::string before = projectText(desk.document.project());
         for (int k = 0; k < 200; ++k) {
             desk.document.push(randomEdit(desk.document.project(), random, 0));

@@ -28,13 +28,13 @@ using namespace rubble;
 namespace {
 
 /// A document with the inspector in a window.
-struct Desk {
+struct InspectorDesk {
     Document document;
     Selection selection;
     Inspector inspector{document, selection};
     QSignalSpy refusals{&inspector, &Inspector::refused};
 
-    explicit Desk(Project project = fullProject()) : document(std::move(project)) {
+    explicit InspectorDesk(Project project = fullProject()) : document(std::move(project)) {
         selection.prune(document.project());
         inspector.resize(360, 900);
         inspector.show();
@@ -83,7 +83,7 @@ class InspectorTest : public QObject {
     Q_OBJECT
 private slots:
     void pageFollowsTheSubject() {
-        Desk desk;
+        InspectorDesk desk;
         QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::AssetPage");
         desk.selection.setMaterial(2);
         QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::MaterialPage");
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(desk.inspector.page().metaObject()->className(), "rubble::ScenePage");
     }
     void typedNumbersChangeTheDocument() {
-        Desk desk;
+        InspectorDesk desk;
         desk.inspector.setLocale(QLocale(QLocale::German, QLocale::Germany));
         desk.selection.setAsset(9);
         desk.type("Threshold", "12,5");
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(desk.control<NumberField>("Depth").value(), 0.5);
     }
     void sliderDragIsOneUndoStep() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setMaterial(1);
         drag(desk.control<SliderField>("Friction").slider());
         QVERIFY(findMaterial(desk.document.project(), 1)->friction > 1.0);
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void showingChangesNothing() {
-        Desk desk;
+        InspectorDesk desk;
         for (const LengthUnit unit : {LengthUnit::Metre, LengthUnit::Millimetre}) {
             desk.inspector.setUnits({unit});
             for (const Id asset : {3u, 9u, 11u}) desk.selection.setAsset(asset);
@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void invalidNamesAndNumbersAreRefused() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         auto& name = desk.control<QLineEdit>("Name");
         name.setFocus();
@@ -168,7 +168,7 @@ private slots:
         QCOMPARE(resized(wall, size), wall);
     }
     void typedPointsAreValidated() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         auto& editor = *desk.inspector.page().findChild<OutlineEditor*>();
         const QModelIndex cell = editor.model().index(2, 0);
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void layersAreAddedMovedDisabledAndDeleted() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(3);
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         editor.addLayer(LloydRelaxation{});
@@ -211,7 +211,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void aLayerThatTheMenuAddsBecomesCurrent() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(3);
         const QListView& view = desk.inspector.page().findChild<PatternEditor*>()->view();
         desk.document.push(addLayer(desk.document.project(), 3, LloydRelaxation{}).edit);
@@ -220,7 +220,7 @@ private slots:
         QCOMPARE(view.currentIndex().row(), 0);
     }
     void everyParameterOfEveryKindIsEditable() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         for (const PatternKind* kind : patternKinds()) {
@@ -242,7 +242,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void pointAndOptionParametersAreEditable() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         editor.addLayer(RadialPattern{});
@@ -262,7 +262,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void countsAreExpressedInThreeWays() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);  // a square metre
         const auto count = [&] { return std::get<UniformScatter>(desk.asset().pattern.layers[0].parameters).count; };
         const auto select = [&](int way) {
@@ -282,7 +282,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void picturesAreLoadedAndInvalidOnesRefused() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         desk.inspector.page().findChild<PatternEditor*>()->addLayer(DensityImage{});
         auto& picture = *desk.inspector.page().findChild<PictureField*>();
@@ -300,7 +300,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void layersAreMovedByKeysAndDragging() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(3);
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         const auto order = [&] {
@@ -328,7 +328,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void collapsedSectionsAreRestored() {
-        Desk desk, next;
+        InspectorDesk desk, next;
         for (auto* section : desk.inspector.findChildren<Section*>()) {
             QVERIFY(!section->isCollapsed());
             if (section->objectName() == "shape") section->setCollapsed(true);
@@ -340,7 +340,7 @@ private slots:
         QCOMPARE(next.inspector.collapsedSections(), QStringList{});
     }
     void levelsAreAddedAndDeleted() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         QTest::mouseClick(&desk.control<QToolButton>("Add Level"), Qt::LeftButton);
         QCOMPARE(desk.asset().levels.size(), 1u);
@@ -355,7 +355,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void fragmentsAreShaped() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(9);
         QVERIFY(!desk.control<SliderField>("Minimum size").isVisible());
         const auto select = [&](const QString& name, int row) {
@@ -380,7 +380,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void fragmentPatternsAreEditedLikeLevels() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(3);
         auto& levels = desk.control<QComboBox>("Pattern");
         QCOMPARE(levels.count(), 5);
@@ -398,7 +398,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void overridesAreRestoredAndSeedsRandomized() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setAsset(3);
         auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
         editor.showLayer(4);
@@ -421,7 +421,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void editChangesAllSelectedInstances() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setInstances(desk.document.project(), {20, 21});
         QVERIFY(desk.control<NumberField>("Position x").isMixed());
         desk.type("Position x", "3");
@@ -441,7 +441,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void rotationsStayAsTyped() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setInstances(desk.document.project(), {20});
         desk.type("Rotation y", "100");
         desk.type("Rotation x", "30");
@@ -452,7 +452,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void sceneSettingsAreEdited() {
-        Desk desk;
+        InspectorDesk desk;
         desk.selection.setSubject(Part::Scene);
         desk.type("Gravity y", "-3.7");
         QCOMPARE(desk.document.project().gravity.y, -3.7);
@@ -463,7 +463,7 @@ private slots:
         constexpr std::uint64_t kSeed = 2611;
         qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
         Random random(kSeed);
-        Desk desk;
+        InspectorDesk desk;
         const auto below = [&](qsizetype count) {
             return static_cast<qsizetype>(random.below(static_cast<std::uint64_t>(count)));
         };
@@ -488,7 +488,7 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
     void everyControlHasAToolTipAndIsReachableByKeyboard() {
-        Desk desk;
+        InspectorDesk desk;
         const auto check = [&] {
             for (QWidget* control : desk.inspector.page().findChildren<QWidget*>()) {
                 if (!control->isVisible() || control->focusPolicy() == Qt::NoFocus || control->focusProxy()) continue;

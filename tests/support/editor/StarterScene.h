@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/asset/project/StarterProject.h"
+#include "viewport/scene/SceneBuilder.h"
+
+#include <memory>
+
+namespace rubble::test {
+
+/// The starter project's wall, baked.
+inline std::shared_ptr<const RenderScene> starterScene(const SceneMarks& marks = {}) {
+    const Project project = starterProject();
+    AssetBakes bakes;
+    bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
+    return std::make_shared<const RenderScene>(sceneOf(project, bakes, {.marks = marks}));
+}
+
+}  // namespace rubble::test
