@@ -15,7 +15,7 @@ namespace {
 const QString kCases = RUBBLE_SOURCE_DIR "/tests/cli/cases";
 const bool isUpdating = qEnvironmentVariableIsSet("RUBBLE_UPDATE_CASES");
 
-/// The expected or actual result of a runCase.
+/// The expected or actual result of a run.
 struct CaseResult {
     QByteArray out;
     QByteArray err;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::uint32_t kForms = 64;
 constexpr std::uint32_t kLayers = 8;
-constexpr double kSpacing = 0.6;        // m: a fragment's diagonal is 0.58
-constexpr double kAcross = 0.3;         // m
-constexpr double kDepth = 0.5;          // m
-constexpr double kWallHeight = 6.0;     // m
-constexpr double kWallThickness = 1.0;  // m
+constexpr double kSpacing = 0.6;       // m: a fragment's diagonal is 0.58
+constexpr double kAcross = 0.3;        // m
+constexpr double kDepth = 0.5;         // m
+constexpr double kPenHeight = 6.0;     // m
+constexpr double kPenThickness = 1.0;  // m
 constexpr std::uint64_t kSeed = 20;
 
 /// A ring of corners on a circle, each displaced by at most 0.3 steps from a regular polygon.
@@ -30,12 +30,12 @@ Polytope fragmentForm(Random& random) {
 }
 
 void addPen(BodyScene& scene, double half) {
-    const double outer = half + kWallThickness;
+    const double outer = half + kPenThickness;
     addGround(scene, outer);
-    addFixedBox(scene, "wall -x", {-outer, 0.0, -outer}, {-half, kWallHeight, outer});
-    addFixedBox(scene, "wall +x", {half, 0.0, -outer}, {outer, kWallHeight, outer});
-    addFixedBox(scene, "wall -z", {-half, 0.0, -outer}, {half, kWallHeight, -half});
-    addFixedBox(scene, "wall +z", {-half, 0.0, half}, {half, kWallHeight, outer});
+    addFixedBox(scene, "wall -x", {-outer, 0.0, -outer}, {-half, kPenHeight, outer});
+    addFixedBox(scene, "wall +x", {half, 0.0, -outer}, {outer, kPenHeight, outer});
+    addFixedBox(scene, "wall -z", {-half, 0.0, -outer}, {half, kPenHeight, -half});
+    addFixedBox(scene, "wall +z", {-half, 0.0, half}, {half, kPenHeight, outer});
 }
 
 }  // namespace

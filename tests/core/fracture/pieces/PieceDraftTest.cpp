@@ -12,8 +12,6 @@
 
 using namespace rubble;
 
-namespace {}  // namespace
-
 class PieceDraftTest : public QObject {
     Q_OBJECT
 private slots:

@@ -8,8 +8,6 @@
 
 using namespace rubble;
 
-namespace {}  // namespace
-
 class AspectRatioTest : public QObject {
     Q_OBJECT
 private slots:

@@ -10,8 +10,6 @@
 
 using namespace rubble;
 
-namespace {}  // namespace
-
 class ContainmentIndexTest : public QObject {
     Q_OBJECT
 private slots:

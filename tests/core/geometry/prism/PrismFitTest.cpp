@@ -48,7 +48,7 @@ Pose anyPose(Random& random) {
     return {{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}, glm::normalize(turn)};
 }
 
-/// A randomStarOutline-shaped outline with random radii between 0.5 and 1.5, every second one larger.
+/// A star-shaped outline with random radii between 0.5 and 1.5, every second one larger.
 Polygon randomStarOutline(Random& random) {
     const int count = 3 + static_cast<int>(random.below(20));
     Polygon polygon;
