@@ -155,3 +155,5 @@ void AssetActions::updateEnabled() {
 }
 
 }  // namespace rubble
+
+#include "moc_AssetActions.cpp"

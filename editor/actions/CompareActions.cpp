@@ -115,3 +115,5 @@ void CompareActions::reveal(const PieceDifference& fragment) {
 }
 
 }  // namespace rubble
+
+#include "moc_CompareActions.cpp"

@@ -67,3 +67,5 @@ void EditActions::openPreferences() { PreferencesDialog(m_preferences, &m_views.
 void EditActions::updateEnabled() { m_deleteSeeds->setEnabled(!m_workspace.selection().seeds().empty()); }
 
 }  // namespace rubble
+
+#include "moc_EditActions.cpp"

@@ -234,3 +234,5 @@ void FileActions::fillRecent() {
 }
 
 }  // namespace rubble
+
+#include "moc_FileActions.cpp"

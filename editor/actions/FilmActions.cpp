@@ -125,3 +125,5 @@ void FilmActions::showFinished(const FilmRequest& request) {
 void FilmActions::showFailed(const QString& sentence) { showError(&m_views.window(), sentence); }
 
 }  // namespace rubble
+
+#include "moc_FilmActions.cpp"

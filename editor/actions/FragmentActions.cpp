@@ -136,3 +136,5 @@ void FragmentActions::updateEnabled() {
 }
 
 }  // namespace rubble
+
+#include "moc_FragmentActions.cpp"

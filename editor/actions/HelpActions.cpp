@@ -59,3 +59,5 @@ void HelpActions::showAbout() {
 }
 
 }  // namespace rubble
+
+#include "moc_HelpActions.cpp"

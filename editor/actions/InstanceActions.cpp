@@ -248,3 +248,5 @@ void InstanceActions::updateEnabled() {
 }
 
 }  // namespace rubble
+
+#include "moc_InstanceActions.cpp"

@@ -54,3 +54,5 @@ void MaterialActions::saveAsPreset() {
 }
 
 }  // namespace rubble
+
+#include "moc_MaterialActions.cpp"

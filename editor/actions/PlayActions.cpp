@@ -219,3 +219,5 @@ void PlayActions::updateRecorded() {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayActions.cpp"

@@ -228,3 +228,5 @@ void SelectActions::updateEnabled() {
 }
 
 }  // namespace rubble
+
+#include "moc_SelectActions.cpp"

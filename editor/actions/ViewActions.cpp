@@ -172,3 +172,5 @@ void ViewActions::toggleFullScreen() {
 }
 
 }  // namespace rubble
+
+#include "moc_ViewActions.cpp"

@@ -66,3 +66,5 @@ void BackgroundJob::cancel() {
 }
 
 }  // namespace rubble
+
+#include "moc_BackgroundJob.cpp"

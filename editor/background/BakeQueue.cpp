@@ -59,3 +59,5 @@ void BakeQueue::finish(const Delivery& deliver) {
 }
 
 }  // namespace rubble
+
+#include "moc_BakeQueue.cpp"

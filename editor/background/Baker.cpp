@@ -197,3 +197,5 @@ void Baker::addUnbaked(std::set<Id>& stale) const {
 }
 
 }  // namespace rubble
+
+#include "moc_Baker.cpp"

@@ -44,3 +44,5 @@ void ContactSheetGenerator::start(SheetRequest request, const SheetStyle& style)
 }
 
 }  // namespace rubble
+
+#include "moc_ContactSheetGenerator.cpp"

@@ -69,3 +69,5 @@ void FilmExporter::start(FilmRequest request) {
 }
 
 }  // namespace rubble
+
+#include "moc_FilmExporter.cpp"

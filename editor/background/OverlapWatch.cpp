@@ -62,3 +62,5 @@ void OverlapWatch::report(std::vector<InstanceOverlap> overlaps) {
 }
 
 }  // namespace rubble
+
+#include "moc_OverlapWatch.cpp"

@@ -71,3 +71,5 @@ void PlayTestRunner::add(const Result<PlayTestOutcome>& outcome) {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayTestRunner.cpp"

@@ -85,3 +85,5 @@ std::shared_ptr<const Bake> ProblemWatch::bakeOf(Id asset) const {
 }
 
 }  // namespace rubble
+
+#include "moc_ProblemWatch.cpp"

@@ -41,3 +41,5 @@ void QuickFixRunner::cancelOutdated() {
 }
 
 }  // namespace rubble
+
+#include "moc_QuickFixRunner.cpp"

@@ -81,3 +81,5 @@ void StateComparison::compare() {
 }
 
 }  // namespace rubble
+
+#include "moc_StateComparison.cpp"

@@ -40,3 +40,5 @@ void SwapAuditRunner::audit(Id asset) {
 }
 
 }  // namespace rubble
+
+#include "moc_SwapAuditRunner.cpp"

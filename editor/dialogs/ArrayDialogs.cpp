@@ -112,3 +112,5 @@ Vec3 sizeOf(const Project& project, std::span<const Id> instances) {
 }
 
 }  // namespace rubble
+
+#include "moc_ArrayDialogs.cpp"

@@ -339,3 +339,5 @@ void ContactSheetWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_ContactSheetWindow.cpp"

@@ -163,3 +163,5 @@ void ExportDialog::updateSummary() {
 }
 
 }  // namespace rubble
+
+#include "moc_ExportDialog.cpp"

@@ -262,3 +262,5 @@ QString FilmDialog::summary(const FilmOptions& options, int frames) const {
 }
 
 }  // namespace rubble
+
+#include "moc_FilmDialog.cpp"

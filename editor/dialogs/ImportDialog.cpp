@@ -253,3 +253,5 @@ void ImportDialog::showRow(int row) {
 }
 
 }  // namespace rubble
+
+#include "moc_ImportDialog.cpp"

@@ -34,3 +34,5 @@ void ImportView::setPrism(const PrismFit* prism) {
 }
 
 }  // namespace rubble
+
+#include "moc_ImportView.cpp"

@@ -140,3 +140,5 @@ void MaterialDialog::addToProject() {
 }
 
 }  // namespace rubble
+
+#include "moc_MaterialDialog.cpp"

@@ -72,3 +72,5 @@ void MeshSeedsDialog::updateSeeds() {
 }
 
 }  // namespace rubble
+
+#include "moc_MeshSeedsDialog.cpp"

@@ -63,3 +63,5 @@ void OutlinePreview::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace rubble
+
+#include "moc_OutlinePreview.cpp"

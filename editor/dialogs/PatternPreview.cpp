@@ -67,3 +67,5 @@ void PatternPreview::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace rubble
+
+#include "moc_PatternPreview.cpp"

@@ -88,3 +88,5 @@ void PreferencesDialog::reject() {
 }
 
 }  // namespace rubble
+
+#include "moc_PreferencesDialog.cpp"

@@ -101,3 +101,5 @@ int RandomFractionDialog::percent() const { return m_percent->value(); }
 quint64 RandomFractionDialog::randomSeed() const { return m_seed->value(); }
 
 }  // namespace rubble
+
+#include "moc_SelectDialogs.cpp"

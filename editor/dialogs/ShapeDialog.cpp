@@ -59,3 +59,5 @@ double ShapeDialog::length(int index) const { return m_lengths[index]->value(); 
 int ShapeDialog::corners() const { return m_corners->value(); }
 
 }  // namespace rubble
+
+#include "moc_ShapeDialog.cpp"

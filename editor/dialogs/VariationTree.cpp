@@ -152,3 +152,5 @@ std::vector<VariedParameter> VariationTree::varied() const {
 }
 
 }  // namespace rubble
+
+#include "moc_VariationTree.cpp"

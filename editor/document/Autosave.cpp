@@ -51,3 +51,5 @@ void Autosave::discardBackup() {
 }
 
 }  // namespace rubble
+
+#include "moc_Autosave.cpp"

@@ -58,3 +58,5 @@ void Bakes::clear() {
 }
 
 }  // namespace rubble
+
+#include "moc_Bakes.cpp"

@@ -74,3 +74,5 @@ void Document::apply(Edit& edit, bool isUndoOrRedo) {
 }
 
 }  // namespace rubble
+
+#include "moc_Document.cpp"

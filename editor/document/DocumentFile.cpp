@@ -135,3 +135,5 @@ void DocumentFile::checkForChange() {
 }
 
 }  // namespace rubble
+
+#include "moc_DocumentFile.cpp"

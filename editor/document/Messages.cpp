@@ -58,3 +58,5 @@ std::vector<Message> messagesOf(const Bake& bake) {
 }
 
 }  // namespace rubble
+
+#include "moc_Messages.cpp"

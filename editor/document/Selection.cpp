@@ -96,3 +96,5 @@ void Selection::prune(const Project& project) {
 }
 
 }  // namespace rubble
+
+#include "moc_Selection.cpp"

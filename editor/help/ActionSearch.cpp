@@ -125,3 +125,5 @@ void ActionSearch::triggerCurrent() {
 }
 
 }  // namespace rubble
+
+#include "moc_ActionSearch.cpp"

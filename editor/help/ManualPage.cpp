@@ -79,3 +79,5 @@ void ManualPage::formatPage() {
 }
 
 }  // namespace rubble
+
+#include "moc_ManualPage.cpp"

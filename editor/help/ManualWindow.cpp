@@ -57,3 +57,5 @@ void ManualWindow::findNext(const QString& text) {
 }
 
 }  // namespace rubble
+
+#include "moc_ManualWindow.cpp"

@@ -246,3 +246,5 @@ void PlayController::applyUpdate() {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayController.cpp"

@@ -245,3 +245,5 @@ void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayThread.cpp"

@@ -32,3 +32,5 @@ ExplodeSlider::ExplodeSlider(QWidget* parent) : QWidget(parent) {
 }
 
 }  // namespace rubble
+
+#include "moc_ExplodeSlider.cpp"

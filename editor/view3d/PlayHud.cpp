@@ -148,3 +148,5 @@ void PlayHud::paintHeat(QPainter& painter, QSize size) const {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayHud.cpp"

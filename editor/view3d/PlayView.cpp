@@ -127,3 +127,5 @@ PlayHud::Content PlayView::content() const {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayView.cpp"

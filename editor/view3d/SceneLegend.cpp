@@ -105,3 +105,5 @@ void SceneLegend::paint(QPainter& painter, QSize size) const {
 }
 
 }  // namespace rubble
+
+#include "moc_SceneLegend.cpp"

@@ -143,3 +143,5 @@ void ScenePicker::selectFragments(const std::vector<PickId>& ids, bool isExtendi
 }
 
 }  // namespace rubble
+
+#include "moc_ScenePicker.cpp"

@@ -257,3 +257,5 @@ void SceneView::update() {
 }
 
 }  // namespace rubble
+
+#include "moc_SceneView.cpp"

@@ -125,3 +125,5 @@ bool TimelineBar::event(QEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_TimelineBar.cpp"

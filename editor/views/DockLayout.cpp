@@ -104,3 +104,5 @@ void DockLayout::save() const { QSettings().setValue(kStateKey, m_window.saveSta
 bool DockLayout::restore() { return m_window.restoreState(QSettings().value(kStateKey).toByteArray(), kStateVersion); }
 
 }  // namespace rubble
+
+#include "moc_DockLayout.cpp"

@@ -50,3 +50,5 @@ bool FirstSteps::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_FirstSteps.cpp"

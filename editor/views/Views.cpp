@@ -286,3 +286,5 @@ void Views::reveal(const std::vector<Id>& instances) {
 }
 
 }  // namespace rubble
+
+#include "moc_Views.cpp"

@@ -86,3 +86,5 @@ void ColourButton::openDialog() {
 }
 
 }  // namespace rubble
+
+#include "moc_ColourButton.cpp"

@@ -216,3 +216,5 @@ QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.000"))
 QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("000.00")); }
 
 }  // namespace rubble
+
+#include "moc_NumberField.cpp"

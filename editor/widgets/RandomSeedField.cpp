@@ -59,3 +59,5 @@ void RandomSeedField::enter(quint64 value) {
 }
 
 }  // namespace rubble
+
+#include "moc_RandomSeedField.cpp"

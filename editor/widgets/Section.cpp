@@ -107,3 +107,5 @@ QScrollArea* verticalScrollArea(QWidget* page) {
 }
 
 }  // namespace rubble
+
+#include "moc_Section.cpp"

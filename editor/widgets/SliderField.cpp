@@ -126,3 +126,5 @@ SliderField* thresholdField() {
 }
 
 }  // namespace rubble
+
+#include "moc_SliderField.cpp"

@@ -45,3 +45,5 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
 }
 
 }  // namespace rubble
+
+#include "moc_TaskDialog.cpp"

@@ -285,3 +285,5 @@ void MainWindow::updateBakeProgress(Id asset, double fraction) {
 }
 
 }  // namespace rubble
+
+#include "moc_MainWindow.cpp"

@@ -192,3 +192,5 @@ QList<MainWindow*> Program::windows() const {
 }
 
 }  // namespace rubble
+
+#include "moc_Program.cpp"

@@ -151,3 +151,5 @@ void StartPage::fillRecent() {
 }
 
 }  // namespace rubble
+
+#include "moc_StartPage.cpp"

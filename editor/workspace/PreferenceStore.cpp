@@ -13,3 +13,5 @@ void PreferenceStore::setPreferences(const Preferences& preferences) {
 }
 
 }  // namespace rubble
+
+#include "moc_PreferenceStore.cpp"

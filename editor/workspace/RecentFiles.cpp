@@ -37,3 +37,5 @@ void RecentFiles::store() {
 }
 
 }  // namespace rubble
+
+#include "moc_RecentFiles.cpp"

@@ -23,3 +23,5 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
 }
 
 }  // namespace rubble
+
+#include "moc_Workspace.cpp"

@@ -127,3 +127,5 @@ void ViewportCanvas::accumulate() {
 }
 
 }  // namespace rubble
+
+#include "moc_ViewportCanvas.cpp"

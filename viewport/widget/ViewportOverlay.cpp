@@ -51,3 +51,5 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace rubble
+
+#include "moc_ViewportOverlay.cpp"

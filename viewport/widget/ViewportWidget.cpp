@@ -314,3 +314,5 @@ bool ViewportWidget::event(QEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_ViewportWidget.cpp"

@@ -54,8 +54,8 @@ Fault normalFault(const Mesh& mesh, std::size_t index) {
 
 /// Every edge must be used once in each direction.
 Fault closureFault(const Mesh& mesh) {
-    using Ends = std::array<std::uint32_t, 2>;
-    std::vector<Ends> runs;
+    using EdgeEnds = std::array<std::uint32_t, 2>;
+    std::vector<EdgeEnds> runs;
     runs.reserve(mesh.corners.size());
     for (const MeshFace& face : mesh.faces) {
         const std::span<const MeshCorner> corners = mesh.cornersOf(face);
@@ -64,10 +64,10 @@ Fault closureFault(const Mesh& mesh) {
         }
     }
     std::sort(runs.begin(), runs.end());
-    const auto edge = [](Ends ends) { return "Edge " + std::to_string(ends[0]) + "-" + std::to_string(ends[1]); };
+    const auto edge = [](EdgeEnds ends) { return "Edge " + std::to_string(ends[0]) + "-" + std::to_string(ends[1]); };
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (i > 0 && runs[i] == runs[i - 1]) return edge(runs[i]) + " is used twice in the same direction.";
-        if (!std::binary_search(runs.begin(), runs.end(), Ends{runs[i][1], runs[i][0]}))
+        if (!std::binary_search(runs.begin(), runs.end(), EdgeEnds{runs[i][1], runs[i][0]}))
             return edge(runs[i]) + " is open.";
     }
     return std::nullopt;

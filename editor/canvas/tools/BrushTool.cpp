@@ -196,3 +196,5 @@ void BrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
 }
 
 }  // namespace rubble
+
+#include "moc_BrushTool.cpp"

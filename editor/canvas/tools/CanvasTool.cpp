@@ -48,3 +48,5 @@ quint64 CanvasTool::nudgeMergeKey(bool isRepeated) {
 }
 
 }  // namespace rubble
+
+#include "moc_CanvasTool.cpp"

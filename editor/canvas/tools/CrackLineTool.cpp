@@ -335,3 +335,5 @@ void CrackLineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
 }
 
 }  // namespace rubble
+
+#include "moc_CrackLineTool.cpp"

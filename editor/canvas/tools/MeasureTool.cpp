@@ -100,3 +100,5 @@ void MeasureTool::fillMenu(QMenu& menu, const CanvasPointer&) {
 }
 
 }  // namespace rubble
+
+#include "moc_MeasureTool.cpp"

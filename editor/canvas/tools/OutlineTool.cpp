@@ -390,3 +390,5 @@ void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
 }
 
 }  // namespace rubble
+
+#include "moc_OutlineTool.cpp"

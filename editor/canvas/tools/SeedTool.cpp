@@ -361,3 +361,5 @@ void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
 }
 
 }  // namespace rubble
+
+#include "moc_SeedTool.cpp"

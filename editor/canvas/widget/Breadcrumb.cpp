@@ -85,3 +85,5 @@ void Breadcrumb::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace rubble
+
+#include "moc_Breadcrumb.cpp"

@@ -424,3 +424,5 @@ void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_PatternCanvas.cpp"

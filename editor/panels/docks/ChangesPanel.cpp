@@ -96,3 +96,5 @@ void ChangesPanel::fill(const ComparedAsset& compared) {
 }
 
 }  // namespace rubble
+
+#include "moc_ChangesPanel.cpp"

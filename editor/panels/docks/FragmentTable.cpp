@@ -401,3 +401,5 @@ QString FragmentTable::sumText(const FragmentSum& sum) const {
 }
 
 }  // namespace rubble
+
+#include "moc_FragmentTable.cpp"

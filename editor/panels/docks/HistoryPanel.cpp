@@ -31,3 +31,5 @@ HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : QUndoView(&stac
 }
 
 }  // namespace rubble
+
+#include "moc_HistoryPanel.cpp"

@@ -97,3 +97,5 @@ bool InstanceIconDelegate::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace rubble
+
+#include "moc_InstanceIconDelegate.cpp"

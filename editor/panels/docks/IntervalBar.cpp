@@ -87,3 +87,5 @@ void IntervalBar::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace rubble
+
+#include "moc_IntervalBar.cpp"

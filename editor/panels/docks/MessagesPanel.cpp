@@ -123,3 +123,5 @@ void MessagesPanel::copy() const {
 }
 
 }  // namespace rubble
+
+#include "moc_MessagesPanel.cpp"

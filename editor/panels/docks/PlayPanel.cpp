@@ -97,3 +97,5 @@ void PlayPanel::refreshBreaks() {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayPanel.cpp"

@@ -394,3 +394,5 @@ void PlayTestPanel::showFailure() {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayTestPanel.cpp"

@@ -142,3 +142,5 @@ void PlayToolsPanel::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayToolsPanel.cpp"

@@ -184,3 +184,5 @@ QString ProblemPanel::summary(std::size_t selected) const {
 }
 
 }  // namespace rubble
+
+#include "moc_ProblemPanel.cpp"

@@ -273,3 +273,5 @@ void ProjectTree::deleteSelected() {
 }
 
 }  // namespace rubble
+
+#include "moc_ProjectTree.cpp"

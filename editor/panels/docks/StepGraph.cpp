@@ -120,3 +120,5 @@ void StepGraph::paintLegend(QPainter& painter, const QRect& place) const {
 }
 
 }  // namespace rubble
+
+#include "moc_StepGraph.cpp"

@@ -308,3 +308,5 @@ void StrengthPanel::deleteFaultySeed() {
 }
 
 }  // namespace rubble
+
+#include "moc_StrengthPanel.cpp"

@@ -196,3 +196,5 @@ void VolumeHistogram::paintTexts(QPainter& painter) const {
 }
 
 }  // namespace rubble
+
+#include "moc_VolumeHistogram.cpp"

@@ -210,3 +210,5 @@ void AssetPage::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_AssetPage.cpp"

@@ -87,3 +87,5 @@ void Inspector::setUnits(const Units& units) {
 }
 
 }  // namespace rubble
+
+#include "moc_Inspector.cpp"

@@ -168,3 +168,5 @@ void InstancePage::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_InstancePage.cpp"

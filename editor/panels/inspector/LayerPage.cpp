@@ -154,3 +154,5 @@ void LayerPage::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_LayerPage.cpp"

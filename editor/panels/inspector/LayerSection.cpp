@@ -199,3 +199,5 @@ void LayerSection::refresh(const PatternLayer& layer, double area) {
 }
 
 }  // namespace rubble
+
+#include "moc_LayerSection.cpp"

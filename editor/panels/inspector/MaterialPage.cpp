@@ -129,3 +129,5 @@ void MaterialPage::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_MaterialPage.cpp"

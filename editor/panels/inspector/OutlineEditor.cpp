@@ -137,3 +137,5 @@ void OutlineEditor::refresh(Id asset) {
 }
 
 }  // namespace rubble
+
+#include "moc_OutlineEditor.cpp"

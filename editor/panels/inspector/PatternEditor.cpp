@@ -223,3 +223,5 @@ void PatternEditor::showPattern() {
 }
 
 }  // namespace rubble
+
+#include "moc_PatternEditor.cpp"

@@ -76,3 +76,5 @@ void PictureField::openDialog() {
 }
 
 }  // namespace rubble
+
+#include "moc_PictureField.cpp"

@@ -115,3 +115,5 @@ void ScenePage::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_ScenePage.cpp"

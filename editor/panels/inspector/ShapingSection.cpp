@@ -145,3 +145,5 @@ void ShapingSection::refresh() {
 }
 
 }  // namespace rubble
+
+#include "moc_ShapingSection.cpp"

@@ -68,3 +68,5 @@ QVariant BreakModel::headerData(int section, Qt::Orientation orientation, int ro
 }
 
 }  // namespace rubble
+
+#include "moc_BreakModel.cpp"

@@ -157,3 +157,5 @@ QString FragmentModel::hint(FragmentColumn column, std::uint32_t fragment) const
 }
 
 }  // namespace rubble
+
+#include "moc_FragmentModel.cpp"

@@ -39,3 +39,5 @@ bool FragmentProxyModel::lessThan(const QModelIndex& left, const QModelIndex& ri
 }
 
 }  // namespace rubble
+
+#include "moc_FragmentProxyModel.cpp"

@@ -142,3 +142,5 @@ bool LayerModel::moveRows(const QModelIndex&, int row, int count, const QModelIn
 }
 
 }  // namespace rubble
+
+#include "moc_LayerModel.cpp"

@@ -68,3 +68,5 @@ void MessagesModel::reset() {
 }
 
 }  // namespace rubble
+
+#include "moc_MessagesModel.cpp"

@@ -149,3 +149,5 @@ Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {
 }
 
 }  // namespace rubble
+
+#include "moc_OutlineModel.cpp"

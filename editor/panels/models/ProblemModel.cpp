@@ -130,3 +130,5 @@ QString ProblemModel::valueText(const Diagnostic& problem, double value) const {
 }
 
 }  // namespace rubble
+
+#include "moc_ProblemModel.cpp"

@@ -359,3 +359,5 @@ QMimeData* ProjectModel::mimeData(const QModelIndexList& indexes) const {
 QStringList ProjectModel::mimeTypes() const { return {kAssetMimeType}; }
 
 }  // namespace rubble
+
+#include "moc_ProjectModel.cpp"

@@ -195,3 +195,5 @@ bool PlacementTool::keyRelease(const QKeyEvent& event) {
 }
 
 }  // namespace rubble
+
+#include "moc_PlacementTool.cpp"

@@ -165,3 +165,5 @@ bool PlayTool::release(const QMouseEvent& event) {
 }
 
 }  // namespace rubble
+
+#include "moc_PlayTool.cpp"

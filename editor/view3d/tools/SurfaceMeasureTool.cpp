@@ -195,3 +195,5 @@ QString SurfaceMeasureTool::accessibleText() const {
 }
 
 }  // namespace rubble
+
+#include "moc_SurfaceMeasureTool.cpp"

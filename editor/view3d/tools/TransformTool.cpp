@@ -282,3 +282,5 @@ bool TransformTool::keyPress(const QKeyEvent& event) {
 }
 
 }  // namespace rubble
+
+#include "moc_TransformTool.cpp"
