@@ -40,12 +40,12 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
         &FileActions::saveAsTriggered);
     m_revert = add({"file-revert", tr("Re&vert"), tr("Reload the project as last saved")}, &FileActions::revert);
     m_menu->addSeparator();
-    m_import = add(
-        {"file-import", tr("&Import Mesh…"), tr("Import the objects of a mesh file as assets"), QKeySequence("Ctrl+I")},
-        &FileActions::importWithDialog);
-    m_export = add(
-        {"file-export", tr("&Export…"), tr("Export packs and meshes for other programs"), QKeySequence("Ctrl+Shift+E")},
-        &FileActions::exportWithDialog);
+    m_import = add({"file-import", tr("&Import Mesh…"), tr("Import the objects from a mesh file as assets"),
+                    QKeySequence("Ctrl+I")},
+                   &FileActions::importWithDialog);
+    m_export = add({"file-export", tr("&Export…"), tr("Export packs and meshes for engines and other programs"),
+                    QKeySequence("Ctrl+Shift+E")},
+                   &FileActions::exportWithDialog);
     add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
          QKeySequence("Ctrl+E")},
         &FileActions::exportAgain);
@@ -167,13 +167,12 @@ void FileActions::askAboutChange() {
 
 void FileActions::askAboutDeletion() {
     m_workspace.document().setUnsaved();
-    const std::size_t answer = ask(
-        &m_views.window(),
-        {.text = tr("%1 was deleted by another program.").arg(m_workspace.file().name()),
-         .informativeText = tr("The project is still open here. Saving it creates the file again."),
-         .answers = {{tr("Save As…"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}},
-         .defaultAnswer = 1});
-    if (answer == 0) saveAs();
+    const Question question{
+        .text = tr("%1 was deleted by another program.").arg(m_workspace.file().name()),
+        .informativeText = tr("The project is still open here. Saving it creates the file again."),
+        .answers = {{tr("Save As…"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}},
+        .defaultAnswer = 1};
+    if (ask(&m_views.window(), question) == 0) saveAs();
 }
 
 bool FileActions::confirmClose() {

@@ -107,14 +107,16 @@ void InstanceActions::addHandles() {
 }
 
 void InstanceActions::addCopies() {
-    m_needSelection +=
-        {add({"instance-duplicate", tr("&Duplicate"), tr("Duplicate the selected instances and move the copies"),
-              QKeySequence("Shift+D")},
-             &InstanceActions::duplicate),
-         add({"instance-grid-array", tr("Grid &Array…"), tr("Copy the selected instances in a grid along x, y and z")},
-             &InstanceActions::arrayInGrid),
-         add({"instance-radial-array", tr("Radial Arra&y…"), tr("Copy the selected instances around a vertical axis")},
-             &InstanceActions::arrayInRing)};
+    QAction* duplicating = add({"instance-duplicate", tr("&Duplicate"),
+                                tr("Duplicate the selected instances and move the copies"), QKeySequence("Shift+D")},
+                               &InstanceActions::duplicate);
+    QAction* inGrid =
+        add({"instance-grid-array", tr("Grid &Array…"), tr("Copy the selected instances in a grid along x, y and z")},
+            &InstanceActions::arrayInGrid);
+    QAction* inRing =
+        add({"instance-radial-array", tr("Radial Arra&y…"), tr("Copy the selected instances around a vertical axis")},
+            &InstanceActions::arrayInRing);
+    m_needSelection += {duplicating, inGrid, inRing};
     addEdit({"instance-variants", tr("Assign &Variants"), tr("Give each selected instance its own fracture variant"),
              QKeySequence("V")},
             assignDistinctVariants);

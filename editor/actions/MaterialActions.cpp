@@ -17,8 +17,8 @@ MaterialActions::MaterialActions(Views& views)
       m_views(views),
       m_library(makeAction(this, {"material-library", tr("&Material Library…"),
                                   tr("Select a material from the library for the active asset")})),
-      m_save(
-          makeAction(this, {"material-save", tr("Sa&ve Material as Preset…"), tr("Save this material as a preset")})) {
+      m_save(makeAction(this, {"material-save", tr("Sa&ve Material as Preset…"),
+                               tr("Save this material as a preset for other projects")})) {
     connect(m_library, &QAction::triggered, this, &MaterialActions::openLibrary);
     connect(m_save, &QAction::triggered, this, &MaterialActions::saveAsPreset);
 }

@@ -124,8 +124,8 @@ void PlayActions::addShots() {
 
 void PlayActions::addReplays() {
     const auto add = actionAdder(*m_menu, this);
-    m_saveReplay =
-        add({"play-save-replay", tr("Save Repla&y…"), tr("Save the simulation as a replay")}, &PlayActions::saveReplay);
+    m_saveReplay = add({"play-save-replay", tr("Save Repla&y…"), tr("Save this simulation as a replay")},
+                       &PlayActions::saveReplay);
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
     m_menu->addAction(m_film.action());
 }

@@ -35,8 +35,8 @@ QString rowOf(const QString& name, const PresetFigure& figure, const NumberForma
     const auto number = [&](double value) { return roundedText(value, format, locale); };
     QString text = "<b>" + withUnit(number(figure.value), format) + "</b>";
     if (figure.range) {
-        text +=
-            " · " + MaterialSummaryTexts::tr("%1 to %2").arg(number(figure.range->first), number(figure.range->second));
+        const auto& [least, most] = *figure.range;
+        text += " · " + MaterialSummaryTexts::tr("%1 to %2").arg(number(least), number(most));
     }
     return rowOf(name, text, htmlText(figure.source));
 }
@@ -53,8 +53,8 @@ QString materialSummary(const LibraryMaterial& material, const QLocale& locale) 
     const MaterialPreset& preset = material.preset;
     QString summary = QString("<h3>%1</h3>").arg(htmlText(preset.name));
     if (!preset.note.empty()) summary += QString("<p>%1</p>").arg(htmlText(preset.note));
-    summary += "<table>" +
-               rowOf(MaterialSummaryTexts::tr("Density"), preset.density, {MaterialSummaryTexts::tr("kg/m³")}, locale) +
+    const NumberFormat density{MaterialSummaryTexts::tr("kg/m³")};
+    summary += "<table>" + rowOf(MaterialSummaryTexts::tr("Density"), preset.density, density, locale) +
                rowOf(MaterialSummaryTexts::tr("Friction"), preset.friction, {}, locale) +
                rowOf(MaterialSummaryTexts::tr("Restitution"), preset.restitution, {}, locale);
     if (preset.tensileStrength)

@@ -58,8 +58,9 @@ private:
 Diagnostic mergedReport(const Partition& partition, std::uint32_t piece, std::uint32_t receiver, double area) {
     const std::uint32_t seed = partition.seedOfPiece[piece], of = partition.seedOfPiece[receiver];
     if (seed == kNone) {
+        const std::string size = messageText(area) + " m²";
         return diagnostic(DiagnosticCode::MergedPiece, {},
-                          "A piece of " + messageText(area) + " m² is too small; it is merged into a neighbour.", area);
+                          "A piece of " + size + " is too small; it is merged into a neighbour.", area);
     }
     const bool isPart = partOfCell(partition, piece) != kNone;
     return diagnostic(DiagnosticCode::MergedPiece, {.seed = seed, .otherSeed = of},

@@ -360,8 +360,8 @@ Qt::CursorShape OutlineTool::cursor() const {
 QString OutlineTool::hint() const {
     if (m_draft)
         return tr(
-            "Click: add a point · Backspace: remove the last point · Enter or click on the first point: close · Esc: "
-            "cancel");
+            "Click: add a point · Backspace: remove the last point · Enter or click on the first point: close · "
+            "Esc: cancel");
     if (m_drag) return tr("Release to finish · Shift: no snapping · Esc: cancel");
     if (m_state.isInFragment()) return fragmentOutlineMessage();
     if (m_selected)

@@ -321,8 +321,8 @@ QString SeedTool::hint() const {
     if (m_drag || m_handles.isDragging()) return tr("Release to finish · Shift: no snapping · Esc: cancel");
     if (hasOnlyCuts()) {
         return tr(
-            "Click: select a fragment · Ctrl+click: add · Drag: box select · Alt+drag: lasso select · Esc: clear the "
-            "selection");
+            "Click: select a fragment · Ctrl+click: add · Drag: box select · Alt+drag: lasso select · "
+            "Esc: clear the selection");
     }
     if (!m_state.selection.seeds().empty()) {
         const int count = static_cast<int>(m_state.selection.seeds().size());

@@ -143,8 +143,8 @@ void TransformTool::start(GizmoHandle handle, QPointF pointer) {
     m_label.clear();
     emit hintChanged(isRotationHandle(handle)
                          ? tr("X, Y, Z: rotate about this axis · Ctrl: snap to 15° · Esc: cancel")
-                         : tr("X, Y, Z: move along this axis, with Shift in the plane perpendicular to it · Ctrl: snap "
-                              "to 0.1 m · Shift: place on the face under the pointer · Esc: cancel"));
+                         : tr("X, Y, Z: move along this axis, with Shift in the plane perpendicular to it · "
+                              "Ctrl: snap to 0.1 m · Shift: place on the face under the pointer · Esc: cancel"));
     emit changed();
 }
 

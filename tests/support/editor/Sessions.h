@@ -24,7 +24,8 @@ inline Session sessionOf(const Project& project, const SessionSettings& settings
     return std::move(*session);
 }
 
-/// A block of 1 x 1 x 0.5 m, density 1000, `pieces` fragments and threshold 100 N·s, above the ground, without gravity.
+/// A block of 1 x 1 x 0.5 m in `pieces` fragments, of density 1000 and threshold 100 N·s, above the ground, without
+/// gravity.
 inline Project floatingBlock(std::uint32_t pieces = 5) {
     Project project;
     const Id stone = addMaterial(project, {.name = "stone", .density = 1000.0});
