@@ -23,7 +23,8 @@ constexpr std::array kCases{
     Case{"partition repair, symmetric polygon", weldingCase},
     Case{"cell in n pieces", splitCellCase},
     Case{"wake", wakeCase},
-    Case{"wholeMesh", wholeMeshCase},
+    Case{"bake of a polygon", polygonBakeCase},
+    Case{"its whole mesh", wholeMeshCase},
     Case{"problems", problemsCase},
     Case{"debris", debrisCase},
 };

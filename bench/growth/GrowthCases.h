@@ -10,6 +10,9 @@ namespace rubble::bench {
 /// Waking n sleeping bodies one by one, and the collide() that follows.
 double wakeCase(std::size_t n);
 
+/// The bake of a prism on a regular n-gon, to compare with wholeMeshCase().
+double polygonBakeCase(std::size_t n);
+
 /// The mesh of the whole of a regular n-gon.
 double wholeMeshCase(std::size_t n);
 

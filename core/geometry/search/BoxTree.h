@@ -2,6 +2,9 @@
 
 #include "core/geometry/search/Box3.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -40,8 +43,11 @@ private:
         std::uint32_t count = 0;  // of items; 0: an inner node
     };
 
-    void split(std::uint32_t node, std::uint32_t first, std::uint32_t count, std::span<const Box3> boxes);
-    static double distanceTo(const Box3& box, Vec3 point);
+    void split(std::uint32_t node, std::uint32_t first, std::uint32_t count, std::span<const Box3> boxes,
+               std::span<const Vec3> centres);
+    static double distanceTo(const Box3& box, Vec3 point) {
+        return glm::length(glm::max(glm::max(box.min - point, point - box.max), Vec3(0.0)));
+    }
     static bool overlap(const Box3& a, const Box3& b) {
         return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
                a.min.z <= b.max.z && b.min.z <= a.max.z;
