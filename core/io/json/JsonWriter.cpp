@@ -22,10 +22,8 @@ char* JsonWriter::startLine(char* at) const {
     return at + indentation;
 }
 
-/// Writes the separator before the next member or element, and its key. Returns where to write `size` more bytes; the
-/// caller sets the end of the text. A local pointer stays in a register, which the buffer's end would not.
-char* JsonWriter::place(std::string_view key, std::size_t size) {
-    constexpr std::size_t kMaxPunctuation = 8;  // separator, line feed, quotes and colon
+/// place() for any layout.
+char* JsonWriter::placeOnLine(std::string_view key, std::size_t size) {
     char* at = m_text.reserve(kMaxPunctuation + 2 * m_open.size() + key.size() + size);
     JsonLayout layout = m_layout;
     if (!m_open.empty()) {
@@ -46,10 +44,7 @@ char* JsonWriter::place(std::string_view key, std::size_t size) {
         container.isEmpty = false;
     }
     if (key.empty()) return at;
-    *at++ = '"';
-    at = copied(key, at);
-    *at++ = '"';
-    *at++ = ':';
+    at = writeKey(key, at);
     if (layout < JsonLayout::Compact) *at++ = ' ';
     return at;
 }
@@ -80,14 +75,6 @@ void JsonWriter::null(std::string_view key) { m_text.setEnd(copied("null", place
 
 void JsonWriter::boolean(std::string_view key, bool value) {
     m_text.setEnd(copied(value ? "true" : "false", place(key, 5)));
-}
-
-void JsonWriter::number(std::string_view key, double value) {
-    m_text.setEnd(writeValue(place(key, kMaxNumberLength), value, !isCompact()));
-}
-
-void JsonWriter::wholeNumber(std::string_view key, std::uint64_t value) {
-    m_text.setEnd(writeInteger(place(key, kMaxNumberLength), value));
 }
 
 void JsonWriter::number(std::string_view key, std::optional<double> value) { value ? number(key, *value) : null(key); }

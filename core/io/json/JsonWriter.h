@@ -5,6 +5,7 @@
 #include "core/io/text/NumberTextCache.h"
 #include "core/io/text/TextBuffer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -52,8 +53,12 @@ public:
 
     void null(std::string_view key);
     void boolean(std::string_view key, bool value);
-    void number(std::string_view key, double value);
-    void wholeNumber(std::string_view key, std::uint64_t value);
+    void number(std::string_view key, double value) {
+        m_text.setEnd(writeValue(place(key, kMaxNumberLength), value, !isCompact()));
+    }
+    void wholeNumber(std::string_view key, std::uint64_t value) {
+        m_text.setEnd(writeInteger(place(key, kMaxNumberLength), value));
+    }
     void text(std::string_view key, std::string_view value);
     /// A number, or null for nullopt.
     void number(std::string_view key, std::optional<double> value);
@@ -62,7 +67,7 @@ public:
     void numbers(std::string_view key, std::span<const double> values);
     void numbers(std::string_view key, std::initializer_list<double> values);
     void wholeNumbers(std::string_view key, std::span<const std::uint32_t> values);
-    /// An array of short arrays of numbers: toArray(row) returns a std::array of doubles or integers.
+    /// An array of arrays of numbers: toArray(row) returns a std::array or a view of doubles or integers.
     template <class Rows, class ToArray>
     void rows(std::string_view key, const Rows& rows, ToArray toArray);
     /// An array of points, each an array of two numbers.
@@ -89,13 +94,33 @@ private:
         JsonLayout layout;
         bool isEmpty = true;
     };
+    static constexpr std::size_t kMaxPunctuation = 8;  // separator, line feed, quotes and colon
+
     JsonLayout layout() const { return m_open.empty() ? m_layout : m_open.back().layout; }
     static char* copied(std::string_view text, char* at) {
         std::memcpy(at, text.data(), text.size());
         return at + text.size();
     }
     bool isCompact() const { return layout() >= JsonLayout::Compact; }
-    char* place(std::string_view key, std::size_t size);
+    static char* writeKey(std::string_view key, char* at) {
+        *at++ = '"';
+        at = copied(key, at);
+        *at++ = '"';
+        *at++ = ':';
+        return at;
+    }
+    /// Writes the separator before the next member or element, and its key. Returns where to write `size` more bytes;
+    /// the caller sets the end of the text. A local pointer stays in a register, which the buffer's end would not.
+    char* place(std::string_view key, std::size_t size) {
+        if (m_open.empty() || m_open.back().layout != JsonLayout::Compact) return placeOnLine(key, size);
+        Container& container = m_open.back();
+        RUBBLE_ASSERT(key.empty() == (container.end == ']'));
+        char* at = m_text.reserve(kMaxPunctuation + key.size() + size);
+        if (!container.isEmpty) *at++ = ',';
+        container.isEmpty = false;
+        return key.empty() ? at : writeKey(key, at);
+    }
+    char* placeOnLine(std::string_view key, std::size_t size);
     char* startLine(char* at) const;
     void open(std::string_view key, char start, char end, std::optional<JsonLayout> layout);
     char* writeValue(char* at, double value, bool hasNegativeZero) {
@@ -123,14 +148,20 @@ void JsonWriter::rows(std::string_view key, const Rows& rows, ToArray toArray) {
     const bool hasSpaces = !isCompact();
     const bool isDense = layout() == JsonLayout::Compact;  // the common case in large files
     bool isFirst = true;
+    constexpr std::size_t kMaxElement = 2 + kMaxNumberLength;  // ", " and the number
+    constexpr std::size_t kRun = 64;                           // numbers written without asking for more room
     for (const auto& row : rows) {
         const auto values = toArray(row);
-        const std::size_t size = 3 + values.size() * (kMaxNumberLength + 2);
+        const std::size_t size = 3 + kMaxElement * std::min<std::size_t>(kRun, values.size());
         char* at = isDense ? m_text.reserve(size) : place({}, size);
         if (isDense && !isFirst) *at++ = ',';
         isFirst = false;
         *at++ = '[';
         for (std::size_t k = 0; k < values.size(); ++k) {
+            if (k > 0 && k % kRun == 0) {
+                m_text.setEnd(at);
+                at = m_text.reserve(1 + kMaxElement * kRun);
+            }
             if (k > 0) *at++ = ',';
             if (k > 0 && hasSpaces) *at++ = ' ';
             at = writeValue(at, values[k], hasSpaces);

@@ -2,6 +2,8 @@
 
 #include "core/io/json/VectorJson.h"
 
+#include <ranges>
+
 namespace rubble {
 namespace {
 
@@ -14,14 +16,10 @@ void writeInertia(JsonWriter& json, const Mat3& inertia, double density) {
 /// Writes the faces as loops of vertices and of signed edges. Both start with the same edge, so that they are parallel.
 void writeFaces(JsonWriter& json, const Polytope& hull) {
     const std::vector<std::vector<SignedEdge>> loops = signedEdgeLoops(hull);
-    json.openArray("faces");
-    std::vector<std::uint32_t> vertices;
-    for (const std::vector<SignedEdge>& loop : loops) {
-        vertices.clear();
-        for (const SignedEdge step : loop) vertices.push_back(hull.edges[step.edge][step.sign > 0 ? 0 : 1]);
-        json.wholeNumbers({}, vertices);
-    }
-    json.close();
+    json.rows("faces", loops, [&](const std::vector<SignedEdge>& loop) {
+        return std::views::transform(
+            loop, [&](SignedEdge step) -> std::int64_t { return hull.edges[step.edge][step.sign > 0 ? 0 : 1]; });
+    });
     json.openArray("signedEdges");
     for (const std::vector<SignedEdge>& loop : loops) {
         json.rows({}, loop, [](SignedEdge step) { return std::array<std::int64_t, 2>{step.edge, step.sign}; });

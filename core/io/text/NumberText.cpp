@@ -12,7 +12,11 @@ char* writeNumber(char* at, double value) {
     return std::to_chars(at, at + kMaxNumberLength, value + 0.0).ptr;  // -0 + 0 is 0
 }
 
-char* writeLargeInteger(char* at, std::uint64_t value) { return std::to_chars(at, at + kMaxNumberLength, value).ptr; }
+char* writeLargeInteger(char* at, std::uint64_t value) {
+    char* const end = at + kMaxNumberLength;
+    const auto low = static_cast<std::uint32_t>(value);  // almost always all of it, and faster to divide
+    return (low == value ? std::to_chars(at, end, low) : std::to_chars(at, end, value)).ptr;
+}
 
 void appendNumber(std::string& text, double value) {
     char number[kMaxNumberLength];
