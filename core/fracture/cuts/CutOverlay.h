@@ -31,7 +31,7 @@ struct CutOverlay {
 
 /// Overlays cuts with a partition of a validated() outline. O(n log n) for cuts that intersect few others.
 ///
-/// Errors: Degenerate if cuts cannot be distinguished; Cancelled.
+/// Errors: Degenerate if cuts cannot be distinguished; Limit above kMaxIntersections; Cancelled.
 Result<CutOverlay> overlayCuts(const Partition& partition, const Polygon& outline, const CutSet& cuts,
                                const TaskContext& task);
 

@@ -16,7 +16,7 @@ namespace rubble {
 /// last piece vanishes by rounding is reported (SeedWithoutCell). Points are rounded once. O(n log n) for cuts that
 /// intersect few others.
 ///
-/// Errors: Degenerate if cuts cannot be distinguished; Cancelled.
+/// Errors: Degenerate if cuts cannot be distinguished; Limit above kMaxIntersections; Cancelled.
 Result<Partition> cutApart(Partition partition, const Polygon& outline, const CutSet& cuts,
                            const TaskContext& task = {});
 

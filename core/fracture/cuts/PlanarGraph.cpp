@@ -46,7 +46,7 @@ public:
     Status run() {
         insertAllButLargestGroup();
         for (int round = 0; round < kMaxRounds; ++round) {
-            if (!findIntersections()) return TaskContext::cancelled();
+            if (const Status found = findIntersections(); !found) return found;
             splitEdges();
             weldPoints();
             if (m_inserted.empty()) {
@@ -76,8 +76,8 @@ private:
         }
     }
 
-    /// Compares every edge with those of m_inserted. False if cancelled.
-    bool findIntersections() {
+    /// Compares every edge with those of m_inserted.
+    Status findIntersections() {
         std::vector<EdgeGrid::Edge> lines;
         lines.reserve(m_inserted.size());
         for (const std::uint32_t edge : m_inserted) lines.push_back(lineOf(m_graph.edges[edge]));
@@ -88,17 +88,25 @@ private:
         std::size_t compared = 0;
         bool isCancelled = false;
         for (std::uint32_t edge = 0; edge < m_graph.edges.size() && !isCancelled; ++edge) {
-            if (edge % 1024 == 0 && m_task.isCancelled()) return false;
+            if (edge % 1024 == 0 && m_task.isCancelled()) return TaskContext::cancelled();
+            if (isTooLarge()) break;
             const std::uint32_t own = insertedIndexOf[edge];
             grid.forEachNear(lineOf(m_graph.edges[edge]), [&](std::uint32_t other) {
-                if (lastComparedWith[other] == edge || other == own || (own != kNone && other < own)) return;
+                if (isTooLarge() || lastComparedWith[other] == edge || other == own || (own != kNone && other < own))
+                    return;
                 lastComparedWith[other] = edge;
                 if (++compared % 65536 == 0) isCancelled = isCancelled || m_task.isCancelled();
                 compare(edge, m_inserted[other]);
             });
         }
-        return !isCancelled;
+        if (isTooLarge()) {
+            return Error{ErrorCode::Limit, "Cuts of the pattern cross each other, cells and the outline in more than " +
+                                               std::to_string(kMaxIntersections) +
+                                               " places. Use fewer cuts, fewer seeds or a simpler outline."};
+        }
+        return isCancelled ? Status(TaskContext::cancelled()) : success();
     }
+    bool isTooLarge() const { return m_nodes.size() > 2 * kMaxIntersections; }  // two edges meet in each
 
     void compare(std::uint32_t first, std::uint32_t second) {
         const PlanarEdge& one = m_graph.edges[first];

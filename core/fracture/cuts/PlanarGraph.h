@@ -12,6 +12,10 @@
 
 namespace rubble {
 
+/// The maximum number of places where edges of a planar graph intersect, so that the overlay fits into a few gigabytes:
+/// more than 2000 cuts across 2000 others have.
+inline constexpr std::size_t kMaxIntersections = 5'000'000;
+
 /// A straight edge of a planar graph.
 struct PlanarEdge {
     std::uint32_t from = 0;
@@ -40,7 +44,7 @@ struct PlanarGraph {
 /// otherwise the lower point; an edge that passes a point that closely is split there. Outline vertices do not move,
 /// and points in an acute corner region (see AcuteCorners) are welded to its vertex. Edges of zero length are removed.
 ///
-/// Errors: Degenerate if this does not converge; Cancelled.
+/// Errors: Degenerate if this does not converge; Limit above kMaxIntersections; Cancelled.
 Status splitAtIntersections(const AcuteCorners& acuteCorners, const TaskContext& task, PlanarGraph& graph);
 
 }  // namespace rubble

@@ -1,6 +1,9 @@
 #include "core/fracture/pattern/PieceEstimate.h"
 
+#include "core/base/Trigonometry.h"
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace rubble {
@@ -19,7 +22,7 @@ double piecesOf(const BlueNoise& layer, double area) {
 
 double piecesOf(const PlacedSeeds& layer, double) { return static_cast<double>(layer.seeds.size()); }
 double piecesOf(const CrackLines& layer, double) { return static_cast<double>(layer.lines.size()); }
-double piecesOf(const Slices& layer, double) { return static_cast<double>(layer.cuts); }
+double piecesOf(const Slices&, double) { return 0.0; }  // see piecesOfSlices()
 double piecesOf(const LloydRelaxation&, double) { return 0.0; }
 double piecesOf(const WeightedLloyd&, double) { return 0.0; }
 double piecesOf(const Grain&, double) { return 0.0; }
@@ -40,6 +43,34 @@ double piecesOf(const HexagonalLattice& layer, double area) {
     return 2.0 / std::numbers::sqrt3 * area / layer.spacing / layer.spacing;
 }
 
+std::vector<Slices> slicesOf(const Pattern& pattern) {
+    std::vector<Slices> all;
+    for (const PatternLayer& layer : pattern.layers) {
+        const Slices* slices = std::get_if<Slices>(&layer.parameters);
+        if (slices && layer.isOn) all.push_back(*slices);
+    }
+    return all;
+}
+
+/// The pieces that slices add to a square with a number of cells: each adds one for each cell that it passes, and one
+/// for each other that it crosses, which all do that are perpendicular.
+double piecesOfSlices(const std::vector<Slices>& all, double cells) {
+    constexpr double kCellsPerSide = 4.0 / std::numbers::pi;  // random cells that a line passes in a row of sqrt(n)
+    double pieces = 0.0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const double cuts = all[k].cuts;
+        pieces += cuts * (1.0 + kCellsPerSide * (std::sqrt(cells) - 1.0));
+        pieces += cuts * (cuts - 1.0) / 2.0 * std::min(1.0, all[k].angleVariation);
+        for (std::size_t other = 0; other < k; ++other) {
+            const double apart =
+                std::abs(sine(all[k].angle) * cosine(all[other].angle) - cosine(all[k].angle) * sine(all[other].angle));
+            const double crossing = apart + all[k].angleVariation + all[other].angleVariation;
+            pieces += cuts * all[other].cuts * std::min(1.0, crossing);
+        }
+    }
+    return pieces;
+}
+
 }  // namespace
 
 double estimatedPieces(const Pattern& pattern, double area) {
@@ -48,7 +79,8 @@ double estimatedPieces(const Pattern& pattern, double area) {
     for (const PatternLayer& layer : pattern.layers) {
         if (layer.isOn) pieces += std::visit([&](const auto& kind) { return piecesOf(kind, area); }, layer.parameters);
     }
-    return std::max(1.0, pieces);
+    pieces = std::max(1.0, pieces);
+    return pieces + piecesOfSlices(slicesOf(pattern), pieces);
 }
 
 }  // namespace rubble

@@ -7,6 +7,8 @@
 namespace rubble {
 namespace {
 
+bool hasTooManyCrossings(const OutlineTrace& trace) { return trace.crossings.size() > kMaxOutlineCrossings; }
+
 /// Traces one ring after the other. Going counter-clockwise around a cell, a line that leaves it has the corner before
 /// on its right and the corner after on its left.
 class Tracer {
@@ -26,6 +28,7 @@ public:
         m_cell = cellOf(m_trace.vertices[begin]);
         const std::uint32_t firstCell = m_cell;
         for (std::uint32_t edge = begin; edge < end; ++edge) followEdge(edge, edge + 1 < end ? edge + 1 : begin);
+        if (hasTooManyCrossings(m_trace)) return;
         RUBBLE_ASSERT(m_cell == firstCell);
         addArcs(ring, firstCrossing);
     }
@@ -56,6 +59,7 @@ private:
         std::uint32_t exit = firstExit(line);
         for (;;) {
             const std::uint32_t neighbour = exit == kNone ? kGhost : targetOf(m_delaunay, exit);
+            if (hasTooManyCrossings(m_trace)) return;
             if (neighbour == kGhost || !m_diagram.isNearer(line.to, neighbour, m_cell)) return;
             m_trace.crossings.push_back({exit, edge, edgeEnd});
             m_cell = neighbour;
@@ -119,8 +123,8 @@ private:
 
 }  // namespace
 
-OutlineTrace traceOutline(const Polygon& outline, const Delaunay& delaunay,
-                          const std::vector<std::uint32_t>& outgoing) {
+Result<OutlineTrace> traceOutline(const Polygon& outline, const Delaunay& delaunay,
+                                  const std::vector<std::uint32_t>& outgoing) {
     OutlineTrace trace;
     trace.vertices = outline.outer;
     trace.ringStarts = {0, static_cast<std::uint32_t>(outline.outer.size())};
@@ -133,6 +137,11 @@ OutlineTrace traceOutline(const Polygon& outline, const Delaunay& delaunay,
     trace.arcs.reserve(likely);
     Tracer tracer(delaunay, outgoing, trace);
     for (std::uint32_t ring = 0; ring + 1 < trace.ringStarts.size(); ++ring) tracer.traceRing(ring);
+    if (hasTooManyCrossings(trace)) {
+        return Error{ErrorCode::Limit, "The outline crosses cells of the pattern in more than " +
+                                           std::to_string(kMaxOutlineCrossings) +
+                                           " places. Use fewer seeds or a simpler outline."};
+    }
     return trace;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Index.h"
+#include "core/base/Result.h"
 #include "core/fracture/voronoi/PerturbedDiagram.h"
 #include "core/geometry/polygon/Polygon.h"
 
@@ -40,10 +41,16 @@ struct OutlineTrace {
     }
 };
 
+/// The maximum number of places where an outline crosses cells: a piece may lie behind each.
+inline constexpr std::size_t kMaxOutlineCrossings = 8'000'000;
+
 /// Traces a canonical outline through the cells of a triangulation with at least two sites. All signs are those of the
 /// perturbed diagram, so every ring returns to the cell in which it started.
 /// O(sqrt(n) + cells visited + vertices), expected.
-OutlineTrace traceOutline(const Polygon& outline, const Delaunay& delaunay, const std::vector<std::uint32_t>& outgoing);
+///
+/// Errors: Limit above kMaxOutlineCrossings.
+Result<OutlineTrace> traceOutline(const Polygon& outline, const Delaunay& delaunay,
+                                  const std::vector<std::uint32_t>& outgoing);
 
 /// The next half-edge counter-clockwise around the same site.
 inline std::uint32_t nextAround(const Delaunay& delaunay, std::uint32_t halfEdge) {

@@ -154,7 +154,9 @@ Status clipCells(const Polygon& outline, const Delaunay& delaunay, const TaskCon
     const LocalFrame frame = localFrame(outline);
     partition.origin = frame.origin;
     const std::vector<std::uint32_t> outgoing = outgoingHalfEdges(delaunay);
-    const OutlineTrace trace = traceOutline(outline, delaunay, outgoing);
+    const Result<OutlineTrace> traced = traceOutline(outline, delaunay, outgoing);
+    if (!traced) return traced.error();
+    const OutlineTrace& trace = *traced;
     const PointNumbers numbers = pointNumbers(delaunay, trace);
     partition.points.resize(numbers.count);
     computeCorners(delaunay, frame, task.threads, partition.points);

@@ -18,7 +18,7 @@ inline constexpr double kMinSharedEdge = kVisibleFraction;
 /// rounded once. Points closer than kWeldFraction (LocalFrame.h) of the outline's bounding radius are welded; a
 /// validated outline is farther than that from itself, except in acute corners (AcuteCorners.h).
 ///
-/// Errors: those of triangulate(); Cancelled.
+/// Errors: those of triangulate() and traceOutline(); Cancelled.
 Result<Partition> voronoiPartition(const Polygon& outline, const Delaunay& delaunay, const TaskContext& task = {});
 Result<Partition> voronoiPartition(const Polygon& outline, std::span<const Vec2> seeds, const TaskContext& task = {});
 

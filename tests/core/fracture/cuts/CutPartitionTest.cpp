@@ -55,6 +55,20 @@ private slots:
         QCOMPARE(namesOf(*stages), (std::set<std::string>{"0.0.0", "0.0.1", "0.0.2", "0.0.3"}));
         QVERIFY(stages->partition.diagnostics.empty());
     }
+    void tooManyIntersectionsAreRefused() {
+        std::vector<std::vector<Vec2>> lines;
+        for (int k = 0; k < 2400; ++k) {
+            const double place = (k + 0.5) / 2400.0;
+            lines.push_back({{place, -1.0}, {place, 2.0}});
+            lines.push_back({{-1.0, place}, {2.0, place}});
+        }
+        const auto stages = patternStages(only(crackLinesAlong(std::move(lines))), unitSquare());
+        QVERIFY(!stages);
+        QCOMPARE(stages.error().code, ErrorCode::Limit);
+        QCOMPARE(stages.error().message,
+                 std::string("Cuts of the pattern cross each other, cells and the outline in more than 5000000 places. "
+                             "Use fewer cuts, fewer seeds or a simpler outline."));
+    }
     void looseEndsAreReported() {
         const auto stages = verifiedStages(
             only(crackLinesAlong({{{-1.0, 0.5}, {0.25, 0.5}}, {{0.5, -1.0}, {0.5, 2.0}}, {{0.5, 0.75}, {0.75, 0.75}}})),

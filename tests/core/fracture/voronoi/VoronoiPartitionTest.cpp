@@ -53,6 +53,26 @@ private slots:
             QCOMPARE(partitionFault(lShape(), seeds), std::string());
         }
     }
+    /// Teeth of the outline multiply flat cells.
+    void tooManyOutlineCrossingsAreRefused() {
+        constexpr int kTeeth = 1500, kSeeds = 3000;
+        Polygon comb{{{0.0, -0.5}, {1.0, -0.5}, {1.0, 0.0}}, {}};
+        for (int k = kTeeth - 1; k >= 0; --k) {
+            const double left = static_cast<double>(k) / kTeeth, right = (k + 0.5) / kTeeth;
+            for (const Vec2 point : {Vec2(right, 0.0), Vec2(right, 1.0), Vec2(left, 1.0), Vec2(left, 0.0)})
+                comb.outer.push_back(point);
+        }
+        Random random(7);
+        std::vector<Vec2> seeds;
+        for (int k = 0; k < kSeeds; ++k) seeds.push_back({0.5 + 1e-4 * random.unit(), (k + 0.5) / kSeeds});
+        const Result<Prism> prism = validated({comb, 1.0});
+        QVERIFY2(prism, prism ? "" : prism.error().message.c_str());
+        const Result<Partition> partition = voronoiPartition(prism->outline, seeds);
+        QVERIFY(!partition);
+        QCOMPARE(partition.error().message,
+                 std::string("The outline crosses cells of the pattern in more than 8000000 places. Use fewer seeds or "
+                             "a simpler outline."));
+    }
     void farSeedHasNoCell() {
         const Result<Partition> partition = voronoiPartition(unitSquare(), std::vector<Vec2>{{0.5, 0.5}, {100, 100}});
         QCOMPARE(partition->pieceOfSeed, (UninitializedVector<std::uint32_t>{0, kNone}));
