@@ -1,6 +1,8 @@
 #include "core/base/ThreadPool.h"
 
 #include <algorithm>
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace rubble {
@@ -41,7 +43,12 @@ void pause() {
 ThreadPool::ThreadPool(int size)
     : m_progress(static_cast<std::size_t>(std::max(size, 1))),
       m_spins(std::cmp_less_equal(size, std::thread::hardware_concurrency()) ? kSpins : 0) {
-    for (int worker = 1; worker < size; ++worker) m_threads.emplace_back([this] { runWorker(); });
+    m_threads.reserve(m_progress.size() - 1);
+    try {
+        while (m_threads.size() + 1 < m_progress.size()) m_threads.emplace_back([this] { runWorker(); });
+    } catch (const std::system_error&) {  // the system allows no more threads
+    } catch (const std::bad_alloc&) {
+    }
 }
 
 ThreadPool::~ThreadPool() {

@@ -22,7 +22,7 @@ namespace rubble {
 /// it; of several exceptions, one. Later stages are left out then.
 class ThreadPool {
 public:
-    /// A pool of `size` threads, including the caller's.
+    /// A pool of `size` threads, including the caller's; of fewer where the system allows no more.
     explicit ThreadPool(int size);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <fstream>
 #include <new>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 using namespace rubble;
 
@@ -30,6 +34,27 @@ private slots:
             std::atomic<int> calls = 0;
             pool.forEachChunk(97, 7, [&](IndexRange, std::size_t) { ++calls; });
             QCOMPARE(calls.load(), 7);  // it can be used on
+        }
+    }
+    void poolHasTheThreadsThatCouldBeStarted() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("AddressSanitizer needs all of the address space.");
+#endif
+        rlimit before{};
+        ::getrlimit(RLIMIT_AS, &before);
+        std::ifstream statistics("/proc/self/statm");
+        std::size_t pages = 0;
+        statistics >> pages;
+        const rlimit limited{pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + (std::size_t{64} << 20),
+                             before.rlim_max};
+        ::setrlimit(RLIMIT_AS, &limited);  // room for the stacks of a few threads
+        {
+            ThreadPool pool(1024);
+            ::setrlimit(RLIMIT_AS, &before);
+            QVERIFY(pool.size() >= 1 && pool.size() < 1024);
+            std::atomic<int> calls = 0;
+            pool.forEachChunk(97, 7, [&](IndexRange, std::size_t) { ++calls; });
+            QCOMPARE(calls.load(), 7);
         }
     }
     void chunksCoverEveryItemOnce() {
