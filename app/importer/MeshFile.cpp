@@ -191,6 +191,18 @@ Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const 
     return fileError(ErrorCode::Unsupported, name, "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reason);
 }
 
+std::vector<std::string> notesOf(const std::vector<std::string>& refused) {
+    std::vector<std::string> notes;
+    for (const std::string& resource : refused) {
+        if (notes.size() + 1 == kMaxNotes && refused.size() > kMaxNotes) {
+            notes.push_back(std::to_string(refused.size() - notes.size()) + " more files were not read.");
+            break;
+        }
+        notes.push_back("The file " + outsideText(resource) + ".");
+    }
+    return notes;
+}
+
 }  // namespace
 
 Result<SourceScene> readMeshFile(MeshPlace place, FileLog log) {
@@ -204,8 +216,7 @@ Result<SourceScene> readMeshFile(MeshPlace place, FileLog log) {
     if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, *files, name);
     const Format format = formatOf(importer, *source);
     SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
-    for (const std::string& resource : files->refused())
-        scene.notes.push_back("The file " + outsideText(resource) + ".");
+    scene.notes = notesOf(files->refused());
     const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
     if (!added) return fileError(added.error().code, name, added.error().message);
     if (scene.objects.empty()) return fileError(ErrorCode::Degenerate, name, "has no triangles");

@@ -18,7 +18,4 @@ namespace rubble {
 /// its folder; Degenerate if it has no triangles; BadInput for invalid indices and numbers; Limit above kMaxTriangles.
 Result<SourceScene> readMeshFile(MeshPlace place, FileLog log = FileLog::Off);
 
-/// The maximum number of triangles; more would exceed the importer's memory limit.
-inline constexpr std::size_t kMaxTriangles = 2'000'000;
-
 }  // namespace rubble

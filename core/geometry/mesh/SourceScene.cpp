@@ -89,14 +89,17 @@ private:
 constexpr std::size_t kMaterialSize = 4 + 3 * 8, kPointSize = 3 * 8, kTriangleSize = 3 * (4 + 2 * 8) + 4;
 constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4;
 
-SourceObject readObject(ByteReader& reader, std::size_t materialCount) {
+SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size_t& triangleCount) {
     SourceObject object;
     object.name = reader.text();
     object.hasUvs = reader.integer(1) != 0;
     object.points.resize(reader.count(kPointSize));
     for (Vec3& point : object.points) reader.read(point);
-    object.triangles.resize(reader.count(kTriangleSize));
-    reader.check(!object.triangles.empty());
+    const std::size_t triangles = reader.count(kTriangleSize);
+    triangleCount += triangles;
+    reader.check(triangles > 0 && triangleCount <= kMaxTriangles);
+    if (!reader.isGood()) return object;
+    object.triangles.resize(triangles);
     for (SourceTriangle& triangle : object.triangles) {
         for (std::uint32_t& point : triangle.points) point = reader.index(object.points.size());
         for (Vec2& uv : triangle.uvs) reader.read(uv);
@@ -146,10 +149,13 @@ Result<SourceScene> readSourceScene(std::string_view bytes) {
         reader.read(material.colour);
         for (int k = 0; k < 3; ++k) reader.check(material.colour[k] >= 0.0 && material.colour[k] <= 1.0);
     }
+    std::size_t triangleCount = 0;
     const std::size_t objectCount = reader.count(kObjectSize);
     for (std::size_t i = 0; i < objectCount && reader.isGood(); ++i)
-        scene.objects.push_back(readObject(reader, scene.materials.size()));
-    scene.notes.resize(reader.count(sizeof(std::uint32_t)));
+        scene.objects.push_back(readObject(reader, scene.materials.size(), triangleCount));
+    const std::size_t noteCount = reader.count(sizeof(std::uint32_t));
+    reader.check(noteCount <= kMaxNotes);
+    if (reader.isGood()) scene.notes.resize(noteCount);
     for (std::string& note : scene.notes) note = reader.text();
     if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are not a valid mesh."};
     return scene;

@@ -44,14 +44,19 @@ struct SourceScene {
     bool operator==(const SourceScene&) const = default;
 };
 
+/// The maximum number of triangles of all objects; more would exceed the importer's memory limit.
+inline constexpr std::size_t kMaxTriangles = 2'000'000;
+/// The maximum number of notes; the last one tells how many are left out.
+inline constexpr std::size_t kMaxNotes = 1000;
+
 /// Serializes a scene, to pass it from the importer process to its parent: little-endian, with lengths before texts and
 /// lists. Both programs always have the same version.
 std::string sourceSceneBytes(const SourceScene& scene);
 
 /// Deserializes a scene from untrusted bytes.
 ///
-/// Errors: BadInput for truncated or excess bytes, an index out of range, a number that is not finite or text that is
-/// not UTF-8.
+/// Errors: BadInput for truncated or excess bytes, an index out of range, a number that is not finite, text that is
+/// not UTF-8, or more than kMaxTriangles or kMaxNotes. Memory is a few times that of the bytes at most.
 Result<SourceScene> readSourceScene(std::string_view bytes);
 
 }  // namespace rubble

@@ -66,6 +66,17 @@ private slots:
         scene.metresPerUnit = -1.0;
         QVERIFY(isRefused(scene));
     }
+    /// A few bytes each must not become much memory.
+    void tooManyNotesOrTrianglesAreRejected() {
+        SourceScene scene = twoObjects();
+        scene.notes.assign(kMaxNotes, "");
+        QVERIFY(!isRefused(scene));
+        scene.notes.assign(kMaxNotes + 1, "");
+        QVERIFY(isRefused(scene));
+        scene = twoObjects();
+        scene.objects[1].triangles.resize(kMaxTriangles);
+        QVERIFY(isRefused(scene));
+    }
     void anyBytesAreReadOrRejected() {
         const std::string bytes = sourceSceneBytes(twoObjects());
         Random random(20240);
