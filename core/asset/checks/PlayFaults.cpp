@@ -2,6 +2,9 @@
 
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
+
+#include <glm/geometric.hpp>
 
 namespace rubble {
 namespace {
@@ -28,7 +31,11 @@ Sentence eventFault(const std::string& owner, const HitRequirement& hit) {
 Sentence actionFault(const std::string& owner, const Throw& thrown) {
     if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.from, "start")) return fault;
     if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.to, "aim")) return fault;
-    if (thrown.from == thrown.to) return owner + ": it starts where it aims, so that it has no direction.";
+    if (glm::distance(thrown.from, thrown.to) < kMinThrowLength) {
+        return owner +
+               ": it starts where it aims, so that it has no direction; the start and the aim must be at least " +
+               messageText(kMinThrowLength) + " m apart.";
+    }
     return rangeFault(owner, {{ProjectNumber::ProjectileSize, thrown.size.x, "size in x"},
                               {ProjectNumber::ProjectileSize, thrown.size.y, "size in y"},
                               {ProjectNumber::ProjectileSize, thrown.size.z, "size in z"},

@@ -7,6 +7,10 @@
 
 namespace rubble {
 
+/// The minimum distance from the start of a throw to its aim, m: far above rounding of coordinates, and its square is
+/// far above zero.
+inline constexpr double kMinThrowLength = 1e-6;
+
 /// The parts of valueFault() for play: fracture at the impact, strength requirements, debris, shots and play-tests.
 std::optional<std::string> playFault(const Asset& asset);
 std::optional<std::string> faultOf(const Debris& debris);
