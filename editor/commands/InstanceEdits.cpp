@@ -178,9 +178,6 @@ Edit moveInstances(const QString& text, const Project& project, std::span<const 
     return edit;
 }
 
-const Instance* findInstance(const Project& project, Id id) {
-    const auto found = std::ranges::find(project.instances, id, &Instance::id);
-    return found != project.instances.end() ? &*found : nullptr;
-}
+const Instance* findInstance(const Project& project, Id id) { return findById(project.instances, id); }
 
 }  // namespace rubble

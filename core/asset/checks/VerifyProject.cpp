@@ -1,6 +1,7 @@
 #include "core/asset/checks/VerifyProject.h"
 
 #include "core/asset/checks/ValueFaults.h"
+#include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/base/Utf8.h"
 
@@ -94,11 +95,6 @@ Sentence listFault(const std::vector<Element>& elements, const char* kind) {
     return std::nullopt;
 }
 
-template <class Element>
-bool exists(const std::vector<Element>& elements, Id id) {
-    return std::ranges::find(elements, id, &Element::id) != elements.end();
-}
-
 std::string missing(const std::string& owner, const char* kind, Id id) {
     return owner + " refers to " + kind + " " + std::to_string(id) + ", which does not exist.";
 }
@@ -123,10 +119,10 @@ Sentence referenceFault(const Project& project) {
     for (const PlayTest& test : project.playTests) {
         const std::string owner = ownerText("Play-test", test.id, test.name);
         for (const Id shot : test.shots) {
-            if (!exists(project.shots, shot)) return missing(owner, "shot", shot);
+            if (!findById(project.shots, shot)) return missing(owner, "shot", shot);
         }
         for (const Expectation& expectation : test.expectations) {
-            if (expectation.instance == 0 || exists(project.instances, expectation.instance)) continue;
+            if (expectation.instance == 0 || findById(project.instances, expectation.instance)) continue;
             return missing(owner, "instance", expectation.instance);
         }
     }
@@ -135,14 +131,18 @@ Sentence referenceFault(const Project& project) {
 
 }  // namespace
 
-std::optional<std::string> verifyProject(const Project& project) {
+std::optional<std::string> structureFault(const Project& project) {
     if (Sentence fault = listFault(project.materials, "Material")) return fault;
     if (Sentence fault = listFault(project.assets, "Asset")) return fault;
     if (Sentence fault = listFault(project.instances, "Instance")) return fault;
     if (Sentence fault = listFault(project.shots, "Shot")) return fault;
     if (Sentence fault = listFault(project.playTests, "Play-test")) return fault;
     if (Sentence fault = idFault(project)) return fault;
-    if (Sentence fault = referenceFault(project)) return fault;
+    return referenceFault(project);
+}
+
+std::optional<std::string> verifyProject(const Project& project) {
+    if (Sentence fault = structureFault(project)) return fault;
     return valueFault(project);
 }
 

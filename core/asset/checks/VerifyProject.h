@@ -11,5 +11,7 @@ namespace rubble {
 /// and below nextId; names that are empty or taken; references to missing elements; numbers out of range; prisms and
 /// patterns that cannot be fractured.
 std::optional<std::string> verifyProject(const Project& project);
+/// The part of verifyProject() that checks ids, names and references.
+std::optional<std::string> structureFault(const Project& project);
 
 }  // namespace rubble

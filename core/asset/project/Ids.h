@@ -2,9 +2,18 @@
 
 #include "core/asset/project/Project.h"
 
+#include <algorithm>
 #include <span>
+#include <vector>
 
 namespace rubble {
+
+/// The element with an id in a list of a project, whose ids ascend; null if there is none. O(log n).
+template <class Element>
+const Element* findById(const std::vector<Element>& elements, Id id) {
+    const auto found = std::ranges::lower_bound(elements, id, {}, &Element::id);
+    return found != elements.end() && found->id == id ? &*found : nullptr;
+}
 
 /// Whether a list has an id.
 bool isAmong(std::span<const Id> ids, Id id);

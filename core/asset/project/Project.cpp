@@ -1,15 +1,11 @@
 #include "core/asset/project/Project.h"
 
+#include "core/asset/project/Ids.h"
+
 #include <algorithm>
 
 namespace rubble {
 namespace {
-
-template <class Element>
-const Element* findById(const std::vector<Element>& elements, Id id) {
-    const auto found = std::ranges::lower_bound(elements, id, {}, &Element::id);
-    return found != elements.end() && found->id == id ? &*found : nullptr;
-}
 
 bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::shared_ptr<const Surface>& second) {
     if (first == second) return true;

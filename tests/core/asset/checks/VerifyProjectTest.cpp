@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "tests/support/TestProgram.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <functional>
@@ -13,6 +14,9 @@ using namespace rubble;
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kNoDirection =
+    "Shot 7 \"box\": it starts where it aims, so that it has no direction; the start "
+    "and the aim must be at least 0.000001 m apart.";
 
 /// One of everything, ids 1 to 8, all in order.
 Project smallProject() {
@@ -189,9 +193,7 @@ private slots:
         row("Shot 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {
             p.shots[0].action = Throw{.size = {1.0, 0.0, 1.0}};
         });
-        row("Shot 7 \"box\": it starts where it aims, so that it has no direction.", [](Project& p) {
-            p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}};
-        });
+        row(kNoDirection, [](Project& p) { p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}}; });
         row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be from -1e+15 to 1e+15.", [](Project& p) {
             p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
         });
@@ -229,6 +231,28 @@ private slots:
             [](Project& p) { p.playTests[0].duration = 0.0; });
     }
     void numbersOutOfRangeAreNamed() { changeIsReported(); }
+
+    void throwsOfAlmostNoLengthAreNamed() {
+        Project project = smallProject();
+        for (const double length : {0.0, 1e-200, 9e-7}) {
+            project.shots[0].action = Throw{.from = {1.0, 2.0, 3.0}, .to = {1.0 + length, 2.0, 3.0}};
+            QCOMPARE(verifyProject(project).value_or("no fault"), std::string(kNoDirection));
+        }
+        project.shots[0].action = Throw{.from = {1.0, 2.0, 3.0}, .to = {1.000002, 2.0, 3.0}};
+        QVERIFY(!verifyProject(project));
+    }
+    void manyReferencesAreVerifiedAtOnce() {
+        Project project = smallProject();
+        const Id first = project.nextId;
+        for (Id id = first; id < first + 20'000; ++id)
+            project.shots.push_back({.id = id, .name = "shot " + std::to_string(id), .action = Hammer{}});
+        project.nextId = first + 20'000;
+        project.playTests[0].shots.assign(2'000'000, first + 19'999);
+        QElapsedTimer watch;
+        watch.start();
+        QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
+        QVERIFY(watch.elapsed() < 10'000);  // one by one, this takes half a minute at least
+    }
 
     void prismsThatCannotBeFracturedAreNamed() {
         Project project = smallProject();
