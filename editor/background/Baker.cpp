@@ -1,5 +1,6 @@
 #include "editor/background/Baker.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
 #include "core/base/OutOfMemory.h"
@@ -91,13 +92,34 @@ struct BakeRequest {
     std::shared_ptr<const Asset> asset;
     std::vector<std::uint32_t> variants;  // ascending from 0
     std::vector<std::shared_ptr<const Bake>> known;
+    std::size_t otherBakes = 0;  // of other assets, which are kept
+    double otherBytes = 0.0;
 };
+
+void countOthers(const Bakes& bakes, BakeRequest& request) {
+    for (const auto& [key, bake] : bakes.assetBakes()) {
+        if (key.asset == request.asset->id) continue;
+        ++request.otherBakes;
+        request.otherBytes +=
+            BakeEstimate{static_cast<double>(bake->fragmentCount()), static_cast<double>(bake->fractures.size())}
+                .bytes();
+    }
+}
+
+std::optional<Error> totalFault(const BakeRequest& request) {
+    const double own = static_cast<double>(request.variants.size()) * estimateOf(*request.asset).bytes();
+    const std::optional<std::string> fault =
+        totalSizeFault(request.otherBakes + request.variants.size(), request.otherBytes + own);
+    if (!fault) return std::nullopt;
+    return Error{ErrorCode::Limit, "Asset \"" + request.asset->name + "\": " + *fault};
+}
 
 BakeRequest requestFor(std::shared_ptr<const Asset> asset, const Project& project, const Bakes& bakes) {
     BakeRequest request{.asset = std::move(asset)};
     for (const auto& [id, variant] : usedVariants(project)) {
         if (id == request.asset->id) request.variants.push_back(variant);
     }
+    countOthers(bakes, request);
     const auto before = bakes.find(request.asset->id);
     if (!before) return request;
     if (before->bake) request.known.push_back(before->bake);
@@ -117,6 +139,7 @@ Result<std::shared_ptr<const Bake>> bakeOf(const Asset& variant, const BakeReque
 BakeQueue::Delivery fragmentsOf(Bakes& bakes, const BakeRequest& request, const TaskContext& task) {
     auto baked = std::make_shared<BakedAsset>();
     baked->asset = request.asset;
+    baked->fault = totalFault(request);
     const auto count = static_cast<double>(request.variants.size());
     for (std::size_t k = 0; k < request.variants.size() && !baked->fault; ++k) {
         const std::uint32_t variant = request.variants[k];

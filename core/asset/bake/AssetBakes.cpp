@@ -1,5 +1,6 @@
 #include "core/asset/bake/AssetBakes.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/base/Parallel.h"
 
 #include <algorithm>
@@ -12,6 +13,10 @@ Result<AssetBakes> bakesOf(const Project& project, std::span<const Id> only, con
     std::erase_if(variants, [&](const AssetVariant& variant) {
         return !only.empty() && std::ranges::find(only, variant.asset) == only.end();
     });
+    double bytes = 0.0;
+    for (const AssetVariant& variant : variants) bytes += estimateOf(*findAsset(project, variant.asset)).bytes();
+    if (const std::optional<std::string> fault = totalSizeFault(variants.size(), bytes))
+        return Error{ErrorCode::Limit, *fault};
     std::vector<std::optional<Result<Bake>>> results(variants.size());
     forEachIndex(variants.size(), task.threads, [&](std::size_t index) {
         const auto [asset, variant] = variants[index];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace rubble {
 namespace {
@@ -50,6 +51,25 @@ std::optional<std::string> sizeFault(const BakeEstimate& estimate) {
     return "about " + estimateText(estimate.fragments) + " fragments would take " + gigabytes(estimate.bytes()) +
            " of memory; at most " + gigabytes(kMaxBakeBytes) +
            " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
+}
+
+std::optional<std::string> totalSizeFault(std::size_t bakes, double bytes) {
+    if (bytes <= kMaxTotalBakeBytes) return std::nullopt;  // false for NaN
+    return "The fragments of all " + std::to_string(bakes) + " assets and variants would take " + gigabytes(bytes) +
+           " of memory; at most " + gigabytes(kMaxTotalBakeBytes) +
+           " are allowed. Use fewer seeds, levels, assets or variants.";
+}
+
+int bakesAtOnce(std::vector<double> bytes, int threads) {
+    std::ranges::sort(bytes, std::greater{});
+    double sum = 0.0;
+    int count = 0;
+    for (const double each : bytes) {
+        sum += each;
+        if (count == threads || sum > kMaxTotalBakeBytes) break;
+        ++count;
+    }
+    return std::max(1, count);
 }
 
 }  // namespace rubble

@@ -4,11 +4,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rubble {
 
 /// The memory that the bake of one asset may take, by estimate, bytes.
 inline constexpr double kMaxBakeBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
+
+/// The memory that bakes which are kept or made at the same time may take together, bytes.
+inline constexpr double kMaxTotalBakeBytes = 8.0 * 1024.0 * 1024.0 * 1024.0;
 
 /// About how large a bake is.
 struct BakeEstimate {
@@ -23,5 +27,11 @@ BakeEstimate estimateOf(const Asset& asset);
 
 /// Why a bake is refused, as a sentence with the estimate and the limit; nothing if it is within kMaxBakeBytes.
 std::optional<std::string> sizeFault(const BakeEstimate& estimate);
+/// The same for a number of bakes that take `bytes` together, and kMaxTotalBakeBytes.
+std::optional<std::string> totalSizeFault(std::size_t bakes, double bytes);
+
+/// How many of several bakes may be made at the same time, so that those that are take kMaxTotalBakeBytes at most: at
+/// least 1 and at most `threads`.
+int bakesAtOnce(std::vector<double> bytes, int threads);
 
 }  // namespace rubble

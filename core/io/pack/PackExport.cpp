@@ -1,5 +1,6 @@
 #include "core/io/pack/PackExport.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/project/Threshold.h"
 #include "core/asset/project/Variants.h"
@@ -161,8 +162,11 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     for (const Id id : assets) std::ranges::move(assetsInVariants(project, {&id, 1}), std::back_inserter(packed));
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
+    std::vector<double> bytes;
+    for (const Asset& asset : packed) bytes.push_back(estimateOf(asset).bytes());
+    const int atOnce = bakesAtOnce(std::move(bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
-    forEachIndex(packed.size(), task.threads, [&](std::size_t index) {
+    forEachIndex(packed.size(), atOnce, [&](std::size_t index) {
         results[index] =
             exportAsset(project, packed[index], folder, options, edited, progress.contextOf(index, threadsEach));
     });

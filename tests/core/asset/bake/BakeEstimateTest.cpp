@@ -1,6 +1,6 @@
 #include "core/asset/bake/BakeEstimate.h"
 
-#include "core/asset/bake/Bake.h"
+#include "core/asset/bake/AssetBakes.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 
@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using namespace rubble;
 
@@ -84,6 +85,61 @@ private slots:
         QVERIFY(watch.elapsed() < kAtOnce);
         QCOMPARE(made.error().code, ErrorCode::Limit);
         QVERIFY(made.error().message.starts_with("Asset \"box\": about 10000000 fragments would take 2.4 GiB"));
+    }
+    void slicesThatCrossAreRefusedAtOnce() {
+        Asset asset = boxAsset(2, 3, Slices{.cuts = 2000, .angle = 0.0});
+        for (int k = 1; k < 10; ++k) {
+            asset.pattern.layers.push_back({.id = static_cast<Id>(10 + k),
+                                            .parameters = Slices{.cuts = 2000, .angle = k * std::numbers::pi / 10.0}});
+        }
+        QElapsedTimer watch;
+        watch.start();
+        const Result<Bake> made = bake(asset);
+        QVERIFY(watch.elapsed() < kAtOnce);
+        QCOMPARE(made.error().code, ErrorCode::Limit);
+        QVERIFY2(made.error().message.find("fragments would take") != std::string::npos, made.error().message.c_str());
+    }
+    void crossingSlicesAreEstimatedWithinAHalf_data() {
+        QTest::addColumn<double>("angle");
+        QTest::addColumn<std::uint32_t>("seeds");
+        QTest::newRow("alone") << 0.0 << 1u;
+        QTest::newRow("across") << std::numbers::pi / 2.0 << 1u;
+        QTest::newRow("oblique") << std::numbers::pi / 4.0 << 1u;
+        QTest::newRow("across cells") << std::numbers::pi / 2.0 << 100u;
+    }
+    void crossingSlicesAreEstimatedWithinAHalf() {
+        QFETCH(double, angle);
+        QFETCH(std::uint32_t, seeds);
+        Asset asset = boxAsset(2, 3, UniformScatter{.count = seeds});
+        asset.pattern.layers.push_back({.id = 4, .parameters = Slices{20, 0.0, 0.0, 0.0}});
+        if (angle != 0.0) asset.pattern.layers.push_back({.id = 5, .parameters = Slices{20, angle, 0.0, 0.0}});
+        const Result<Bake> made = bake(asset);
+        QVERIFY(made);
+        const double ratio = estimateOf(asset).fragments / made->fragmentCount();
+        QVERIFY2(ratio > 0.5 && ratio < 2.0, QByteArray::number(ratio));
+    }
+    void assetsAreRefusedTogether() {
+        Project project = boxProject(UniformScatter{.count = 7'000'000});
+        for (Id id = 30; id < 34; ++id) {
+            project.assets.push_back(boxAsset(id, id + 10, UniformScatter{.count = 7'000'000}));
+            project.assets.back().name += std::to_string(id);
+        }
+        for (const Asset& asset : project.assets) QVERIFY(!sizeFault(estimateOf(asset)));
+        QElapsedTimer watch;
+        watch.start();
+        const Result<AssetBakes> made = bakesOf(project);
+        QVERIFY(watch.elapsed() < kAtOnce);
+        QCOMPARE(made.error().message,
+                 std::string("The fragments of all 5 assets and variants would take 8.5 GiB of memory; at most 8 GiB "
+                             "are allowed. Use fewer seeds, levels, assets or variants."));
+    }
+    void largeBakesAreMadeOneAfterTheOther() {
+        const double large = 0.45 * kMaxTotalBakeBytes;
+        QCOMPARE(bakesAtOnce({1.0, large, large, 1.0, large}, 8), 2);
+        QCOMPARE(bakesAtOnce({1.0, 1.0, 1.0}, 8), 3);
+        QCOMPARE(bakesAtOnce({1.0, 1.0, 1.0}, 2), 2);
+        QCOMPARE(bakesAtOnce({2.0 * kMaxTotalBakeBytes}, 8), 1);
+        QCOMPARE(bakesAtOnce({}, 8), 1);
     }
     void minimumVolumeBoundsTheLevels() {
         // 0.5 m³ in fragments of at least 1 dm³: at most 500 of a level are fractured.
