@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/geometry/predicates/Vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -19,8 +20,15 @@ namespace rubble {
 class JsonValue;
 class JsonElements;
 
-/// The maximum size of a JSON text that is read, in bytes; its document takes at most 12 times as much memory.
+/// The maximum size of a JSON text that is read, in bytes, and the maximum number of its values. The document of the
+/// largest text takes about 1 GiB of memory. A project with a surface of a million triangles has 24 million values.
 inline constexpr std::size_t kMaxJsonSize = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxJsonValues = std::size_t{32} << 20;
+
+/// Whether a JSON text that was written can be read again.
+///
+/// Errors: Limit, as of JsonDocument::parse().
+Status checkJsonSize(std::string_view text);
 
 /// The range of a numeric field; stated in its error messages.
 struct JsonRange {
@@ -49,7 +57,7 @@ public:
     /// Guarantees that the keys of each object are unique, numbers finite and strings valid UTF-8.
     ///
     /// Errors: BadInput, with line and column, if the text is not JSON, or with the path if a key is repeated; Limit if
-    /// it is larger than 256 MiB or nested deeper than 64 levels.
+    /// it is larger than 256 MiB, has more than 32 million values or is nested deeper than 64 levels.
     static Result<JsonDocument> parse(std::string_view text);
 
     /// The outermost value. All values refer to the document, which must not be moved while they are in use.
@@ -188,8 +196,12 @@ auto JsonValue::optional(Read read) const {
 template <class Read>
 auto JsonValue::list(Read read) const {
     std::vector<decltype(std::invoke(read, *this))> list;
-    list.reserve(elements().size());
-    for (const JsonValue element : elements()) list.push_back(std::invoke(read, element));
+    constexpr std::uint32_t kMaxReserved = 4096;  // an invalid list ends at its first element
+    list.reserve(std::min(elements().size(), kMaxReserved));
+    for (const JsonValue element : elements()) {
+        if (m_document->firstError()) break;
+        list.push_back(std::invoke(read, element));
+    }
     return list;
 }
 

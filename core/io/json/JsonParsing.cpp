@@ -36,6 +36,16 @@ std::string parserReason(std::string_view message) {
 
 }  // namespace
 
+Status checkJsonSize(std::string_view text) {
+    if (text.size() > kMaxJsonSize)
+        return Error{ErrorCode::Limit, "The JSON is larger than 256 MiB: " + std::to_string(text.size()) + " bytes."};
+    // Each value but the first follows one of these; those in texts are few.
+    const auto beginsValue = [](char letter) { return letter == ',' || letter == '[' || letter == '{'; };
+    if (std::cmp_greater_equal(std::ranges::count_if(text, beginsValue), kMaxJsonValues))
+        return Error{ErrorCode::Limit, "The JSON has more than " + std::to_string(kMaxJsonValues) + " values."};
+    return success();
+}
+
 /// Receives the parser's events and appends a node for each value.
 class JsonDocument::Builder {
 public:
@@ -124,8 +134,7 @@ private:
 };
 
 Result<JsonDocument> JsonDocument::parse(std::string_view text) {
-    if (text.size() > kMaxJsonSize)
-        return Error{ErrorCode::Limit, "The JSON is larger than 256 MiB: " + std::to_string(text.size()) + " bytes."};
+    if (const Status fits = checkJsonSize(text); !fits) return fits.error();
     if (const std::size_t null = text.find('\0'); null != std::string_view::npos) {  // the library would stop there
         const TextPosition at = textPosition(text, null + 1);
         return Error{ErrorCode::BadInput, "The text is not JSON at line " + std::to_string(at.line) + ", column " +

@@ -32,6 +32,28 @@ std::string readFault(std::string_view text, const std::function<void(JsonValue)
 class JsonDocumentTest : public QObject {
     Q_OBJECT
 private slots:
+    /// A short text must not become many large values.
+    void listEndsAtItsFirstError() {
+        std::string text = "[1";
+        for (int k = 0; k < 100'000; ++k) text += ",1";
+        int reads = 0;
+        const std::string fault = readFault(text + "]", [&](JsonValue root) {
+            const auto list = root.list([&](JsonValue element) {
+                ++reads;
+                element.requireObject({"id"});
+                return std::array<double, 64>();
+            });
+            QCOMPARE(list.size(), std::size_t{1});
+            QVERIFY(list.capacity() < 10'000);
+        });
+        QCOMPARE(reads, 1);
+        QCOMPARE(fault, std::string("[0]: expected an object, found 1."));
+    }
+    void tooManyValuesAreRejectedBeforeTheyAreRead() {
+        QCOMPARE(parseFault("[" + std::string(kMaxJsonValues, ',')),
+                 std::string("The JSON has more than 33554432 values."));
+        QVERIFY(checkJsonSize("[" + std::string(kMaxJsonValues - 2, ',')));
+    }
     void nothingFollowsTheValue() {
         using namespace std::string_view_literals;
         QCOMPARE(parseFault("{}\0 and more"sv),
