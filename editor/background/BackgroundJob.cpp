@@ -11,6 +11,7 @@ namespace rubble {
 namespace {
 
 constexpr int kProgressSteps = 1000;
+constexpr const char* kDoing = "working in the background";
 
 }  // namespace
 
@@ -44,12 +45,12 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     task.progress = [promise](double fraction) {
         promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
     };
-    m_thread.start([promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
-        try {
+    m_thread.start([this, promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
+        const Status ended = orOutOfMemory(kDoing, [&]() -> Status {
             if (!task.isCancelled()) *delivery = work(task, [&](Call call) { promise->addResult(std::move(call)); });
-        } catch (const std::bad_alloc&) {
-            qWarning("%s", outOfMemory("working in the background").message.c_str());
-        }
+            return success();
+        });
+        if (!ended) *delivery = [this] { emit failed(QString::fromStdString(outOfMemory(kDoing).message)); };
         promise->finish();
     });
 }

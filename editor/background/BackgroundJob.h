@@ -33,7 +33,7 @@ public:
 
     /// Starts `work(task)`, or `work(task, post)` if it delivers partial results, on the background thread. isRunning()
     /// is false again when `deliver(result)` is called. Where memory runs out, a Result has the error of outOfMemory();
-    /// any other result is not delivered. A replaced function that ignores task.isCancelled() delays the
+    /// any other result is not delivered, and `failed` is emitted. A replaced function that ignores task.isCancelled() delays the
     /// next one.
     template <class Work, class Deliver>
     void start(Work work, Deliver deliver) {
@@ -62,6 +62,8 @@ public:
 signals:
     /// The fraction of the running function that is done, in [0, 1]; at most about 25 times a second.
     void progressed(double fraction);
+    /// Memory ran out, so that there is nothing to deliver; the sentence says so.
+    void failed(const QString& sentence);
 
 private:
     void run(std::function<Call(const TaskContext& task, const Post& post)> work);

@@ -17,6 +17,7 @@ BakeQueue::BakeQueue(const Document& document, const Selection& selection, Start
     m_delay.setSingleShot(true);
     connect(&m_delay, &QTimer::timeout, this, &BakeQueue::startNext);
     connect(&m_job, &BackgroundJob::progressed, this, [this](double fraction) { emit progressed(m_asset, fraction); });
+    connect(&m_job, &BackgroundJob::failed, this, [this] { finish({}); });
 }
 
 void BakeQueue::add(const std::set<Id>& assets) {

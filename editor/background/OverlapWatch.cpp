@@ -29,6 +29,10 @@ OverlapWatch::OverlapWatch(const Document& document, Messages& messages, QObject
             changes.touches(Part::Instance) || changes.touches(Part::Asset) || changes.touches(Part::Scene);
         if (isOfScene) m_delay.start();
     });
+    connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
+        m_reported.clear();
+        m_messages.setOfScene({{.severity = Severity::Error, .text = sentence}});
+    });
     m_delay.start();
 }
 

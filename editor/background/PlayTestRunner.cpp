@@ -9,6 +9,10 @@ PlayTestRunner::PlayTestRunner(const Document& document, const Bakes& bakes, QOb
     : QObject(parent), m_document(document), m_bakes(bakes) {
     connect(&document, &Document::changed, this, &PlayTestRunner::discard);
     connect(&m_job, &BackgroundJob::progressed, this, &PlayTestRunner::progressed);
+    connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
+        emit changed();
+        emit statusMessage(sentence);
+    });
 }
 
 void PlayTestRunner::discard() {

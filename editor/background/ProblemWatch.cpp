@@ -28,6 +28,7 @@ ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject
     m_delay.setSingleShot(true);
     m_delay.setInterval(kProblemDelay);
     connect(&m_delay, &QTimer::timeout, this, &ProblemWatch::check);
+    connect(&m_job, &BackgroundJob::failed, this, &ProblemWatch::statusMessage);
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {
         m_stale.insert(asset);
         m_job.cancel();

@@ -30,6 +30,8 @@ public:
 
 signals:
     void changed();
+    /// The problems could not be searched for; the sentence says why.
+    void statusMessage(const QString& sentence);
 
 private:
     struct Entry {

@@ -6,6 +6,10 @@ namespace rubble {
 
 QuickFixRunner::QuickFixRunner(Document& document, QObject* parent) : QObject(parent), m_document(document) {
     connect(&document, &Document::changed, this, &QuickFixRunner::cancelOutdated);
+    connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
+        emit changed();
+        emit statusMessage(sentence);
+    });
 }
 
 void QuickFixRunner::start(std::vector<Diagnostic> problems, QuickFix fix) {

@@ -75,6 +75,9 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     }
     connect(&m_job, &BackgroundJob::progressed, m_progress,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
+    connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
+        apply({{}, Error{ErrorCode::Limit, sentence.toStdString()}});
+    });
     connect(this, &QDialog::finished, &m_job, &BackgroundJob::cancel);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
 }

@@ -146,11 +146,13 @@ void PlayThread::run() {
     while (!m_isQuitting) {
         if (isWorkWaiting()) {
             m_isBusy = true;
-            try {
+            const Status worked = orOutOfMemory("simulating", [&]() -> Status {
                 work(lock);
-            } catch (const std::bad_alloc&) {
+                return success();
+            });
+            if (!worked) {
                 if (!lock.owns_lock()) lock.lock();
-                stopAfter(outOfMemory("simulating"));
+                stopAfter(worked.error());
             }
             m_isBusy = false;
             continue;

@@ -57,6 +57,7 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
     connect(m_runner, &QuickFixRunner::changed, this, &ProblemPanel::update);
     connect(m_runner, &QuickFixRunner::statusMessage, this, &ProblemPanel::statusMessage);
     connect(&watch, &ProblemWatch::changed, this, &ProblemPanel::refresh);
+    connect(&watch, &ProblemWatch::statusMessage, this, &ProblemPanel::statusMessage);
     connect(&selection, &Selection::assetChanged, this, &ProblemPanel::refresh);
     connect(m_isActiveOnly, &QCheckBox::toggled, this, &ProblemPanel::refresh);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProblemPanel::update);
