@@ -93,7 +93,7 @@ void AssetActions::drawOutline() {
 void AssetActions::addPrism(const QString& name, const Polygon& outline, double depth) {
     m_views.showProject();
     Addition added = addAsset(m_workspace.project(), name.toStdString(), {outline, depth});
-    m_workspace.document().push(std::move(added.edit));
+    if (!m_workspace.document().push(std::move(added.edit))) return;
     m_workspace.selection().setAsset(added.id);
     m_views.frameAsset();
 }
@@ -136,13 +136,12 @@ void AssetActions::showContactSheet() {
 
 void AssetActions::duplicate() {
     Addition added = duplicateAsset(m_workspace.project(), m_workspace.selection().asset());
-    m_workspace.document().push(std::move(added.edit));
-    m_workspace.selection().setAsset(added.id);
+    if (m_workspace.document().push(std::move(added.edit))) m_workspace.selection().setAsset(added.id);
 }
 
 void AssetActions::addInstance() {
     Addition added = rubble::addInstance(m_workspace.project(), m_workspace.selection().asset());
-    m_workspace.document().push(std::move(added.edit));
+    if (!m_workspace.document().push(std::move(added.edit))) return;
     m_workspace.selection().setInstances(m_workspace.project(), {added.id});
 }
 

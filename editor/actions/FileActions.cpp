@@ -198,7 +198,7 @@ void FileActions::importMesh(const QString& path) {
     if (!dialog.read(importer) || dialog.exec() != QDialog::Accepted) return;
     m_views.showProject();
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
-    m_workspace.document().push(dialog.edit());
+    if (!m_workspace.document().push(dialog.edit())) return;
     m_workspace.selection().setAsset(dialog.firstAsset());
     m_views.showStatus(tr("Imported %1.").arg(QFileInfo(path).fileName()));
 }

@@ -206,7 +206,7 @@ void InstanceActions::selectAddedSince(Id first) {
 
 void InstanceActions::duplicate() {
     const Id first = m_workspace.project().nextId;
-    m_workspace.document().push(duplicateInstances(m_workspace.project(), selected(), Vec3(0.0)));
+    if (!m_workspace.document().push(duplicateInstances(m_workspace.project(), selected(), Vec3(0.0)))) return;
     selectAddedSince(first);
     move();
 }
@@ -229,11 +229,11 @@ void InstanceActions::arrayInRing() {
 void InstanceActions::addArray(const QString& text, const Edit& edit, bool haveVariants) {
     Document& document = m_workspace.document();
     const Id first = m_workspace.project().nextId;
-    document.undoStack().beginMacro(text);
-    document.push(edit);
-    selectAddedSince(first);
-    if (haveVariants) document.push(assignDistinctVariants(m_workspace.project(), selected()));
-    document.undoStack().endMacro();
+    document.pushTogether(text, [&] {
+        if (!document.push(edit)) return;
+        selectAddedSince(first);
+        if (haveVariants) document.push(assignDistinctVariants(m_workspace.project(), selected()));
+    });
 }
 
 void InstanceActions::showAll() { m_workspace.document().push(showAllInstances(m_workspace.project())); }

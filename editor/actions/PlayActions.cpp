@@ -156,7 +156,7 @@ void PlayActions::saveShot() {
     if (!controller().lastShot()) return;
     const ShotInput& shot = *controller().lastShot();
     Addition added = addShot(m_workspace.project(), shot.name, shot.action);
-    m_workspace.document().push(std::move(added.edit));
+    if (!m_workspace.document().push(std::move(added.edit))) return;
     m_views.showStatus(tr("Added the last throw to the shots of the project."));
 }
 

@@ -302,8 +302,8 @@ void ContactSheetWindow::apply() {
     changed.levels = variant.levels;
     changed.leaves = variant.leaves;
     changed.edits = variant.edits;
-    m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed)));
-    showMessage(tr("Applied the variant to the asset."));
+    if (m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed))))
+        showMessage(tr("Applied the variant to the asset."));
 }
 
 void ContactSheetWindow::updateState() {

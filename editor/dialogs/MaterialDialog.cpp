@@ -124,17 +124,17 @@ void MaterialDialog::showSelected() {
 void MaterialDialog::applyToAsset() {
     const LibraryMaterial* material = selected();
     if (material == nullptr || asset() == nullptr) return;
-    m_document.push(applyPreset(
+    const bool isApplied = m_document.push(applyPreset(
         m_document.project(), asset()->id, material->preset,
         {.appliesPattern = m_appliesPattern->isChecked(), .derivesThreshold = m_derivesThreshold->isChecked()}));
-    accept();
+    if (isApplied) accept();
 }
 
 void MaterialDialog::addToProject() {
     const LibraryMaterial* material = selected();
     if (material == nullptr) return;
     Addition addition = addMaterial(m_document.project(), material->preset);
-    if (!addition.edit.isEmpty()) m_document.push(std::move(addition.edit));
+    if (!m_document.push(std::move(addition.edit))) return;
     m_selection.setMaterial(addition.id);
     accept();
 }

@@ -1,5 +1,6 @@
 #include "editor/document/Autosave.h"
 
+#include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
 
 namespace rubble {
@@ -37,7 +38,9 @@ void Autosave::noteChange() {
 void Autosave::writeNow() {
     if (!m_hasChange || !m_document.isModified()) return;
     lockBackup(m_backup);
-    const Status status = writeBackup(m_backup, QByteArray::fromStdString(projectText(m_document.project())));
+    const Status status = orOutOfMemory("writing the backup", [&] {
+        return writeBackup(m_backup, QByteArray::fromStdString(projectText(m_document.project())));
+    });
     m_hasChange = !status;
     if (status) return;
     if (m_timer.interval() > 0) m_timer.start();  // there may be room later

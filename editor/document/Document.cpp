@@ -1,5 +1,7 @@
 #include "editor/document/Document.h"
 
+#include "editor/document/EditFault.h"
+
 #include <QUndoCommand>
 
 #include <utility>
@@ -33,9 +35,25 @@ Document::Document(Project project, QObject* parent) : QObject(parent), m_projec
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
 }
 
-void Document::push(Edit edit) {
-    if (edit.isEmpty() || isNoChange(m_project, edit)) return;
+bool Document::push(Edit edit) {
+    if (edit.isEmpty() || isNoChange(m_project, edit)) return true;
+    if (const std::optional<std::string> fault = editFault(m_project, edit)) {
+        emit refused(QString::fromStdString(*fault));
+        return false;
+    }
     m_undoStack.push(new Command(*this, std::move(edit)));
+    return true;
+}
+
+void Document::pushTogether(const QString& text, const std::function<void()>& pushes) {
+    const int before = m_undoStack.index();
+    m_undoStack.beginMacro(text);
+    pushes();
+    m_undoStack.endMacro();
+    auto* step = const_cast<QUndoCommand*>(m_undoStack.command(before));  // Qt lets only its owner make it obsolete
+    if (step->childCount() > 0) return;
+    step->setObsolete(true);
+    m_undoStack.undo();  // removes it
 }
 
 void Document::replace(Project project) {

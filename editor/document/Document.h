@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <functional>
+
 namespace rubble {
 
 /// Owns the project being edited and its undo stack. All other code reads project(), makes an Edit and pushes it.
@@ -19,8 +21,11 @@ public:
     QUndoStack& undoStack() { return m_undoStack; }
 
     /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that
-    /// changes nothing adds no step, and merged edits that cancel out leave none.
-    void push(Edit edit);
+    /// changes nothing adds no step, and merged edits that cancel out leave none. An edit with an editFault() is not
+    /// applied: `refused` is emitted, and the result is false.
+    bool push(Edit edit);
+    /// Makes one undo step of all edits that `pushes` pushes; none if all of them are refused or change nothing.
+    void pushTogether(const QString& text, const std::function<void()>& pushes);
     /// A fresh merge key, for the edits of one drag.
     quint64 newMergeKey() { return ++m_lastMergeKey; }
     /// Replaces the project, for example by one read from a file, and clears the undo stack.
@@ -38,6 +43,8 @@ public:
 signals:
     void changed(const rubble::Changes& changes);
     void modifiedChanged(bool isModified);
+    /// An edit was not applied; the sentence says why.
+    void refused(const QString& sentence);
 
 private:
     class Command;

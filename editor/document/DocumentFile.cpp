@@ -1,5 +1,6 @@
 #include "editor/document/DocumentFile.h"
 
+#include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/FilePath.h"
@@ -20,6 +21,19 @@ Result<std::optional<ContentHash>> hashOnDisk(const QString& path) {
     if (bytes) return std::optional(contentHash(*bytes));
     if (bytes.error().code == ErrorCode::NotFound) return std::optional<ContentHash>();
     return bytes.error();
+}
+
+struct ReadFile {
+    Project project;
+    ContentHash hash;
+};
+
+Result<ReadFile> readProjectFile(const std::filesystem::path& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    Result<Project> project = readProjectText(*text, path);
+    if (!project) return project.error();
+    return ReadFile{std::move(*project), contentHash(*text)};
 }
 
 }  // namespace
@@ -43,16 +57,14 @@ Status DocumentFile::open(const QString& path) {
 
 Status DocumentFile::open(const QString& path, const ProjectAccess& access) {
     const QString absolute = absolutePath(path);
-    const Result<std::string> text = readFile(toPath(absolute));
-    if (!text) return text.error();
-    Result<Project> project = readProjectText(*text, toPath(absolute));
-    if (!project) return project.error();
-    setFile({absolute, contentHash(*text)}, access);
-    m_document.replace(std::move(*project));
+    Result<ReadFile> file = orOutOfMemory("opening the project", [&] { return readProjectFile(toPath(absolute)); });
+    if (!file) return file.error();
+    setFile({absolute, file->hash}, access);
+    m_document.replace(std::move(file->project));
     return success();
 }
 
-Status DocumentFile::restore(const Backup& backup, const ProjectAccess& access) {
+Result<DocumentFile::Faults> DocumentFile::restore(const Backup& backup, const ProjectAccess& access) {
     BackupOrigin origin = backup.origin;
     if (!origin.hash) {  // an older version wrote the backup, or there was no file
         const Result<std::optional<ContentHash>> onDisk = hashOnDisk(origin.path);
@@ -61,18 +73,22 @@ Status DocumentFile::restore(const Backup& backup, const ProjectAccess& access) 
     return restore(backup, origin, access);
 }
 
-Status DocumentFile::restoreHere(const Backup& backup) {
+Result<DocumentFile::Faults> DocumentFile::restoreHere(const Backup& backup) {
     return restore(backup, {m_path, backup.origin.hash ? backup.origin.hash : m_base}, m_access);
 }
 
-Status DocumentFile::restoreWithoutFile(const Backup& backup) { return restore(backup, BackupOrigin(), {}); }
+Result<DocumentFile::Faults> DocumentFile::restoreWithoutFile(const Backup& backup) {
+    return restore(backup, BackupOrigin(), {});
+}
 
-Status DocumentFile::restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access) {
-    Result<Project> project = loadProject(toPath(backup.path));
-    if (!project) return project.error();
+Result<DocumentFile::Faults> DocumentFile::restore(const Backup& backup, const BackupOrigin& origin,
+                                                   const ProjectAccess& access) {
+    Result<RecoveredProject> recovered =
+        orOutOfMemory("restoring the backup", [&] { return recoverProject(toPath(backup.path)); });
+    if (!recovered) return recovered.error();
     setFile(origin, access);
-    m_document.replaceUnsaved(std::move(*project));
-    return success();
+    m_document.replaceUnsaved(std::move(recovered->project));
+    return std::move(recovered->faults);
 }
 
 Status DocumentFile::save() {
@@ -93,11 +109,14 @@ Status DocumentFile::saveAs(const QString& path) {
 }
 
 Status DocumentFile::write(const QString& path) {
-    const Status saved = saveProject(toPath(path), m_document.project());
-    if (!saved) return saved;
-    m_base = contentHash(projectText(m_document.project()));
-    m_document.setSaved();
-    return success();
+    const Status saved = orOutOfMemory("saving the project", [&]() -> Status {
+        const ContentHash hash = contentHash(projectText(m_document.project()));
+        const Status written = saveProject(toPath(path), m_document.project());
+        if (written) m_base = hash;
+        return written;
+    });
+    if (saved) m_document.setSaved();
+    return saved;
 }
 
 /// Takes over a path, its lock, and the content that later changes are based on; watches the path. Saving renames a new

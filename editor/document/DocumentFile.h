@@ -29,18 +29,22 @@ public:
 
     /// Loads a file into the document. On an error nothing changes.
     ///
-    /// Errors: those of readFile() and readProjectText(); Io if another process holds the lock: the message names it.
+    /// Errors: those of readFile() and readProjectText(); Limit if memory runs out; Io if another process holds the lock: the message names it.
     Status open(const QString& path);
     /// The same with access to the path that the caller has, which may be read-only.
     Status open(const QString& path, const ProjectAccess& access);
+    /// What is out of range in a backup, as sentences. Until it is mended, the project cannot be saved.
+    using Faults = std::vector<std::string>;
     /// Loads a backup into the document, unsaved, as the project that it was made of.
-    Status restore(const Backup& backup, const ProjectAccess& access);
+    ///
+    /// Errors: those of recoverProject().
+    Result<Faults> restore(const Backup& backup, const ProjectAccess& access);
     /// Loads a backup into the document, unsaved, as the project that is open, or as one without a file.
-    Status restoreHere(const Backup& backup);
-    Status restoreWithoutFile(const Backup& backup);
+    Result<Faults> restoreHere(const Backup& backup);
+    Result<Faults> restoreWithoutFile(const Backup& backup);
     /// Saves to path(), which must not be empty, whatever is on the disk.
     ///
-    /// Errors: those of saveProject(); Io if the file is read-only.
+    /// Errors: those of saveProject(); Limit if memory runs out; Io if the file is read-only.
     Status save();
     /// Saves to another path, which becomes path().
     ///
@@ -62,7 +66,7 @@ signals:
     void changedOnDisk();
 
 private:
-    Status restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);
+    Result<Faults> restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);
     void setFile(const BackupOrigin& origin, const ProjectAccess& access);
     Status write(const QString& path);
     void watch();

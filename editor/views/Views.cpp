@@ -92,6 +92,7 @@ void Views::addDocks() {
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
     auto* tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
     auto* strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
+    connect(&document, &Document::refused, this, &Views::statusMessage);
     connect(m_tree, &ProjectTree::refused, this, &Views::statusMessage);
     connect(m_inspector, &Inspector::refused, this, &Views::statusMessage);
     connect(m_playTools, &PlayToolsPanel::refused, this, &Views::statusMessage);

@@ -72,6 +72,7 @@ private:
             return;
         }
         m_push(std::move(values), text, m_mergeKey);
+        refresh();  // the document may have refused the edit
     }
 
     Document& m_document;

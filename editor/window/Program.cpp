@@ -1,6 +1,7 @@
 #include "editor/window/Program.h"
 
 #include "core/asset/project/StarterProject.h"
+#include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "editor/actions/FileActions.h"
@@ -115,7 +116,7 @@ void Program::showOpened(MainWindow& window) {
 
 MainWindow* Program::openCopy(const QString& path, MainWindow* from) {
     MainWindow* window = windowFor(from);
-    Result<Project> project = loadProject(toPath(path));
+    Result<Project> project = orOutOfMemory("opening the project", [&] { return loadProject(toPath(path)); });
     if (!project) {
         showError(window, project.error());
         return nullptr;
@@ -152,12 +153,22 @@ void Program::restoreBackup(const Backup& backup) {
     const bool isFree = opened && !opened->workspace().document().isModified();
     MainWindow* window = isFree ? opened : windowFor(pristineWindow());
     DocumentFile& file = window->workspace().file();
-    const Status restored = isFree   ? file.restoreHere(backup)
-                            : access ? file.restore(backup, *access)
-                                     : file.restoreWithoutFile(backup);
+    const Result<DocumentFile::Faults> restored = isFree   ? file.restoreHere(backup)
+                                                  : access ? file.restore(backup, *access)
+                                                           : file.restoreWithoutFile(backup);
     if (!restored) return showError(window, restored.error());
     window->workspace().autosave().adopt(backup);
     showOpened(*window);
+    showFaults(*window, *restored);
+}
+
+/// Shows what is out of range in a restored project; each fault is a message.
+void Program::showFaults(MainWindow& window, const DocumentFile::Faults& faults) {
+    if (faults.empty()) return;
+    for (const std::string& fault : faults)
+        window.views().messages().add({.severity = Severity::Error, .text = QString::fromStdString(fault)});
+    window.views().showStatus(
+        tr("Values of the restored project are out of range. Change them as the messages say, then save."));
 }
 
 void Program::quit() {

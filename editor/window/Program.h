@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/Autosave.h"
+#include "editor/document/DocumentFile.h"
 #include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/RecentFiles.h"
 
@@ -40,6 +41,7 @@ private:
     void offerBackups();
     void restoreBackup(const Backup& backup);
     void showOpened(MainWindow& window);
+    void showFaults(MainWindow& window, const DocumentFile::Faults& faults);
     MainWindow* windowFor(MainWindow* from);
     MainWindow* windowWith(const QString& path) const;
     MainWindow* pristineWindow() const;

@@ -4,6 +4,7 @@
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
+#include "core/asset/project/SurfaceFault.h"
 #include "core/base/MessageText.h"
 
 #include <algorithm>
@@ -114,10 +115,13 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
     return working;
 }
 
-/// A solid in a wrong unit is often too large or too small for a project.
+/// A solid in a wrong unit is often too large or too small for a project, and its texture coordinates may be anything.
 std::optional<std::string> solidRangeFault(const std::string& name, const ImportedSolid& solid) {
     const std::string owner = '"' + name + '"';
     if (auto fault = prismRangeFault(owner, {solid.prism.outline, solid.prism.depth})) return fault;
+    if (solid.surface.surface) {
+        if (auto fault = surfaceFault(owner, *solid.surface.surface)) return fault;
+    }
     return rangeFault(owner, ProjectNumber::InstancePosition, solid.prism.pose.position);
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/project/ProjectFile.h"
 
+#include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/io/json/FormatVersion.h"
 #include "core/io/project/AssetJson.h"
@@ -82,6 +83,25 @@ Result<Project> readAnyVersion(JsonDocument& document) {
     return project;
 }
 
+/// Reads a project without verifying it.
+Result<Project> readUnverified(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    return readAnyVersion(*document);
+}
+
+Result<RecoveredProject> readRecovered(std::string_view json) {
+    Result<Project> project = readUnverified(json);
+    if (!project) return project.error();
+    if (const std::optional<std::string> fault = structureFault(*project)) return Error{ErrorCode::BadInput, *fault};
+    for (const Asset& asset : project->assets) {
+        const Result<Prism> prism = validated(asset.prism);
+        if (!prism) return prism.error();
+    }
+    std::vector<std::string> faults = valueFaults(*project);
+    return RecoveredProject{std::move(*project), std::move(faults)};
+}
+
 }  // namespace
 
 std::string projectText(const Project& project) {
@@ -104,9 +124,7 @@ std::string projectText(const Project& project) {
 }
 
 Result<Project> readProjectText(std::string_view json) {
-    Result<JsonDocument> document = JsonDocument::parse(json);
-    if (!document) return document.error();
-    Result<Project> project = readAnyVersion(*document);
+    Result<Project> project = readUnverified(json);
     if (!project) return project;
     if (const std::optional<std::string> fault = verifyProject(*project)) return Error{ErrorCode::BadInput, *fault};
     return project;
@@ -129,13 +147,19 @@ Result<Project> loadProject(const std::filesystem::path& path) {
     return readProjectText(*text, path);
 }
 
+Result<RecoveredProject> recoverProject(const std::filesystem::path& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) return text.error();
+    Result<RecoveredProject> recovered = readRecovered(*text);
+    if (!recovered) return withPath("Cannot read", path, recovered.error());
+    return recovered;
+}
+
 Status saveProject(const std::filesystem::path& path, const Project& project) {
     if (const std::optional<std::string> fault = verifyProject(project))
         return withPath("Cannot write", path, {ErrorCode::BadInput, *fault});
     const std::string text = projectText(project);
-    if (text.size() > kMaxJsonSize) {
-        return withPath("Cannot write", path, {ErrorCode::Limit, "The project is larger than 256 MiB."});
-    }
+    if (const Status fits = checkJsonSize(text); !fits) return withPath("Cannot write", path, fits.error());
     removeLeftovers(path.parent_path());
     return writeFileAtomically(path, text);
 }

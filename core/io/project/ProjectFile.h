@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubble {
 
@@ -29,6 +30,17 @@ Result<Project> readProjectText(std::string_view json, const std::filesystem::pa
 ///
 /// Errors, with the path: those of readFile() and readProjectText().
 Result<Project> loadProject(const std::filesystem::path& path);
+
+/// A project of which some values may be out of range.
+struct RecoveredProject {
+    Project project;
+    std::vector<std::string> faults;  // valueFaults()
+};
+/// Loads a project file, such as a backup, also with values out of range, from which the project can be mended.
+///
+/// Errors, with the path: those of loadProject(), except for such values; BadInput for outlines that validated()
+/// rejects, as they cannot be shown.
+Result<RecoveredProject> recoverProject(const std::filesystem::path& path);
 
 /// Saves a project file atomically, and removes what killed programs left beside it.
 ///

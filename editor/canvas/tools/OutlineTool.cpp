@@ -147,8 +147,7 @@ bool OutlineTool::pushOutline(const QString& text, Polygon outline, quint64 merg
     }
     Asset asset = *editableAsset();
     asset.prism.outline = withCanonicalWinding(std::move(outline));
-    m_state.document.push(modify(text, std::move(asset), mergeKey));
-    return true;
+    return m_state.document.push(modify(text, std::move(asset), mergeKey));
 }
 
 void OutlineTool::release(const CanvasPointer& pointer) {
@@ -223,8 +222,8 @@ void OutlineTool::closeDraft() {
         if (!faults.empty()) return emit statusMessage(QString::fromStdString(faults[0].message));
         Addition addition = addAsset(m_state.document.project(), tr("shape").toStdString(),
                                      {withCanonicalWinding(outline), kDefaultDepth});
+        if (!m_state.document.push(std::move(addition.edit))) return;
         m_draft.reset();
-        m_state.document.push(std::move(addition.edit));
         m_state.selection.setAsset(addition.id);
     } else if (pushOutline(m_drawing == Drawing::Hole ? tr("Add Hole") : tr("Draw Outline"), outline)) {
         m_draft.reset();

@@ -340,7 +340,7 @@ void PlayTestPanel::changeTest(const QString& text, const std::function<void(Pla
     if (selected == nullptr || m_isFilling) return;
     PlayTest changed = *selected;
     change(changed);
-    m_document.push(modify(text, std::move(changed)));
+    if (!m_document.push(modify(text, std::move(changed)))) fill();
 }
 
 void PlayTestPanel::changeExpectation(const QString& text, const std::function<void(Expectation&)>& change) {
@@ -360,7 +360,7 @@ void PlayTestPanel::applyShot(QListWidgetItem* item) {
 
 void PlayTestPanel::addTest() {
     const Addition added = addPlayTest(m_document.project(), m_controller.lastShot());
-    m_document.push(added.edit);
+    if (!m_document.push(added.edit)) return;
     for (int row = 0; row < m_tree->topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = m_tree->topLevelItem(row);
         if (item->data(0, kIdRole).toUInt() == added.id) m_tree->setCurrentItem(item);

@@ -224,8 +224,7 @@ void ProjectTree::refuse(const QString& sentence) {
 
 void ProjectTree::addMaterial() {
     Addition addition = rubble::addMaterial(m_document.project(), tr("material").toStdString());
-    m_document.push(std::move(addition.edit));
-    select({Kind::Material, addition.id});
+    if (m_document.push(std::move(addition.edit))) select({Kind::Material, addition.id});
 }
 
 bool ProjectTree::hasSelection() const {
@@ -236,19 +235,17 @@ void ProjectTree::duplicateSelected() {
     if (!hasSelection()) return;
     const std::vector<Id> instances = selected(Kind::Instance);
     std::vector<Node> copies;
-    m_document.undoStack().beginMacro(tr("Duplicate"));
     const auto push = [&](Kind kind, Addition addition) {
-        m_document.push(std::move(addition.edit));
-        copies.push_back({kind, addition.id});
+        if (m_document.push(std::move(addition.edit))) copies.push_back({kind, addition.id});
     };
-    for (const Id id : selected(Kind::Material)) push(Kind::Material, duplicateMaterial(m_document.project(), id));
-    for (const Id id : selected(Kind::Asset)) push(Kind::Asset, duplicateAsset(m_document.project(), id));
-    if (!instances.empty()) {
+    m_document.pushTogether(tr("Duplicate"), [&] {
+        for (const Id id : selected(Kind::Material)) push(Kind::Material, duplicateMaterial(m_document.project(), id));
+        for (const Id id : selected(Kind::Asset)) push(Kind::Asset, duplicateAsset(m_document.project(), id));
+        if (instances.empty()) return;
         const Id first = m_document.project().nextId;
         m_document.push(duplicateInstances(m_document.project(), instances, kCopyOffset));
         for (Id id = first; id < m_document.project().nextId; ++id) copies.push_back({Kind::Instance, id});
-    }
-    m_document.undoStack().endMacro();
+    });
     if (copies.empty()) return;
     QItemSelection rows;
     for (const Node copy : copies) rows.select(m_model->indexOf(copy), m_model->indexOf(copy));
@@ -264,11 +261,11 @@ void ProjectTree::deleteSelected() {
     if (materials.size() == m_document.project().materials.size()) {
         return refuse(tr("The last material cannot be deleted, since every asset needs one."));
     }
-    m_document.undoStack().beginMacro(tr("Delete"));
-    if (!instances.empty()) m_document.push(removeInstances(m_document.project(), instances));
-    if (!assets.empty()) m_document.push(removeAssets(m_document.project(), assets));
-    for (const Id id : materials) m_document.push(removeMaterial(m_document.project(), id));
-    m_document.undoStack().endMacro();
+    m_document.pushTogether(tr("Delete"), [&] {
+        if (!instances.empty()) m_document.push(removeInstances(m_document.project(), instances));
+        if (!assets.empty()) m_document.push(removeAssets(m_document.project(), assets));
+        for (const Id id : materials) m_document.push(removeMaterial(m_document.project(), id));
+    });
     m_selection.prune(m_document.project());
 }
 

@@ -249,7 +249,7 @@ void StrengthPanel::change(const QString& text, const std::function<void(Asset&)
     if (asset() == nullptr) return;
     Asset changed = *asset();
     change(changed);
-    m_document.push(modify(text, std::move(changed)));
+    if (!m_document.push(modify(text, std::move(changed)))) refresh();
 }
 
 void StrengthPanel::addRequirement(const StrengthRequirement& requirement) {

@@ -97,7 +97,7 @@ QWidget* PatternEditor::patternRow() {
             [this](int index) { setPattern(static_cast<std::size_t>(index)); });
     connect(add, &QToolButton::clicked, this, [this] {
         if (selected().empty()) return;
-        m_document.push(addLevel(m_document.project(), m_pattern.asset));
+        if (!m_document.push(addLevel(m_document.project(), m_pattern.asset))) return;
         setPattern(findAsset(m_document.project(), m_pattern.asset)->levels.size());
     });
     connect(m_removeLevel, &QToolButton::clicked, this, [this] {
@@ -166,7 +166,7 @@ void PatternEditor::setPattern(std::size_t index) {
 void PatternEditor::addLayer(const LayerParameters& parameters) {
     if (selected().empty()) return;
     Addition addition = rubble::addLayer(m_document.project(), m_pattern.asset, parameters, m_pattern.index);
-    m_document.push(std::move(addition.edit));
+    if (!m_document.push(std::move(addition.edit))) return;
     m_model->refresh();
     showLayer(addition.id);
 }

@@ -99,8 +99,7 @@ Id LayerModel::duplicate(Id layer) {
     const Id id = copy.id;
     pattern.layers.insert(find(pattern, layer) + 1, std::move(copy));
     edit.swaps = {Swap<Asset>{m_pattern.asset, withPattern(m_document.project(), m_pattern, std::move(pattern))}};
-    m_document.push(std::move(edit));
-    return id;
+    return m_document.push(std::move(edit)) ? id : 0;
 }
 
 int LayerModel::rowCount(const QModelIndex& parent) const {

@@ -69,8 +69,7 @@ bool OutlineModel::pushOutline(const QString& text, Polygon outline) {
         emit refused(QString::fromStdString(valid.error().message));
         return false;
     }
-    m_document.push(modify(text, std::move(changed)));
-    return true;
+    return m_document.push(modify(text, std::move(changed)));
 }
 
 void OutlineModel::insertAfter(int row) {

@@ -322,8 +322,7 @@ bool ProjectModel::setFlag(Node node, int role, bool isOn) {
     (role == kHiddenRole ? changed.isHidden : changed.isLocked) = isOn;
     const QString text = role == kHiddenRole ? (isOn ? tr("Hide Instance") : tr("Show Instance"))
                                              : (isOn ? tr("Lock Instance") : tr("Unlock Instance"));
-    m_document.push(modify(text, std::move(changed)));
-    return true;
+    return m_document.push(modify(text, std::move(changed)));
 }
 
 bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -337,8 +336,7 @@ bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int 
         emit refused(fault);
         return false;
     }
-    m_document.push(renameElement(m_document.project(), partOf(node.kind), node.id, value.toString()));
-    return true;
+    return m_document.push(renameElement(m_document.project(), partOf(node.kind), node.id, value.toString()));
 }
 
 Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {

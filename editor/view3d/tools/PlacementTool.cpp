@@ -114,7 +114,7 @@ void PlacementTool::place(const std::optional<Pose>& pose) {
         return;
     }
     Addition added = placeInstance(m_workspace.project(), m_asset, *pose);
-    m_workspace.document().push(std::move(added.edit));
+    if (!m_workspace.document().push(std::move(added.edit))) return;
     m_workspace.selection().setSeeds({});
     m_workspace.selection().setInstances(m_workspace.project(), {added.id});
     m_viewport.setFocus();

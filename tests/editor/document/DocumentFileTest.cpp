@@ -193,6 +193,28 @@ private slots:
         QVERIFY(file.saveAs(m_folder->filePath("restored.rubble")));
         QVERIFY(!document.isModified());
     }
+    /// Older versions accepted values that can be neither saved nor loaded.
+    void backupWithValuesOutOfRangeIsRestoredAndMended() {
+        Project project = starterProject();
+        project.instances[0].pose.position.x = 2e5;
+        project.ground.height = 2000.0;
+        setBytes(backupPath(), QByteArray::fromStdString(projectText(project)));
+        QVERIFY(!loadProject(toPath(backupPath())));
+        Document document(emptyProject());
+        DocumentFile file(document);
+        const auto faults = file.restore({.path = backupPath(), .origin = {m_path, {}}}, accessProject(m_path));
+        QVERIFY(faults);
+        QCOMPARE(faults->size(), std::size_t{2});
+        QVERIFY((*faults)[0].ends_with("the position is (200000, 0, 0), but it must be from -100000 to 100000."));
+        QCOMPARE((*faults)[1], std::string("The ground: the height is 2000, but it must be from -1000 to 1000."));
+        QVERIFY(document.project() == project && !file.save());
+        edit(document);
+        SceneSettings scene = sceneSettings(document.project());
+        scene.ground.height = 0.0;
+        QVERIFY(document.push({.text = "Move Ground", .swaps = {scene}}));
+        QVERIFY(file.save());
+        QVERIFY(loadProject(toPath(m_path)));
+    }
 
 private:
     QString backupPath() const { return m_folder->filePath("backup.rubble"); }

@@ -191,6 +191,15 @@ private slots:
         QCOMPARE(parts.assets.size(), std::size_t{1});
         QCOMPARE(parts.rejected[0].error.code, ErrorCode::Degenerate);
     }
+    void textureCoordinatesOutOfRangeAreRejected() {
+        SourceObject wall = objectOf("Wall", wallMesh());
+        wall.hasUvs = true;
+        wall.triangles[0].uvs[0] = {2e9, 0.0};
+        QVERIFY2(importFault(sceneOf({wall})).startsWith("\"Wall\": "), qPrintable(importFault(sceneOf({wall}))));
+        QVERIFY(importFault(sceneOf({wall})).contains("2000000000"));
+        wall.triangles[0].uvs[0] = {1e9, 0.0};
+        QCOMPARE(importFault(sceneOf({wall})), QString());
+    }
     void otherErrorsAreNamed() {
         const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh())});
         QCOMPARE(importFault(scene, {.asset = "Roof"}),
