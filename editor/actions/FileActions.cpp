@@ -1,11 +1,13 @@
 #include "editor/actions/FileActions.h"
 
 #include "core/io/mesh/MeshImport.h"
+#include "core/io/system/AtomicFile.h"
 #include "core/io/system/ProgramFolder.h"
 #include "editor/dialogs/ExportDialog.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/ImportDialog.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/PreferenceStore.h"
@@ -79,7 +81,28 @@ void FileActions::openFile(const QString& path) {
 bool FileActions::save() {
     DocumentFile& file = m_workspace.file();
     if (file.path().isEmpty() || file.isReadOnly()) return saveAs();
-    return file.diskState() == DiskState::Changed ? saveOverChange() : saveTo(file.path());
+    const DiskState state = file.diskState();
+    if (state == DiskState::Unreadable) return saveOverUnreadable();
+    return state == DiskState::Changed ? saveOverChange() : saveTo(file.path());
+}
+
+/// Asks whether to overwrite a file that another program made unreadable.
+bool FileActions::saveOverUnreadable() {
+    DocumentFile& file = m_workspace.file();
+    enum Answer : std::size_t { kSaveAs, kOverwrite, kCancel };
+    const Result<std::string> bytes = readFile(toPath(file.path()));
+    const QString reason = bytes ? QString() : QString::fromStdString(bytes.error().message) + ' ';
+    m_isAskingAboutDisk = true;
+    const std::size_t answer = ask(
+        &m_views.window(), {.text = tr("%1 was changed by another program, and cannot be compared.").arg(file.name()),
+                            .informativeText = reason + tr("Overwriting it discards what is there now."),
+                            .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
+                                        {tr("Overwrite"), QMessageBox::DestructiveRole},
+                                        {tr("Cancel"), QMessageBox::RejectRole}},
+                            .defaultAnswer = kSaveAs});
+    m_isAskingAboutDisk = false;
+    if (answer == kSaveAs) return saveAs();
+    return answer == kOverwrite && saveTo(file.path());
 }
 
 /// Asks whether to overwrite a file that another program changed.

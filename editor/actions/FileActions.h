@@ -48,6 +48,7 @@ private:
     void saveAsTriggered() { saveAs(); }
     void revert();
     bool saveOverChange();
+    bool saveOverUnreadable();
     bool saveTo(const QString& path);
     void askAboutChangeOnDisk();
     void askAboutChange();

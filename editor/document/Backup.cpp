@@ -36,9 +36,8 @@ Status written(const QString& path, const QByteArray& bytes) {
     const std::filesystem::path target = toPath(path);
     int code = file.create(target.parent_path(), 0600);
     if (code == 0) code = writeAll(file.descriptor(), {bytes.data(), static_cast<std::size_t>(bytes.size())});
-    if (code == 0) code = file.renameTo(target);
     if (code != 0) return cannotWrite(target, code);
-    return success();
+    return file.renameTo(target, target);
 }
 
 QByteArray originText(const BackupOrigin& origin) {

@@ -109,14 +109,21 @@ Status DocumentFile::saveAs(const QString& path) {
 }
 
 Status DocumentFile::write(const QString& path) {
+    ContentHash written;
     const Status saved = orOutOfMemory("saving the project", [&]() -> Status {
-        const ContentHash hash = contentHash(projectText(m_document.project()));
-        const Status written = saveProject(toPath(path), m_document.project());
-        if (written) m_base = hash;
-        return written;
+        written = contentHash(projectText(m_document.project()));
+        return saveProject(toPath(path), m_document.project());
     });
-    if (saved) m_document.setSaved();
-    return saved;
+    if (!saved) {  // the file may be in place, but not flushed: that is no change by another program
+        const Result<std::optional<ContentHash>> onDisk = hashOnDisk(path);
+        if (path != m_path || !onDisk || *onDisk != written) return saved;
+        m_base = m_seen = written;
+        emit originChanged({m_path, m_base});
+        return saved;
+    }
+    m_base = written;
+    m_document.setSaved();
+    return success();
 }
 
 /// Takes over a path, its lock, and the content that later changes are based on; watches the path. Saving renames a new
@@ -141,7 +148,7 @@ void DocumentFile::watch() {
 
 DiskState DocumentFile::diskState() {
     const Result<std::optional<ContentHash>> onDisk = hashOnDisk(m_path);
-    if (!onDisk) return DiskState::Unchanged;
+    if (!onDisk) return DiskState::Unreadable;
     m_seen = *onDisk;
     if (m_seen == m_base) return DiskState::Unchanged;
     return m_seen ? DiskState::Changed : DiskState::Deleted;
@@ -150,7 +157,8 @@ DiskState DocumentFile::diskState() {
 void DocumentFile::checkForChange() {
     if (!m_watcher.files().contains(m_path) && QFileInfo::exists(m_path)) m_watcher.addPath(m_path);
     const std::optional<ContentHash> seen = m_seen;
-    if (diskState() != DiskState::Unchanged && m_seen != seen) emit changedOnDisk();
+    const DiskState state = diskState();
+    if (state != DiskState::Unchanged && state != DiskState::Unreadable && m_seen != seen) emit changedOnDisk();
 }
 
 }  // namespace rubble

@@ -11,7 +11,12 @@
 namespace rubble {
 
 /// A file compared with what was loaded from it or saved to it last.
-enum class DiskState { Unchanged, Changed, Deleted };
+enum class DiskState {
+    Unchanged,
+    Changed,
+    Deleted,
+    Unreadable,  // it is too large, may not be read or is no file at all
+};
 
 /// The file of a document: opens and saves it, holds its lock, and watches for changes by other programs.
 class DocumentFile : public QObject {
@@ -53,8 +58,7 @@ public:
     /// Loads the file again and discards unsaved changes.
     Status reload() { return open(m_path, m_access); }
 
-    /// Reads the file; changedOnDisk() does not report the same content again. A file that cannot be read counts as
-    /// unchanged.
+    /// Reads the file; changedOnDisk() does not report the same content again, nor a file that cannot be read.
     DiskState diskState();
 
 signals:

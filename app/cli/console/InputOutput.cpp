@@ -16,8 +16,8 @@ Result<std::string> readInput(const std::string& path, const CliContext& context
 
 Status writeOutput(const std::string& path, std::string_view text, const CliContext& context) {
     if (path != "-") {
-        removeLeftovers(std::filesystem::path(path).parent_path());
-        return writeFileAtomically(path, text);
+        removeLeftovers(linkTarget(path).parent_path());
+        return writeFileOrStream(path, text);
     }
     context.out << text << std::flush;
     if (!context.out) return Error{ErrorCode::Io, "Standard output cannot be written. Is the disk full?"};

@@ -15,7 +15,7 @@ Result<std::string> readInput(const std::string& path, const CliContext& context
 
 /// Writes text to a file atomically, or to `context.out` where `path` is "-".
 ///
-/// Errors: those of writeFileAtomically(); Io if the output cannot be written.
+/// Errors: those of writeFileOrStream(); Io if the output cannot be written.
 Status writeOutput(const std::string& path, std::string_view text, const CliContext& context);
 
 /// Writes printableText() of a result, a line or JSON, to `context.out`.

@@ -85,8 +85,7 @@ Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, c
     const OpenFile written(part, O_RDONLY);
     if (!written.isOpen() || ::fsync(written.descriptor()) != 0 || ::rename(part.c_str(), film.c_str()) != 0)
         return cannotWrite(film, errno);
-    syncFolder(film.parent_path());
-    return success();
+    return flushRenamed(film, film);
 }
 
 }  // namespace rubble

@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr const char* kManifestFormat = "rubble-manifest";
 constexpr std::uint32_t kManifestVersion = 1;
 constexpr std::size_t kMaxFlushes = 16;  // of single files; above, the whole file system is flushed once
+enum class Flush { SingleFiles, FileSystem };
 /// Files that engines write beside those that they import: Godot, Unity.
 constexpr std::array kEngineSuffixes{".import", ".uid", ".meta"};
 
@@ -136,6 +137,50 @@ Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFl
     return success();
 }
 
+/// Gives a new file or folder the permissions and the group of an old one, and its owner where the user may. Returns 0
+/// or errno.
+int inheritFrom(const struct stat& old, int created) {
+    struct stat status {};
+    if (::fstat(created, &status) != 0) return errno;
+    const bool isOwned = status.st_uid == old.st_uid || ::fchown(created, old.st_uid, old.st_gid) == 0;
+    const bool hasGroup = status.st_gid == old.st_gid || (isOwned && status.st_uid != old.st_uid);
+    if (!hasGroup && ::fchown(created, static_cast<uid_t>(-1), old.st_gid) != 0) return errno;
+    return ::fchmod(created, old.st_mode & 07777) == 0 ? 0 : errno;
+}
+
+/// Makes the files of a new export those of the old one's owner and group; files of the same name inherit their own, and
+/// permissions.
+Status inheritFiles(const fs::path& folder, const struct stat& folderStatus, const fs::path& replacement) {
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(replacement);
+    if (!entries) return entries.error();
+    for (const fs::directory_entry& entry : *entries) {
+        const fs::path earlier = folder / entry.path().filename();
+        const OpenFile file(entry.path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+        struct stat status {};
+        if (!file.isOpen() || ::fstat(file.descriptor(), &status) != 0) return cannotWrite(earlier, errno);
+        struct stat old = folderStatus;
+        old.st_mode = status.st_mode;
+        if (struct stat found{}; ::lstat(earlier.c_str(), &found) == 0 && S_ISREG(found.st_mode)) old = found;
+        if (const int code = inheritFrom(old, file.descriptor())) return cannotWrite(earlier, code);
+    }
+    return success();
+}
+
+/// Fails where the folder or a file of its manifest may not be written to, which a rename would ignore.
+Status checkWritable(const fs::path& folder) {
+    if (::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0) return cannotWrite(folder, errno);
+    const std::optional<Manifest> manifest = readManifest(folder);
+    if (!manifest) return success();
+    std::vector<std::string> names{kManifestName};
+    for (const ManifestEntry& file : manifest->files) names.push_back(file.name);
+    for (const std::string& name : names) {
+        const fs::path path = folder / name;
+        if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT)
+            return cannotWrite(path, errno);
+    }
+    return success();
+}
+
 /// Locks a folder against others that replace folders in it, where the file system has locks, until it is closed.
 Result<OpenFile> lockFolder(const fs::path& folder, const TaskContext& task) {
     constexpr int kLockPollMilliseconds = 10;
@@ -160,35 +205,53 @@ Status keepEngineFiles(const fs::path& folder, const fs::path& replacement) {
         if (::link(entry.path().c_str(), kept.c_str()) == 0) continue;
         fs::copy_file(entry.path(), kept, error);
         if (error) return cannotWrite(kept, error.value());
+        const OpenFile copy(kept, O_RDONLY);
+        if (!copy.isOpen() || ::fsync(copy.descriptor()) != 0) return cannotWrite(kept, errno);
     }
     return success();
 }
 
 /// Replaces a folder by a new one where the file system cannot exchange them: a process that is killed between the two
 /// renames leaves the old folder to removeLeftovers().
-Status moveAndReplace(const fs::path& replacement, const fs::path& folder) {
-    const auto old = TemporaryFolder::create(folder.parent_path(), TemporaryFolder::Purpose::OldContents);
+Status moveAndReplace(const TemporaryFolder& replacement, const fs::path& folder) {
+    const auto old = TemporaryFolder::createForOldContents(replacement);
     if (!old) return old.error();
     const fs::path earlier = (*old)->path() / folder.filename();
     std::error_code error;
     const bool hadEarlier = fs::exists(fs::symlink_status(folder, error));
     if (hadEarlier && ::rename(folder.c_str(), earlier.c_str()) != 0) return cannotWrite(folder, errno);
-    if (::rename(replacement.c_str(), folder.c_str()) == 0) return success();
-    const int code = errno;
+    int code = ::rename(replacement.path().c_str(), folder.c_str()) == 0 ? 0 : errno;
+    if (code == 0) {
+        code = syncFolder(folder.parent_path());  // before the old folder is removed
+        if (code == 0) return success();
+        if (::rename(folder.c_str(), replacement.path().c_str()) != 0) {
+            (*old)->release();
+            return cannotWrite(folder, code);
+        }
+    }
     if (hadEarlier && ::rename(earlier.c_str(), folder.c_str()) != 0) (*old)->release();
     return cannotWrite(folder, code);
 }
 
-/// Gives a new folder its name in one step; afterwards `replacement` holds the old one, if there was one.
-Status replaceFolder(const fs::path& replacement, const fs::path& folder) {
+/// Gives a new folder its name in one step that survives a power cut; afterwards `replacement` holds the old one, if
+/// there was one.
+Status replaceFolder(const TemporaryFolder& replacement, const fs::path& folder) {
     const auto rename = [&](unsigned flags) {
-        return ::renameat2(AT_FDCWD, replacement.c_str(), AT_FDCWD, folder.c_str(), flags) == 0 ? 0 : errno;
+        return ::renameat2(AT_FDCWD, replacement.path().c_str(), AT_FDCWD, folder.c_str(), flags) == 0 ? 0 : errno;
     };
     int code = rename(RENAME_NOREPLACE);
-    if (code == EEXIST) code = rename(RENAME_EXCHANGE);
+    const bool isExchange = code == EEXIST;
+    if (isExchange) code = rename(RENAME_EXCHANGE);
     if (code == EINVAL || code == ENOSYS) return moveAndReplace(replacement, folder);
     if (code != 0) return cannotWrite(folder, code);
-    return success();
+    code = syncFolder(folder.parent_path());
+    if (code == 0) return success();
+    if (isExchange) {
+        static_cast<void>(rename(RENAME_EXCHANGE));
+    } else {
+        static_cast<void>(::rename(folder.c_str(), replacement.path().c_str()));
+    }
+    return cannotWrite(folder, code);
 }
 
 Status checkReplaceable(const fs::path& folder, EditedFiles edited) {
@@ -214,17 +277,26 @@ Status checkReplaceable(const fs::path& folder, EditedFiles edited) {
 }
 
 /// Checks an earlier export and replaces it, without any other process doing so at the same time.
-Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder, EditedFiles edited,
+Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder, EditedFiles edited, Flush flush,
                      const TaskContext& task) {
     const Result<OpenFile> lock = lockFolder(folder.parent_path(), task);
     if (!lock) return lock.error();
     if (const Status free = checkReplaceable(folder, edited); !free) return free;
     struct stat old {};
-    if (::stat(folder.c_str(), &old) == 0) {
-        if (::fchmod(replacement.descriptor(), old.st_mode & 07777) != 0) return cannotWrite(folder, errno);
+    const bool hasOld = ::stat(folder.c_str(), &old) == 0;
+    if (hasOld) {
+        if (const Status writable = checkWritable(folder); !writable) return writable;
+        if (const Status inherited = inheritFiles(folder, old, replacement.path()); !inherited) return inherited;
         if (const Status kept = keepEngineFiles(folder, replacement.path()); !kept) return kept;
     }
-    return replaceFolder(replacement.path(), folder);
+    const int code = hasOld ? inheritFrom(old, replacement.descriptor())
+                     : ::fchmod(replacement.descriptor(), replacement.permissionsOfNew()) != 0 ? errno
+                                                                                               : 0;
+    if (code != 0) return cannotWrite(folder, code);
+    const bool isSingle = flush == Flush::SingleFiles;
+    if ((isSingle ? ::fsync(replacement.descriptor()) : ::syncfs(replacement.descriptor())) != 0)
+        return cannotWrite(folder, errno);
+    return replaceFolder(replacement, folder);
 }
 
 }  // namespace
@@ -260,11 +332,13 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
     if (folder.has_parent_path()) {
         if (const Status created = parents.create(folder.parent_path()); !created) return created;
     }
+    if (folder != path) removeLeftovers(folder.parent_path());  // the caller knows of the link's folder only
     const auto partial = TemporaryFolder::create(folder.parent_path());
     if (!partial) return partial.error();
 
     Manifest manifest{source.hex(), {}};
-    const bool isFlushed = files.size() <= kMaxFlushes;
+    const Flush flush = files.size() <= kMaxFlushes ? Flush::SingleFiles : Flush::FileSystem;
+    const bool isFlushed = flush == Flush::SingleFiles;
     for (const ExportFile& file : files) {
         if (task.isCancelled()) return TaskContext::cancelled();
         const Status written = writeExportedFile((*partial)->path() / file.name, file.bytes, isFlushed);
@@ -273,10 +347,7 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
     }
     const Status listed = writeExportedFile((*partial)->path() / kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
-    if (!isFlushed && ::syncfs((*partial)->descriptor()) != 0) return cannotWrite(folder, errno);
-    if (const Status replaced = replaceExport(**partial, folder, edited, task); !replaced) return replaced;
-    syncFolder(folder.parent_path());
-    return success();
+    return replaceExport(**partial, folder, edited, flush, task);
 }
 
 }  // namespace rubble

@@ -31,8 +31,8 @@ bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
 std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
 /// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An earlier
-/// export is replaced, except for what engines wrote in it; a link to a folder stays one. On an error or a cancellation
-/// nothing changes. Creates missing parent folders. Of several processes that write the same folder, the last one wins.
+/// export is replaced, except for what engines wrote in it; a link to a folder stays one. Permissions and group are
+/// kept, and the owner where the user may give files away. On an error or a cancellation nothing changes. Creates missing parent folders. Of several processes that write the same folder, the last one wins.
 ///
 /// Errors: Io, with the path and the system's reason; BadInput if the folder holds an unexpected file, with its name;
 /// Edited if it holds a modified one that is to be kept; Cancelled.

@@ -131,14 +131,10 @@ Result<Project> readProjectText(std::string_view json) {
 }
 
 Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path) {
+    if (isInterruptedSave(json)) return withPath("Cannot read", path, {ErrorCode::BadInput, interruptedSaveText(path)});
     Result<Project> project = readProjectText(json);
-    if (project) return project;
-    Error error = withPath("Cannot read", path, project.error());
-    std::error_code ignored;
-    const std::filesystem::path copy = copyBeforeSave(path);
-    if (std::filesystem::exists(copy, ignored))
-        error.message += " Saving it was interrupted; \"" + copy.string() + "\" is the project as it was before.";
-    return error;
+    if (!project) return withPath("Cannot read", path, project.error());
+    return project;
 }
 
 Result<Project> loadProject(const std::filesystem::path& path) {
@@ -160,7 +156,7 @@ Status saveProject(const std::filesystem::path& path, const Project& project) {
         return withPath("Cannot write", path, {ErrorCode::BadInput, *fault});
     const std::string text = projectText(project);
     if (const Status fits = checkJsonSize(text); !fits) return withPath("Cannot write", path, fits.error());
-    removeLeftovers(path.parent_path());
+    removeLeftovers(linkTarget(path).parent_path());
     return writeFileAtomically(path, text);
 }
 

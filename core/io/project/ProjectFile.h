@@ -23,7 +23,7 @@ std::string projectText(const Project& project);
 /// Errors: BadInput if the text is not JSON of this form, with the path ("assets[2].prism.depth: ..."), or if
 /// verifyProject() finds an error; Unsupported if its version is newer; Limit if it is too large.
 Result<Project> readProjectText(std::string_view json);
-/// The same for the text of a file, whose path the errors name, and a copy that an interrupted save left beside it.
+/// The same for the text of a file, whose path the errors name. An interrupted save is told as one.
 Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path);
 
 /// Loads a project file.

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The first byte of a file that is being written in place. No format of ours begins with it.
+constexpr char kInterrupted = '\0';
 constexpr std::size_t kMaxFileSize = std::size_t{1} << 30;  // bytes; files are read into memory whole
 
 Error tooLarge(const fs::path& path) {
@@ -32,35 +34,48 @@ Status writeToDevice(const fs::path& path, std::string_view bytes) {
     return success();
 }
 
-/// Writes a file that does not exist yet and flushes it to disk; returns 0 or errno.
-int writeNewFile(const fs::path& path, std::string_view bytes, mode_t permissions) {
-    OpenFile file(path, O_WRONLY | O_CREAT | O_EXCL, permissions);
-    if (!file.isOpen()) return errno;
-    if (const int code = writeAll(file.descriptor(), bytes)) return code;
-    return ::fsync(file.descriptor()) != 0 || file.close() != 0 ? errno : 0;
+/// Writes one byte at the start of a file and flushes all that was written to disk; returns 0 or errno.
+int setFirstByte(const OpenFile& file, char byte) {
+    const ssize_t count = ::pwrite(file.descriptor(), &byte, 1, 0);
+    if (count != 1) return count < 0 ? errno : EIO;
+    return ::fsync(file.descriptor()) == 0 ? 0 : errno;
 }
 
-/// Replaces the bytes of a file and flushes them to disk; returns 0 or errno.
+/// Replaces the bytes of a file and flushes them to disk; returns 0 or errno. Until all others are on the disk, the first
+/// one is kInterrupted.
 int overwriteBytes(const fs::path& path, std::string_view bytes) {
-    OpenFile file(path, O_WRONLY);
+    OpenFile file(path, O_WRONLY | O_NONBLOCK);
     if (!file.isOpen()) return errno;
-    if (const int code = writeAll(file.descriptor(), bytes)) return code;
+    if (const int code = setFirstByte(file, kInterrupted)) return code;
+    if (::lseek(file.descriptor(), 1, SEEK_SET) != 1) return errno;
+    if (const int code = writeAll(file.descriptor(), bytes.substr(std::min<std::size_t>(1, bytes.size())))) return code;
     if (::ftruncate(file.descriptor(), static_cast<off_t>(bytes.size())) != 0) return errno;
-    return ::fsync(file.descriptor()) != 0 || file.close() != 0 ? errno : 0;
+    if (::fsync(file.descriptor()) != 0) return errno;
+    if (!bytes.empty()) {
+        if (const int code = setFirstByte(file, bytes.front())) return code;
+    }
+    return file.close() == 0 ? 0 : errno;
+}
+
+/// Writes a copy, whole or not at all, and flushes it to disk. A copy that is there is replaced: it is older than the
+/// file, which is whole.
+Status writeCopy(const fs::path& copy, std::string_view bytes) {
+    TemporaryFile temporary;
+    if (const int code = temporary.create(copy.parent_path(), 0600)) return cannotWrite(copy, code);
+    if (const int code = writeAll(temporary.descriptor(), bytes)) return cannotWrite(copy, code);
+    return temporary.renameTo(copy, copy);
 }
 
 /// Writes into the existing file, after a copy of it beside it, which is removed at the end.
 Status writeInPlace(const fs::path& path, std::string_view bytes) {
     const Result<std::string> old = readFile(path);
     if (!old) return old.error();
+    if (isInterruptedSave(*old)) return withPath("Cannot write", path, {ErrorCode::Io, interruptedSaveText(path)});
     const fs::path copy = copyBeforeSave(path);
-    if (const int code = writeNewFile(copy, *old, 0600)) {
-        if (code != EEXIST) ::unlink(copy.c_str());
-        if (code != EEXIST) return cannotWrite(path, code);
-        return Error{ErrorCode::Io, "Cannot write \"" + path.string() + "\": an interrupted save left \"" +
-                                        copy.string() + "\". Compare the two and move or delete it."};
+    if (const Status copied = writeCopy(copy, *old); !copied) {
+        ::unlink(copy.c_str());
+        return copied;
     }
-    syncFolder(path.parent_path());
     const int code = overwriteBytes(path, bytes);
     const bool isWhole = code == 0 || overwriteBytes(path, *old) == 0;
     if (isWhole) ::unlink(copy.c_str());
@@ -83,19 +98,17 @@ Status replaceFile(const fs::path& path, const fs::path& target, std::string_vie
             return writeInPlace(target, bytes);
         if (::fchmod(temporary.descriptor(), old->st_mode & 0777) != 0) return cannotWrite(path, errno);
     }
-    int code = writeAll(temporary.descriptor(), bytes);
-    if (code == 0) code = temporary.renameTo(target);
-    if (code != 0) return cannotWrite(path, code);
-    return success();
+    if (const int code = writeAll(temporary.descriptor(), bytes)) return cannotWrite(path, code);
+    return temporary.renameTo(target, path);
 }
 
 bool hasAccessList(const fs::path& path) { return ::getxattr(path.c_str(), "system.posix_acl_access", nullptr, 0) > 0; }
 
-/// Returns the end of a sentence about a path that is not a regular file.
-const char* kindOf(mode_t mode) {
-    if (S_ISFIFO(mode)) return "it is a pipe, not a file";
-    if (S_ISSOCK(mode)) return "it is a socket, not a file";
-    return "it is a device, not a file";
+/// The error of what cannot be done with a path that is not a regular file.
+Error notAFile(const char* verb, const fs::path& path, mode_t mode) {
+    const char* kind = S_ISFIFO(mode) ? "pipe" : S_ISSOCK(mode) ? "socket" : "device";
+    return {ErrorCode::Io,
+            std::string("Cannot ") + verb + " \"" + path.string() + "\": it is a " + kind + ", not a file."};
 }
 
 }  // namespace
@@ -108,7 +121,29 @@ fs::path linkTarget(fs::path path) {
     return path;
 }
 
-fs::path copyBeforeSave(const fs::path& path) { return path.native() + ".before-save"; }
+fs::path copyBeforeSave(const fs::path& path) {
+    std::error_code error;
+    const fs::path target = fs::canonical(path, error);
+    return (error ? path : target).native() + ".before-save";
+}
+
+bool isInterruptedSave(std::string_view bytes) { return bytes.starts_with(kInterrupted); }
+
+std::string interruptedSaveText(const fs::path& path) {
+    std::error_code ignored;
+    const fs::path copy = copyBeforeSave(path);
+    if (fs::exists(copy, ignored))
+        return "Saving it was interrupted; \"" + copy.string() +
+               "\" is the file as it was before. Move it over the damaged one.";
+    return "Saving it was interrupted, perhaps by another name of the file: look beside its hard links for the file as "
+           "it was before, whose name ends in \".before-save\", and move that over the damaged one.";
+}
+
+Status writeFileOrStream(const fs::path& path, std::string_view bytes) {
+    struct stat status {};
+    const bool isFile = ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
+    return isFile ? writeFileAtomically(path, bytes) : writeToDevice(path, bytes);
+}
 
 Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
     struct stat old {};
@@ -118,7 +153,7 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
         return replaceFile(path, linkTarget(path), bytes, std::nullopt);
     }
     if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
-    if (!S_ISREG(old.st_mode)) return writeToDevice(path, bytes);
+    if (!S_ISREG(old.st_mode)) return notAFile("write", path, old.st_mode);
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
         return cannotWrite(path, errno);                 // a rename would ignore the protection
     const fs::path target = fs::canonical(path, error);  // replaces the target of a symbolic link
@@ -133,8 +168,7 @@ Result<std::string> readFile(const fs::path& path) {
     struct stat status {};
     if (::fstat(file.descriptor(), &status) != 0) return cannotRead(path, errno);
     if (S_ISDIR(status.st_mode)) return cannotRead(path, EISDIR);
-    if (!S_ISREG(status.st_mode))
-        return Error{ErrorCode::Io, "Cannot read \"" + path.string() + "\": " + kindOf(status.st_mode) + "."};
+    if (!S_ISREG(status.st_mode)) return notAFile("read", path, status.st_mode);
     if (status.st_size > static_cast<off_t>(kMaxFileSize)) return tooLarge(path);
     std::string bytes(status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : 65536, '\0');
     std::size_t used = 0;

@@ -9,8 +9,9 @@
 namespace rubble {
 
 /// Writes a file atomically: to a temporary file beside it, flushed to disk, then renamed over it. On an error the old
-/// file is unchanged and the temporary one removed. Symbolic links, owner and permissions are kept. Devices and pipes
-/// are written directly.
+/// file is unchanged and the temporary one removed; or, which the error says, the new file is in place, but its folder
+/// cannot be flushed. Symbolic links, owner and permissions are kept. Never
+/// waits: pipes and devices are refused.
 ///
 /// A file with several hard links, an access control list or an owner that cannot be given to a new file is written in
 /// place, after a copy of it: see copyBeforeSave().
@@ -18,12 +19,23 @@ namespace rubble {
 /// Errors: Io, with the path and the system's reason.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, but pipes and devices are written to directly. Opening a pipe waits for its reader.
+///
+/// Errors: those of writeFileAtomically().
+Status writeFileOrStream(const std::filesystem::path& path, std::string_view bytes);
+
 /// Returns what a path leads to if it is a symbolic link, whether it exists or not; else the path.
 std::filesystem::path linkTarget(std::filesystem::path path);
 
-/// Returns the path of the copy that exists while a file is written in place: "house.rubble.before-save". It stays if
-/// the process is killed meanwhile.
+/// Returns the path of the copy that exists while a file is written in place: "house.rubble.before-save", beside what a
+/// symbolic link leads to. It stays if the process is killed meanwhile.
 std::filesystem::path copyBeforeSave(const std::filesystem::path& path);
+
+/// Returns whether a process was killed while it wrote these bytes of a file in place. They are marked: a mixture of old
+/// and new could be mistaken for a whole file.
+bool isInterruptedSave(std::string_view bytes);
+/// What a user can do about a file that isInterruptedSave(): sentences that name the copy, if it is there.
+std::string interruptedSaveText(const std::filesystem::path& path);
 
 /// Returns the contents of a regular file. Never waits: pipes and devices are refused.
 ///

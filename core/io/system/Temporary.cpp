@@ -40,22 +40,38 @@ bool lockNew(const OpenFile& file) {
     return ::fstat(file.descriptor(), &status) == 0 && status.st_nlink > 0;
 }
 
-bool isTemporary(const std::string& name, const char* suffix) {
-    return name.starts_with(kPrefix) && name.ends_with(suffix);
+/// Whether a name is one that unusedPath() gives: users may have hidden files of similar names.
+bool isTemporary(const std::string& name, std::string_view suffix) {
+    constexpr std::size_t kRandomDigits = 16;
+    constexpr const char* kDigits = "0123456789abcdef";
+    const std::string_view prefix = kPrefix;
+    if (!name.starts_with(prefix) || !name.ends_with(suffix) || name.size() < prefix.size() + suffix.size())
+        return false;
+    const std::string stem = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    const std::size_t dash = stem.find_first_not_of("0123456789");
+    return dash != 0 && dash != std::string::npos && stem[dash] == '-' && stem.size() == dash + 1 + kRandomDigits &&
+           stem.find_first_not_of(kDigits, dash + 1) == std::string::npos;
 }
 
-/// Moves the entries of a folder back beside it where their name is free. Returns false if that fails.
+/// The path of the other folder of a replacement: of the old contents for the new ones.
+fs::path oldContentsOf(const fs::path& replacement) { return fs::path(replacement).replace_extension(kOldSuffix); }
+fs::path replacementOf(const fs::path& oldContents) { return fs::path(oldContents).replace_extension(kNewSuffix); }
+
+/// Moves the entries of a folder back beside it. Returns whether the rest can be removed: entries whose name is taken
+/// are kept unless it was taken by their replacement, which then is no longer in its folder.
 bool moveBack(const fs::path& leftover) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(leftover);
     if (!entries) return false;
+    std::error_code error;
+    const bool isReplaced = !fs::exists(fs::symlink_status(replacementOf(leftover), error));
+    bool isEmptied = true;
     for (const fs::directory_entry& entry : *entries) {
         const fs::path place = leftover.parent_path() / entry.path().filename();
-        std::error_code error;
-        if (fs::exists(fs::symlink_status(place, error))) continue;
-        fs::rename(entry.path(), place, error);
-        if (error) return false;
+        const bool isTaken = fs::exists(fs::symlink_status(place, error));
+        if (!isTaken) fs::rename(entry.path(), place, error);
+        if (isTaken ? !isReplaced : static_cast<bool>(error)) isEmptied = false;
     }
-    return true;
+    return isEmptied;
 }
 
 void removeLeftover(const fs::path& path) {
@@ -88,27 +104,39 @@ TemporaryFile::~TemporaryFile() {
     if (!m_path.empty()) ::unlink(m_path.c_str());
 }
 
-int TemporaryFile::renameTo(const fs::path& target) {
-    if (::fsync(m_file->descriptor()) != 0) return errno;
+Status TemporaryFile::renameTo(const fs::path& target, const fs::path& path) {
+    if (::fsync(m_file->descriptor()) != 0) return cannotWrite(path, errno);
     // It stays open, and locked, until it has its name. No error is left for close() to report: all is on disk.
-    if (::rename(m_path.c_str(), target.c_str()) != 0) return errno;
+    if (::rename(m_path.c_str(), target.c_str()) != 0) return cannotWrite(path, errno);
     m_path.clear();
     m_file.reset();
-    syncFolder(target.parent_path());
-    return 0;
+    return flushRenamed(target, path);
 }
 
-Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::create(const fs::path& parent, Purpose purpose) {
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::create(const fs::path& parent) {
+    return create(parent, [&] { return unusedPath(parent, kNewSuffix); });
+}
+
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::createForOldContents(const TemporaryFolder& replacement) {
+    return create(replacement.path().parent_path(), [&] { return oldContentsOf(replacement.path()); });
+}
+
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::create(const fs::path& parent,
+                                                                 const std::function<fs::path()>& pathOfAttempt) {
     for (;;) {
-        const fs::path path = unusedPath(parent, purpose == Purpose::OldContents ? kOldSuffix : kNewSuffix);
-        if (::mkdir(path.c_str(), 0777) != 0) {
+        const fs::path path = pathOfAttempt();
+        if (::mkdir(path.c_str(), 0777) != 0) {  // empty for now: others see nothing before fchmod()
             if (errno == EEXIST) continue;
             return cannotDo("write into", parent, errno);
         }
         OpenFile lock(path, O_RDONLY | O_DIRECTORY);
         const int code = errno;
-        if (lock.isOpen() && lockNew(lock))
-            return std::unique_ptr<TemporaryFolder>(new TemporaryFolder(path, std::move(lock)));
+        struct stat status {};
+        if (lock.isOpen() && lockNew(lock) && ::fstat(lock.descriptor(), &status) == 0) {
+            std::unique_ptr<TemporaryFolder> folder(new TemporaryFolder(path, std::move(lock), status.st_mode));
+            if (::fchmod(folder->descriptor(), 0700) != 0) return cannotDo("write into", parent, errno);
+            return folder;
+        }
         if (lock.isOpen() || code == ENOENT) continue;  // removed as a leftover
         ::rmdir(path.c_str());
         return cannotDo("write into", parent, code);
@@ -130,9 +158,19 @@ int writeAll(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-void syncFolder(const fs::path& folder) {
+int syncFolder(const fs::path& folder) {
     const OpenFile opened(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
-    if (opened.isOpen()) static_cast<void>(::fsync(opened.descriptor()));
+    if (!opened.isOpen()) return errno == EACCES ? 0 : errno;
+    if (::fsync(opened.descriptor()) == 0) return 0;
+    return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
+}
+
+Status flushRenamed(const fs::path& target, const fs::path& path) {
+    const int code = syncFolder(target.parent_path());
+    if (code == 0) return success();
+    return Error{ErrorCode::Io, "\"" + path.string() + "\" was written, but its folder cannot be flushed to disk (" +
+                                    std::generic_category().message(code) +
+                                    "): a power cut may undo it. Write it again or elsewhere."};
 }
 
 void removeLeftovers(const fs::path& folder) {
@@ -140,7 +178,12 @@ void removeLeftovers(const fs::path& folder) {
     if (!entries) return;  // what is about to be written there will tell
     for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
-        if (isTemporary(name, kNewSuffix) || isTemporary(name, kOldSuffix)) removeLeftover(entry.path());
+        if (isTemporary(name, kOldSuffix)) removeLeftover(entry.path());
+    }
+    for (const fs::directory_entry& entry : *entries) {
+        std::error_code error;  // while there are old contents, their replacement tells what happened to them
+        const bool isNeeded = fs::exists(fs::symlink_status(oldContentsOf(entry.path()), error));
+        if (isTemporary(entry.path().filename().string(), kNewSuffix) && !isNeeded) removeLeftover(entry.path());
     }
 }
 

@@ -22,6 +22,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include <sys/stat.h>
+
 #include <memory>
 
 using namespace rubble;
@@ -260,6 +262,34 @@ private slots:
         QCOMPARE(heightIn(m_path), kOtherHeight);
         QVERIFY(window.workspace().document().isModified());
     }
+    void pipeInPlaceOfTheFileNeitherBlocksNorIsWritten() {
+        MainWindow& window = *editedWindow();
+        QVERIFY(QFile::remove(m_path));
+        QCOMPARE(::mkfifo(m_path.toUtf8().constData(), 0600), 0);
+        test::onNextDialog<QMessageBox>([this](QMessageBox& box) {
+            m_question = box.informativeText();
+            test::onNextDialog<QMessageBox>([this](QMessageBox& error) {
+                m_error = error.text();
+                press(error, "OK");
+            });
+            press(box, "Overwrite");
+        });
+        QVERIFY(!window.fileActions().save());
+        QVERIFY2(m_question.contains("it is a pipe"), qPrintable(m_question));
+        QVERIFY2(m_error.startsWith("Cannot write"), qPrintable(m_error));
+        QVERIFY(window.workspace().document().isModified());
+    }
+    void unreadableFileIsNotOverwrittenUnasked() {
+        MainWindow& window = *editedWindow();
+        QFile::resize(m_path, (qint64{1} << 30) + 1);  // a sparse file
+        answer("Cancel");
+        QVERIFY(!window.fileActions().save());
+        QVERIFY2(m_question.contains("it is larger than 1 GiB"), qPrintable(m_question));
+        QCOMPARE(QFileInfo(m_path).size(), (qint64{1} << 30) + 1);
+        answer("Overwrite");
+        QVERIFY(window.fileActions().save());
+        QCOMPARE(heightIn(m_path), kEditedHeight);
+    }
     void deletionIsToldAsDeletion() {
         MainWindow& window = *editedWindow();
         answer("Keep Current Version");
@@ -325,6 +355,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
     QString m_path;
     QString m_question;  // the last one that was asked
+    QString m_error;     // the one that followed it
     std::unique_ptr<Program> m_program;
 };
 

@@ -109,6 +109,14 @@ ssize_t write(int file, const void* bytes, size_t count) {
     return next<ssize_t(int, const void*, size_t)>("write")(file, bytes, count);
 }
 
+#define RUBBLE_FAULTY_PWRITE(name)                                                                  \
+    ssize_t name(int file, const void* bytes, size_t count, off_t position) {                       \
+        if (isBelow(file) && fails(#name)) return -1;                                               \
+        return next<ssize_t(int, const void*, size_t, off_t)>(#name)(file, bytes, count, position); \
+    }
+RUBBLE_FAULTY_PWRITE(pwrite)
+RUBBLE_FAULTY_PWRITE(pwrite64)
+
 ssize_t read(int file, void* bytes, size_t count) {
     if (isBelow(file) && fails("read")) return -1;
     return next<ssize_t(int, void*, size_t)>("read")(file, bytes, count);

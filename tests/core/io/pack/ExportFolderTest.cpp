@@ -2,6 +2,7 @@
 
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/FileLimits.h"
 #include "tests/support/files/FolderNames.h"
 
 #include <QTemporaryDir>
@@ -144,6 +145,75 @@ private slots:
         QCOMPARE(fs::status(m_pack).permissions(), fs::perms(0750));
     }
 
+    void permissionsOfFilesAreKept() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        fs::permissions(m_pack / "wall.obj", fs::perms(0600));
+        fs::permissions(m_pack / kManifestName, fs::perms(0640));
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
+        QCOMPARE(fs::status(m_pack / "wall.obj").permissions(), fs::perms(0600));
+        QCOMPARE(fs::status(m_pack / kManifestName).permissions(), fs::perms(0640));
+    }
+
+    void newFolderHasThePermissionsOfTheUser() {
+        const mode_t before = ::umask(027);
+        const Status written = writeExportFolder(m_pack, kFirst, kFiles);
+        ::umask(before);
+        QVERIFY(written);
+        QCOMPARE(fs::status(m_pack).permissions(), fs::perms(0750));
+        QCOMPARE(fs::status(m_pack / "wall.obj").permissions(), fs::perms(0640));
+    }
+
+    void ownerAndGroupAreKept() {
+        if (::geteuid() != 0) QSKIP("Only root can give files away.");
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QCOMPARE(::chown(m_pack.c_str(), 1234, 4321), 0);
+        QCOMPARE(::chown((m_pack / "wall.obj").c_str(), 1235, 4322), 0);
+        std::vector<ExportFile> files = kFiles;
+        files.push_back({"new.obj", "v 1 1 1\n"});
+        QVERIFY(writeExportFolder(m_pack, kSecond, files));
+        QCOMPARE(ownerOf(m_pack), (std::pair<uid_t, gid_t>{1234, 4321}));
+        QCOMPARE(ownerOf(m_pack / "wall.obj"), (std::pair<uid_t, gid_t>{1235, 4322}));
+        QCOMPARE(ownerOf(m_pack / "new.obj"), (std::pair<uid_t, gid_t>{1234, 4321}));
+    }
+
+    void protectedPackIsNotReplaced_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("permissions");
+        QTest::newRow("folder") << "" << 0555;
+        QTest::newRow("file") << "wall.obj" << 0444;
+    }
+    void protectedPackIsNotReplaced() {
+        QFETCH(QString, name);
+        QFETCH(int, permissions);
+        fs::permissions(m_place, fs::perms(0777));
+        fs::create_directory(m_place / "packs");
+        fs::permissions(m_place / "packs", fs::perms(0777));
+        const fs::path path = name.isEmpty() ? m_pack : m_pack / name.toStdString();
+        {
+            const AsNobody nobody;
+            QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+            fs::permissions(path, fs::perms(permissions));
+            QCOMPARE(writeExportFolder(m_pack, kSecond, kFiles).error().message,
+                     "Cannot write \"" + path.string() + "\": Permission denied.");
+            QVERIFY(isExportOf(m_pack, kFirst));
+            fs::permissions(path, fs::perms(0777));
+        }
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+
+    void leftoversBesideTheTargetOfALinkAreRemoved() {
+        const fs::path real = m_place / "elsewhere" / "real";
+        QVERIFY(writeExportFolder(real, kFirst, kFiles));
+        fs::create_directories(m_pack.parent_path());
+        fs::create_directory_symlink(real, m_pack);
+        QVERIFY(writeFileAtomically(m_place / "elsewhere" / ".rubble-1-0123456789abcdef.tmp", "x"));
+        fs::create_directory(m_place / "elsewhere" / ".rubble-1-1123456789abcdef.old");
+        fs::rename(real, m_place / "elsewhere" / ".rubble-1-1123456789abcdef.old" / "real");
+        QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
+        QVERIFY(isExportOf(real, kSecond));
+        QCOMPARE(namesIn(m_place / "elsewhere"), Names{"real"});
+    }
+
     void namesInTheManifestStayInTheFolder() {
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         std::string manifest = *readFile(m_pack / kManifestName);
@@ -212,6 +282,11 @@ private slots:
     }
 
 private:
+    static std::pair<uid_t, gid_t> ownerOf(const fs::path& path) {
+        struct stat status {};
+        return ::stat(path.c_str(), &status) == 0 ? std::pair(status.st_uid, status.st_gid) : std::pair<uid_t, gid_t>();
+    }
+
     std::unique_ptr<QTemporaryDir> m_temporary;
     fs::path m_place;
     fs::path m_pack;

@@ -432,7 +432,7 @@ private slots:
         }
         QVERIFY(*loadProject(inFolder("disk.rubble")) == Project{});
         QCOMPARE(saveProject("/dev/full", Project{}).error().message,
-                 std::string("Cannot write \"/dev/full\": No space left on device."));
+                 std::string("Cannot write \"/dev/full\": it is a device, not a file."));
     }
     void readOnlyFolderKeepsTheOldFile() {
         fs::permissions(inFolder(""), fs::perms(0755));

@@ -49,13 +49,15 @@ private slots:
         QCOMPARE(entryCount(inFolder("")), std::size_t{1});
     }
     void fullDeviceIsReported() {
-        const Status status = writeFileAtomically("/dev/full", "x");
+        const Status status = writeFileOrStream("/dev/full", "x");
         QCOMPARE(status.error().code, ErrorCode::Io);
         QCOMPARE(status.error().message, std::string("Cannot write \"/dev/full\": No space left on device."));
     }
     void deviceIsNotReplaced() {
-        QVERIFY(writeFileAtomically("/dev/null", "x"));
+        QVERIFY(writeFileOrStream("/dev/null", "x"));
         QVERIFY(fs::is_character_file("/dev/null"));
+        QCOMPARE(writeFileAtomically("/dev/null", "x").error().message,
+                 std::string("Cannot write \"/dev/null\": it is a device, not a file."));
     }
     void folderInsteadOfAFileIsRejected() {
         fs::create_directory(inFolder("folder"));
@@ -117,6 +119,8 @@ private slots:
         QCOMPARE(::mkfifo(inFolder("pipe").c_str(), 0600), 0);
         QCOMPARE(readFile(inFolder("pipe")).error().message,
                  "Cannot read \"" + inFolder("pipe").string() + "\": it is a pipe, not a file.");
+        QCOMPARE(writeFileAtomically(inFolder("pipe"), "x").error().message,
+                 "Cannot write \"" + inFolder("pipe").string() + "\": it is a pipe, not a file.");
         QCOMPARE(readFile("/dev/zero").error().message,
                  std::string("Cannot read \"/dev/zero\": it is a device, not a file."));
     }
@@ -142,13 +146,26 @@ private slots:
         QCOMPARE(entryCount(inFolder("")), std::size_t{2});
     }
     void copyOfAnInterruptedSaveIsKept() {
-        QVERIFY(writeFileAtomically(inFolder("file"), "torn"));
+        const std::string torn("\0orn", 4);
+        QVERIFY(writeFileAtomically(inFolder("file"), torn));
+        QVERIFY(isInterruptedSave(torn) && !isInterruptedSave("new") && !isInterruptedSave(""));
         fs::create_hard_link(inFolder("file"), inFolder("other"));
         QVERIFY(writeFileAtomically(copyBeforeSave(inFolder("file")), "old"));
-        const Status status = writeFileAtomically(inFolder("file"), "new");
-        QVERIFY(QString::fromStdString(status.error().message).contains("an interrupted save left"));
+        const QString told = QString::fromStdString(writeFileAtomically(inFolder("file"), "new").error().message);
+        QVERIFY2(told.contains("Saving it was interrupted; \"" + QString(inFolder("file.before-save").c_str()) + '"'),
+                 qPrintable(told));
+        const QString byLink = QString::fromStdString(writeFileAtomically(inFolder("other"), "new").error().message);
+        QVERIFY2(byLink.contains("look beside its hard links"), qPrintable(byLink));
         QCOMPARE(*readFile(copyBeforeSave(inFolder("file"))), std::string("old"));
-        QCOMPARE(*readFile(inFolder("file")), std::string("torn"));
+        QCOMPARE(*readFile(inFolder("file")), torn);
+    }
+    void copyOfAFileThatIsWholeIsReplaced() {
+        QVERIFY(writeFileAtomically(inFolder("file"), "old"));
+        fs::create_hard_link(inFolder("file"), inFolder("other"));
+        QVERIFY(writeFileAtomically(copyBeforeSave(inFolder("file")), "older"));
+        QVERIFY(writeFileAtomically(inFolder("file"), "new"));
+        QCOMPARE(*readFile(inFolder("other")), std::string("new"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{2});
     }
     void ownerIsKept() {
         if (::geteuid() != 0) QSKIP("Only root can give files away.");
