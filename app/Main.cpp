@@ -1,4 +1,5 @@
 // The editor: rubble [FILE...]
+#include "core/io/system/ChildProcess.h"
 #include "editor/document/FilePath.h"
 #include "editor/widgets/Icon.h"
 #include "editor/window/Program.h"
@@ -8,6 +9,7 @@
 #include <QSurfaceFormat>
 
 int main(int argumentCount, char** argumentList) {
+    rubble::occupyStandardStreams();
     QApplication::setOrganizationName("Rubble");
     QApplication::setApplicationName("Rubble");
     QApplication::setApplicationVersion(RUBBLE_VERSION);

@@ -1,6 +1,7 @@
 #include "app/cli/Cli.h"
 #include "app/cli/console/PrintableText.h"
 #include "app/cli/console/Terminal.h"
+#include "core/io/system/ChildProcess.h"
 #include "core/io/system/ProgramFolder.h"
 
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <iostream>
 
 int main(int argumentCount, char** arguments) {
+    rubble::occupyStandardStreams();
     std::ios::sync_with_stdio(false);
     rubble::PrintableBuffer outBuffer(std::cout);
     rubble::PrintableBuffer errBuffer(std::cerr);

@@ -3,6 +3,7 @@
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/ProgramFolder.h"
+#include "editor/actions/LockQuestion.h"
 #include "editor/dialogs/ExportDialog.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/ImportDialog.h"
@@ -138,7 +139,10 @@ bool FileActions::saveAs() {
 
 bool FileActions::saveTo(const QString& path) {
     DocumentFile& file = m_workspace.file();
-    const Status saved = file.saveAs(path);
+    const std::optional<ProjectAccess> access =
+        file.isLockedHere(path) ? file.access() : askToSave(absolutePath(path), &m_views.window());
+    if (!access) return false;
+    const Status saved = file.saveAs(path, *access);
     showIfError(&m_views.window(), saved);
     if (saved) m_views.showStatus(tr("Saved %1.").arg(file.name()));
     return saved.hasValue();

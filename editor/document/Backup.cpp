@@ -63,13 +63,15 @@ BackupOrigin originOf(const QString& backupPath) {
     return origin;
 }
 
-/// Whether a program may be using the backup; if not, it is locked where that is possible.
+/// Whether a program may be using the backup; if not, it is locked where that is possible. Names the holder unless it is
+/// known to be running.
 bool isInUse(Backup& backup) {
     const std::filesystem::path path = toPath(withSuffix(backup.path, kLockSuffix));
     LockAttempt attempt = lockFile(path);
     const bool isNameless = attempt.holder && attempt.holder->process == 0;  // killed while it wrote the lock
     if (isNameless) attempt = lockFile(path, LockTakeover::Any);
     backup.lock = attempt.lock;
+    if (attempt.holder && !attempt.holder->isRunningHere) backup.holder = attempt.holder;
     return attempt.holder.has_value();
 }
 
@@ -105,6 +107,13 @@ void removeBackup(const Backup& backup) {
     for (const char* suffix : {kBackupSuffix, kOriginSuffix}) QFile::remove(withSuffix(backup.path, suffix));
 }
 
+bool takeOverBackup(Backup& backup) {
+    LockAttempt attempt = lockFile(toPath(withSuffix(backup.path, kLockSuffix)), LockTakeover::Any);
+    backup.lock = std::move(attempt.lock);
+    backup.holder = std::move(attempt.holder);
+    return !backup.holder;
+}
+
 std::vector<Backup> orphanedBackups(const QString& folder) {
     removeLeftovers(toPath(folder));
     for (const QString& lock : QDir(folder).entryList({QString("*") + kLockSuffix}, QDir::Files)) {
@@ -113,7 +122,7 @@ std::vector<Backup> orphanedBackups(const QString& folder) {
     std::vector<Backup> backups;
     for (const QFileInfo& file : QDir(folder).entryInfoList({QString("*") + kBackupSuffix}, QDir::Files)) {
         Backup backup{.path = file.absoluteFilePath(), .time = file.lastModified()};
-        if (isInUse(backup)) continue;
+        if (isInUse(backup) && !backup.holder) continue;
         backup.origin = originOf(backup.path);
         backups.push_back(std::move(backup));
     }

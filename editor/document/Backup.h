@@ -26,6 +26,7 @@ struct Backup {
     BackupOrigin origin;
     QDateTime time;                        // when it was written
     std::shared_ptr<const LockFile> lock;  // null if none could be created, as on a full disk
+    std::optional<LockHolder> holder;      // another program that holds the lock and may be running
 };
 
 /// The user's folder for backups.
@@ -42,7 +43,11 @@ Status writeBackup(const Backup& backup, const QByteArray& project);
 /// Removes a backup and its origin.
 void removeBackup(const Backup& backup);
 
-/// The backups in a folder whose program has ended, newest first, locked. Removes what other programs that were killed
+/// Takes the lock of a backup over from its holder. Returns false if the holder is running after all.
+bool takeOverBackup(Backup& backup);
+
+/// The backups in a folder, newest first: those whose program has ended, locked, and those of programs on other
+/// computers, of which that is unknown, with their holders. Removes what other programs that were killed
 /// left there: locks and unfinished files.
 std::vector<Backup> orphanedBackups(const QString& folder);
 

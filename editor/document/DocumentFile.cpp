@@ -2,6 +2,7 @@
 
 #include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/FilePath.h"
 
@@ -99,12 +100,18 @@ Status DocumentFile::save() {
 }
 
 Status DocumentFile::saveAs(const QString& path) {
+    return saveAs(path, isLockedHere(path) ? m_access : accessProject(absolutePath(path)));
+}
+
+bool DocumentFile::isLockedHere(const QString& path) const {
+    return m_access.lock && m_access.lock->path() == lockPathOf(toPath(absolutePath(path)));
+}
+
+Status DocumentFile::saveAs(const QString& path, const ProjectAccess& access) {
     const QString absolute = absolutePath(path);
-    if (absolute == m_path && !isReadOnly()) return save();
-    const ProjectAccess access = accessProject(absolute);
     if (access.isReadOnly()) return Error{ErrorCode::Io, access.readOnlyReason.toStdString()};
     const Status saved = write(absolute);
-    if (saved) setFile({absolute, m_base}, access);
+    if (saved) setFile({absolute, m_base}, ProjectAccess(access));  // which may be our own
     return saved;
 }
 

@@ -30,6 +30,8 @@ public:
     QString name() const;
     /// Whether the file can only be saved to another path.
     bool isReadOnly() const { return !m_path.isEmpty() && m_access.isReadOnly(); }
+    /// The right to write to the file.
+    const ProjectAccess& access() const { return m_access; }
     const QString& readOnlyReason() const { return m_access.readOnlyReason; }
 
     /// Loads a file into the document. On an error nothing changes.
@@ -55,6 +57,10 @@ public:
     ///
     /// Errors: those of saveProject(); Io if the path cannot be locked.
     Status saveAs(const QString& path);
+    /// The same with access to the path that the caller has.
+    Status saveAs(const QString& path, const ProjectAccess& access);
+    /// Whether a path is that of the file or of a link to it, and the file is locked.
+    bool isLockedHere(const QString& path) const;
     /// Loads the file again and discards unsaved changes.
     Status reload() { return open(m_path, m_access); }
 

@@ -5,12 +5,12 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "editor/actions/FileActions.h"
+#include "editor/actions/LockQuestion.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/Translations.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Theme.h"
-#include "editor/window/LockQuestion.h"
 #include "editor/window/MainWindow.h"
 
 #include <QApplication>
@@ -41,6 +41,12 @@ QString backupQuestion(const Backup& backup) {
 }
 
 QString backupNote(const Backup& backup) {
+    if (backup.holder) {
+        return Program::tr(
+                   "The backup belongs to %1. Rubble cannot tell whether that program is still running. Take the "
+                   "backup over only if it has ended.")
+            .arg(holderText(*backup.holder));
+    }
     if (backup.origin.path.isEmpty() || !isFolderGone(backup)) return {};
     return Program::tr("The folder of the project no longer exists. Save the restored project to another one.");
 }
@@ -127,7 +133,11 @@ MainWindow* Program::openCopy(const QString& path, MainWindow* from) {
 }
 
 void Program::offerBackups() {
-    for (const Backup& backup : orphanedBackups(backupFolder())) {
+    for (Backup& backup : orphanedBackups(backupFolder())) {
+        if (backup.holder) {
+            offerForeignBackup(backup);
+            continue;
+        }
         enum Answer : std::size_t { kRestore, kDelete, kLater };
         const std::size_t answer = ask(nullptr, {.text = backupQuestion(backup),
                                                  .informativeText = backupNote(backup),
@@ -138,6 +148,17 @@ void Program::offerBackups() {
         if (answer == kDelete) removeBackup(backup);
         if (answer == kRestore) restoreBackup(backup);
     }
+}
+
+/// Offers a backup of a program that may be running: on another computer, or on this one before it was set up anew.
+void Program::offerForeignBackup(Backup& backup) {
+    enum Answer : std::size_t { kTakeOver, kLater };
+    const std::size_t answer = ask(nullptr, {.text = backupQuestion(backup),
+                                             .informativeText = backupNote(backup),
+                                             .answers = {{tr("Take Over and Restore"), QMessageBox::DestructiveRole},
+                                                         {tr("Ask Again Later"), QMessageBox::RejectRole}},
+                                             .defaultAnswer = kLater});
+    if (answer == kTakeOver && takeOverBackup(backup)) restoreBackup(backup);
 }
 
 /// Restores a backup into the window that has its project open; if there is none, into a window of its own. The backup

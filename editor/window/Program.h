@@ -39,6 +39,7 @@ private:
     MainWindow* createWindow(Project project);
     void applyPreferences();
     void offerBackups();
+    void offerForeignBackup(Backup& backup);
     void restoreBackup(const Backup& backup);
     void showOpened(MainWindow& window);
     void showFaults(MainWindow& window, const DocumentFile::Faults& faults);

@@ -6,6 +6,7 @@
 #include "tests/support/files/FileTree.h"
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -137,6 +138,42 @@ private slots:
         FileTree before = fileTree(m_folder);
         before["wall/wall.glb.import"] = "of an engine";
         checkEveryCall(exported("obj"), before, code, renames);
+    }
+    void packIsFlushedBeforeItGetsItsName_data() {
+        QTest::addColumn<bool>("hasFlags");
+        QTest::newRow("exchange") << true;
+        QTest::newRow("two renames") << false;
+    }
+    /// After a power cut, of what was not flushed anything may be missing: the calls have to be in this order.
+    void packIsFlushedBeforeItGetsItsName() {
+        QFETCH(bool, hasFlags);
+        const QString project = m_place.filePath("flushed.rubble");
+        QFile::remove(project);
+        QCOMPARE(runProgram(RUBBLE_CLI, {"new", project}).exit, 0);
+        const QStringList command{"export", project, "--out", "{folder}", "--threads", "1", "--format"};
+        replaceFileTree(m_folder, {});
+        QCOMPARE(runProgram(RUBBLE_CLI, inFolder(command + QStringList{"glb"})).exit, 0);
+        writeFileTree(m_folder, {{"wall/wall.glb.import", "of an engine"}});
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        const QString log = m_place.filePath("log");
+        QFile::remove(log);
+        environment.insert("RUBBLE_FAULT_LOG", log);
+        if (!hasFlags) environment.insert("RUBBLE_FAULT_NO_FLAGS", "1");
+        const Fault none{.folder = m_folder, .report = m_report, .call = -1};
+        QCOMPARE(runWithFault(RUBBLE_CLI, inFolder(command + QStringList{"obj"}), RUBBLE_FAULTS, none, environment)
+                     .outcome.exit,
+                 0);
+        const QStringList calls = QString::fromUtf8(bytesOfFile(log)).split('\n');
+        const auto lastOf = [&](const char* pattern) {
+            return calls.lastIndexOf(QRegularExpression(QString(pattern).replace("{folder}", m_folder)));
+        };
+        const qsizetype kept = lastOf("^link .*/wall.glb.import$");
+        const qsizetype contents = lastOf("^fsync .*\\.tmp$");
+        const qsizetype named = lastOf(hasFlags ? "^renameat2 .*/wall$" : "^rename .*/wall$");
+        const qsizetype parent = lastOf("^fsync {folder}$");
+        const qsizetype removed = calls.indexOf(QRegularExpression("^(unlinkat|unlink|remove|rmdir) .*/\\.rubble-.*"));
+        QVERIFY2(0 <= kept && kept < contents && contents < named && named < parent && parent < removed,
+                 bytesOfFile(log));
     }
 };
 

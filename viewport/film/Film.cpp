@@ -71,6 +71,7 @@ Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, 
 
 Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& film,
                   const TaskContext& task) {
+    if (const Status replaceable = checkFilmReplaceable(film); !replaceable) return replaceable;
     removeLeftovers(film.parent_path());
     const auto folder = TemporaryFolder::create(film.parent_path());
     if (!folder) return folder.error();

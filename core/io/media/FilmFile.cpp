@@ -1,6 +1,7 @@
 #include "core/io/media/FilmFile.h"
 
 #include "core/io/media/PictureSequence.h"
+#include "core/io/system/AtomicFile.h"
 #include "core/io/system/ChildProcess.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/Temporary.h"
@@ -23,11 +24,11 @@ constexpr ChildLimits kFilmLimits{.memory = ChildLimits::kUnlimited, .seconds = 
 /// Returns the pattern of a folder's pictures for ffmpeg, in the syntax of printf.
 std::string pictureNames(const fs::path& folder) {
     std::string names;
-    for (const char letter : (fs::absolute(folder) / "").string())
-        names += letter == '%' ? "%%" : std::string(1, letter);
+    for (const char letter : (folder / "").string()) names += letter == '%' ? "%%" : std::string(1, letter);
     return names + PictureSequence::kFileNameFormat;
 }
 
+/// `pictures` and `film` are absolute: others could be read as options.
 std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const fs::path& film) {
     std::string rateText;
     appendNumber(rateText, rate);
@@ -45,7 +46,7 @@ std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, con
             "pad=ceil(iw/2)*2:ceil(ih/2)*2",
             "-pix_fmt",
             "yuv420p",
-            fs::absolute(film).string()};
+            film.string()};
 }
 
 /// Returns the last line that is not empty: ffmpeg's final error.
@@ -72,20 +73,38 @@ bool isFilmPath(const fs::path& path) {
 
 std::optional<fs::path> findFfmpeg() { return findExecutable("ffmpeg"); }
 
+Status checkFilmReplaceable(const fs::path& film) {
+    struct stat old {};
+    if (::stat(film.c_str(), &old) != 0) return errno == ENOENT ? success() : Status(cannotWrite(film, errno));
+    if (!S_ISREG(old.st_mode))
+        return Error{ErrorCode::Io, "Cannot write \"" + film.string() + "\": it exists and is not a file."};
+    if (::faccessat(AT_FDCWD, film.c_str(), W_OK, AT_EACCESS) != 0) return cannotWrite(film, errno);
+    return success();
+}
+
 Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, const TaskContext& task) {
     const std::optional<fs::path> ffmpeg = findFfmpeg();
     if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a film needs ffmpeg, which is not installed."};
-    removeLeftovers(film.parent_path());
-    const auto folder = TemporaryFolder::create(film.parent_path());  // ffmpeg would follow a link to a file
+    if (const Status replaceable = checkFilmReplaceable(film); !replaceable) return replaceable;
+    std::error_code error;
+    const fs::path target = fs::absolute(linkTarget(film), error);
+    const fs::path from = error ? fs::path() : fs::absolute(pictures, error);
+    if (error) return cannotWrite(film, error.value());
+    removeLeftovers(target.parent_path());
+    const auto folder = TemporaryFolder::create(target.parent_path());  // ffmpeg would follow a link to a file
     if (!folder) return folder.error();
     const fs::path part = (*folder)->path() / ("film" + film.extension().string());
-    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(pictures, rate, part), kFilmLimits, task);
+    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, part), kFilmLimits, task);
     const Status status = outcome ? toStatus(*outcome) : Status(outcome.error());
     if (!status) return status;
     const OpenFile written(part, O_RDONLY);
-    if (!written.isOpen() || ::fsync(written.descriptor()) != 0 || ::rename(part.c_str(), film.c_str()) != 0)
+    if (!written.isOpen()) return cannotWrite(film, errno);
+    struct stat old {};
+    const int code = ::stat(target.c_str(), &old) == 0 ? inheritFrom(old, written.descriptor()) : 0;
+    if (code != 0) return cannotWrite(film, code);
+    if (::fsync(written.descriptor()) != 0 || ::rename(part.c_str(), target.c_str()) != 0)
         return cannotWrite(film, errno);
-    return flushRenamed(film, film);
+    return flushRenamed(target, film);
 }
 
 }  // namespace rubble

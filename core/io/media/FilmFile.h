@@ -13,8 +13,15 @@ bool isFilmPath(const std::filesystem::path& path);
 /// Returns the path of ffmpeg, if it is installed in a folder of PATH.
 std::optional<std::filesystem::path> findFfmpeg();
 
+/// Fails if a film cannot be written to a path because something is there that is protected or no file. Rendering takes
+/// long: better before it than after.
+///
+/// Errors: Io, with the path and the reason.
+Status checkFilmReplaceable(const std::filesystem::path& film);
+
 /// Encodes the PictureSequence in a folder as a film with `rate` pictures per second in a widely supported format.
-/// Replaces an existing film atomically. Odd widths and heights are padded by a pixel.
+/// Replaces an existing film atomically, with its permissions and group, and its owner where the user may give files
+/// away; a link to a film stays one. Odd widths and heights are padded by a pixel.
 ///
 /// Errors: NotFound without ffmpeg; Io with the message of ffmpeg or the system; Cancelled.
 Status encodeFilm(const std::filesystem::path& pictures, double rate, const std::filesystem::path& film,

@@ -137,17 +137,6 @@ Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFl
     return success();
 }
 
-/// Gives a new file or folder the permissions and the group of an old one, and its owner where the user may. Returns 0
-/// or errno.
-int inheritFrom(const struct stat& old, int created) {
-    struct stat status {};
-    if (::fstat(created, &status) != 0) return errno;
-    const bool isOwned = status.st_uid == old.st_uid || ::fchown(created, old.st_uid, old.st_gid) == 0;
-    const bool hasGroup = status.st_gid == old.st_gid || (isOwned && status.st_uid != old.st_uid);
-    if (!hasGroup && ::fchown(created, static_cast<uid_t>(-1), old.st_gid) != 0) return errno;
-    return ::fchmod(created, old.st_mode & 07777) == 0 ? 0 : errno;
-}
-
 /// Makes the files of a new export those of the old one's owner and group; files of the same name inherit their own, and
 /// permissions.
 Status inheritFiles(const fs::path& folder, const struct stat& folderStatus, const fs::path& replacement) {

@@ -60,9 +60,17 @@ struct Pipe {
     }
 };
 
-void setLimit(decltype(RLIMIT_AS) resource, std::size_t max) {
-    const rlimit value{max, max};
+void setLimit(decltype(RLIMIT_AS) resource, std::size_t soft, std::size_t hard) {
+    const rlimit value{soft, hard};
     ::setrlimit(resource, &value);
+}
+
+void setLimit(decltype(RLIMIT_AS) resource, std::size_t max) { setLimit(resource, max, max); }
+
+/// Returns a descriptor that dup2() to a standard stream neither closes nor takes for the stream itself, as it would if
+/// the standard streams of this process were closed.
+int aboveStreams(int descriptor) {
+    return descriptor > STDERR_FILENO ? descriptor : ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
 }
 
 /// Leaves the standard streams only to the program that is executed next.
@@ -79,12 +87,16 @@ void closeOthersAtExec() {
 /// between fork and exec. If exec fails, writes errno to `failure`.
 [[noreturn]] void executeProgram(const char* program, char* const* arguments, const ChildLimits& limits, int output,
                                  int error, int failure) {
-    const int null = ::open("/dev/null", O_RDONLY);
+    output = aboveStreams(output);
+    error = aboveStreams(error);
+    failure = aboveStreams(failure);
+    const int null = aboveStreams(::open("/dev/null", O_RDONLY));
     ::dup2(null, STDIN_FILENO);
     ::dup2(output, STDOUT_FILENO);
     ::dup2(error, STDERR_FILENO);
     setLimit(RLIMIT_AS, limits.memory);
-    setLimit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)));
+    const auto seconds = static_cast<std::size_t>(std::ceil(limits.seconds));
+    setLimit(RLIMIT_CPU, seconds, seconds + 1);  // SIGXCPU, then SIGKILL; with equal limits only the latter
     setLimit(RLIMIT_CORE, 0);
     if (limits.fileSize != ChildLimits::kUnlimited) setLimit(RLIMIT_FSIZE, limits.fileSize);
     closeOthersAtExec();  // before the limit on descriptors, which the highest one may exceed
@@ -111,10 +123,11 @@ void readAvailable(PipeEnd& from, std::string& to, std::size_t max) {
 
 enum class ReadEnd { Closed, TimedOut, TooMuchOutput, Cancelled };
 
+using Deadline = std::chrono::time_point<Clock, std::chrono::duration<double>>;
+
 /// Reads both pipes until they are closed or the child has to be killed.
-ReadEnd readPipes(PipeEnd& output, PipeEnd& error, ChildResult& result, const ChildLimits& limits,
+ReadEnd readPipes(PipeEnd& output, PipeEnd& error, ChildResult& result, const ChildLimits& limits, Deadline end,
                   const TaskContext& context) {
-    const auto end = Clock::now() + std::chrono::duration<double>(limits.seconds);
     while (output.isOpen() || error.isOpen()) {
         if (context.isCancelled()) return ReadEnd::Cancelled;
         if (Clock::now() >= end) return ReadEnd::TimedOut;
@@ -128,14 +141,15 @@ ReadEnd readPipes(PipeEnd& output, PipeEnd& error, ChildResult& result, const Ch
 }
 
 /// Waits for the child to end and returns its wait status. A child that closed its pipes and runs on is killed at its
-/// time limit.
-int waitFor(pid_t child, const ChildLimits& limits) {
-    const auto end = Clock::now() + std::chrono::duration<double>(limits.seconds);
+/// time limit or when the task is cancelled, which changes `readEnd`.
+int waitFor(pid_t child, Deadline end, const TaskContext& context, ReadEnd& readEnd) {
     int status = 0;
     for (;;) {
         const pid_t ended = ::waitpid(child, &status, WNOHANG);
         if (ended == child || (ended < 0 && errno != EINTR)) return status;
-        if (Clock::now() >= end) ::kill(child, SIGKILL);
+        if (readEnd == ReadEnd::Closed && context.isCancelled()) readEnd = ReadEnd::Cancelled;
+        if (readEnd == ReadEnd::Closed && Clock::now() >= end) readEnd = ReadEnd::TimedOut;
+        if (readEnd != ReadEnd::Closed) ::kill(child, SIGKILL);
         ::poll(nullptr, 0, 1);
     }
 }
@@ -179,15 +193,26 @@ Result<ChildResult> runChild(const std::filesystem::path& program, const std::ve
     failure.write.close();
 
     int code = 0;  // errno of a failed exec; a successful one closes the pipe
-    const bool hasFailed = ::read(failure.read.descriptor(), &code, sizeof code) == sizeof code;
+    ssize_t count = 0;
+    do {
+        count = ::read(failure.read.descriptor(), &code, sizeof code);
+    } while (count < 0 && errno == EINTR);
+    const bool hasFailed = count == sizeof code;
     ChildResult result;
-    const ReadEnd readEnd = readPipes(output.read, error.read, result, limits, context);
-    if (readEnd != ReadEnd::Closed) ::kill(child, SIGKILL);
-    const int status = waitFor(child, limits);
+    const Deadline deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
+    ReadEnd readEnd = readPipes(output.read, error.read, result, limits, deadline, context);
+    const int status = waitFor(child, deadline, context, readEnd);
     if (hasFailed) return cannotStart(program, code);
     if (readEnd == ReadEnd::Cancelled) return TaskContext::cancelled();
     setExit(result, readEnd, status);
     return result;
+}
+
+void occupyStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0)  // open() returns the lowest free number
+            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+    }
 }
 
 std::optional<std::filesystem::path> findExecutable(const std::string& name) {

@@ -30,7 +30,7 @@ struct ChildLimits {
 enum class ChildExit {
     Exited,    // with an exit code
     Crashed,   // by a signal
-    TimedOut,  // killed at its time limit
+    TimedOut,  // killed at its limit of time on the clock or of processor time
     TooMuchOutput,
 };
 
@@ -49,6 +49,10 @@ struct ChildResult {
 /// Errors: Io if the program cannot be started, with its path and the system's reason; Cancelled.
 Result<ChildResult> runChild(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                              const ChildLimits& limits, const TaskContext& context);
+
+/// Opens what neither can be read nor written in place of standard streams that are closed, so that no file gets their
+/// numbers, and what is printed does not go into it. Call at the start of a program.
+void occupyStandardStreams();
 
 /// Returns the first executable file of this name in the folders of PATH, if there is one.
 std::optional<std::filesystem::path> findExecutable(const std::string& name);

@@ -75,7 +75,10 @@ bool moveBack(const fs::path& leftover) {
 }
 
 void removeLeftover(const fs::path& path) {
-    const OpenFile file(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW);
+    constexpr int kFlags = O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
+    int descriptor = ::open(path.c_str(), O_RDWR | kFlags);  // NFS locks no file that is open only for reading
+    if (descriptor < 0) descriptor = ::open(path.c_str(), O_RDONLY | kFlags);
+    const OpenFile file(descriptor);
     struct stat status {};
     if (!file.isOpen() || ::fstat(file.descriptor(), &status) != 0 || status.st_uid != ::geteuid()) return;
     if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) return;
@@ -156,6 +159,15 @@ int writeAll(int descriptor, std::string_view bytes) {
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     return 0;
+}
+
+int inheritFrom(const struct stat& old, int created) {
+    struct stat status {};
+    if (::fstat(created, &status) != 0) return errno;
+    const bool isOwned = status.st_uid == old.st_uid || ::fchown(created, old.st_uid, old.st_gid) == 0;
+    const bool hasGroup = status.st_gid == old.st_gid || (isOwned && status.st_uid != old.st_uid);
+    if (!hasGroup && ::fchown(created, static_cast<uid_t>(-1), old.st_gid) != 0) return errno;
+    return ::fchmod(created, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
 int syncFolder(const fs::path& folder) {

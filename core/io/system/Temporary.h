@@ -3,6 +3,8 @@
 #include "core/base/Result.h"
 #include "core/io/system/OpenFile.h"
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -69,6 +71,10 @@ private:
 
 /// Writes all bytes to a descriptor and returns 0 or errno.
 int writeAll(int descriptor, std::string_view bytes);
+
+/// Gives a new file or folder the permissions and the group of an old one, and its owner where the user may. Returns 0
+/// or errno.
+int inheritFrom(const struct stat& old, int created);
 
 /// Flushes a folder, so that a rename in it survives a power cut, and returns 0 or errno. A file system that cannot
 /// flush folders, and a folder that may not be read, are no error.

@@ -63,6 +63,18 @@ private slots:
         QVERIFY(first[0].lock);
         QVERIFY(orphanedBackups(m_backups).empty());
     }
+    void backupOfAnotherComputerIsOfferedWithItsHolder() {
+        leaveBackup({});
+        const QString lock = orphanedBackups(m_backups)[0].path.chopped(7) + ".lock";
+        write(lock, "4711\nrubble\nrender01\nanother machine\nboot\nbob\n");
+        write(m_backups + "/unwritten.lock", "4712\nrubble\nrender01\nanother machine\nboot\nbob\n");
+        std::vector<Backup> left = orphanedBackups(m_backups);
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(!left[0].lock && left[0].holder && left[0].holder->host == "render01");
+        QVERIFY(QFile::exists(m_backups + "/unwritten.lock"));
+        QVERIFY(takeOverBackup(left[0]) && left[0].lock && !left[0].holder);
+        QVERIFY(orphanedBackups(m_backups).empty());  // this program uses it
+    }
     void fullDiskHidesNoBackup() {
         leaveBackup({});
         const FileSizeLimit limit(3);  // too little for a lock

@@ -8,7 +8,9 @@
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -85,6 +87,25 @@ private slots:
         QVERIFY(file.saveAs(other));
         QCOMPARE(file.path(), other);
         QVERIFY(isLocked(other) && !isLocked(m_path));
+    }
+    void saveAsToALinkToTheFileKeepsTheLock() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        const QString link = m_folder->filePath("link.rubble");
+        QVERIFY(QFile::link(m_path, link));
+        edit(document);
+        const Status saved = file.saveAs(link);
+        QVERIFY2(saved.hasValue(), saved ? "" : saved.error().message.c_str());
+        QVERIFY(file.path() == link && isLocked(m_path) && !document.isModified());
+        QVERIFY(loadProject(toPath(m_path))->instances.empty() && QFileInfo(link).isSymLink());
+    }
+    void unreadableFileIsNotUnchanged() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        QVERIFY(QFile::remove(m_path) && QDir().mkdir(m_path));
+        QVERIFY(file.diskState() == DiskState::Unreadable);
     }
     void fileThatCannotBeLockedIsReadOnly() {
         setBytes(QString::fromStdString(lockPathOf(toPath(m_path)).string()),

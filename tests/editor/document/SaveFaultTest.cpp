@@ -2,6 +2,7 @@
 // project make fails once, and the program is killed before each.
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
 #include "tests/support/TestProgram.h"

@@ -1,4 +1,5 @@
-#include "editor/window/LockQuestion.h"
+// Tests editor/actions/LockQuestion.cpp.
+#include "editor/actions/LockQuestion.h"
 
 #include "core/io/project/ProjectLock.h"
 #include "editor/document/FilePath.h"
@@ -41,6 +42,22 @@ private slots:
         answer(Qt::Key_Escape);
         QVERIFY(!askForAccess(path("held.rubble"), nullptr));
         QCOMPARE(m_answers, (QStringList{"Open Read-Only", "Cancel"}));
+    }
+    void foreignLockIsTakenOverForSaving() {
+        writeLock("saved.rubble", "4711\nrubble\nrender01\nanother machine\nboot\nbob\n");
+        answer(Qt::Key_Return);
+        QVERIFY(!askToSave(path("saved.rubble"), nullptr));
+        QVERIFY2(m_shown.contains("process 4711 of bob on render01"), qPrintable(m_shown));
+        QCOMPARE(m_answers, (QStringList{"Cancel", "Take Over Lock"}));
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) {
+            for (QAbstractButton* button : box.buttons()) {
+                if (button->text().remove('&') == "Take Over Lock") return button->click();
+            }
+        });
+        const std::optional<ProjectAccess> access = askToSave(path("saved.rubble"), nullptr);
+        QVERIFY(access && !access->isReadOnly());
+        const std::optional<ProjectAccess> held = askToSave(path("saved.rubble"), nullptr);  // asks nothing
+        QVERIFY(held && held->isReadOnly());
     }
 
 private:

@@ -1,4 +1,4 @@
-// Tests editor/window/Program.cpp, editor/actions/FileActions.cpp and editor/window/LockQuestion.cpp.
+// Tests editor/window/Program.cpp, editor/actions/FileActions.cpp and editor/actions/LockQuestion.cpp.
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
@@ -141,6 +141,20 @@ private slots:
         QVERIFY(restored()->fileActions().save());
         QVERIFY(backups().isEmpty());
     }
+    void backupOfAnotherComputerIsTakenOver() {
+        leaveBackup(m_path);
+        QFile lock(backups()[0].chopped(7) + ".lock");
+        QVERIFY(lock.open(QIODevice::WriteOnly));
+        lock.write("4711\nrubble\nrender01\nanother machine\nboot\nbob\n");
+        lock.close();
+        answer("Take Over and Restore");
+        m_program->start({});
+        QTRY_VERIFY(restored());
+        QVERIFY2(m_question.contains("process 4711 of bob on render01"), qPrintable(m_question));
+        QVERIFY(restored()->fileActions().save());
+        QCOMPARE(heightIn(m_path), kBackupHeight);
+        QVERIFY(backups().isEmpty());
+    }
     void secondBackupOfOneProjectBecomesACopy() {
         leaveBackup(m_path);
         leaveBackup(m_path);
@@ -207,6 +221,23 @@ private slots:
         QCOMPARE(heightIn(m_path), 0.0);
         QCOMPARE(heightIn(copy), kEditedHeight);
         QVERIFY(window->windowTitle().startsWith("copy.rubble[*] – ") && !label->isVisible());
+    }
+    void foreignLockIsTakenOverBySaveAs() {
+        writeForeignLock();
+        answer("Open Read-Only");
+        MainWindow* window = m_program->open(m_path);
+        QVERIFY(window && window->workspace().file().isReadOnly());
+        setHeight(window->workspace().document(), kEditedHeight);
+        test::onNextDialog<QFileDialog>([&](QFileDialog& dialog) {
+            test::onNextDialog<QMessageBox>([this](QMessageBox& box) {  // the file exists
+                answer("Take Over Lock");
+                box.button(QMessageBox::Yes)->click();
+            });
+            saveTo(dialog, m_path);
+        });
+        QVERIFY(window->fileActions().save());
+        QVERIFY(!window->workspace().file().isReadOnly());
+        QCOMPARE(heightIn(m_path), kEditedHeight);
     }
     void cancelledQuestionOpensNothing() {
         writeForeignLock();

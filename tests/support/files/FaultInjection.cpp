@@ -5,6 +5,9 @@
 // RUBBLE_FAULT_CALL      the number of the call, from 1
 // RUBBLE_FAULT_CODE      the value of errno; 0 kills the process instead
 // RUBBLE_FAULT_REPORT    a file outside the folder, which receives the name of the call that failed
+// RUBBLE_FAULT_LOG       a file outside the folder, which receives the name of each call and the path that it is about
+// RUBBLE_FAULT_SYSTEM_CALL and RUBBLE_FAULT_CODE alone: the number of a system call that always fails, where it is made
+//                        by syscall()
 // RUBBLE_FAULT_NO_FLAGS  if set, renameat2() knows no flags, as on network file systems
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -23,6 +26,7 @@
 namespace {
 
 std::atomic<long> callCount{0};
+thread_local char pathOfCall[8192];
 
 template <class Function>
 Function* next(const char* name) {
@@ -39,7 +43,9 @@ bool isBelow(const char* path) {
         std::snprintf(whole, sizeof whole, "%s/%s", current, path);
         path = whole;
     }
-    return std::strncmp(path, folder, std::strlen(folder)) == 0;
+    if (std::strncmp(path, folder, std::strlen(folder)) != 0) return false;
+    std::snprintf(pathOfCall, sizeof pathOfCall, "%s", path);
+    return true;
 }
 
 bool isBelow(int descriptor) {
@@ -57,20 +63,24 @@ bool isBelow(int folder, const char* path) {
     return isBelow(folder);
 }
 
-void report(const char* call) {
-    const char* path = std::getenv("RUBBLE_FAULT_REPORT");
+/// Appends text to the file that a variable names, if there is one.
+void append(const char* variable, const char* text) {
+    const char* path = std::getenv(variable);
     if (path == nullptr) return;
     const long file = syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_APPEND, 0600);
-    syscall(SYS_write, file, call, std::strlen(call));
+    syscall(SYS_write, file, text, std::strlen(text));
     syscall(SYS_close, file);
 }
 
 /// Counts a call; returns whether it is to fail, with errno set. Does not return if the process is to be killed.
 bool fails(const char* call) {
+    char line[8300];
+    std::snprintf(line, sizeof line, "%s %s\n", call, pathOfCall);
+    append("RUBBLE_FAULT_LOG", line);
     const char* number = std::getenv("RUBBLE_FAULT_CALL");
     const char* code = std::getenv("RUBBLE_FAULT_CODE");
     if (number == nullptr || code == nullptr || ++callCount != std::atol(number)) return false;
-    report(call);
+    append("RUBBLE_FAULT_REPORT", call);
     errno = std::atoi(code);
     if (errno == 0) std::raise(SIGKILL);
     return true;
@@ -148,6 +158,22 @@ int ftruncate(int file, off_t size) {
 int fchmod(int file, mode_t mode) {
     if (isBelow(file) && fails("fchmod")) return -1;
     return next<int(int, mode_t)>("fchmod")(file, mode);
+}
+
+long syscall(long number, ...) noexcept {
+    va_list list;
+    va_start(list, number);
+    long argument[6];
+    for (long& each : argument) each = va_arg(list, long);
+    va_end(list);
+    const char* failing = std::getenv("RUBBLE_FAULT_SYSTEM_CALL");
+    const bool isProbe = number == SYS_seccomp && argument[2] == 0;  // of libseccomp: without a filter
+    if (failing != nullptr && number == std::atol(failing) && !isProbe) {
+        errno = std::atoi(std::getenv("RUBBLE_FAULT_CODE"));
+        return -1;
+    }
+    return next<long(long, ...)>("syscall")(number, argument[0], argument[1], argument[2], argument[3], argument[4],
+                                            argument[5]);
 }
 
 int mkdir(const char* path, mode_t mode) {

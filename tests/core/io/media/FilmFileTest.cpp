@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/Ffmpeg.h"
 #include "tests/support/files/FileBytes.h"
+#include "tests/support/files/FileLimits.h"
 
 #include <QDir>
 #include <QTest>
@@ -48,16 +49,47 @@ private slots:
         QCOMPARE(bytesOfFile(film()), QByteArray("old"));
         QCOMPARE(QDir(m_place->path()).entryList(QDir::Files | QDir::Hidden), QStringList{"hit.mp4"});
     }
+    void linkToAFilmStaysOne() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        QVERIFY(QDir(m_place->path()).mkdir("films"));
+        const QString target = m_place->filePath("films/real.mp4");
+        QFile old(target);
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+        QVERIFY(QFile::link(target, film()));
+        QVERIFY(encode().hasValue());
+        QVERIFY(QFileInfo(film()).isSymLink() && bytesOfFile(target).contains("yuv420p"));
+        QCOMPARE(QFile::permissions(target) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+        QCOMPARE(
+            QDir(m_place->filePath("films")).entryList(QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot),
+            QStringList{"real.mp4"});
+    }
+    void protectedFilmIsNotReplaced() {
+        QVERIFY(checkFilmReplaceable(film().toStdString()));
+        QFile old(film());
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.setPermissions(QFile::ReadOwner));
+        QFile::setPermissions(m_place->path(), QFile::Permissions(0x7777));
+        const AsNobody nobody;
+        QCOMPARE(checkFilmReplaceable(film().toStdString()).error().message,
+                 "Cannot write \"" + film().toStdString() + "\": Permission denied.");
+    }
+    void deletedCurrentFolderIsAnError() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        const QString before = QDir::currentPath();
+        const QString gone = m_place->filePath("gone");
+        QVERIFY(QDir(m_place->path()).mkdir("gone") && QDir::setCurrent(gone) && QDir(m_place->path()).rmdir("gone"));
+        const Status made = encodeFilm(m_place->filePath("50 % off").toStdString(), 24.0, "film.mp4");
+        QVERIFY(QDir::setCurrent(before));
+        QCOMPARE(made.error().message, std::string("Cannot write \"film.mp4\": No such file or directory."));
+    }
     void linksBesideTheFilmAreNotFollowed() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
         QFile victim(m_place->filePath("victim"));
         QVERIFY(victim.open(QIODevice::WriteOnly));
         victim.write("mine");
         victim.close();
-        for (const char* name : {".hit.part.mp4", "hit.mp4"}) QVERIFY(victim.link(m_place->filePath(name)));
+        QVERIFY(victim.link(m_place->filePath(".hit.part.mp4")));
         QVERIFY(encode().hasValue());
         QCOMPARE(bytesOfFile(victim.fileName()), QByteArray("mine"));
-        QVERIFY(!QFileInfo(film()).isSymLink());
     }
     void missingFfmpegIsAnError() {
         const test::Ffmpeg none;

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -49,8 +50,13 @@ private slots:
         QElapsedTimer timer;
         timer.start();
         QVERIFY(run("sleep 30", {.seconds = 0.2})->exit == ChildExit::TimedOut);
-        QVERIFY(run("exec >&- 2>&-; sleep 30", {.seconds = 0.2})->exit != ChildExit::Exited);
+        QVERIFY(run("exec >&- 2>&-; sleep 30", {.seconds = 0.2})->exit == ChildExit::TimedOut);
         QVERIFY(timer.elapsed() < 5000);
+    }
+    void processorTimeIsLimited() {
+        QCOMPARE(run("ulimit -St; ulimit -Ht", {.seconds = 3.0})->output, std::string("3\n4\n"));
+        QVERIFY(run("ulimit -St 1; while :; do :; done", {.seconds = 60.0})->exit == ChildExit::TimedOut);
+        QVERIFY(run("kill -KILL $$")->exit == ChildExit::Crashed);
     }
     void childIsKilledAtItsOutputLimit() {
         QVERIFY(run("cat /dev/zero", {.output = 100000})->exit == ChildExit::TooMuchOutput);
@@ -102,6 +108,42 @@ private slots:
         });
         QVERIFY(run("sleep 30", {}, context).error().code == ErrorCode::Cancelled);
         canceller.join();
+    }
+    void childThatClosedItsStreamsIsCancelled() {
+        const TaskContext context;
+        std::thread canceller([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            context.cancel.cancel();
+        });
+        QVERIFY(run("exec >&- 2>&-; sleep 30", {}, context).error().code == ErrorCode::Cancelled);
+        canceller.join();
+    }
+    void closedStandardStreamsDoNoHarm() {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::close(STDIN_FILENO);
+            ::close(STDOUT_FILENO);
+            const Result<ChildResult> outcome = run("cat; echo out; echo err >&2");
+            const Result<ChildResult> missing = runChild("/nowhere", {}, {}, {});
+            ::_exit(outcome && outcome->output == "out\n" && outcome->error == "err\n" && !missing ? 0 : 1);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 0);
+    }
+    void closedStandardStreamsAreTaken() {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (int stream = 0; stream < 3; ++stream) ::close(stream);
+            occupyStandardStreams();
+            const int next = ::open("/dev/null", O_RDONLY);
+            const bool areSilent = ::write(STDOUT_FILENO, "x", 1) < 0 && ::write(STDERR_FILENO, "x", 1) < 0;
+            ::_exit(next > STDERR_FILENO && areSilent ? 0 : 1);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
     }
 };
 

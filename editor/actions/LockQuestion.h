@@ -12,4 +12,8 @@ namespace rubble {
 /// read-only or, unless the process is known to be running, to take the lock over. Returns nothing if the user cancels.
 std::optional<ProjectAccess> askForAccess(const QString& path, QWidget* parent);
 
+/// Locks a path that a project is to be saved to. If another process holds the lock that is not known to be running,
+/// says which, and asks whether to take the lock over. Returns nothing if the user cancels.
+std::optional<ProjectAccess> askToSave(const QString& path, QWidget* parent);
+
 }  // namespace rubble
