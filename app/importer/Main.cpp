@@ -32,7 +32,8 @@ int write(const std::string& bytes) {
 int readAndWrite(const std::string& path, rubble::FileLog log) {
     rubble::Result<rubble::MeshPlace> place = rubble::openMesh(path);
     if (!place) return reject(place.error().message);
-    rubble::enterSandbox(place->folder->number());
+    const rubble::Sandbox sandbox = rubble::enterSandbox(place->folder->number());
+    if (!sandbox.failure.empty()) return reject("\"" + place->name + "\" was not read: " + sandbox.failure + ".");
     const rubble::Result<rubble::SourceScene> scene = rubble::readMeshFile(std::move(*place), log);
     if (!scene) return reject(scene.error().message);
     return write(rubble::sourceSceneBytes(*scene));

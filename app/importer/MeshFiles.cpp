@@ -41,13 +41,26 @@ std::optional<std::size_t> fileSize(const Descriptor& file) {
     return static_cast<std::size_t>(status.st_size);
 }
 
+bool isLink(int folder, const fs::path& name) {
+#ifdef O_PATH
+    const Descriptor entry(::openat(folder, name.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW));
+    struct stat status {};
+    return ::fstat(entry.number(), &status) == 0 && S_ISLNK(status.st_mode);
+#else
+    return false;
+#endif
+}
+
 /// Opens a file below a folder one folder after the other, without following links.
 Descriptor walkedTo(int folder, const fs::path& name) {
     Descriptor place;
     for (const fs::path& part : name.parent_path()) {
         const int from = place.isOpen() ? place.number() : folder;
         Descriptor next(::openat(from, part.c_str(), kFolder | O_NOFOLLOW));
-        if (!next.isOpen()) return next;
+        if (!next.isOpen()) {
+            errno = errno == ENOTDIR && isLink(from, part) ? ELOOP : errno;
+            return next;
+        }
         place = std::move(next);
     }
     const int from = place.isOpen() ? place.number() : folder;
@@ -63,6 +76,9 @@ Descriptor openBeneath(int folder, const fs::path& name) {
 #endif
     return walkedTo(folder, name);
 }
+
+/// Whether a normal path leads out of the folder that it starts at, links aside.
+bool isOutside(const fs::path& name) { return name.is_absolute() || (!name.empty() && *name.begin() == ".."); }
 
 /// Reads a file at a position of its own, so that streams can share a descriptor.
 class FileStream final : public Assimp::IOStream {
@@ -158,7 +174,7 @@ Result<MeshPlace> openMesh(const std::string& path) {
 bool MeshFiles::Exists(const char* name) const {
     if (name == m_place.name) return true;
     const fs::path inFolder = fs::path(name).lexically_normal();
-    return inFolder.is_relative() && fileSize(openBeneath(m_place.folder->number(), inFolder)).has_value();
+    return !isOutside(inFolder) && fileSize(openBeneath(m_place.folder->number(), inFolder)).has_value();
 }
 
 Assimp::IOStream* MeshFiles::Open(const char* name, const char* mode) {
@@ -177,9 +193,9 @@ void MeshFiles::Close(Assimp::IOStream* stream) { delete stream; }
 std::shared_ptr<const Descriptor> MeshFiles::opened(const std::string& name) {
     if (name == m_place.name) return m_place.file;
     const fs::path inFolder = fs::path(name).lexically_normal();
-    const bool isOutside = inFolder.is_absolute() || (!inFolder.empty() && *inFolder.begin() == "..");
-    Descriptor file = isOutside ? Descriptor() : openBeneath(m_place.folder->number(), inFolder);
-    if (isOutside || (!file.isOpen() && (errno == EXDEV || errno == ELOOP))) refuse(name);
+    const bool isRefused = isOutside(inFolder);
+    Descriptor file = isRefused ? Descriptor() : openBeneath(m_place.folder->number(), inFolder);
+    if (isRefused || (!file.isOpen() && (errno == EXDEV || errno == ELOOP))) refuse(name);
     return std::make_shared<const Descriptor>(std::move(file));
 }
 

@@ -17,6 +17,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <initializer_list>
+#include <system_error>
 
 namespace rubble {
 namespace {
@@ -34,9 +35,14 @@ constexpr std::array kFileRights = {13, 14, 15, 15, 16};
 /// From this version on no flag of openat2 can change a file, which seccomp cannot check.
 constexpr int kForbidsTruncation = 3;
 
+/// Returns 0 where the kernel lacks Landlock or was started without it, -1 with errno on another error.
 int landlockVersion() {
     const long version = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
-    return static_cast<int>(std::max(version, 0L));
+    return version < 0 && (errno == ENOSYS || errno == EOPNOTSUPP) ? 0 : static_cast<int>(version);
+}
+
+std::string failureOf(const char* part, int code) {
+    return std::string(part) + " cannot be put in force: " + std::generic_category().message(code);
 }
 
 LandlockRules rulesOf(int version) {
@@ -47,10 +53,11 @@ LandlockRules rulesOf(int version) {
     return rules;
 }
 
-/// Forbids all access to files but reading below the folder. Returns the version of Landlock, 0 if there is none.
-int restrictFiles(int folder) {
+/// Forbids all access to files but reading below the folder.
+void restrictFiles(int folder, Sandbox& sandbox) {
     const int version = landlockVersion();
-    if (version == 0) return 0;
+    if (version < 0) sandbox.failure = failureOf("Landlock", errno);
+    if (version <= 0) return;
     const LandlockRules rules = rulesOf(version);
     const std::size_t size = version >= 6 ? 24 : version >= 4 ? 16 : 8;
     const Descriptor set(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &rules, size, 0)));
@@ -58,7 +65,8 @@ int restrictFiles(int folder) {
     const bool isRestricted =
         set.isOpen() && ::syscall(SYS_landlock_add_rule, set.number(), LANDLOCK_RULE_PATH_BENEATH, &below, 0) == 0 &&
         ::syscall(SYS_landlock_restrict_self, set.number(), 0) == 0;
-    return isRestricted ? version : 0;
+    if (!isRestricted) sandbox.failure = failureOf("Landlock", errno);
+    if (isRestricted) sandbox.landlock = version;
 }
 
 // What a program without threads needs that allocates, reads, throws, aborts and exits.
@@ -90,8 +98,8 @@ public:
     void allowIfBits(int call, unsigned argument, std::uint64_t mask, std::uint64_t value) {
         allow(call, {{.arg = argument, .op = SCMP_CMP_MASKED_EQ, .datum_a = mask, .datum_b = value}});
     }
-    /// Returns false if the kernel rejects the filter.
-    bool apply() { return m_isComplete && seccomp_load(m_filter) == 0; }
+    /// Returns 0 or errno: EINVAL if the kernel lacks seccomp.
+    int apply() { return m_isComplete ? -seccomp_load(m_filter) : ENOMEM; }
 
 private:
     void allow(int call, std::initializer_list<scmp_arg_cmp> conditions) {
@@ -104,7 +112,7 @@ private:
     bool m_isComplete = false;
 };
 
-bool filterCalls(int landlock) {
+int filterCalls(int landlock) {
     constexpr std::uint64_t kTemporary = O_TMPFILE & ~O_DIRECTORY;
     constexpr std::uint64_t kWriting = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | kTemporary;
     CallFilter filter;
@@ -127,8 +135,10 @@ bool filterCalls(int landlock) {
 Sandbox enterSandbox(int folder) {
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     Sandbox sandbox;
-    sandbox.landlock = restrictFiles(folder);
-    sandbox.hasSeccomp = filterCalls(sandbox.landlock);
+    restrictFiles(folder, sandbox);
+    const int code = filterCalls(sandbox.landlock);
+    sandbox.hasSeccomp = code == 0;
+    if (code != 0 && code != EINVAL && code != ENOSYS) sandbox.failure = failureOf("seccomp", code);
     return sandbox;
 }
 

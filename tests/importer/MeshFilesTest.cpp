@@ -2,12 +2,15 @@
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/system/ChildProcess.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <sys/stat.h>
+#include <sys/syscall.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -55,6 +58,15 @@ QString logOf(const std::filesystem::path& file) {
     return QString::fromStdString(runChild(RUBBLE_IMPORTER, {"--log-files", file.string()}, {}, {})->error);
 }
 
+/// Runs the importer, with its log, on a kernel where a system call fails.
+ProgramOutcome withFailingCall(int call, int code, const std::filesystem::path& file) {
+    QProcessEnvironment environment;
+    environment.insert("LD_PRELOAD", RUBBLE_FAULTS);
+    environment.insert("RUBBLE_FAULT_SYSTEM_CALL", QString::number(call));
+    environment.insert("RUBBLE_FAULT_CODE", QString::number(code));
+    return runProgram(RUBBLE_IMPORTER, {"--log-files", QString::fromStdString(file.string())}, environment);
+}
+
 /// ASCII as UTF-16 with a byte order mark.
 std::string utf16(const std::string& text, bool isBigEndian) {
     std::string bytes = isBigEndian ? "\xfe\xff" : "\xff\xfe";
@@ -95,6 +107,41 @@ private slots:
                      "\", which lies outside its folder; only files in the folder of a mesh and below are read.");
         QVERIFY(logOf(mesh).contains("refused " + buffer + '\n'));
         QVERIFY(!logOf(mesh).contains("opened " + buffer));
+    }
+    void withoutOpenat2LinksAreRefused_data() {
+        QTest::addColumn<QString>("buffer");
+        QTest::addColumn<bool>("isRefused");
+        QTest::newRow("file") << "sub/deep.bin" << false;
+        QTest::newRow("link") << "in.bin" << true;
+        QTest::newRow("linked folder") << "linked/deep.bin" << true;
+        QTest::newRow("outside") << "../outside.bin" << true;
+        QTest::newRow("file as a folder") << "inside.bin/deep.bin" << false;
+    }
+    void withoutOpenat2LinksAreRefused() {
+        QFETCH(const QString, buffer);
+        QFETCH(const bool, isRefused);
+        const Folder folder;
+        std::filesystem::create_directory_symlink("sub", folder.path("linked"));
+        const QString log = withFailingCall(SYS_openat2, ENOSYS, folder.writeGltf(buffer.toStdString())).error;
+        QCOMPARE(log.contains("refused " + buffer + '\n'), isRefused);
+        QCOMPARE(log.contains("opened " + buffer + '\n'), buffer == "sub/deep.bin");
+    }
+    void nothingIsReadOutsideOfTheSandbox_data() {
+        QTest::addColumn<int>("call");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("seccomp") << int{SYS_seccomp} << "seccomp";
+        QTest::newRow("Landlock") << int{SYS_landlock_restrict_self} << "Landlock";
+    }
+    void nothingIsReadOutsideOfTheSandbox() {
+        QFETCH(const int, call);
+        QFETCH(const QString, part);
+        const QString has = runProgram(RUBBLE_IMPORTER, {"--sandbox"}).output;
+        if (has.contains(part + ": none")) QSKIP("The kernel lacks it.");
+        const Folder folder;
+        const ProgramOutcome outcome = withFailingCall(call, ENOMEM, folder.writeGltf("inside.bin"));
+        QCOMPARE(outcome.exit, 1);
+        QCOMPARE(outcome.error,
+                 "\"wall.gltf\" was not read: " + part + " cannot be put in force: Cannot allocate memory.\n");
     }
     void fifoIsNotOpened() {
         const Folder folder;
