@@ -34,9 +34,9 @@ Edit outlineTo(const Document& document, double x) {
 
 double extremeNumber(Random& random) {
     constexpr double kMax = std::numeric_limits<double>::max();
-    constexpr std::array kNumbers{0.0,  -1.0, 1.0,   1e-300, 1e-12, 1e-9, 1e-6, 1e-3, 0.5,   2.0,
-                                  1e3,  1e4,  10001, 1e5,    2e5,   -2e5, 1e6,  1e9,  1e12,  1e15,
-                                  1e24, 1e25, 1e60,  kMax,   -kMax, 4e9,  5e-5, 0.1,  -1e-9, 90.0};
+    constexpr std::array kNumbers{0.0,  -1.0, 1.0,     1e-300, 1e-12, 1e-9, 1e-6, 1e-3, 0.5,   2.0,
+                                  1e3,  1e4,  10001.0, 1e5,    2e5,   -2e5, 1e6,  1e9,  1e12,  1e15,
+                                  1e24, 1e25, 1e60,    kMax,   -kMax, 4e9,  5e-5, 0.1,  -1e-9, 90.0};
     return kNumbers[random.below(kNumbers.size())];
 }
 

@@ -64,7 +64,7 @@ private slots:
         }
         Random random(7);
         std::vector<Vec2> seeds;
-        for (int k = 0; k < kSeeds; ++k) seeds.push_back({0.5 + 1e-4 * random.unit(), (k + 0.5) / kSeeds});
+        for (int k = 0; k < kSeeds; ++k) seeds.push_back({0.5 + 1e-9 * random.unit(), (k + 0.5) / kSeeds});
         const Result<Prism> prism = validated({comb, 1.0});
         QVERIFY2(prism, prism ? "" : prism.error().message.c_str());
         const Result<Partition> partition = voronoiPartition(prism->outline, seeds);
