@@ -83,7 +83,10 @@ constexpr std::array kAllowedCalls = {
 /// The filter of system calls.
 class CallFilter {
 public:
-    CallFilter() : m_filter(seccomp_init(SCMP_ACT_ERRNO(EPERM))) { m_isComplete = m_filter != nullptr; }
+    CallFilter() : m_filter(seccomp_init(SCMP_ACT_ERRNO(EPERM))) {
+        // The kernel's own errors, which tell whether it lacks seccomp: otherwise all are ECANCELED.
+        m_isComplete = m_filter != nullptr && seccomp_attr_set(m_filter, SCMP_FLTATR_API_SYSRAWRC, 1) == 0;
+    }
     CallFilter(const CallFilter&) = delete;
     CallFilter& operator=(const CallFilter&) = delete;
     ~CallFilter() {

@@ -33,8 +33,8 @@ public:
 
     /// Starts `work(task)`, or `work(task, post)` if it delivers partial results, on the background thread. isRunning()
     /// is false again when `deliver(result)` is called. Where memory runs out, a Result has the error of outOfMemory();
-    /// any other result is not delivered, and `failed` is emitted. A replaced function that ignores task.isCancelled() delays the
-    /// next one.
+    /// any other result is not delivered, and `failed` is emitted. A replaced function that ignores task.isCancelled()
+    /// delays the next one.
     template <class Work, class Deliver>
     void start(Work work, Deliver deliver) {
         run([work = std::move(work), deliver = std::move(deliver)](const TaskContext& task, const Post& post) -> Call {

@@ -63,8 +63,8 @@ BackupOrigin originOf(const QString& backupPath) {
     return origin;
 }
 
-/// Whether a program may be using the backup; if not, it is locked where that is possible. Names the holder unless it is
-/// known to be running.
+/// Whether a program may be using the backup; if not, it is locked where that is possible. Names the holder unless it
+/// is known to be running.
 bool isInUse(Backup& backup) {
     const std::filesystem::path path = toPath(withSuffix(backup.path, kLockSuffix));
     LockAttempt attempt = lockFile(path);

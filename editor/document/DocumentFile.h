@@ -36,7 +36,8 @@ public:
 
     /// Loads a file into the document. On an error nothing changes.
     ///
-    /// Errors: those of readFile() and readProjectText(); Limit if memory runs out; Io if another process holds the lock: the message names it.
+    /// Errors: those of readFile() and readProjectText(); Limit if memory runs out; Io if another process holds the
+    /// lock: the message names it.
     Status open(const QString& path);
     /// The same with access to the path that the caller has, which may be read-only.
     Status open(const QString& path, const ProjectAccess& access);

@@ -143,6 +143,21 @@ private slots:
         QCOMPARE(outcome.error,
                  "\"wall.gltf\" was not read: " + part + " cannot be put in force: Cannot allocate memory.\n");
     }
+    void kernelsWithoutSeccompOrLandlockReadMeshes_data() {
+        QTest::addColumn<int>("call");
+        QTest::addColumn<int>("code");
+        QTest::newRow("seccomp") << int{SYS_seccomp} << EINVAL;
+        QTest::newRow("Landlock") << int{SYS_landlock_create_ruleset} << ENOSYS;
+        QTest::newRow("Landlock turned off") << int{SYS_landlock_create_ruleset} << EOPNOTSUPP;
+    }
+    void kernelsWithoutSeccompOrLandlockReadMeshes() {
+        QFETCH(const int, call);
+        QFETCH(const int, code);
+        const Folder folder;
+        const ProgramOutcome outcome = withFailingCall(call, code, folder.writeGltf("inside.bin"));
+        QCOMPARE(outcome.exit, 0);
+        QVERIFY(outcome.error.contains("opened inside.bin\n"));
+    }
     void fifoIsNotOpened() {
         const Folder folder;
         const std::filesystem::path mesh = folder.writeGltf("fifo.bin");

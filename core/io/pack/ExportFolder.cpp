@@ -99,6 +99,12 @@ ManifestEntry entryOf(const std::string& name, std::string_view bytes) {
     return {name, bytes.size(), contentHash(bytes).hex()};
 }
 
+Result<ManifestEntry> entryOfFile(const fs::path& folder, const std::string& name) {
+    const Result<FileHash> file = hashOfFile(folder / name);
+    if (!file) return file.error();
+    return ManifestEntry{name, file->size, file->hash.hex()};
+}
+
 /// Returns the name of a file in the folder that its manifest does not list and no engine wrote, if there is one.
 Result<std::optional<std::string>> findUnexpectedFile(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
@@ -121,9 +127,9 @@ Result<std::optional<fs::path>> findEditedFile(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
     if (!manifest) return std::optional<fs::path>();
     for (const ManifestEntry& file : manifest->files) {
-        const Result<std::string> bytes = readFile(folder / file.name);
-        if (!bytes && bytes.error().code != ErrorCode::NotFound) return bytes.error();
-        if (bytes && entryOf(file.name, *bytes) != file) return std::optional(folder / file.name);
+        const Result<ManifestEntry> current = entryOfFile(folder, file.name);
+        if (!current && current.error().code != ErrorCode::NotFound) return current.error();
+        if (current && *current != file) return std::optional(folder / file.name);
     }
     return std::optional<fs::path>();
 }
@@ -137,8 +143,8 @@ Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFl
     return success();
 }
 
-/// Makes the files of a new export those of the old one's owner and group; files of the same name inherit their own, and
-/// permissions.
+/// Makes the files of a new export those of the old one's owner and group; files of the same name inherit their own,
+/// and permissions.
 Status inheritFiles(const fs::path& folder, const struct stat& folderStatus, const fs::path& replacement) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(replacement);
     if (!entries) return entries.error();
@@ -294,8 +300,8 @@ bool isExportOf(const fs::path& folder, const ContentHash& source) {
     const std::optional<Manifest> manifest = readManifest(folder);
     if (!manifest || manifest->source != source.hex()) return false;
     return std::ranges::all_of(manifest->files, [&](const ManifestEntry& file) {
-        const Result<std::string> bytes = readFile(folder / file.name);
-        return bytes && entryOf(file.name, *bytes) == file;
+        const Result<ManifestEntry> current = entryOfFile(folder, file.name);
+        return current && *current == file;
     });
 }
 
@@ -303,9 +309,9 @@ std::optional<std::string> verifyExportFolder(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
     if (!manifest) return "The folder " + inQuotes(folder) + " has no readable " + kManifestName + ".";
     for (const ManifestEntry& file : manifest->files) {
-        const Result<std::string> bytes = readFile(folder / file.name);
-        if (!bytes) return bytes.error().message;
-        if (entryOf(file.name, *bytes) != file) return inQuotes(folder / file.name) + " was modified after the export.";
+        const Result<ManifestEntry> current = entryOfFile(folder, file.name);
+        if (!current) return current.error().message;
+        if (*current != file) return inQuotes(folder / file.name) + " was modified after the export.";
     }
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error().message;

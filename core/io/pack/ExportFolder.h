@@ -30,9 +30,10 @@ bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
 /// modified file, an unexpected file. Files that engines write, such as wall.glb.import, are expected. Reads all files.
 std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
-/// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An earlier
-/// export is replaced, except for what engines wrote in it; a link to a folder stays one. Permissions and group are
-/// kept, and the owner where the user may give files away. On an error or a cancellation nothing changes. Creates missing parent folders. Of several processes that write the same folder, the last one wins.
+/// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An
+/// earlier export is replaced, except for what engines wrote in it; a link to a folder stays one. Permissions and
+/// group are kept, and the owner where the user may give files away. On an error or a cancellation nothing changes.
+/// Creates missing parent folders. Of several processes that write the same folder, the last one wins.
 ///
 /// Errors: Io, with the path and the system's reason; BadInput if the folder holds an unexpected file, with its name;
 /// Edited if it holds a modified one that is to be kept; Cancelled.

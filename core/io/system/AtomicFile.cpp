@@ -1,12 +1,14 @@
 #include "core/io/system/AtomicFile.h"
 
 #include "core/io/system/FileErrors.h"
+#include "core/io/system/OpenFile.h"
 #include "core/io/system/Temporary.h"
 
 #include <sys/stat.h>
 #include <sys/xattr.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <optional>
 #include <system_error>
@@ -41,8 +43,8 @@ int setFirstByte(const OpenFile& file, char byte) {
     return ::fsync(file.descriptor()) == 0 ? 0 : errno;
 }
 
-/// Replaces the bytes of a file and flushes them to disk; returns 0 or errno. Until all others are on the disk, the first
-/// one is kInterrupted.
+/// Replaces the bytes of a file and flushes them to disk; returns 0 or errno. Until all others are on the disk, the
+/// first one is kInterrupted.
 int overwriteBytes(const fs::path& path, std::string_view bytes) {
     OpenFile file(path, O_WRONLY | O_NONBLOCK);
     if (!file.isOpen()) return errno;
@@ -111,6 +113,24 @@ Error notAFile(const char* verb, const fs::path& path, mode_t mode) {
             std::string("Cannot ") + verb + " \"" + path.string() + "\": it is a " + kind + ", not a file."};
 }
 
+/// Opens a file for reading, unless it is a folder, a pipe or a device.
+Result<OpenFile> openRegularFile(const fs::path& path, struct stat& status) {
+    OpenFile file(path, O_RDONLY | O_NONBLOCK);  // opening a pipe would wait for a writer
+    if (!file.isOpen() || ::fstat(file.descriptor(), &status) != 0) return cannotRead(path, errno);
+    if (S_ISDIR(status.st_mode)) return cannotRead(path, EISDIR);
+    if (!S_ISREG(status.st_mode)) return notAFile("read", path, status.st_mode);
+    if (status.st_size > static_cast<off_t>(kMaxFileSize)) return tooLarge(path);
+    return file;
+}
+
+/// read() that goes on after signals.
+ssize_t readBlock(const OpenFile& file, char* at, std::size_t size) {
+    for (;;) {
+        const ssize_t count = ::read(file.descriptor(), at, size);
+        if (count >= 0 || errno != EINTR) return count;
+    }
+}
+
 }  // namespace
 
 fs::path linkTarget(fs::path path) {
@@ -163,18 +183,13 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
 }
 
 Result<std::string> readFile(const fs::path& path) {
-    const OpenFile file(path, O_RDONLY | O_NONBLOCK);  // opening a pipe would wait for a writer
-    if (!file.isOpen()) return cannotRead(path, errno);
     struct stat status {};
-    if (::fstat(file.descriptor(), &status) != 0) return cannotRead(path, errno);
-    if (S_ISDIR(status.st_mode)) return cannotRead(path, EISDIR);
-    if (!S_ISREG(status.st_mode)) return notAFile("read", path, status.st_mode);
-    if (status.st_size > static_cast<off_t>(kMaxFileSize)) return tooLarge(path);
+    const Result<OpenFile> file = openRegularFile(path, status);
+    if (!file) return file.error();
     std::string bytes(status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : 65536, '\0');
     std::size_t used = 0;
     for (;;) {
-        const ssize_t count = ::read(file.descriptor(), bytes.data() + used, bytes.size() - used);
-        if (count < 0 && errno == EINTR) continue;
+        const ssize_t count = readBlock(*file, bytes.data() + used, bytes.size() - used);
         if (count < 0) return cannotRead(path, errno);
         if (count == 0) break;
         used += static_cast<std::size_t>(count);
@@ -183,6 +198,24 @@ Result<std::string> readFile(const fs::path& path) {
     }
     bytes.resize(used);
     return bytes;
+}
+
+Result<FileHash> hashOfFile(const fs::path& path) {
+    struct stat status {};
+    const Result<OpenFile> file = openRegularFile(path, status);
+    if (!file) return file.error();
+    Hasher hasher;
+    FileHash result;
+    std::array<char, 65536> block;
+    for (;;) {
+        const ssize_t count = readBlock(*file, block.data(), block.size());
+        if (count < 0) return cannotRead(path, errno);
+        if (count == 0) break;
+        hasher.add(std::string_view(block.data(), static_cast<std::size_t>(count)));
+        result.size += static_cast<std::uint64_t>(count);
+    }
+    result.hash = hasher.digest();
+    return result;
 }
 
 }  // namespace rubble

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/base/Hash.h"
 #include "core/base/Result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,8 +33,8 @@ std::filesystem::path linkTarget(std::filesystem::path path);
 /// symbolic link leads to. It stays if the process is killed meanwhile.
 std::filesystem::path copyBeforeSave(const std::filesystem::path& path);
 
-/// Returns whether a process was killed while it wrote these bytes of a file in place. They are marked: a mixture of old
-/// and new could be mistaken for a whole file.
+/// Returns whether a process was killed while it wrote these bytes of a file in place. They are marked: a mixture of
+/// old and new could be mistaken for a whole file.
 bool isInterruptedSave(std::string_view bytes);
 /// What a user can do about a file that isInterruptedSave(): sentences that name the copy, if it is there.
 std::string interruptedSaveText(const std::filesystem::path& path);
@@ -41,5 +43,15 @@ std::string interruptedSaveText(const std::filesystem::path& path);
 ///
 /// Errors, with the path: NotFound; Io; Limit above 1 GiB.
 Result<std::string> readFile(const std::filesystem::path& path);
+
+struct FileHash {
+    std::uint64_t size = 0;  // bytes
+    ContentHash hash;        // as contentHash() of the bytes
+};
+
+/// The size and the hash of a file, without keeping its bytes in memory.
+///
+/// Errors: those of readFile().
+Result<FileHash> hashOfFile(const std::filesystem::path& path);
 
 }  // namespace rubble

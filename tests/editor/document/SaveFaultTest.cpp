@@ -1,5 +1,6 @@
-// Tests that no work is lost when a save fails: each call to the file system that opening, backing up and saving a
-// project make fails once, and the program is killed before each.
+// Tests editor/document/DocumentFile.cpp and editor/document/Autosave.cpp: no work is lost when a save fails. Each call
+// to the file system that opening, backing up and saving a project make fails once, and the program is killed before
+// each.
 #include "core/asset/project/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
@@ -117,8 +118,7 @@ private:
         if (run.outcome.exit == kSaved) QVERIFY2(project == after, where);
         if (run.outcome.exit == kNotOpened) QVERIFY2(project == before, where);
         if (run.outcome.exit == kNotSaved || isInterrupted) QVERIFY2(isBackedUp, where);
-        if (project == before || isInterrupted) return;
-        QVERIFY2(copy.isEmpty() || isKilled, where);
+        QVERIFY2(copy.isEmpty() || copy == before, where);  // it stays if it cannot be removed; the next save does
     }
 };
 
