@@ -39,6 +39,18 @@ private slots:
         QCOMPARE(*readFile(inFolder("file")), std::string());
         QCOMPARE(entryCount(inFolder("")), std::size_t{1});
     }
+    void fileHashIsThatOfItsBytes() {
+        for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{65536}, std::size_t{200001}}) {
+            std::string bytes(size, 'x');
+            for (std::size_t i = 0; i < size; i += 7) bytes[i] = static_cast<char>(i % 251);
+            QVERIFY(writeFileAtomically(inFolder("file"), bytes));
+            const FileHash file = hashOfFile(inFolder("file")).value();
+            QCOMPARE(file.size, std::uint64_t{size});
+            QCOMPARE(file.hash.hex(), contentHash(bytes).hex());
+        }
+        QCOMPARE(hashOfFile(inFolder("none")).error().code, ErrorCode::NotFound);
+        QVERIFY(hashOfFile(inFolder("")).error().message.ends_with("Is a directory."));
+    }
     void fullDiskKeepsTheOldFile() {
         QVERIFY(writeFileAtomically(inFolder("file"), "old"));
         const FileSizeLimit limit(1000);
