@@ -184,8 +184,8 @@ private slots:
         CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
         setPlain(bench);
         Asset asset = bench.asset();
-        std::swap(asset.prism.outline.outer[1], asset.prism.outline.outer[2]);
-        bench.document.push(modify("Cross edges", asset));
+        asset.pattern.layers[0].parameters = UniformScatter{.count = kMaxSeeds};
+        QVERIFY(bench.document.push(modify("More than memory allows", asset)));
         bench.settle();
         QVERIFY(!bench.canvas.displayedPattern());
         QVERIFY(pixelAt(bench, {0.5, 0.5}) != pixelAt(bench, {0.5, 0.9}));  // the message's panel
