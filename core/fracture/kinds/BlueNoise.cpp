@@ -138,4 +138,11 @@ Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     return success();
 }
 
+double BlueNoise::estimatedPieces(double area) const {
+    constexpr double kJammedDensity = 0.7;  // seeds within a square of the minimum distance, when no more fit
+    const double most = std::max(1.0, kJammedDensity * area / minimumDistance / minimumDistance);
+    const bool isAsManyAsFit = count.by == CountBy::Number && count.amount == 0.0;
+    return isAsManyAsFit ? most : std::min(most, count.in(area));
+}
+
 }  // namespace rubble

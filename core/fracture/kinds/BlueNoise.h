@@ -15,6 +15,7 @@ struct BlueNoise {
 
     bool operator==(const BlueNoise&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    double estimatedPieces(double area) const;
     static const LayerKind kKind;
     static BlueNoise defaultsFor(const Box2& bounds);
 };

@@ -172,4 +172,6 @@ Status BrickBond::cut(const LayerContext& context, CutSet& cuts) const {
     return success();
 }
 
+double BrickBond::estimatedPieces(double area) const { return area / (length + mortar) / (height + mortar); }
+
 }  // namespace rubble

@@ -27,6 +27,7 @@ struct BrickBond {
 
     bool operator==(const BrickBond&) const = default;
     Status cut(const LayerContext& context, CutSet& cuts) const;
+    double estimatedPieces(double area) const;
     static const LayerKind kKind;
     const char* summary() const;
     static BrickBond defaultsFor(const Box2& bounds);

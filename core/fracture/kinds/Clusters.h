@@ -14,6 +14,7 @@ struct Clusters {
 
     bool operator==(const Clusters&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    double estimatedPieces(double) const { return static_cast<double>(clusters) * seedsPerCluster; }
     static const LayerKind kKind;
     static Clusters defaultsFor(const Box2& bounds);
 };

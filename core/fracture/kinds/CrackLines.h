@@ -23,6 +23,7 @@ struct CrackLines {
     bool operator==(const CrackLines&) const = default;
     Status cut(const LayerContext& context, CutSet& cuts) const;
     std::optional<std::string> fault() const;
+    double estimatedPieces(double) const { return static_cast<double>(lines.size()); }
     static const LayerKind kKind;
     std::size_t elementCount() const { return lines.size(); }
 };

@@ -21,6 +21,7 @@ struct DensityImage {
     Status apply(const LayerContext& context, SeedSet& seeds) const;
     std::optional<std::string> fault() const;
     SeedDensity density(const Polygon& outline) const;  // null without an image
+    double estimatedPieces(double area) const { return count.in(area); }
     static const LayerKind kKind;
     const char* summary() const;
 };

@@ -98,4 +98,8 @@ Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) cons
     return success();
 }
 
+double HexagonalLattice::estimatedPieces(double area) const {
+    return 2.0 / std::numbers::sqrt3 * area / spacing / spacing;
+}
+
 }  // namespace rubble

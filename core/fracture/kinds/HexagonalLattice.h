@@ -14,6 +14,7 @@ struct HexagonalLattice {
 
     bool operator==(const HexagonalLattice&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    double estimatedPieces(double area) const;
     static const LayerKind kKind;
     static HexagonalLattice defaultsFor(const Box2& bounds);
 };

@@ -19,6 +19,7 @@ struct ImpactScatter {
     bool operator==(const ImpactScatter&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
     SeedDensity density(const Polygon& outline) const;
+    double estimatedPieces(double area) const { return count.in(area); }
     static const LayerKind kKind;
     static ImpactScatter defaultsFor(const Box2& bounds);
 };

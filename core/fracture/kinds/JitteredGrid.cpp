@@ -135,4 +135,9 @@ Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
     return success();
 }
 
+double JitteredGrid::estimatedPieces(double area) const {
+    if (cells == GridCells::Number) return static_cast<double>(columns) * rows;
+    return area / cellWidth / cellHeight;
+}
+
 }  // namespace rubble

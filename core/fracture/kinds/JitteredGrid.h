@@ -22,6 +22,7 @@ struct JitteredGrid {
 
     bool operator==(const JitteredGrid&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    double estimatedPieces(double area) const;
     static const LayerKind kKind;
     const char* summary() const;
     static JitteredGrid defaultsFor(const Box2& bounds);

@@ -21,6 +21,7 @@ struct PlacedSeeds {
     bool operator==(const PlacedSeeds&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
     std::optional<std::string> fault() const;
+    double estimatedPieces(double) const { return static_cast<double>(seeds.size()); }
     static const LayerKind kKind;
     std::size_t elementCount() const { return seeds.size(); }
 };

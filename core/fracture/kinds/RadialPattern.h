@@ -18,6 +18,7 @@ struct RadialPattern {
 
     bool operator==(const RadialPattern&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    double estimatedPieces(double) const { return static_cast<double>(rings) * spokes + 1.0; }
     static const LayerKind kKind;
     static RadialPattern defaultsFor(const Box2& bounds);
 };

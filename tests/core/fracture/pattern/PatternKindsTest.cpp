@@ -5,6 +5,7 @@
 #include "core/fracture/kinds/BrickCourses.h"
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/pattern/PatternCuts.h"
+#include "core/fracture/pattern/PieceEstimate.h"
 #include "core/geometry/polygon/HalfPlaneClip.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/PatternSamples.h"
@@ -242,6 +243,18 @@ private slots:
                 QVERIFY2(isEmpty == seeds->positions.empty(), kind->caption);
                 QVERIFY2(seeds->positions.size() < 300, kind->caption);
             }
+        }
+    }
+    void seedsOfEveryKindAreEstimated() {
+        const Polygon outline = unitSquare();
+        for (const PatternKind* kind : patternKinds()) {
+            const Pattern pattern{
+                {{.id = 1, .randomSeed = 1, .parameters = kind->defaultsFor(boundsOf(outline.outer))}}};
+            const std::size_t seeds = seedsOf(pattern, outline).value().positions.size();
+            const double estimate = estimatedPieces(pattern, 1.0);
+            QVERIFY2(seeds == 0 || (estimate > 0.5 * static_cast<double>(seeds) &&
+                                    estimate < 2.0 * static_cast<double>(seeds) + 1.0),
+                     kind->caption);
         }
     }
     void cancelledLayersStop() {
