@@ -27,22 +27,32 @@ Mat4 matrixOf(const aiMatrix4x4& matrix) {
     return result;
 }
 
-std::string nameOf(const aiString& source) {
-    const std::string bytes = source.C_Str();
+std::string lineOf(std::string_view bytes) {
     const bool isText = isUtf8(bytes);
-    std::string name;
+    std::string line;
     for (const char letter : bytes) {
         const auto code = static_cast<unsigned char>(letter);
         if (code < 0x20 || code == 0x7f) {
-            name += ' ';
+            line += ' ';
         } else if (code < 0x80 || isText) {
-            name += letter;
+            line += letter;
         } else {
-            name += static_cast<char>(0xc0 | code >> 6);
-            name += static_cast<char>(0x80 | (code & 0x3f));
+            line += static_cast<char>(0xc0 | code >> 6);
+            line += static_cast<char>(0x80 | (code & 0x3f));
         }
     }
-    return name;
+    return line;
+}
+
+std::string nameOf(const aiString& source) { return lineOf(source.C_Str()); }
+
+std::string excerptOf(std::string_view bytes) {
+    constexpr std::size_t kMaxLength = 150;  // bytes; a message with two excerpts and a file name is not cut
+    std::string line = lineOf(bytes);
+    if (line.size() <= kMaxLength) return line;
+    line.resize(kMaxLength);
+    while (!isUtf8(line)) line.pop_back();
+    return line + "\u2026";
 }
 
 }  // namespace rubble

@@ -9,6 +9,7 @@
 #include <assimp/vector3.h>
 
 #include <string>
+#include <string_view>
 
 namespace rubble {
 
@@ -19,7 +20,10 @@ double decimalOf(float value);
 Vec3 pointOf(const aiVector3D& point);
 Mat4 matrixOf(const aiMatrix4x4& matrix);
 
-/// Returns a name as UTF-8 on one line. Names that are not valid UTF-8 are read as Latin-1.
+/// Returns text as UTF-8 on one line. Text that is not valid UTF-8 is read as Latin-1.
+std::string lineOf(std::string_view bytes);
 std::string nameOf(const aiString& source);
+/// Returns lineOf(bytes) for a message: longer text is cut and ends with an ellipsis.
+std::string excerptOf(std::string_view bytes);
 
 }  // namespace rubble

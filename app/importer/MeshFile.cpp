@@ -1,6 +1,7 @@
 #include "app/importer/MeshFile.h"
 
 #include "app/importer/AssimpValues.h"
+#include "app/importer/PlyReader.h"
 
 #include <glm/matrix.hpp>
 
@@ -12,6 +13,16 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+
+namespace Assimp {
+
+/// Replaces the function of the library, built with assertions, that ends the process: the file is rejected instead.
+void aiAssertViolation(const char* condition, const char* /*file*/, int /*line*/) {
+    throw std::logic_error(std::string("the assertion of its reader failed that ") + condition);
+}
+
+}  // namespace Assimp
 
 namespace rubble {
 namespace {
@@ -19,24 +30,25 @@ namespace {
 /// Returns whether one of a reader's suffixes, which are separated by spaces, is a supported one.
 bool isSupported(const aiImporterDesc& description) {
     const std::string suffixes = std::string(" ") + description.mFileExtensions + " ";
-    return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl ", " ply "},
+    return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl "},
                                [&](const char* suffix) { return suffixes.find(suffix) != std::string::npos; });
 }
 
-/// Unregisters the library's readers of other formats.
+/// Unregisters the library's readers of other formats, and that of PLY, which a reader of our own replaces.
 void keepSupportedFormats(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         // A reader cannot be deleted, because its type is not public; it leaks until the process ends.
         if (!isSupported(*importer.GetImporterInfo(i))) importer.UnregisterLoader(importer.GetImporter(i));
     }
+    importer.RegisterLoader(new PlyReader);  // which the importer deletes
 }
 
-/// Returns the first line of the library's error message, as the end of a sentence.
+/// Returns the first line of the library's error message, shortened, as the end of a sentence.
 std::string reasonOf(const Assimp::Importer& importer) {
     std::string reason = importer.GetErrorString();
     reason.erase(std::min(reason.find_first_of("\r\n"), reason.size()));
     while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
-    return reason.empty() ? "unknown error" : reason;
+    return reason.empty() ? "unknown error" : excerptOf(reason);
 }
 
 /// Returns a number from the file's metadata.
@@ -91,8 +103,12 @@ std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
     return materials;
 }
 
-/// Returns an error for indices of missing points and materials, which the library does not check.
-std::optional<std::string> indexError(const aiMesh& mesh, std::size_t materialCount) {
+/// Returns an error for missing points and for indices of missing points and materials, which the library does not
+/// check.
+std::optional<std::string> meshError(const aiMesh& mesh, std::size_t materialCount) {
+    const bool hasPoints = mesh.mVertices != nullptr || mesh.mNumVertices == 0;
+    const bool hasFaces = mesh.mFaces != nullptr || mesh.mNumFaces == 0;
+    if (!hasPoints || !hasFaces) return "has a mesh without points";
     if (mesh.mMaterialIndex >= materialCount)
         return "refers to material " + std::to_string(mesh.mMaterialIndex) + " of " + std::to_string(materialCount);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
@@ -136,11 +152,15 @@ public:
         const Mat4 fromNode = fromParent * matrixOf(node.mTransformation);
         SourceObject object{.name = nameOf(node.mName)};
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-            const aiMesh& mesh = *m_source.mMeshes[node.mMeshes[i]];
+            const unsigned index = node.mMeshes[i];
+            if (index >= m_source.mNumMeshes)
+                return Error{ErrorCode::BadInput,
+                             "refers to mesh " + std::to_string(index) + " of " + std::to_string(m_source.mNumMeshes)};
+            const aiMesh& mesh = *m_source.mMeshes[index];
             m_triangles += mesh.mNumFaces;
             if (m_triangles > kMaxTriangles)
                 return Error{ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles"};
-            if (std::optional<std::string> error = indexError(mesh, m_scene.materials.size()))
+            if (std::optional<std::string> error = meshError(mesh, m_scene.materials.size()))
                 return Error{ErrorCode::BadInput, *error};
             addMesh(mesh, fromNode, object);
         }
@@ -166,8 +186,8 @@ std::optional<std::string> numberError(const SourceScene& scene) {
         const bool hasUvs = std::ranges::all_of(object.triangles, [&](const SourceTriangle& triangle) {
             return std::ranges::all_of(triangle.uvs, isFinite);
         });
-        if (!hasPoints) return "has a point in \"" + object.name + "\" that is not finite";
-        if (!hasUvs) return "has texture coordinates in \"" + object.name + "\" that are not finite";
+        if (!hasPoints) return "has a point in \"" + excerptOf(object.name) + "\" that is not finite";
+        if (!hasUvs) return "has texture coordinates in \"" + excerptOf(object.name) + "\" that are not finite";
     }
     return std::nullopt;
 }
@@ -177,7 +197,7 @@ Error fileError(ErrorCode code, const std::string& name, const std::string& what
 }
 
 std::string outsideText(const std::string& resource) {
-    return "refers to \"" + nameOf(aiString(resource)) +
+    return "refers to \"" + excerptOf(resource) +
            "\", which lies outside its folder; only files in the folder of a mesh and below are read";
 }
 

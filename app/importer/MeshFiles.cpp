@@ -1,6 +1,6 @@
 #include "app/importer/MeshFiles.h"
 
-#include "app/importer/PlyData.h"
+#include "app/importer/AssimpValues.h"
 #include "app/importer/TextEncoding.h"
 
 #include <fcntl.h>
@@ -140,16 +140,15 @@ std::string readStart(FileStream& file, std::size_t count) {
     return bytes;
 }
 
-/// Returns the bytes that assimp is to read instead of the file's: text as UTF-8, and PLY data that it would misread;
-/// nothing if it can read the file.
+/// Returns a text as UTF-8 if it is in another encoding or begins with a byte order mark; nothing otherwise.
 std::optional<std::string> replacement(FileStream& file) {
-    constexpr std::size_t kLongestHeader = 65536;
-    const std::string start = readStart(file, kLongestHeader);
-    if (utf8Text(start)) return utf8Text(readStart(file, file.FileSize()));
-    const std::optional<std::size_t> data = plyDataAtLineFeed(start);
-    if (!data) return std::nullopt;
-    return readStart(file, file.FileSize()).insert(*data, 1, '\n');
+    constexpr std::size_t kMark = 4;  // a byte order mark and a character
+    if (!utf8Text(readStart(file, kMark))) return std::nullopt;
+    return utf8Text(readStart(file, file.FileSize()));
 }
+
+/// Names a file on standard error, on one line.
+void logFile(const char* what, const std::string& name) { std::fprintf(stderr, "%s %s\n", what, lineOf(name).c_str()); }
 
 Assimp::IOStream* memoryStream(const std::string& bytes) {
     auto* copy = new std::uint8_t[bytes.size()];
@@ -182,7 +181,7 @@ Assimp::IOStream* MeshFiles::Open(const char* name, const char* mode) {
     const std::shared_ptr<const Descriptor> file = opened(name);
     const std::optional<std::size_t> size = fileSize(*file);
     if (!size) return nullptr;
-    if (m_log == FileLog::On) std::fprintf(stderr, "opened %s\n", name);
+    if (m_log == FileLog::On) logFile("opened", name);
     auto stream = std::make_unique<FileStream>(file, *size);
     const std::optional<std::string> bytes = isText(name) ? replacement(*stream) : std::nullopt;
     return bytes ? memoryStream(*bytes) : stream.release();
@@ -200,7 +199,7 @@ std::shared_ptr<const Descriptor> MeshFiles::opened(const std::string& name) {
 }
 
 void MeshFiles::refuse(const std::string& name) {
-    if (m_log == FileLog::On) std::fprintf(stderr, "refused %s\n", name.c_str());
+    if (m_log == FileLog::On) logFile("refused", name);
     if (std::ranges::find(m_refused, name) == m_refused.end()) m_refused.push_back(name);
 }
 

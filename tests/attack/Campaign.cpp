@@ -22,7 +22,8 @@
 namespace rubble::attack {
 namespace {
 
-constexpr std::uint64_t kBatch = 2000;  // inputs for a process
+constexpr std::uint64_t kMaxBatch = 2000;    // inputs for a process
+constexpr std::uint64_t kBatchesPerJob = 8;  // at least, so that all end at about the same time
 constexpr int kSeconds = 10;
 constexpr rlim_t kMemory = rlim_t{2} << 30;
 constexpr std::uint64_t kMostSaved = 100;
@@ -34,6 +35,7 @@ struct Progress {
     std::uint64_t next = 0;  // number of the input being checked, or the end
     std::uint64_t accepted = 0;
     std::uint64_t played = 0;
+    ImporterFigures importer;
     std::array<char, 1024> fault{};
 };
 
@@ -66,17 +68,33 @@ void restartTimer() {
     ::setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-[[noreturn]] void runBatch(const Format& format, std::uint64_t seed, const Batch& batch) {
+/// Prints how the input can be made again.
+void printInput(const char* what, const Format& format, std::uint64_t seed, std::uint64_t number) {
+    std::printf("  %s: --format %s --seed %llu --first %llu: ", what, format.name.c_str(),
+                static_cast<unsigned long long>(seed), static_cast<unsigned long long>(number));
+}
+
+void printFailure(const ImporterFigures& importer) {
+    std::puts(importer.crashed > 0 ? "crash" : importer.timedOut > 0 ? "time-out" : "out of memory");
+    std::fflush(stdout);
+}
+
+[[noreturn]] void runBatch(const Format& format, const CampaignOptions& options, const Batch& batch) {
     limitProcess();
     Progress& progress = *batch.progress;
     for (std::uint64_t number = batch.start; number < batch.end; ++number) {
         progress.next = number;
         restartTimer();
-        Random random = randomOf(format, seed, number);
+        Random random = randomOf(format, options.seed, number);
         const std::string bytes = format.mutated(random);
         const Verdict verdict = format.check(bytes, random);
         progress.accepted += verdict.isAccepted ? 1 : 0;
         progress.played += verdict.isPlayed ? 1 : 0;
+        progress.importer += verdict.importer;
+        if (options.isVerbose && verdict.importer.failed() > 0) {
+            printInput("contained", format, options.seed, number);
+            printFailure(verdict.importer);
+        }
         if (verdict.fault) {
             const std::size_t size = std::min(verdict.fault->size(), progress.fault.size() - 1);
             std::memcpy(progress.fault.data(), verdict.fault->data(), size);
@@ -112,7 +130,9 @@ class Attack {
 public:
     Attack(const Format& format, const CampaignOptions& options)
         : m_format(format), m_options(options), m_next(options.first), m_end(options.first + options.count) {
-        m_batches.resize(static_cast<std::size_t>(std::max(1, options.jobs)));
+        const auto jobs = static_cast<std::uint64_t>(std::max(1, options.jobs));
+        m_batches.resize(jobs);
+        m_batchSize = std::clamp<std::uint64_t>(options.count / (kBatchesPerJob * jobs), 1, kMaxBatch);
         for (Batch& batch : m_batches) {
             void* shared = ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
             if (shared == MAP_FAILED) std::exit(2);
@@ -142,7 +162,7 @@ private:
         batch.process = 0;
         if (batch.start == batch.end) {
             batch.start = m_next;
-            batch.end = m_next = std::min(m_end, m_next + kBatch);
+            batch.end = m_next = std::min(m_end, m_next + m_batchSize);
         }
         if (batch.start == batch.end || m_figures.broken() >= kMostSaved) return;
         *batch.progress = {.next = batch.start};
@@ -150,7 +170,7 @@ private:
         batch.since = std::chrono::steady_clock::now();
         std::fflush(nullptr);
         batch.process = ::fork();
-        if (batch.process == 0) runBatch(m_format, m_options.seed, batch);
+        if (batch.process == 0) runBatch(m_format, m_options, batch);
         if (batch.process < 0) std::exit(2);
     }
 
@@ -171,6 +191,7 @@ private:
         const Progress& progress = *batch.progress;
         m_figures.accepted += progress.accepted;
         m_figures.played += progress.played;
+        m_figures.importer += progress.importer;
         m_figures.inputs += progress.next - batch.start;
         batch.start = progress.next;
         if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
@@ -185,9 +206,8 @@ private:
     void report(Finding finding, int status, const Progress& progress) {
         ++m_figures.findings[static_cast<std::size_t>(finding)];
         const std::string reason = reasonOf(finding, status, progress);
-        std::printf("%s %s --seed %llu --first %llu: %s: %s\n", "  found: --format", m_format.name.c_str(),
-                    static_cast<unsigned long long>(m_options.seed), static_cast<unsigned long long>(progress.next),
-                    kFindings[static_cast<std::size_t>(finding)], reason.c_str());
+        printInput("found", m_format, m_options.seed, progress.next);
+        std::printf("%s: %s\n", kFindings[static_cast<std::size_t>(finding)], reason.c_str());
         if (m_options.findings.empty()) return;
         if (finding == Finding::Fault && !m_reasons.insert(reason.substr(0, 40)).second) return;
         const std::string bytes = inputOf(m_format, m_options.seed, progress.next);
@@ -202,11 +222,21 @@ private:
     std::uint64_t m_next;
     std::uint64_t m_end;
     std::vector<Batch> m_batches;
+    std::uint64_t m_batchSize = 1;
     Figures m_figures;
     std::set<std::string> m_reasons;
 };
 
 }  // namespace
+
+ImporterFigures& ImporterFigures::operator+=(const ImporterFigures& other) {
+    crashed += other.crashed;
+    timedOut += other.timedOut;
+    outOfMemory += other.outOfMemory;
+    opened += other.opened;
+    refused += other.refused;
+    return *this;
+}
 
 std::string inputOf(const Format& format, std::uint64_t seed, std::uint64_t number) {
     Random random = randomOf(format, seed, number);

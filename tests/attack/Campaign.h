@@ -12,6 +12,7 @@ struct CampaignOptions {
     std::uint64_t first = 0;  // number of the first input
     std::uint64_t count = 10000;
     int jobs = 1;                    // processes at a time
+    bool isVerbose = false;          // also prints the inputs on which an importer failed
     std::filesystem::path findings;  // the folder for inputs that break a promise; in a sub-folder for each format
 };
 
@@ -24,6 +25,7 @@ struct Figures {
     std::uint64_t inputs = 0;
     std::uint64_t accepted = 0;
     std::uint64_t played = 0;
+    ImporterFigures importer;
     std::array<std::uint64_t, kFindings.size()> findings{};
     double seconds = 0.0;
 

@@ -4,7 +4,10 @@ namespace rubble::attack {
 
 std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::filesystem::path& folder) {
     std::vector<Format> formats = jsonFormats();
-    if (!importer.empty()) formats.push_back(meshFormat(std::filesystem::absolute(importer), folder));
+    if (!importer.empty()) {
+        for (Format& format : meshFormats(std::filesystem::absolute(importer), folder))
+            formats.push_back(std::move(format));
+    }
     return formats;
 }
 

@@ -14,19 +14,38 @@ using namespace rubble::attack;
 
 constexpr const char* kUsage =
     R"(usage: attack [--format NAME]... [--count N] [--seed N] [--first N] [--jobs N] [--save FOLDER] [--importer FILE]
-              [--corpus FOLDER] [--check FILE] [--print]
+              [--verbose] [--corpus FOLDER] [--check FILE] [--print]
 
 Feeds N damaged inputs of each format to what reads them, in limited child processes. An input must be refused with one
 sentence, or be read, written, baked and simulated without a fault. Exits with 1 if one is not.
 
-  --format NAME     Only this format; repeatable (default: all that are listed below)
+  --format NAME     Only this format or family, such as Mesh; repeatable (default: all that are listed below)
   --first N         Begin with this input: with --count 1 the one that was found
   --save FOLDER     Save what is found in FOLDER/NAME
-  --importer FILE   Also attack this rubble-importer with meshes (format Mesh)
+  --importer FILE   Also attack this rubble-importer with meshes (formats Mesh/obj, Mesh/gltf …)
+  --verbose         Also name the meshes on which the importer crashed or exceeded its limits
   --corpus FOLDER   Check the files in FOLDER/NAME instead
   --check FILE      Check this file as an input of the format, in this process
   --print           Print the inputs instead
 )";
+
+/// The name of a folder that is removed in the end.
+class TemporaryFolder {
+public:
+    TemporaryFolder()
+        : m_path(std::filesystem::temp_directory_path() / ("rubble-attack-" + std::to_string(::getpid()))) {}
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_path, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return m_path; }
+
+private:
+    std::filesystem::path m_path;
+};
 
 struct Options {
     CampaignOptions campaign;
@@ -69,12 +88,21 @@ Options optionsOf(int argumentCount, char** arguments) {
             options.checked = text();
         else if (name == "--corpus")
             options.corpus = text();
+        else if (name == "--verbose")
+            options.campaign.isVerbose = true;
         else if (name == "--print")
             options.isPrinted = true;
         else
             fail(kUsage);
     }
     return options;
+}
+
+/// Whether a format was asked for, by its name or that of its family.
+bool isWanted(const std::string& name, const std::vector<std::string>& wanted) {
+    return wanted.empty() || std::ranges::any_of(wanted, [&](const std::string& one) {
+               return name == one || name.starts_with(one + '/');
+           });
 }
 
 int print(const Format& format, const CampaignOptions& options) {
@@ -86,6 +114,14 @@ int print(const Format& format, const CampaignOptions& options) {
     return EXIT_SUCCESS;
 }
 
+void printImporter(const ImporterFigures& importer) {
+    if (importer.opened == 0) return;
+    const auto number = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
+    std::printf("  importer: %llu crashed, %llu timed out, %llu out of memory; files: %llu opened, %llu refused\n",
+                number(importer.crashed), number(importer.timedOut), number(importer.outOfMemory),
+                number(importer.opened), number(importer.refused));
+}
+
 int check(const Format& format, const std::filesystem::path& file) {
     std::FILE* const stream = std::fopen(file.c_str(), "rb");
     if (stream == nullptr) fail("Cannot open \"" + file.string() + "\".");
@@ -94,7 +130,7 @@ int check(const Format& format, const std::filesystem::path& file) {
         bytes += static_cast<char>(letter);
     std::fclose(stream);
     rubble::Random random(1);
-    for (int k = 0; k < 64; ++k) {  // some checks are made of some inputs only
+    for (int k = 0; k < format.checks; ++k) {
         const Verdict verdict = format.check(bytes, random);
         if (!verdict.fault) continue;
         std::printf("%s: %s\n", file.c_str(), verdict.fault->c_str());
@@ -130,9 +166,8 @@ int brokenInFolder(const Format& format, const std::filesystem::path& folder) {
 
 int main(int argumentCount, char** arguments) {
     Options options = optionsOf(argumentCount, arguments);
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("rubble-attack-" + std::to_string(::getpid()));
-    const std::vector<Format> formats = formatsOf(options.importer, folder);
+    const TemporaryFolder folder;
+    const std::vector<Format> formats = formatsOf(options.importer, folder.path());
     if (!options.corpus.empty()) {
         int broken = 0;
         for (const Format& format : formats) broken += brokenInFolder(format, options.corpus / format.name);
@@ -144,8 +179,7 @@ int main(int argumentCount, char** arguments) {
                 "crash", "hang", "memory", "fault", "inputs/s");
     std::uint64_t broken = 0;
     for (const Format& format : formats) {
-        const auto& wanted = options.formats;
-        if (!wanted.empty() && std::ranges::find(wanted, format.name) == wanted.end()) continue;
+        if (!isWanted(format.name, options.formats)) continue;
         if (options.isPrinted) return print(format, options.campaign);
         if (!options.checked.empty()) return check(format, options.checked);
         const Figures figures = attacked(format, options.campaign);
@@ -156,10 +190,9 @@ int main(int argumentCount, char** arguments) {
             static_cast<unsigned long long>(figures.findings[1]), static_cast<unsigned long long>(figures.findings[2]),
             static_cast<unsigned long long>(figures.findings[3]),
             static_cast<double>(figures.inputs) / std::max(1e-3, figures.seconds));
+        printImporter(figures.importer);
         std::fflush(stdout);
         broken += figures.broken();
     }
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
     return broken == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,17 +1,18 @@
 #include "core/asset/import/AssetImport.h"
-#include "core/geometry/mesh/SourceScene.h"
+#include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
-#include "core/io/system/AtomicFile.h"
 #include "core/io/system/ChildProcess.h"
 #include "tests/attack/Format.h"
-#include "tests/attack/Mutator.h"
+#include "tests/attack/MeshMutator.h"
 #include "tests/support/files/FuzzedReaders.h"
 
+#include <sys/inotify.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <memory>
-#include <set>
 #include <sstream>
 
 namespace rubble::attack {
@@ -19,124 +20,134 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxSampleSize = 12000;  // bytes; larger ones take the importer longer
+constexpr std::size_t kMaxLog = std::size_t{1} << 24;
 
-struct MeshSample {
-    std::string ending;  // ".obj"
-    std::string bytes;
+/// A folder for meshes with the files that the samples refer to, and files outside of it that no mesh may open. Inputs
+/// do not depend on its path, so that they are the same in every process.
+class MeshFolder {
+public:
+    explicit MeshFolder(const fs::path& root) : m_outside(root / std::to_string(::getpid())) {
+        constexpr std::size_t kMaxCompanion = 10000;  // bytes
+        fs::remove_all(m_outside);
+        fs::create_directories(m_outside / "mesh/below");
+        for (const fs::path& folder : meshFolders()) {
+            for (const auto& entry : fs::directory_iterator(folder)) {
+                const bool isNamed = entry.path().extension() == ".mtl" || entry.path().extension() == ".bin";
+                if (isNamed && entry.is_regular_file() && entry.file_size() <= kMaxCompanion)
+                    fs::copy_file(entry, path(entry.path().filename()), fs::copy_options::overwrite_existing);
+            }
+        }
+        std::ofstream(m_outside / "outside.bin") << "newmtl Brick\nKd 1 0 0\n#" << std::string(36, ' ') << '\n';
+        fs::create_symlink("../outside.bin", path("outside-link.bin"));
+        fs::create_symlink("..", path("outside-folder"));
+        m_watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+        if (::inotify_add_watch(m_watch, (m_outside / "outside.bin").c_str(), IN_OPEN | IN_ACCESS) < 0) std::exit(2);
+    }
+    ~MeshFolder() { ::close(m_watch); }
+    MeshFolder(const MeshFolder&) = delete;
+    MeshFolder& operator=(const MeshFolder&) = delete;
+
+    fs::path path(const fs::path& name) const { return m_outside / "mesh" / name; }
+    /// Returns whether the kernel saw the file outside being opened since the last call.
+    bool isOutsideOpened() {
+        alignas(inotify_event) std::array<char, 4096> events;
+        return ::read(m_watch, events.data(), events.size()) > 0;
+    }
+
+private:
+    fs::path m_outside;
+    int m_watch = -1;
 };
 
-std::vector<MeshSample> meshSamples() {
-    const std::set<std::string> endings = {".obj", ".stl", ".ply", ".glb", ".gltf", ".fbx"};
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(fs::path(RUBBLE_SOURCE_DIR) / "tests/data/meshes")) {
-        const bool isMesh = entry.is_regular_file() && endings.contains(entry.path().extension().string());
-        if (isMesh && entry.file_size() <= kMaxSampleSize) paths.push_back(entry.path());
-    }
-    std::ranges::sort(paths);
-    std::vector<MeshSample> samples;
-    for (const fs::path& path : paths) samples.push_back({path.extension().string(), *readFile(path)});
-    return samples;
-}
-
-std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, bytes.data() + at, sizeof word);
-    return word;
-}
-
-std::string bytesOf(std::uint32_t word) {
-    std::string bytes(sizeof word, '\0');
-    std::memcpy(bytes.data(), &word, sizeof word);
-    return bytes;
-}
-
-/// A GLB file: a header of 12 bytes, a chunk of JSON, a chunk of data.
-std::string mutatedGlb(const std::string& glb, Random& random) {
-    constexpr std::size_t kJson = 20;  // after the headers of the file and the chunk
-    const std::size_t size = wordAt(glb, 12);
-    std::string json = JsonMutator({glb.substr(kJson, size)}, "").mutated(random);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string data = glb.substr(kJson + size);
-    if (random.below(3) == 0) data = mutatedBytes(data, random);
-    return glb.substr(0, 8) + bytesOf(static_cast<std::uint32_t>(kJson + json.size() + data.size())) +
-           bytesOf(static_cast<std::uint32_t>(json.size())) + glb.substr(16, 4) + json + data;
-}
-
-/// A first line that names the ending, then the file: an input says by itself how it is read.
-std::string mutatedMesh(const MeshSample& sample, Random& random) {
-    const bool isText = sample.bytes.find('\0') == std::string::npos;
-    std::string bytes;
-    if (random.below(3) == 0)
-        bytes = mutatedBytes(sample.bytes, random);
-    else if (sample.ending == ".glb")
-        bytes = mutatedGlb(sample.bytes, random);
-    else if (sample.ending == ".gltf")
-        bytes = JsonMutator({sample.bytes}, "").mutated(random);
-    else
-        bytes = isText ? mutatedLines(sample.bytes, random) : mutatedBytes(sample.bytes, random);
-    return sample.ending + '\n' + bytes;
-}
-
-/// Returns the fault of what the importer's log tells: it opens no file outside the folder.
-std::optional<std::string> logFault(const std::string& log) {
+/// Takes the importer's log of files out of its standard error, and returns the fault of the log: no file outside of
+/// the folder is opened.
+std::optional<std::string> takeLog(std::string& error, ImporterFigures& figures) {
     constexpr std::string_view kOpened = "opened ";
-    std::istringstream lines(log);
+    constexpr std::string_view kRefused = "refused ";
+    if (error.size() >= kMaxLog) return "The importer's log of files is too long.";
+    std::istringstream lines(std::exchange(error, {}));
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(kOpened)) continue;
-        const fs::path path = fs::path(line.substr(kOpened.size())).lexically_normal();
-        if (path.is_absolute() || path.string().starts_with("..")) return "The importer " + line;
+        if (line.starts_with(kRefused)) {
+            ++figures.refused;
+        } else if (line.starts_with(kOpened)) {
+            ++figures.opened;
+            const fs::path path = fs::path(line.substr(kOpened.size())).lexically_normal();
+            if (path.is_absolute() || *path.begin() == "..") return "The importer " + line;
+        } else {
+            error += line + '\n';
+        }
     }
     return std::nullopt;
 }
 
-/// What the parent does with the outcome of the importer.
-Verdict verdictOf(const ChildResult& outcome) {
-    if (outcome.exit != ChildExit::Exited || outcome.exitCode != 0) return {};
-    const Result<SourceScene> scene = readSourceScene(outcome.output);
-    if (!scene) return {.fault = "The importer returned invalid data: " + scene.error().message};
-    Verdict verdict{.isAccepted = true, .isPlayed = true};
-    const Result<ImportOutcome> imported = importedInto({}, *scene, "mesh", {}, {.threads = 1});
-    if (!imported) return {true, true, test::errorFault(imported.error())};
+void countEnd(const ChildResult& outcome, ImporterFigures& figures) {
+    constexpr int kOutOfMemory = 3;  // see app/importer/Main.cpp
+    figures.crashed += outcome.exit == ChildExit::Crashed ? 1 : 0;
+    figures.timedOut += outcome.exit == ChildExit::TimedOut ? 1 : 0;
+    figures.outOfMemory += outcome.exit == ChildExit::Exited && outcome.exitCode == kOutOfMemory ? 1 : 0;
+}
+
+/// The fault of what becomes of a mesh in a project.
+std::optional<std::string> importFault(const SourceScene& scene) {
+    const Result<ImportOutcome> imported = importedInto({}, scene, "mesh", {}, {.threads = 1});
+    if (!imported) return test::errorFault(imported.error());
     for (const RejectedObject& rejected : imported->rejected) {
-        if ((verdict.fault = test::errorFault(rejected.error))) return verdict;
+        if (std::optional<std::string> fault = test::errorFault(rejected.error)) return fault;
     }
-    verdict.fault = test::projectFault(projectText(imported->project));
+    return test::projectFault(projectText(imported->project));
+}
+
+/// Reads a mesh as importMesh() does, and also the importer's log.
+Verdict checkMesh(const fs::path& importer, MeshFolder& folder, const std::string& name, std::string_view bytes) {
+    const fs::path file = folder.path(name);
+    std::ofstream(file, std::ios::binary) << bytes;
+    ChildLimits limits = importerLimits();
+    limits.error = kMaxLog;
+    Result<ChildResult> outcome = runChild(importer, {"--log-files", file.string()}, limits, {});
+    if (!outcome) return {.fault = outcome.error().message};
+    Verdict verdict;
+    countEnd(*outcome, verdict.importer);
+    verdict.fault = takeLog(outcome->error, verdict.importer);
+    if (folder.isOutsideOpened()) verdict.fault = "The importer opened ../outside.bin.";
+    if (verdict.fault) return verdict;
+    const Result<SourceScene> scene = importedMesh(*outcome, file);
+    verdict.isAccepted = verdict.isPlayed = scene.hasValue();
+    if (scene) {
+        verdict.fault = importFault(*scene);
+    } else {
+        const bool hasSucceeded = outcome->exit == ChildExit::Exited && outcome->exitCode == 0;
+        verdict.fault = hasSucceeded ? scene.error().message : test::errorFault(scene.error());
+    }
     return verdict;
 }
 
-/// Whether the importer names the files that it opens.
-bool hasLog(const fs::path& importer) {
+/// Exits if the importer does not read a valid mesh or does not keep its log.
+void tryImporter(const fs::path& importer) {
     const std::string mesh = RUBBLE_SOURCE_DIR "/tests/data/meshes/wall.obj";
-    const Result<ChildResult> outcome = runChild(importer, {"--log-files", mesh}, {}, {});
-    return outcome && outcome->exitCode == 0;
+    const Result<ChildResult> outcome = runChild(importer, {"--log-files", mesh}, importerLimits(), {});
+    if (outcome && outcome->exitCode == 0 && outcome->error.ends_with("opened wall.mtl\n")) return;
+    std::fprintf(stderr, "%s does not read wall.obj.\n", importer.c_str());
+    std::exit(2);
 }
 
 }  // namespace
 
-Format meshFormat(const fs::path& importer, const fs::path& folder) {
-    fs::create_directories(folder);
-    fs::copy_file(RUBBLE_SOURCE_DIR "/tests/data/meshes/wall.mtl", folder / "wall.mtl",
-                  fs::copy_options::overwrite_existing);
-    const bool isLogged = hasLog(importer);
-    if (!isLogged) std::printf("The importer keeps no log of files: which ones it opens is not checked.\n");
-    const auto samples = std::make_shared<const std::vector<MeshSample>>(meshSamples());
-    return {
-        .name = "Mesh",
-        .ending = ".mesh",
-        .mutated = [samples](Random& random) { return mutatedMesh((*samples)[random.below(samples->size())], random); },
-        .check = [importer, folder, isLogged](std::string_view bytes, Random&) -> Verdict {
-            const std::size_t end = bytes.find('\n');
-            const fs::path file = folder / (std::to_string(::getpid()) + std::string(bytes.substr(0, end)));
-            if (!writeFileAtomically(file, bytes.substr(end + 1))) return {.fault = "The mesh cannot be written."};
-            std::vector<std::string> arguments{file.string()};
-            if (isLogged) arguments.insert(arguments.begin(), "--log-files");
-            const Result<ChildResult> outcome = runChild(importer, arguments, {}, {});
-            fs::remove(file);
-            if (!outcome) return {.fault = test::errorFault(outcome.error())};
-            if (std::optional<std::string> fault = logFault(outcome->error)) return {.fault = fault};
-            return verdictOf(*outcome);
-        }};
+std::vector<Format> meshFormats(const fs::path& importer, const fs::path& folder) {
+    tryImporter(importer);
+    std::vector<Format> formats;
+    for (const std::string ending : kMeshEndings) {
+        const auto mutator = std::make_shared<const MeshMutator>(ending);
+        formats.push_back({.name = "Mesh/" + ending.substr(1),
+                           .ending = ending,
+                           .mutated = [mutator](Random& random) { return mutator->mutated(random); },
+                           .check =
+                               [importer, folder, ending](std::string_view bytes, Random&) {
+                                   static MeshFolder meshes(folder);  // of this process
+                                   return checkMesh(importer, meshes, "mesh" + ending, bytes);
+                               },
+                           .checks = 1});
+    }
+    return formats;
 }
 
 }  // namespace rubble::attack

@@ -1,6 +1,6 @@
 #include "core/io/mesh/MeshImport.h"
 
-#include "core/io/system/ChildProcess.h"
+#include "core/base/Utf8.h"
 
 #include <algorithm>
 #include <fstream>
@@ -28,13 +28,16 @@ constexpr ChildLimits kImporterLimits{.memory = std::size_t{2} << 30,
 
 std::string quotedName(const std::filesystem::path& file) { return "\"" + file.filename().string() + "\""; }
 
-/// Returns the first line of the child's standard error, shortened, without control characters.
+/// Returns the first line of the child's standard error in UTF-8, shortened, without control characters.
 std::string firstLine(const std::string& text) {
-    constexpr std::size_t kMaxLength = 500;
-    std::string line = text.substr(0, std::min({text.find('\n'), text.size(), kMaxLength}));
+    constexpr std::size_t kMaxLength = 1000;
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    std::string line = text.substr(0, std::min(length, kMaxLength));
+    const bool isText = isUtf8(std::string_view(text).substr(0, length));
+    while (isText && !isUtf8(line)) line.pop_back();  // half a character
     std::ranges::replace_if(
-        line, [](char letter) { return static_cast<unsigned char>(letter) < 32; }, '?');
-    return line;
+        line, [=](unsigned char letter) { return letter < 0x20 || (letter >= 0x7f && !isText); }, '?');
+    return length > kMaxLength ? line + "..." : line;
 }
 
 std::optional<Error> cannotOpen(const std::filesystem::path& file) {
@@ -92,9 +95,15 @@ Result<SourceScene> importMesh(const std::filesystem::path& file, const std::fil
     const std::string path = std::filesystem::absolute(file, ignored).string();
     const Result<ChildResult> outcome = runChild(importer, {path}, kImporterLimits, context);
     if (!outcome) return outcome.error();
+    return importedMesh(*outcome, file);
+}
+
+ChildLimits importerLimits() { return kImporterLimits; }
+
+Result<SourceScene> importedMesh(const ChildResult& outcome, const std::filesystem::path& file) {
     const std::string name = quotedName(file);
-    if (std::optional<Error> error = importerError(*outcome, name)) return *error;
-    Result<SourceScene> scene = readSourceScene(outcome->output);
+    if (std::optional<Error> error = importerError(outcome, name)) return *error;
+    Result<SourceScene> scene = readSourceScene(outcome.output);
     if (!scene) return Error{ErrorCode::Unsupported, name + " cannot be read: the mesh reader returned invalid data."};
     return scene;
 }

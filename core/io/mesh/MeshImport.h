@@ -2,6 +2,7 @@
 
 #include "core/base/TaskContext.h"
 #include "core/geometry/mesh/SourceScene.h"
+#include "core/io/system/ChildProcess.h"
 
 #include <filesystem>
 
@@ -20,5 +21,13 @@ std::filesystem::path importerPath(const std::filesystem::path& programFolder);
 /// Cancelled.
 Result<SourceScene> importMesh(const std::filesystem::path& file, const std::filesystem::path& importer,
                                const TaskContext& context);
+
+/// The limits that importMesh() sets to the importer.
+ChildLimits importerLimits();
+
+/// Returns the mesh that the importer wrote, as importMesh() does once it has ended. `file`: which it read.
+///
+/// Errors: those of importMesh() that are about what the importer did.
+Result<SourceScene> importedMesh(const ChildResult& outcome, const std::filesystem::path& file);
 
 }  // namespace rubble

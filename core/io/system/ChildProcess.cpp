@@ -1,9 +1,12 @@
 #include "core/io/system/ChildProcess.h"
 
+#include "core/io/system/OpenFile.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -24,8 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMaxError = 4096;  // bytes of standard error that are kept
-constexpr int kPollMilliseconds = 50;    // latency of a cancellation
+constexpr int kPollMilliseconds = 50;  // latency of a cancellation
 
 /// Owns one end of a pipe.
 class PipeEnd {
@@ -134,15 +136,25 @@ ReadEnd readPipes(PipeEnd& output, PipeEnd& error, ChildResult& result, const Ch
         std::array<pollfd, 2> polled{pollfd{output.descriptor(), POLLIN, 0}, pollfd{error.descriptor(), POLLIN, 0}};
         if (::poll(polled.data(), polled.size(), kPollMilliseconds) <= 0) continue;
         if (polled[0].revents != 0) readAvailable(output, result.output, limits.output + 1);
-        if (polled[1].revents != 0) readAvailable(error, result.error, kMaxError);
+        if (polled[1].revents != 0) readAvailable(error, result.error, limits.error);
         if (result.output.size() > limits.output) return ReadEnd::TooMuchOutput;
     }
     return ReadEnd::Closed;
 }
 
+/// Returns a descriptor that is readable once the child has ended; -1 where the kernel has none.
+int endOf([[maybe_unused]] pid_t child) {
+#ifdef SYS_pidfd_open
+    return static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
+#else
+    return -1;
+#endif
+}
+
 /// Waits for the child to end and returns its wait status. A child that closed its pipes and runs on is killed at its
 /// time limit or when the task is cancelled, which changes `readEnd`.
 int waitFor(pid_t child, Deadline end, const TaskContext& context, ReadEnd& readEnd) {
+    const OpenFile ending(endOf(child));
     int status = 0;
     for (;;) {
         const pid_t ended = ::waitpid(child, &status, WNOHANG);
@@ -150,7 +162,8 @@ int waitFor(pid_t child, Deadline end, const TaskContext& context, ReadEnd& read
         if (readEnd == ReadEnd::Closed && context.isCancelled()) readEnd = ReadEnd::Cancelled;
         if (readEnd == ReadEnd::Closed && Clock::now() >= end) readEnd = ReadEnd::TimedOut;
         if (readEnd != ReadEnd::Closed) ::kill(child, SIGKILL);
-        ::poll(nullptr, 0, 1);
+        pollfd polled{ending.descriptor(), POLLIN, 0};  // poll ignores -1
+        ::poll(&polled, 1, ending.isOpen() ? kPollMilliseconds : 1);
     }
 }
 

@@ -21,6 +21,7 @@ struct ChildLimits {
     std::size_t memory = std::size_t{1} << 30;  // bytes of address space
     double seconds = 10.0;                      // of wall-clock time, and of processor time
     std::size_t output = std::size_t{1} << 29;  // bytes on its standard output
+    std::size_t error = 4096;                   // bytes of its standard error that are kept
     std::size_t fileSize = kUnlimited;          // bytes of a file that it writes
     std::size_t descriptors = 1024;             // files that it has open at a time
     ChildEnvironment environment = ChildEnvironment::Inherited;
@@ -39,7 +40,7 @@ struct ChildResult {
     int exitCode = 0;
     int signal = 0;      // that ended it, if it crashed
     std::string output;  // standard output
-    std::string error;   // the first 4 KiB of standard error
+    std::string error;   // the start of standard error
 };
 
 /// Runs a program with empty standard input and waits until it ends. Kills it if it exceeds the limits or the task is

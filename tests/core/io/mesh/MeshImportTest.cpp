@@ -96,9 +96,11 @@ private slots:
                                 << face << '\n';
             return QString::fromStdString(imported(file).error().message);
         };
-        QCOMPARE(fault("3", "3 0 1 77777777"), "\"bad.ply\" has a face that refers to point 77777777 of 3.");
-        QCOMPARE(fault("4000000000", "3 0 1 2"),
-                 "\"bad.ply\" needs more than 2 GiB of memory; it is too large or damaged.");
+        QCOMPARE(fault("3", "3 0 1 77777777"),
+                 "\"bad.ply\" cannot be read as OBJ, glTF, FBX, STL or PLY: a face refers to point 77777777 of 3.");
+        QCOMPARE(
+            fault("4000000000", "3 0 1 2"),
+            "\"bad.ply\" cannot be read as OBJ, glTF, FBX, STL or PLY: the file ends in \"vertex\" 5 of 4000000000.");
     }
     /// Takes 100 MB on the disk and 1.5 GB of memory.
     void mostTrianglesOfAnStlFileAreRead() {
@@ -139,6 +141,13 @@ private slots:
                  "\"wall.ply\" cannot be read: the mesh reader returned invalid data.");
         QCOMPARE(FakeImporter("kill -XCPU $$").fault(),
                  "\"wall.ply\" takes longer than 30 s to read; it is too large or damaged.");
+    }
+    void messagesOfTheImporterAreShortLinesInUtf8() {
+        QCOMPARE(FakeImporter("printf 'w\\344nde\\n' >&2; exit 1").fault(), "w?nde");
+        QCOMPARE(FakeImporter("printf 'w\\303\\244nde\\033[1m\\nmore' >&2; exit 1").fault(),
+                 QString::fromUtf8("w\u00e4nde?[1m"));
+        const char* script = "head -c 999 /dev/zero | tr '\\0' a >&2; printf '\\303\\244bc' >&2; exit 1";
+        QCOMPARE(FakeImporter(script).fault(), QString(999, 'a') + "...");  // not half of a character
     }
     void importerSeesNoEnvironment() {
         qputenv("RUBBLE_TEST_VARIABLE", "visible");

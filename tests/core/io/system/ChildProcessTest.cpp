@@ -40,6 +40,7 @@ private slots:
     void largeOutputIsReadCompletely() {
         QCOMPARE(run("head -c 3000000 /dev/zero")->output.size(), std::size_t{3000000});
         QCOMPARE(run("head -c 3000000 /dev/zero >&2")->error.size(), std::size_t{4096});
+        QCOMPARE(run("head -c 3000000 /dev/zero >&2", {.error = 1000000})->error.size(), std::size_t{1000000});
     }
     void crashIsReported() {
         const Result<ChildResult> outcome = run("kill -SEGV $$");
@@ -57,6 +58,11 @@ private slots:
         QCOMPARE(run("ulimit -St; ulimit -Ht", {.seconds = 3.0})->output, std::string("3\n4\n"));
         QVERIFY(run("ulimit -St 1; while :; do :; done", {.seconds = 60.0})->exit == ChildExit::TimedOut);
         QVERIFY(run("kill -KILL $$")->exit == ChildExit::Crashed);
+    }
+    void childMayCloseItsStreamsBeforeItEnds() {
+        const Result<ChildResult> outcome = run("exec >&- 2>&-; sleep 0.2; exit 7");
+        QVERIFY(outcome->exit == ChildExit::Exited);
+        QCOMPARE(outcome->exitCode, 7);
     }
     void childIsKilledAtItsOutputLimit() {
         QVERIFY(run("cat /dev/zero", {.output = 100000})->exit == ChildExit::TooMuchOutput);

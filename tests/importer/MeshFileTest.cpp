@@ -1,0 +1,65 @@
+// Tests app/importer/MeshFile.cpp: what it tells about files that assimp rejects.
+#include "core/base/Utf8.h"
+#include "core/io/mesh/MeshImport.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace rubble;
+
+namespace {
+
+QString messageOf(const char* name, const std::string& bytes) {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath(name).toStdString();
+    std::ofstream(file, std::ios::binary) << bytes;
+    const Result<SourceScene> scene = importMesh(file, RUBBLE_IMPORTER, {});
+    return scene ? "read" : QString::fromStdString(scene.error().message);
+}
+
+std::string gltfWithBuffer(const std::string& name) {
+    return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + name + R"(","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,
+        "type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],
+        "scenes":[{"nodes":[0]}],"scene":0})";
+}
+
+}  // namespace
+
+class MeshFileTest : public QObject {
+    Q_OBJECT
+private slots:
+    void failedAssertionsRejectTheFile() {
+        // glTF 1, whose reader ends the process where assimp was built with assertions.
+        const QString message = messageOf("wall.gltf", R"({"accessors":{"a":{}},"asset":{"version":"1.0"},"meshes":{"m":
+            {"primitives":[{"indices":"a"}]}},"nodes":{"n":{"meshes":["m"]}},"scene":"s","scenes":{"s":{"nodes":["n"]}}})");
+        QVERIFY2(!message.contains("crashed") && message != "read", qPrintable(message));
+    }
+    void missingPointsRejectTheFile() {
+        const QString message = messageOf("wall.gltf", R"({"accessors":{"a":{"count":24}},"asset":{"version":"1.0"},
+            "meshes":{"m":{"primitives":[{"attributes":{"POSITION":"a"}}]}},"nodes":{"n":{"meshes":["m"]}},"scene":"s",
+            "scenes":{"s":{"nodes":["n"]}}})");
+        QCOMPARE(message, "\"wall.gltf\" has a mesh without points.");
+    }
+    void longReasonsAreShortened() {
+        const QString message = messageOf("wall.gltf", gltfWithBuffer(std::string(70000, 'a')));
+        QVERIFY2(message.size() < 400 && message.endsWith(QString::fromUtf8("aaa\u2026.")), qPrintable(message));
+    }
+    void longNamesOutsideAreShortened() {
+        const QString message = messageOf("wall.gltf", gltfWithBuffer("../" + std::string(1000, 'a')));
+        QVERIFY2(message.contains(QString::fromUtf8("aaa\u2026\", which lies outside its folder; only")),
+                 qPrintable(message));
+        QVERIFY(message.endsWith("are read."));
+    }
+    void bytesInReasonsAreLatin1() {
+        const QString message = messageOf("wall.gltf", gltfWithBuffer("w\xe4nde.bin"));
+        QVERIFY2(message.contains(QString::fromUtf8("w\u00e4nde.bin")), qPrintable(message));
+    }
+};
+
+RUBBLE_TEST(MeshFileTest)
+#include "MeshFileTest.moc"
