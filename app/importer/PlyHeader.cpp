@@ -103,9 +103,11 @@ std::size_t sizeOf(PlyType type) {
 }
 
 Result<PlyHeader> readPlyHeader(std::string_view file) {
-    PlyHeader header;
+    if (!file.starts_with("ply\n") && !file.starts_with("ply\r\n"))
+        return headerError("the file does not begin with \"ply\"");
+    PlyHeader header{.size = file.find('\n') + 1};
     bool hasEncoding = false;
-    for (std::size_t number = 1;; ++number) {
+    for (std::size_t number = 2;; ++number) {
         const std::size_t end = file.find('\n', header.size);
         if (end == std::string_view::npos) return headerError("the header has no line \"end_header\"");
         std::string_view line = file.substr(header.size, end - header.size);
@@ -113,9 +115,7 @@ Result<PlyHeader> readPlyHeader(std::string_view file) {
         if (line.ends_with('\r')) line.remove_suffix(1);
         const std::vector<std::string> words = wordsOf(line);
         if (words.size() == 1 && words[0] == "end_header") break;
-        const bool isValid =
-            number == 1 ? words == std::vector<std::string>{"ply"} : addLine(words, header, hasEncoding);
-        if (!isValid)
+        if (!addLine(words, header, hasEncoding))
             return headerError("line " + std::to_string(number) + " of the header, \"" + excerptOf(line) +
                                "\", is invalid");
     }

@@ -42,7 +42,8 @@ constexpr std::array kOutside = {"../outside.bin",
 std::string gltfWithBuffer(const std::string& name) {
     return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + name +
            R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)"
-           R"("componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+           R"("componentType":5126,"count":3,"type":"VEC3"}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
            R"("images":[{"uri":")" +
            name + R"("}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
 }

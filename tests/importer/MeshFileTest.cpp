@@ -36,7 +36,8 @@ private slots:
     void failedAssertionsRejectTheFile() {
         // glTF 1, whose reader ends the process where assimp was built with assertions.
         const QString message = messageOf("wall.gltf", R"({"accessors":{"a":{}},"asset":{"version":"1.0"},"meshes":{"m":
-            {"primitives":[{"indices":"a"}]}},"nodes":{"n":{"meshes":["m"]}},"scene":"s","scenes":{"s":{"nodes":["n"]}}})");
+            {"primitives":[{"indices":"a"}]}},"nodes":{"n":{"meshes":["m"]}},"scene":"s",
+            "scenes":{"s":{"nodes":["n"]}}})");
         QVERIFY2(!message.contains("crashed") && message != "read", qPrintable(message));
     }
     void missingPointsRejectTheFile() {

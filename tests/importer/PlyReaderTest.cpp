@@ -139,6 +139,7 @@ private slots:
             QTest::newRow(name) << QByteArray::fromStdString(bytes) << reason;
         };
         const std::string face = "3 0 1 2\n";
+        add("other file", "solid wall\n", "the file does not begin with \"ply\".");
         // assimp's own reader runs on for ever.
         add("header without end", "ply\nformat ascii 1.0\nelement vertex 3\n",
             "the header has no line \"end_header\".");
