@@ -5,12 +5,16 @@
 
 namespace rubble {
 
+/// The number of processors that this process may use, at least 1: fewer than the machine has where it is confined to
+/// some of them, as in a container.
+int availableProcessors();
+
 /// The implementation of forEachIndex() for several indices and threads.
 void forEachIndexOnThreads(std::size_t count, int threads, const std::function<void(std::size_t index)>& work);
 
-/// Calls `work` once for each index below `count`, on up to `threads` threads including the caller's; returns when all
-/// calls have returned. The assignment of indices to threads is unspecified: `work` may write only to data of its own
-/// index.
+/// Calls `work` once for each index below `count`, on up to `threads` threads including the caller's, one for each
+/// processor at most; returns when all calls have returned. The assignment of indices to threads is unspecified: `work`
+/// may write only to data of its own index.
 template <class Work>
 void forEachIndex(std::size_t count, int threads, const Work& work) {
     if (threads > 1 && count > 1) return forEachIndexOnThreads(count, threads, std::cref(work));

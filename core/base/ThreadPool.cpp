@@ -41,8 +41,7 @@ void pause() {
 }  // namespace
 
 ThreadPool::ThreadPool(int size)
-    : m_progress(static_cast<std::size_t>(std::max(size, 1))),
-      m_spins(std::cmp_less_equal(size, std::thread::hardware_concurrency()) ? kSpins : 0) {
+    : m_progress(static_cast<std::size_t>(std::max(size, 1))), m_spins(size <= availableProcessors() ? kSpins : 0) {
     m_threads.reserve(m_progress.size() - 1);
     try {
         while (m_threads.size() + 1 < m_progress.size()) m_threads.emplace_back([this] { runWorker(); });

@@ -1,10 +1,11 @@
 #include "editor/background/BackgroundJob.h"
 
-#include <QPromise>
-#include <QThread>
+#include "core/base/Parallel.h"
 
-#include <algorithm>
+#include <QPromise>
+
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -41,7 +42,7 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     m_isRunning = true;
     m_watcher.setFuture(promise->future());  // drops the queued events of the previous function
 
-    TaskContext task{.cancel = m_cancel, .threads = std::max(1, QThread::idealThreadCount())};
+    TaskContext task{.cancel = m_cancel, .threads = availableProcessors()};
     task.progress = [promise](double fraction) {
         promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
     };

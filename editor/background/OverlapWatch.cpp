@@ -7,7 +7,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kOverlapDelay = 150;
+constexpr int kOverlapDelayMilliseconds = 150;
 constexpr std::size_t kMaxReported = 100;  // one by one; the others as a number
 
 Message messageOf(const InstanceOverlap& overlap, const Project& project) {
@@ -22,7 +22,7 @@ Message messageOf(const InstanceOverlap& overlap, const Project& project) {
 OverlapWatch::OverlapWatch(const Document& document, Messages& messages, QObject* parent)
     : QObject(parent), m_document(document), m_messages(messages) {
     m_delay.setSingleShot(true);
-    m_delay.setInterval(kOverlapDelay);
+    m_delay.setInterval(kOverlapDelayMilliseconds);
     connect(&m_delay, &QTimer::timeout, this, &OverlapWatch::check);
     connect(&document, &Document::changed, this, [this](const Changes& changes) {
         const bool isOfScene =

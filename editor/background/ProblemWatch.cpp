@@ -8,7 +8,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kProblemDelay = 120;  // a dragged seed bakes many times a second
+constexpr int kProblemDelayMilliseconds = 120;  // a dragged seed bakes many times a second
 
 /// Returns the problems of each bake, or of its outline if there is none.
 std::vector<std::vector<Diagnostic>> search(const std::vector<std::shared_ptr<const BakedAsset>>& baked,
@@ -26,7 +26,7 @@ std::vector<std::vector<Diagnostic>> search(const std::vector<std::shared_ptr<co
 ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject* parent)
     : QObject(parent), m_document(document), m_bakes(bakes) {
     m_delay.setSingleShot(true);
-    m_delay.setInterval(kProblemDelay);
+    m_delay.setInterval(kProblemDelayMilliseconds);
     connect(&m_delay, &QTimer::timeout, this, &ProblemWatch::check);
     connect(&m_job, &BackgroundJob::failed, this, &ProblemWatch::statusMessage);
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {

@@ -143,7 +143,7 @@ Edit assignDistinctVariants(const Project& project, std::span<const Id> instance
 
 Edit hideInstances(const Project& project, std::span<const Id> instances) {
     const int count = static_cast<int>(instances.size());
-    return editInstances(QCoreApplication::translate("InstanceEdits", "Hide %n Instance(s)", nullptr, count), project,
+    return editInstances(InstanceEditsTexts::tr("Hide %n Instance(s)", nullptr, count), project,
                          [&](Instance& instance) { instance.isHidden |= isAmong(instances, instance.id); });
 }
 
@@ -159,7 +159,7 @@ Edit showAllInstances(const Project& project) {
 
 Edit lockInstances(const Project& project, std::span<const Id> instances) {
     const int count = static_cast<int>(instances.size());
-    return editInstances(QCoreApplication::translate("InstanceEdits", "Lock %n Instance(s)", nullptr, count), project,
+    return editInstances(InstanceEditsTexts::tr("Lock %n Instance(s)", nullptr, count), project,
                          [&](Instance& instance) { instance.isLocked |= isAmong(instances, instance.id); });
 }
 

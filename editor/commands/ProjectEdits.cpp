@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace rubble {
@@ -178,7 +179,7 @@ Addition duplicateAsset(const Project& project, Id source) {
 
 Edit removeAssets(const Project& project, std::span<const Id> assets) {
     const int count = static_cast<int>(assets.size());
-    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Delete %n Asset(s)", nullptr, count)};
+    Edit edit{.text = ProjectEditsTexts::tr("Delete %n Asset(s)", nullptr, count)};
     std::vector<Id> instances;
     for (const Instance& instance : project.instances) {
         if (isAmong(assets, instance.asset)) instances.push_back(instance.id);
@@ -228,7 +229,7 @@ Addition addInstance(const Project& project, Id asset) {
 
 Edit duplicateInstances(const Project& project, std::span<const Id> instances, Vec3 by) {
     const int count = static_cast<int>(instances.size());
-    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Duplicate %n Instance(s)", nullptr, count)};
+    Edit edit{.text = ProjectEditsTexts::tr("Duplicate %n Instance(s)", nullptr, count)};
     std::vector<Instance> all = project.instances;  // with the copies, whose names must be unique, too
     for (const Id id : instances) {
         Instance copy = elementWith(project.instances, id);
@@ -243,7 +244,7 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 
 Edit removeInstances(const Project& project, std::span<const Id> instances) {
     const int count = static_cast<int>(instances.size());
-    Edit edit{.text = QCoreApplication::translate("ProjectEdits", "Delete %n Instance(s)", nullptr, count)};
+    Edit edit{.text = ProjectEditsTexts::tr("Delete %n Instance(s)", nullptr, count)};
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     removeFromPlayTests(project, instances, {}, edit);
     return edit;

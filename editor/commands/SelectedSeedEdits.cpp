@@ -43,8 +43,7 @@ Edit deleteSeeds(Asset asset, const FragmentPath& parent, const FragmentSelectio
         if (isPlaced(pattern, seed)) deleteSeed(pattern, seed);
     }
     const int count = static_cast<int>(seeds.size());
-    return modify(QCoreApplication::translate("SelectedSeedEdits", "Delete %n Seed(s)", nullptr, count),
-                  std::move(asset));
+    return modify(SelectedSeedEditsTexts::tr("Delete %n Seed(s)", nullptr, count), std::move(asset));
 }
 
 Edit restoreSeeds(Asset asset, const FragmentPath& parent, const FragmentSelection::Seeds& seeds) {

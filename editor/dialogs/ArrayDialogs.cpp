@@ -16,9 +16,9 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMaxCopies = 1000;      // along one axis
-constexpr double kMaxDistance = 1e4;  // m
-constexpr int kMinArrayWidth = 340;   // pixels, so that the title fits
+constexpr int kMaxCopies = 1000;           // along one axis
+constexpr double kMaxDistance = 1e4;       // m
+constexpr int kMinArrayDialogWidth = 340;  // pixels, so that the title fits
 constexpr int kDefaultRingCount = 6;
 
 }  // namespace
@@ -37,7 +37,7 @@ ArrayDialog::ArrayDialog(const QString& title, QWidget* parent)
     layout->addWidget(m_variants);
     layout->addWidget(buttons);
     copy->setDefault(true);  // after the button was added to the dialog
-    setMinimumWidth(kMinArrayWidth);
+    setMinimumWidth(kMinArrayDialogWidth);
 }
 
 bool ArrayDialog::haveVariants() const { return m_variants->isChecked(); }

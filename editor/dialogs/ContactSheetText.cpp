@@ -42,8 +42,7 @@ QString captionOf(const SheetEntry& entry) {
     if (entry.fault) return name + '\n' + QString::fromStdString(*entry.fault);
     const SheetFigures& figures = entry.figures;
     const int count = static_cast<int>(figures.pieces);
-    QString text = name + " · " + QCoreApplication::translate("ContactSheet", "%Ln fragment(s)", nullptr, count) +
-                   '\n' +
+    QString text = name + " · " + ContactSheetTexts::tr("%Ln fragment(s)", nullptr, count) + '\n' +
                    ContactSheetTexts::tr("smallest %1, longest %2 : 1")
                        .arg(localizedQuantity(QuantityKind::Volume, figures.smallestPiece),
                             QLocale().toString(figures.aspect, 'f', 1));

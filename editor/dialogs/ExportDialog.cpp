@@ -22,8 +22,8 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMaxFolders = 4;        // that the summary names
-constexpr int kMinExportWidth = 520;  // pixels, so that a path fits
+constexpr int kMaxFolders = 4;              // that the summary names
+constexpr int kMinExportDialogWidth = 520;  // pixels, so that a path fits
 
 ExportOptions defaultOptions(Workspace& workspace) {
     const QString path = workspace.file().path();
@@ -91,7 +91,7 @@ void ExportDialog::addForm() {
     form->addRow(m_summary);
     form->addRow(buttons);
     m_export->setDefault(true);  // after the button was added to the dialog
-    resize(sizeHint().expandedTo({kMinExportWidth, 0}));
+    resize(sizeHint().expandedTo({kMinExportDialogWidth, 0}));
 }
 
 void ExportDialog::showOptions(const ExportOptions& options) {

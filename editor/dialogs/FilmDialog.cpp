@@ -30,8 +30,8 @@ namespace {
 
 constexpr int kSamples[] = {0, 8, 32};  // of each quality
 constexpr const char* kFilmSuffix = ".mp4";
-constexpr int kMinFilmWidth = 480;  // pixels, so that a path fits
-constexpr int kMinImageSide = 16;   // pixels
+constexpr int kMinFilmDialogWidth = 480;  // pixels, so that a path fits
+constexpr int kMinImageSide = 16;         // pixels
 
 QHBoxLayout* createRow(const QList<QWidget*>& widgets) {
     auto* row = new QHBoxLayout;
@@ -96,7 +96,7 @@ FilmDialog::FilmDialog(const FilmSubject& subject, QWidget* parent)
     restoreOptions();
     connectFields();
     updateSummary();
-    resize(sizeHint().expandedTo({kMinFilmWidth, 0}));
+    resize(sizeHint().expandedTo({kMinFilmDialogWidth, 0}));
 }
 
 void FilmDialog::addTarget(QFormLayout& form) {

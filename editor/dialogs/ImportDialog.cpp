@@ -20,7 +20,7 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kImportSize{920, 700};
+constexpr QSize kImportDialogSize{920, 700};
 
 enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
@@ -64,7 +64,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // after the button was added to the dialog
-    resize(kImportSize);
+    resize(kImportDialogSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QComboBox* box : {m_unit, m_up}) {

@@ -18,8 +18,7 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kTreeSwatchSize{28, 20};
-constexpr QSize kMaterialSize{760, 560};
+constexpr QSize kMaterialDialogSize{760, 560};
 
 }  // namespace
 
@@ -35,7 +34,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
       m_summary(new QTextBrowser),
       m_preview(new PatternPreview) {
     setWindowTitle(tr("Material Library"));
-    m_list->setIconSize(kTreeSwatchSize);
+    m_list->setIconSize(kMaterialSwatchSize);
     m_list->setAccessibleName(tr("Materials"));
     m_summary->setAccessibleName(tr("Properties and sources"));
     auto* layout = new QGridLayout(this);
@@ -49,7 +48,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
     connect(m_list, &QListWidget::itemDoubleClicked, this,
             [this] { (m_apply->isEnabled() ? m_apply : m_add)->click(); });
     fill();
-    resize(kMaterialSize);
+    resize(kMaterialDialogSize);
     m_list->setFocus();
 }
 

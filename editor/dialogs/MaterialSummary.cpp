@@ -1,8 +1,8 @@
 #include "editor/dialogs/MaterialSummary.h"
 
-#include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/Threshold.h"
 #include "core/fracture/pattern/PatternKind.h"
+#include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LayerText.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberText.h"
@@ -15,7 +15,6 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kSwatchSize{28, 20};
 constexpr int kPixelRatio = 3;  // of a swatch, for screens of high resolution
 
 struct MaterialSummaryTexts {
@@ -75,20 +74,20 @@ QString materialSummary(const LibraryMaterial& material, const QLocale& locale) 
 }
 
 QIcon materialSwatch(const MaterialPreset& preset) {
-    QPixmap pixmap(kPixelRatio * kSwatchSize);
+    QPixmap pixmap(kPixelRatio * kMaterialSwatchSize);
     pixmap.setDevicePixelRatio(kPixelRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF area(0.5, 0.5, kSwatchSize.width() - 1.0, kSwatchSize.height() - 1.0);
+    const QRectF area(0.5, 0.5, kMaterialSwatchSize.width() - 1.0, kMaterialSwatchSize.height() - 1.0);
     QPainterPath frame;
     frame.addRoundedRect(area, 3.0, 3.0);
     painter.setClipPath(frame);
-    painter.fillRect(area, QColor(packed(preset.outside)));
+    painter.fillRect(area, toQColor(preset.outside));
     QPainterPath corner;
     corner.addPolygon(
         QPolygonF{{area.right(), area.top()}, {area.right(), area.bottom()}, {area.center().x(), area.bottom()}});
-    painter.fillPath(corner, QColor(packed(preset.inside)));
+    painter.fillPath(corner, toQColor(preset.inside));
     painter.setClipping(false);
     painter.setPen(QPen(QColor(128, 128, 128), 1.0));
     painter.drawPath(frame);

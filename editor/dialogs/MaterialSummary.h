@@ -4,6 +4,7 @@
 
 #include <QIcon>
 #include <QLocale>
+#include <QSize>
 
 namespace rubble {
 
@@ -11,6 +12,7 @@ namespace rubble {
 /// file.
 QString materialSummary(const LibraryMaterial& material, const QLocale& locale);
 
+inline constexpr QSize kMaterialSwatchSize{28, 20};  // pixels at scale 1
 /// Returns a swatch of the colour of a material's surface, with that of its inside in a corner.
 QIcon materialSwatch(const MaterialPreset& preset);
 

@@ -1,8 +1,8 @@
 #include "editor/dialogs/PatternPreview.h"
 
 #include "core/asset/bake/FractureResult.h"
-#include "core/asset/project/FragmentColours.h"
 #include "core/geometry/polygon/OutlineShapes.h"
+#include "editor/widgets/ColourConversion.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -14,9 +14,9 @@ namespace rubble {
 
 namespace {
 
-constexpr double kWidth = 2.0;          // m, of the wall
-constexpr double kHeight = 1.5;         // m, of the wall
-constexpr double kPreviewDepth = 0.2;   // m, of the wall
+constexpr double kWallWidth = 2.0;      // m
+constexpr double kWallHeight = 1.5;     // m
+constexpr double kWallDepth = 0.2;      // m
 constexpr double kPreviewMargin = 6.0;  // pixels around it
 
 void addRing(const Ring& ring, const QTransform& pixels, QPainterPath& path) {
@@ -37,7 +37,7 @@ PatternPreview::PatternPreview(QWidget* parent) : QWidget(parent) {
 void PatternPreview::setPreset(const MaterialPreset& preset) {
     m_outside = preset.outside;
     m_inside = preset.inside;
-    const Prism wall{rectangleOutline(kWidth, kHeight), kPreviewDepth};
+    const Prism wall{rectangleOutline(kWallWidth, kWallHeight), kWallDepth};
     Recipe recipe;
     recipe.pattern = patternWithin(preset, boundsOf(wall.outline.outer));
     const Result<PlanarFracture> fracture = planarFracture(recipe, wall, {});
@@ -49,14 +49,14 @@ void PatternPreview::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double scale =
-        std::min((width() - 2.0 * kPreviewMargin) / kWidth, (height() - 2.0 * kPreviewMargin) / kHeight);
+        std::min((width() - 2.0 * kPreviewMargin) / kWallWidth, (height() - 2.0 * kPreviewMargin) / kWallHeight);
     QTransform pixels;
     pixels.translate(width() / 2.0, height() / 2.0);
     pixels.scale(scale, -scale);
     pixels.translate(m_partition.origin.x, m_partition.origin.y);
-    const QColor inside(packed(m_inside));
+    const QColor inside = toQColor(m_inside);
     painter.setPen(QPen(inside.lightnessF() > 0.5F ? inside.darker(220) : inside.darker(160), 1.0));
-    painter.setBrush(QColor(packed(m_outside)));
+    painter.setBrush(toQColor(m_outside));
     for (std::uint32_t piece = 0; piece < m_partition.pieceCount(); ++piece) {
         const Polygon outline = pieceOutline(m_partition, piece);
         QPainterPath path;

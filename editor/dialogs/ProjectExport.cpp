@@ -76,12 +76,11 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
     }
     if (!errors.isEmpty()) {
         const int failed = static_cast<int>(errors.size());
-        const QString text = QCoreApplication::translate(
-            "Export", "%n asset(s) could not be exported. See the details.", nullptr, failed);
+        const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
         showError(parent, text, errors);
     }
-    const QString exported = QCoreApplication::translate("Export", "Exported %n asset(s) to %1", nullptr, written)
-                                 .arg(QDir::toNativeSeparators(folder));
+    const QString exported =
+        ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(QDir::toNativeSeparators(folder));
     if (unchanged == 0) return exported + '.';
     return exported + ExportTexts::tr("; %L1 unchanged.").arg(unchanged);
 }

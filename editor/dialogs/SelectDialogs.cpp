@@ -18,7 +18,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMinSelectWidth = 320;  // pixels, so that the title fits
+constexpr int kMinSelectDialogWidth = 320;  // pixels, so that the title fits
 
 /// Returns the smallest and the largest volume of the leaf fragments, m^3.
 std::pair<double, double> volumeRange(const Bake& bake) {
@@ -40,7 +40,7 @@ void addButtons(QDialog& dialog, QVBoxLayout& rows) {
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     rows.addWidget(buttons);
     select->setDefault(true);
-    dialog.setMinimumWidth(kMinSelectWidth);
+    dialog.setMinimumWidth(kMinSelectDialogWidth);
 }
 
 }  // namespace

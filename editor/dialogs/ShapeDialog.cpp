@@ -14,7 +14,7 @@ namespace {
 constexpr double kMinLength = 0.001;   // m
 constexpr double kMaxLength = 1000.0;  // m
 constexpr int kMaxCorners = 256;
-constexpr int kMinShapeWidth = 320;  // pixels, so that the title fits
+constexpr int kMinShapeDialogWidth = 320;  // pixels, so that the title fits
 
 }  // namespace
 
@@ -39,7 +39,7 @@ ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWi
     layout->addLayout(m_form);
     layout->addWidget(buttons);
     add->setDefault(true);  // after the button was added to the dialog
-    setMinimumWidth(kMinShapeWidth);
+    setMinimumWidth(kMinShapeDialogWidth);
     m_lengths.front()->selectAll();
     m_lengths.front()->setFocus();
 }

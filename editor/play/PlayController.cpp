@@ -1,8 +1,7 @@
 #include "editor/play/PlayController.h"
 
+#include "core/base/Parallel.h"
 #include "core/play/scene/LiveInputs.h"
-
-#include <QThread>
 
 #include <algorithm>
 #include <future>
@@ -168,7 +167,7 @@ PlayScript PlayController::script() {
 }
 
 void PlayController::restart() {
-    prepare({.settings = {.hasDestruction = m_hasDestruction, .threads = QThread::idealThreadCount()}});
+    prepare({.settings = {.hasDestruction = m_hasDestruction, .threads = availableProcessors()}});
 }
 
 void PlayController::prepare(PlayScript script) {

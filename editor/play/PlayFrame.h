@@ -35,8 +35,8 @@ struct PlayStatistics {
 struct BreakRecord {
     std::uint64_t step = 0;
     std::string name;
-    double impact = 0.0;     // N s
-    double threshold = 0.0;  // N s
+    double impact = 0.0;     // N·s
+    double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
     std::uint32_t pieces = 0;
     double milliseconds = 0.0;

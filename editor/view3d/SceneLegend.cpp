@@ -1,6 +1,7 @@
 #include "editor/view3d/SceneLegend.h"
 
 #include "core/asset/project/FragmentColours.h"
+#include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "viewport/widget/OverlayPlate.h"
 
@@ -87,7 +88,7 @@ void SceneLegend::paint(QPainter& painter, QSize size) const {
         const bool isOne = m_content.range->most <= m_content.range->least;
         for (int x = 0; x < bar.width(); ++x) {
             const double fraction = isOne ? 0.5 : static_cast<double>(x) / (bar.width() - 1);
-            painter.fillRect(QRect(bar.left() + x, bar.top(), 1, bar.height()), QColor(packed(rampColour(fraction))));
+            painter.fillRect(QRect(bar.left() + x, bar.top(), 1, bar.height()), toQColor(rampColour(fraction)));
         }
         const QRect ends(bar.left(), bar.bottom() + 2, bar.width(), line);
         painter.setPen(kPlateSecondaryText);

@@ -1,5 +1,7 @@
 #include "editor/widgets/ColourButton.h"
 
+#include "editor/widgets/ColourConversion.h"
+
 #include <QColorDialog>
 #include <QIcon>
 #include <QPainter>
@@ -26,15 +28,6 @@ QPixmap swatch(const QColor& colour, QSize size) {
 }
 
 }  // namespace
-
-QColor toQColor(const Colour& colour) {
-    return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
-                            static_cast<float>(colour.blue));
-}
-
-Colour fromQColor(const QColor& colour) {
-    return {colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0};
-}
 
 QIcon swatchIcon(const Colour& colour) { return swatch(toQColor(colour), {kSwatchSize, kSwatchSize}); }
 

@@ -2,7 +2,6 @@
 
 #include "core/asset/project/Project.h"
 
-#include <QColor>
 #include <QPointer>
 #include <QToolButton>
 
@@ -10,9 +9,6 @@ class QColorDialog;
 
 namespace rubble {
 
-QColor toQColor(const Colour& colour);
-/// Eight bits per channel, as the colour dialog returns.
-Colour fromQColor(const QColor& colour);
 /// A framed swatch of a colour.
 QIcon swatchIcon(const Colour& colour);
 

@@ -1,6 +1,7 @@
 #include "editor/widgets/ComboBox.h"
 
 #include "editor/widgets/ColourButton.h"
+#include "editor/widgets/ColourConversion.h"
 
 namespace rubble {
 

@@ -14,7 +14,7 @@ namespace rubble {
 
 namespace {
 
-struct LayerTextTexts {
+struct LayerTexts {
     Q_DECLARE_TR_FUNCTIONS(LayerText)
 };
 
@@ -58,9 +58,9 @@ private:
     QString countText(const SeedCount& count, const QString& singular, const QString& plural) const {
         switch (count.by) {
             case CountBy::Number: break;
-            case CountBy::Density: return LayerTextTexts::tr("%1 per m²").arg(roundedText(count.amount, {}, m_locale));
+            case CountBy::Density: return LayerTexts::tr("%1 per m²").arg(roundedText(count.amount, {}, m_locale));
             case CountBy::PieceSize:
-                return LayerTextTexts::tr("fragments of %1")
+                return LayerTexts::tr("fragments of %1")
                     .arg(localizedQuantity(QuantityKind::Length, count.amount, m_units, m_locale));
         }
         return number(count.amount, singular, plural);
@@ -91,8 +91,8 @@ QString inTitleCase(QString text) {
 }
 
 QString layerText(const PatternLayer& layer, const Units& units, const QLocale& locale) {
-    return LayerTextTexts::tr("%1, %2").arg(layerKindName(layer.parameters),
-                                            SummaryWriter(layer.parameters, units, locale).text());
+    return LayerTexts::tr("%1, %2").arg(layerKindName(layer.parameters),
+                                        SummaryWriter(layer.parameters, units, locale).text());
 }
 
 }  // namespace rubble

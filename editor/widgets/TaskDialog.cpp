@@ -1,9 +1,10 @@
 #include "editor/widgets/TaskDialog.h"
 
+#include "core/base/Parallel.h"
+
 #include <QEventLoop>
 #include <QThread>
 
-#include <algorithm>
 #include <memory>
 
 namespace rubble {
@@ -26,7 +27,7 @@ TaskDialog::TaskDialog(const QString& label, QWidget* parent)
 
 void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task) {
     TaskContext context;
-    context.threads = std::max(1, QThread::idealThreadCount());
+    context.threads = availableProcessors();
     context.progress = [this](double fraction) {
         QMetaObject::invokeMethod(this, [this, fraction] { setValue(static_cast<int>(fraction * kProgressSteps)); });
     };

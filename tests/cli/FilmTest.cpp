@@ -29,8 +29,12 @@ QStringList filmArguments(const QTemporaryDir& place, const QStringList& options
            options;
 }
 
+ProgramOutcome runFilm(const QStringList& arguments) {
+    return runProgram(RUBBLE_CLI, arguments, {.limit = std::chrono::minutes(2)});
+}
+
 ProgramOutcome film(const QTemporaryDir& place, const QStringList& options) {
-    return runProgram(RUBBLE_CLI, filmArguments(place, options));
+    return runFilm(filmArguments(place, options));
 }
 
 QStringList filesIn(const QTemporaryDir& place) {
@@ -90,14 +94,14 @@ private slots:
                                   "18x12"};
         {
             const test::Ffmpeg none;
-            const ProgramOutcome outcome = runProgram(RUBBLE_CLI, options);
+            const ProgramOutcome outcome = runFilm(options);
             QCOMPARE(outcome.exit, 1);
             QCOMPARE(outcome.error,
                      QString("A film needs ffmpeg, which is not installed; give a folder instead to write its "
                              "pictures.\n"));
         }
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        const ProgramOutcome outcome = runProgram(RUBBLE_CLI, options);
+        const ProgramOutcome outcome = runFilm(options);
         QCOMPARE(outcome.error, QString());
         QCOMPARE(outcome.output, "3 pictures written to " + path + "\n");
         QFile film(path);

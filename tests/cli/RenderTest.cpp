@@ -17,7 +17,7 @@ ProgramOutcome render(const QTemporaryDir& place, const QStringList& options, co
                       QStringList{"render", RUBBLE_SOURCE_DIR "/projects/house.rubble", "--out",
                                   place.filePath("house.png"), "--samples", "0"} +
                           options,
-                      environment);
+                      {.environment = environment});
 }
 
 /// A small picture of the house.

@@ -25,9 +25,12 @@ void writeHouse(const QString& file, const QByteArray& met, const QByteArray& fa
     if (!changed.open(QIODevice::WriteOnly) || changed.write(text) != text.size()) qFatal("cannot write");
 }
 
+ProgramOutcome run(const QStringList& arguments) {
+    return runProgram(RUBBLE_CLI, arguments, {.limit = std::chrono::minutes(2)});
+}
+
 ProgramOutcome tested(const QString& project, const QString& pictures) {
-    return runProgram(RUBBLE_CLI,
-                      {"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
+    return run({"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
 }
 
 }  // namespace
@@ -65,8 +68,8 @@ private slots:
 private:
     /// The output of `render` at the same step.
     static QImage drawnAfter(const QTemporaryDir& place, const QString& step) {
-        runProgram(RUBBLE_CLI, {"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
-                                "--samples", "8", "--out", place.filePath("moment.png")});
+        run({"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step, "--samples", "8",
+             "--out", place.filePath("moment.png")});
         return QImage(place.filePath("moment.png")).convertToFormat(QImage::Format_RGB888);
     }
 };

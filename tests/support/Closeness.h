@@ -14,7 +14,7 @@ inline bool isNear(double value, double expected, double fraction = 1e-12) {
 }
 
 /// Whether two points are at most a distance apart.
-inline bool isNear(Vec2 a, Vec2 b, double distance) { return glm::distance(a, b) <= distance; }
-inline bool isNear(Vec3 a, Vec3 b, double distance) { return glm::distance(a, b) <= distance; }
+inline bool isWithinDistance(Vec2 a, Vec2 b, double distance) { return glm::distance(a, b) <= distance; }
+inline bool isWithinDistance(Vec3 a, Vec3 b, double distance) { return glm::distance(a, b) <= distance; }
 
 }  // namespace rubble

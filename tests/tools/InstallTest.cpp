@@ -66,7 +66,8 @@ private slots:
     void installedEditorStarts() {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("QT_QPA_PLATFORM", "offscreen");
-        const ProgramOutcome started = runProgram(m_root.filePath("bin/rubble"), {"--version"}, environment);
+        const ProgramOutcome started =
+            runProgram(m_root.filePath("bin/rubble"), {"--version"}, {.environment = environment});
         QCOMPARE(started.exit, 0);
         QVERIFY2(started.output.startsWith("Rubble "), qPrintable(started.output));
     }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kArrowLength = 1.0 / 3.0;  // of an asset's size
 constexpr double kNormalLength = 0.5;       // of the scale
-constexpr double kImpulseOfScale = 100.0;   // N s
+constexpr double kImpulseOfScale = 100.0;   // N·s
 constexpr double kShortest = 0.1, kLongest = 4.0;
 
 // In points and sRGB. They differ in lightness and shape, too, for colour-blind users.

@@ -9,8 +9,8 @@ namespace rubble {
 /// The length scale of arrows, m: a third of the mean size of the scene's assets; 1 if there are none.
 double arrowScale(const PlayScene& scene);
 
-/// The length of an impulse's arrow, m: it grows with the square root of the impulse of a sub-step, N s, and equals
-/// `scale` at 100 N s (1 t at 0.1 m/s); clamped to [0.1, 4] × `scale`, so that it is visible and does not hide the
+/// The length of an impulse's arrow, m: it grows with the square root of the impulse of a sub-step, N·s, and equals
+/// `scale` at 100 N·s (1 t at 0.1 m/s); clamped to [0.1, 4] × `scale`, so that it is visible and does not hide the
 /// scene.
 double impulseLength(double impulse, double scale);
 

@@ -23,7 +23,7 @@ struct SurfaceHeat {
     glm::vec4 angularVelocity{0.0f};  // rad/s; w: 1 + the restitution of the pair
     glm::vec4 inertia{0.0f};          // of the inverse inertia: xx, yy, zz; w: unused
     glm::vec4 products{
-        0.0f};  // of the inverse inertia: xy, xz, yz; w: under the momentum rule its own momentum, N s; else -1
+        0.0f};  // of the inverse inertia: xy, xz, yz; w: under the momentum rule its own momentum, N·s; else -1
 };
 
 HeatSource heatSource(const ForecastProjectile& projectile, Vec3 origin);

@@ -2,10 +2,9 @@
 
 #include "app/cli/options/Command.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/Parallel.h"
 
-#include <algorithm>
 #include <map>
-#include <thread>
 
 namespace rubble {
 namespace {
@@ -40,7 +39,7 @@ void addProjectArgument(Command& command, std::string& file) {
 void addJsonOption(Command& command, bool& isJson) { command.flag("--json", isJson, "Print JSON instead of text"); }
 
 void addThreadsOption(Command& command, int& threads) {
-    threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    threads = availableProcessors();
     command.option("-j,--threads", threads, "The number of threads (default: all processors)")
         .wholeInRange(ProjectNumber::Threads)
         .valueName("N");

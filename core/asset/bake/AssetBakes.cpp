@@ -1,18 +1,17 @@
 #include "core/asset/bake/AssetBakes.h"
 
 #include "core/asset/bake/BakeEstimate.h"
+#include "core/asset/project/Ids.h"
 #include "core/base/Parallel.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace rubble {
 
 Result<AssetBakes> bakesOf(const Project& project, std::span<const Id> only, const TaskContext& task) {
     std::vector<AssetVariant> variants = usedVariants(project);
-    std::erase_if(variants, [&](const AssetVariant& variant) {
-        return !only.empty() && std::ranges::find(only, variant.asset) == only.end();
-    });
+    std::erase_if(variants,
+                  [&](const AssetVariant& variant) { return !only.empty() && !isAmong(only, variant.asset); });
     double bytes = 0.0;
     for (const AssetVariant& variant : variants) bytes += estimateOf(*findAsset(project, variant.asset)).bytes();
     if (const std::optional<std::string> fault = totalSizeFault(variants.size(), bytes))

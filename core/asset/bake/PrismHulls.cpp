@@ -7,8 +7,7 @@ namespace rubble {
 Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin) {
     const Result<IndexLoops> parts = convexParts(prism.outline);
     if (!parts) return parts.error();
-    Ring corners = prism.outline.outer;
-    for (const Ring& hole : prism.outline.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+    const std::vector<Vec2> corners = cornersOf(prism.outline);
     std::vector<Polytope> hulls;
     for (const std::vector<std::uint32_t>& part : *parts) {
         Ring ring;

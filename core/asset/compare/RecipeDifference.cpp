@@ -5,6 +5,7 @@
 #include "core/base/QuantityText.h"
 #include "core/fracture/layer/LayerParameter.h"
 #include "core/fracture/pattern/PatternKind.h"
+#include "core/fracture/pattern/SeedEdits.h"
 
 #include <algorithm>
 
@@ -82,11 +83,6 @@ std::string cutText(const std::optional<CutAtImpact>& cut) {
     if (!cut) return "off";
     return countText(cut->pieces, "fragment", "fragments") + ", falloff radius " + messageText(cut->falloffRadius) +
            " m";
-}
-
-const PatternLayer* findLayer(const Pattern& pattern, std::uint32_t id) {
-    const auto found = std::ranges::find(pattern.layers, id, &PatternLayer::id);
-    return found != pattern.layers.end() ? &*found : nullptr;
 }
 
 /// Collects changes.

@@ -1,5 +1,6 @@
 #include "core/asset/placement/InstancePlacement.h"
 
+#include "core/asset/project/Ids.h"
 #include "core/geometry/hull/HullOverlap.h"
 #include "core/geometry/hull/PolytopeRay.h"
 
@@ -90,7 +91,7 @@ std::optional<SceneHit> sceneHit(const Project& project, const AssetHulls& hulls
     Candidate nearest;
     hitGround(project.ground, ray, nearest);
     for (const Instance& instance : project.instances) {
-        if (instance.isHidden || std::ranges::find(except, instance.id) != except.end()) continue;
+        if (instance.isHidden || isAmong(except, instance.id)) continue;
         hitInstance(instance, hullsOf(hulls, instance.asset), ray, nearest);
     }
     if (nearest.distance == kInfinity) return std::nullopt;

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-void mixIn(std::uint32_t variant, Pattern& pattern) {
+void mixInVariant(std::uint32_t variant, Pattern& pattern) {
     for (PatternLayer& layer : pattern.layers) {
         layer.randomSeed = mixSeeds(layer.randomSeed, variant);
         layer.overrides.clear();
@@ -18,8 +18,8 @@ void mixIn(std::uint32_t variant, Pattern& pattern) {
 
 Asset variantOf(Asset asset, std::uint32_t variant) {
     if (variant == 0) return asset;
-    mixIn(variant, asset.pattern);
-    for (Level& level : asset.levels) mixIn(variant, level.pattern);
+    mixInVariant(variant, asset.pattern);
+    for (Level& level : asset.levels) mixInVariant(variant, level.pattern);
     asset.leaves.clear();  // this and the next: they refer to the old fragments
     asset.edits.clear();
     asset.name += "~" + std::to_string(variant);

@@ -113,7 +113,7 @@ std::vector<std::array<std::uint32_t, 3>> triangleList(const Delaunay& delaunay)
     list.reserve(delaunay.triangles.size());
     for (const Delaunay::Triangle& triangle : delaunay.triangles) {
         const std::uint32_t* corner = triangle.corner;
-        if (corner[0] == kGhost || corner[1] == kGhost || corner[2] == kGhost) continue;
+        if (triangle.isGhost()) continue;
         std::array<std::uint32_t, 3> seeds = {delaunay.seedOf[corner[0]], delaunay.seedOf[corner[1]],
                                               delaunay.seedOf[corner[2]]};
         std::rotate(seeds.begin(), std::min_element(seeds.begin(), seeds.end()), seeds.end());

@@ -26,6 +26,7 @@ struct Delaunay {
         std::uint32_t corner[3];  // sites, counter-clockwise; kGhost at most once
         std::uint32_t twin[3];    // the opposite half-edge of edge k
 
+        /// Whether a corner is the ghost vertex.
         bool isGhost() const { return corner[0] == kGhost || corner[1] == kGhost || corner[2] == kGhost; }
     };
 

@@ -13,7 +13,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kDistanceFraction = 0.15;  // of the outline's diameter: the minimum distance in a new layer
+constexpr double kDefaultDistanceFraction = 0.15;  // of the outline's diameter: the minimum distance in a new layer
 
 constexpr std::array kBlueNoiseParameters{
     parameter<&BlueNoise::minimumDistance>({.name = "minimumDistance",
@@ -112,7 +112,7 @@ constinit const LayerKind BlueNoise::kKind{.name = "blueNoise",
                                            .isRandom = true};
 
 BlueNoise BlueNoise::defaultsFor(const Box2& bounds) {
-    return BlueNoise{.minimumDistance = kDistanceFraction * bounds.diagonal()};
+    return BlueNoise{.minimumDistance = kDefaultDistanceFraction * bounds.diagonal()};
 }
 
 Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kClusterFraction = 0.12;  // of the outline's diameter: the radius in a new layer
+constexpr double kDefaultClusterFraction = 0.12;  // of the outline's diameter: the radius in a new layer
 
 constexpr std::array kClustersParameters{
     parameter<&Clusters::clusters>({.name = "clusters",
@@ -57,7 +57,9 @@ constinit const LayerKind Clusters::kKind{.name = "clusters",
                                           .parameters = kClustersParameters,
                                           .isRandom = true};
 
-Clusters Clusters::defaultsFor(const Box2& bounds) { return Clusters{.radius = kClusterFraction * bounds.diagonal()}; }
+Clusters Clusters::defaultsFor(const Box2& bounds) {
+    return Clusters{.radius = kDefaultClusterFraction * bounds.diagonal()};
+}
 
 Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t wanted = std::size_t{clusters} * seedsPerCluster;

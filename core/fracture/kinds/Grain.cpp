@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxGrain = 20.0;  // more would cost digits of points on the outline's edges
+constexpr double kMaxGrainRatio = 20.0;  // more would cost digits of points on the outline's edges
 
 constexpr std::array kGrainParameters{
     parameter<&Grain::angle>({.name = "angle",
@@ -21,7 +21,7 @@ constexpr std::array kGrainParameters{
     parameter<&Grain::ratio>({.name = "ratio",
                               .caption = "Ratio",
                               .hint = "Mean length of fragments divided by their mean width",
-                              .range = {1.0, kMaxGrain},
+                              .range = {1.0, kMaxGrainRatio},
                               .sliderRange = {1.0, 10.0}}),
 };
 

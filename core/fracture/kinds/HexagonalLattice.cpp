@@ -13,7 +13,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kLatticeColumns = 6.0;                  // cells along the longer side in a new layer
+constexpr double kDefaultLatticeColumns = 6.0;           // cells along the longer side in a new layer
 constexpr double kMaxLatticeSteps = kMaxPairNumber / 2;  // from the centre, in each direction of the lattice
 constexpr double kRowHeight = std::numbers::sqrt3 / 2.0;
 
@@ -60,7 +60,7 @@ constinit const LayerKind HexagonalLattice::kKind{.name = "hexagonal",
                                                   .parameters = kHexagonalLatticeParameters};
 
 HexagonalLattice HexagonalLattice::defaultsFor(const Box2& bounds) {
-    return {.spacing = std::max(bounds.size().x, bounds.size().y) / kLatticeColumns};
+    return {.spacing = std::max(bounds.size().x, bounds.size().y) / kDefaultLatticeColumns};
 }
 
 Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) const {

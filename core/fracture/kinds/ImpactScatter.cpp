@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kImpactFraction = 0.08;  // of the outline's diameter: the radius of a new layer
+constexpr double kDefaultImpactFraction = 0.08;  // of the outline's diameter: the radius of a new layer
 constexpr double kMaxFalloff = 8.0;
 
 constexpr std::array kImpactScatterParameters{
@@ -44,7 +44,8 @@ constinit const LayerKind ImpactScatter::kKind{.name = "impact",
                                                .isRandom = true};
 
 ImpactScatter ImpactScatter::defaultsFor(const Box2& bounds) {
-    return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0, .radius = kImpactFraction * bounds.diagonal()};
+    return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0,
+                         .radius = kDefaultImpactFraction * bounds.diagonal()};
 }
 
 SeedDensity ImpactScatter::density(const Polygon&) const {

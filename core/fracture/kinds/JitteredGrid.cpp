@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kGridColumns = 6.0;  // cells along the longer side in a new layer
+constexpr double kDefaultGridColumns = 6.0;  // cells along the longer side in a new layer
 
 bool hasNumber(const JitteredGrid& grid) { return grid.cells == GridCells::Number; }
 bool hasSize(const JitteredGrid& grid) { return grid.cells == GridCells::Size; }
@@ -101,7 +101,7 @@ const char* JitteredGrid::summary() const {
 
 JitteredGrid JitteredGrid::defaultsFor(const Box2& bounds) {
     const Vec2 size = bounds.size();
-    const double side = std::max(size.x, size.y) / kGridColumns;
+    const double side = std::max(size.x, size.y) / kDefaultGridColumns;
     const auto cellsAlong = [&](double length) {
         return static_cast<std::uint32_t>(std::max(1.0, std::floor(length / side + 0.5)));
     };

@@ -61,8 +61,7 @@ Vec2 centroidOfCell(const Partition& partition, std::uint32_t piece, const Layer
     WeightedCell cell;
     for (; piece < partition.pieceCount() && partition.seedOfPiece[piece] == seed; ++piece) {
         const Polygon outline = pieceOutline(partition, piece);
-        std::vector<Vec2> corners = outline.outer;
-        for (const Ring& hole : outline.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+        const std::vector<Vec2> corners = cornersOf(outline);
         const Result<IndexLoops> parts = triangles(outline);
         if (!parts) continue;
         for (const std::vector<std::uint32_t>& part : *parts)

@@ -52,6 +52,11 @@ std::vector<double> pieceAreas(const Partition& partition) {
     return areas;
 }
 
+std::string cellText(const Partition& partition, std::uint32_t piece) {
+    const std::uint32_t seed = partition.seedOfPiece[piece];
+    return seed == kNone ? "the outline" : "the cell of seed " + std::to_string(seed);
+}
+
 bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to) {
     bool isFound = false;
     forEachEdge(partition, piece,

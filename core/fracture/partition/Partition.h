@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -68,6 +69,9 @@ std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece);
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre = {0.0, 0.0});
 double pieceArea(const Partition& partition, std::uint32_t piece);
 std::vector<double> pieceAreas(const Partition& partition);  // of all pieces
+
+/// What a piece is part of, for sentences: "the cell of seed 7", or "the outline" where it has no seed.
+std::string cellText(const Partition& partition, std::uint32_t piece);
 
 /// Whether the piece has an edge from one point to another.
 bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to);

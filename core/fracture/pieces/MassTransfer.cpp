@@ -21,13 +21,8 @@ std::uint32_t receiverBeyond(const Partition& partition, std::uint32_t piece,
     return receiver;
 }
 
-std::string giverOf(const Partition& partition, std::uint32_t piece) {
-    if (partition.seedOfPiece[piece] == kNone) return "the outline";
-    return "the cell of seed " + std::to_string(partition.seedOfPiece[piece]);
-}
-
 std::string receiverOf(const Partition& partition, std::uint32_t piece) {
-    return partition.seedOfPiece[piece] == kNone ? "a neighbour" : giverOf(partition, piece);
+    return partition.seedOfPiece[piece] == kNone ? "a neighbour" : cellText(partition, piece);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ Diagnostic massTransferReport(const Partition& partition, MassTransfer transfer)
     const std::uint32_t seed = partition.seedOfPiece[transfer.thin];
     const Polygon outline = pieceOutline(partition, transfer.thin);
     Diagnostic report = diagnostic(DiagnosticCode::ThinPiece, {.seed = seed}, {}, area(outline));
-    report.message = "A piece of " + giverOf(partition, transfer.thin) + " is " + messageText(widthOf(outline)) +
+    report.message = "A piece of " + cellText(partition, transfer.thin) + " is " + messageText(widthOf(outline)) +
                      " m wide, too thin for a hull";
     if (transfer.receiver == kNone) {
         report.message += "; it is omitted.";

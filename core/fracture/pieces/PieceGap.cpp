@@ -229,15 +229,11 @@ ShrunkPiece shrunkConcave(const std::vector<ShrunkRing>& rings, double margin) {
     return shrunk;
 }
 
-std::string cellOf(const Partition& partition, std::uint32_t piece) {
-    return "the cell of seed " + std::to_string(partition.seedOfPiece[piece]);
-}
-
 Diagnostic disconnectedReport(const Partition& partition, std::uint32_t piece, const ShrunkPiece& left) {
     double lost = pieceArea(partition, piece);
     for (const ShrunkRing& ring : left.rings) lost -= signedArea(positionsOf(ring));
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
-                      "The gap between fragments cuts a piece of " + cellOf(partition, piece) +
+                      "The gap between fragments cuts a piece of " + cellText(partition, piece) +
                           " apart; its largest part remains, and " + messageText(lost) + " m² are left out.",
                       lost);
 }
@@ -263,7 +259,7 @@ ShrunkPiece shrunkPiece(const Partition& partition, std::uint32_t piece, double 
 
 Diagnostic vanishedReport(const Partition& partition, std::uint32_t piece, double lost) {
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
-                      "A piece of " + cellOf(partition, piece) +
+                      "A piece of " + cellText(partition, piece) +
                           " is narrower than the gap between fragments; it is omitted with " + messageText(lost) +
                           " m².",
                       lost);

@@ -77,8 +77,7 @@ Result<DensityArea> DensityArea::of(const Polygon& polygon, const GreyImage& ima
                                     const TaskContext& task) {
     const Result<IndexLoops> loops = triangles(polygon);
     if (!loops) return loops.error();
-    std::vector<Vec2> corners = polygon.outer;
-    for (const Ring& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
+    const std::vector<Vec2> corners = cornersOf(polygon);
     DensityArea area(polygon, image);
     for (const std::vector<std::uint32_t>& loop : *loops) {
         const auto number = static_cast<std::uint32_t>(area.m_triangles.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace rubble {
+
 Polygon ScatterArea::domain(const Polygon& outline, ScatterDomain domain) {
     if (domain == ScatterDomain::Outline) return outline;
     const Box2 box = boundsOf(outline.outer);

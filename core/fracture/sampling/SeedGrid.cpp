@@ -6,8 +6,6 @@
 namespace rubble {
 namespace {
 
-double squaredLength(Vec2 vector) { return vector.x * vector.x + vector.y * vector.y; }
-
 /// Cells of one row are adjacent in memory, so that a neighbourhood is three runs.
 std::size_t bucketOf(std::int64_t column, std::int64_t row, std::size_t buckets) {
     return static_cast<std::size_t>(column + row * 0x9e3779b1) & (buckets - 1);

@@ -22,15 +22,14 @@ struct CircledTriangle {
     double radiusSquared;
 };
 
-double dotSelf(Vec2 vector) { return glm::dot(vector, vector); }
-
 CircledTriangle circled(const Corners& corners, std::span<const Vec2> points) {
     const Vec2 a = points[corners[0]];
     const Vec2 b = points[corners[1]] - a;
     const Vec2 c = points[corners[2]] - a;
     const double twice = 2.0 * cross(b, c);
-    const Vec2 centre = Vec2{c.y * dotSelf(b) - b.y * dotSelf(c), b.x * dotSelf(c) - c.x * dotSelf(b)} / twice;
-    return {corners, a + centre, dotSelf(centre)};
+    const Vec2 centre =
+        Vec2{c.y * squaredLength(b) - b.y * squaredLength(c), b.x * squaredLength(c) - c.x * squaredLength(b)} / twice;
+    return {corners, a + centre, squaredLength(centre)};
 }
 
 Edge edgeOf(const Corners& corners, std::size_t k) {
@@ -53,7 +52,7 @@ std::array<Vec2, 3> superTriangle(std::span<const Vec2> seeds) {
 void insert(std::uint32_t point, std::span<const Vec2> points, std::vector<CircledTriangle>& triangulation) {
     std::map<Edge, int> uses;
     const auto isBad = [&](const CircledTriangle& triangle) {
-        return dotSelf(points[point] - triangle.centre) < triangle.radiusSquared;
+        return squaredLength(points[point] - triangle.centre) < triangle.radiusSquared;
     };
     for (const CircledTriangle& triangle : triangulation) {
         if (!isBad(triangle)) continue;
@@ -82,7 +81,7 @@ std::vector<CircledTriangle> bowyerWatson(std::span<const Vec2> seeds) {
 /// Listing 4: where the ray over an edge with one triangle ends.
 Vec2 unboundedEnd(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 along = b - a;
-    const Vec2 d = a + along * (glm::dot(c - a, along) / dotSelf(along));
+    const Vec2 d = a + along * (glm::dot(c - a, along) / squaredLength(along));
     const Vec2 direction = glm::normalize(c - d);
     const Vec2 first = c + direction * kUnboundedLength;
     const Vec2 second = c - direction * kUnboundedLength;

@@ -70,9 +70,7 @@ bool isInCircle(const Delaunay& delaunay, std::array<std::uint32_t, 3> corners, 
 }
 
 bool isCollinear(const Delaunay& delaunay) {
-    return std::all_of(delaunay.triangles.begin(), delaunay.triangles.end(), [](const Delaunay::Triangle& triangle) {
-        return std::find(triangle.corner, triangle.corner + 3, kGhost) != triangle.corner + 3;
-    });
+    return std::ranges::all_of(delaunay.triangles, &Delaunay::Triangle::isGhost);
 }
 
 /// The hull edge a -> b behind a ghost triangle (b, a, ghost) and the next one, b -> c, turn left or go straight on.

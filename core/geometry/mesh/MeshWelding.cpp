@@ -14,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxExtent = 1e30;  // m; its square and cube are finite
+constexpr double kMaxMeshCoordinate = 1e30;  // m; its square and cube are finite
 
 /// The kept points in a hash grid, with cells of eight tolerances, so that a query rarely visits more than one cell.
 class PointGrid {
@@ -69,7 +69,7 @@ std::optional<Error> faultOf(const TriangleMesh& mesh) {
     }
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         const Vec3 size = glm::abs(mesh.points[i]);
-        if (size.x < kMaxExtent && size.y < kMaxExtent && size.z < kMaxExtent) continue;
+        if (size.x < kMaxMeshCoordinate && size.y < kMaxMeshCoordinate && size.z < kMaxMeshCoordinate) continue;
         return Error{ErrorCode::BadInput, "Point " + std::to_string(i) + " of the mesh is not a finite number."};
     }
     return std::nullopt;

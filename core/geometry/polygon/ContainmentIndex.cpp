@@ -3,6 +3,7 @@
 #include "core/geometry/polygon/RayCrossings.h"
 
 namespace rubble {
+
 ContainmentIndex::ContainmentIndex(const Polygon& polygon) : m_edges(edgesOf(polygon)), m_tree(boxesOf(m_edges)) {}
 
 Containment ContainmentIndex::of(Vec2 point, std::size_t* visited) const {

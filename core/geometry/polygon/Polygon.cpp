@@ -31,11 +31,11 @@ RingMoments momentsOf(std::span<const Vec2> ring, Vec2 reference) {
     return moments;
 }
 
-Vec2 meanOf(std::span<const Vec2> points) {
-    if (points.empty()) return {0.0, 0.0};
+/// The mean of the corners of a ring. Divides once, where meanOf() divides each term: they round differently.
+Vec2 meanCorner(std::span<const Vec2> ring) {
     Vec2 sum{0.0, 0.0};
-    for (const Vec2 point : points) sum += point - points[0];
-    return points[0] + sum / static_cast<double>(points.size());
+    for (const Vec2 corner : ring) sum += corner - ring[0];
+    return ring[0] + sum / static_cast<double>(ring.size());
 }
 
 RayCrossings rayCrossings(std::span<const Vec2> ring, Vec2 point) {
@@ -84,7 +84,7 @@ Vec2 centroid(const Polygon& polygon) {
     };
     add(polygon.outer, 1.0);
     for (const Ring& hole : polygon.holes) add(hole, -1.0);
-    if (sum.area == 0.0) return meanOf(polygon.outer);
+    if (sum.area == 0.0) return meanCorner(polygon.outer);
     return reference + sum.moment / sum.area;
 }
 

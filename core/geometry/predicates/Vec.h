@@ -14,6 +14,8 @@ using Quat = glm::dquat;  // unit, w first
 
 /// Twice the signed area of the triangle (0, a, b): positive if b is to the left of a. Rounded.
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+/// The square of the length. Rounded.
+inline double squaredLength(Vec2 a) { return a.x * a.x + a.y * a.y; }
 /// The vector rotated by 90 degrees counter-clockwise.
 inline Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 

@@ -1,6 +1,7 @@
 #include "core/io/exchange/GlbJson.h"
 
 #include "core/io/json/JsonWriter.h"
+#include "core/io/json/VectorJson.h"
 
 namespace rubble {
 namespace {
@@ -51,9 +52,7 @@ void writeNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement
         json.openObject();
         json.text("name", part.name);
         json.wholeNumber("mesh", mesh++);
-        if (place == PartPlacement::Assembled) {
-            json.numbers("translation", {part.offset.x, part.offset.y, part.offset.z});
-        }
+        if (place == PartPlacement::Assembled) writeVector(json, "translation", part.offset);
         json.close();
     }
     json.close();

@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
+#include "core/asset/project/Ids.h"
 #include "core/asset/project/Threshold.h"
 #include "core/asset/project/Variants.h"
 #include "core/base/Parallel.h"
@@ -36,7 +37,7 @@ std::string foldedFolderName(const Asset& asset) {
 std::vector<Asset> assetsInVariants(const Project& project, std::span<const Id> only = {}) {
     std::vector<Asset> assets;
     for (const auto& [id, variant] : usedVariants(project)) {
-        if (!only.empty() && std::ranges::find(only, id) == only.end()) continue;
+        if (!only.empty() && !isAmong(only, id)) continue;
         assets.push_back(variantOf(*findAsset(project, id), variant));
     }
     return assets;

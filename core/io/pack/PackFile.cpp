@@ -3,9 +3,11 @@
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/project/Threshold.h"
 #include "core/base/Parallel.h"
-#include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackBodyJson.h"
 #include "core/io/pack/PackFormat.h"
+#include "core/io/project/ColourJson.h"
+
+#include <algorithm>
 
 namespace rubble {
 namespace {

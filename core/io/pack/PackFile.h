@@ -72,7 +72,7 @@ struct Pack {
     std::string name;
     double gap = 0.0;        // m between fragments
     std::string hash;        // packHash() in hexadecimal
-    double threshold = 0.0;  // N s
+    double threshold = 0.0;  // N·s
     Material material;       // its id is not in the file
     std::vector<PackMeshFile> meshes;
     PackBody whole;

@@ -77,7 +77,7 @@ Colour readUnitColour(const JsonValue& value) {
     return {red, green, blue};
 }
 
-Material readMaterial(const JsonValue& value) {
+Material readPackMaterial(const JsonValue& value) {
     value.requireObject({"name", "density", "friction", "restitution", "outside", "inside"});
     return {.name = value["name"].text(),
             .density = value["density"].number(above(0.0)),
@@ -102,7 +102,7 @@ void requireWords(const JsonValue& value, std::initializer_list<std::array<std::
     }
 }
 
-Pack readPack1(const JsonValue& root) {
+Pack readPackVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "units", "axes", "asset", "hash", "threshold", "material", "meshes",
                         "whole", "fragments"});
     root["units"].requireObject({"length", "mass", "time"});
@@ -116,7 +116,7 @@ Pack readPack1(const JsonValue& root) {
             .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
             .hash = root["hash"].text(),
             .threshold = root["threshold"].number(above(0.0)),
-            .material = readMaterial(root["material"]),
+            .material = readPackMaterial(root["material"]),
             .meshes = root["meshes"].list(readMesh),
             .whole = readPackBody(root["whole"]),
             .fragments = root["fragments"].list(readPackBody)};
@@ -129,7 +129,7 @@ Result<Pack> readPack(std::string_view json) {
     if (!document) return document.error();
     const Result<std::uint32_t> version = versionOf(*document, kPackFormat);
     if (!version) return version.error();
-    Pack pack = readPack1(document->root());
+    Pack pack = readPackVersion1(document->root());
     if (document->firstError()) return *document->firstError();
     return pack;
 }

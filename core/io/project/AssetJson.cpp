@@ -1,5 +1,7 @@
 #include "core/io/project/AssetJson.h"
 
+#include "core/io/json/VectorJson.h"
+#include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/project/ShapingJson.h"
 #include "core/io/project/StrengthRequirementJson.h"
@@ -76,7 +78,7 @@ void writeTriangle(JsonWriter& json, const SurfaceTriangle& triangle) {
     json.openObject({}, JsonLayout::Inline);
     json.wholeNumber("material", triangle.material);
     json.openArray("corners", JsonLayout::Inline);
-    for (const Vec3& corner : triangle.corners) json.numbers({}, {corner.x, corner.y, corner.z});
+    for (const Vec3& corner : triangle.corners) writeVector(json, {}, corner);
     json.close();
     json.openArray("uvs", JsonLayout::Inline);
     for (const Vec2& uv : triangle.uvs) json.numbers({}, {uv.x, uv.y});
@@ -147,7 +149,7 @@ Material readMaterialMembers1(const JsonValue& value) {
             .inside = readColour(value["inside"])};
 }
 
-Asset readAsset1(const JsonValue& value) {
+Asset readAssetMembers1(const JsonValue& value) {
     return {.id = value["id"].index(),
             .name = value["name"].text(),
             .material = value["material"].index(),
@@ -159,15 +161,15 @@ Asset readAsset1(const JsonValue& value) {
             .surface = readSurface(value["surface"])};
 }
 
-Asset readMembers2(const JsonValue& value) {
-    Asset asset = readAsset1(value);
+Asset readAssetMembers2(const JsonValue& value) {
+    Asset asset = readAssetMembers1(value);
     asset.cutAtImpact = value["cutAtImpact"].optional(readCutAtImpact);
     asset.requirements = value["intents"].list(readRequirement);
     return asset;
 }
 
-Asset readMembers4(const JsonValue& value) {
-    Asset asset = readMembers2(value);
+Asset readAssetMembers4(const JsonValue& value) {
+    Asset asset = readAssetMembers2(value);
     const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
     asset.insideMaterial = value["insideMaterial"].optional(readId).value_or(0);
     asset.shaping = readShaping(value["shaping"]);
@@ -236,26 +238,26 @@ void writeAsset(JsonWriter& json, const Asset& asset) {
 Asset readAssetVersion1(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels", "surface"});
-    return readAsset1(value);
+    return readAssetMembers1(value);
 }
 
 Asset readAssetVersion2(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels",
                          "cutAtImpact", "intents", "surface"});
-    return readMembers2(value);
+    return readAssetMembers2(value);
 }
 
 Asset readAssetVersion4(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "insideMaterial", "prism", "pattern",
                          "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"});
-    return readMembers4(value);
+    return readAssetMembers4(value);
 }
 
 Asset readAsset(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial",
                          "prism", "pattern", "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents",
                          "surface"});
-    Asset asset = readMembers4(value);
+    Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
     return asset;
 }

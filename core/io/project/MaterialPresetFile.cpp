@@ -3,7 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/io/json/FormatVersion.h"
 #include "core/io/json/JsonWriter.h"
-#include "core/io/project/AssetJson.h"
+#include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"

@@ -3,6 +3,7 @@
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/io/json/FormatVersion.h"
+#include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
@@ -37,14 +38,14 @@ Project readCommon(const JsonValue& root, const ElementReaders& read) {
             .playTests = root["playTests"].list(readPlayTest)};
 }
 
-Project readProject1(const JsonValue& root) {
+Project readProjectVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
     return readCommon(root, {readMaterialVersion1, readAssetVersion1, readInstanceVersion2});
 }
 
 /// Reads all members since version 2.
-Project readSinceVersion2(const JsonValue& root, const ElementReaders& read) {
+Project readProjectSinceVersion2(const JsonValue& root, const ElementReaders& read) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "debris", "shots", "playTests"});
     Project project = readCommon(root, read);
@@ -53,27 +54,29 @@ Project readSinceVersion2(const JsonValue& root, const ElementReaders& read) {
 }
 
 /// Version 2 added debris, cuts at impact and strength requirements.
-Project readVersion2(const JsonValue& root) {
-    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstanceVersion2});
+Project readProjectVersion2(const JsonValue& root) {
+    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstanceVersion2});
 }
 
 /// Version 3 added variants, hidden and locked instances.
-Project readVersion3(const JsonValue& root) {
-    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstance});
+Project readProjectVersion3(const JsonValue& root) {
+    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstance});
 }
 
 /// Version 4 added the shaping of fragments: small pieces, gaps, roughness, merges and splits, levels of single
 /// fragments.
-Project readVersion4(const JsonValue& root) {
-    return readSinceVersion2(root, {readMaterialVersion1, readAssetVersion4, readInstance});
+Project readProjectVersion4(const JsonValue& root) {
+    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion4, readInstance});
 }
 
 /// Version 5 added strength and toughness of materials, and thresholds derived from them.
-Project readVersion5(const JsonValue& root) { return readSinceVersion2(root, {readMaterial, readAsset, readInstance}); }
+Project readProjectVersion5(const JsonValue& root) {
+    return readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance});
+}
 
 /// The reader of each version, version 1 at index 0. A new version adds a reader; older ones stay and set defaults.
 constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{
-    &readProject1, &readVersion2, &readVersion3, &readVersion4, &readVersion5};
+    &readProjectVersion1, &readProjectVersion2, &readProjectVersion3, &readProjectVersion4, &readProjectVersion5};
 
 Result<Project> readAnyVersion(JsonDocument& document) {
     const Result<std::uint32_t> version = versionOf(document, kProjectFormat);

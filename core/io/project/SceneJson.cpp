@@ -1,5 +1,7 @@
 #include "core/io/project/SceneJson.h"
 
+#include "core/io/json/VectorJson.h"
+
 #include <array>
 
 namespace rubble {
@@ -11,7 +13,7 @@ constexpr std::array<std::string_view, 2> kDamageRules{"impact", "momentum"};
 std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
 
 /// Reads the members of an instance that all versions have.
-Instance readInstance1(const JsonValue& value) {
+Instance readInstanceMembers1(const JsonValue& value) {
     const auto [w, x, y, z] = value["orientation"].numbers<4>();
     return {.id = value["id"].index(),
             .name = value["name"].text(),
@@ -41,13 +43,13 @@ void writeInstance(JsonWriter& json, const Instance& instance) {
 
 Instance readInstanceVersion2(const JsonValue& value) {
     value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
-    return readInstance1(value);
+    return readInstanceMembers1(value);
 }
 
 Instance readInstance(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"});
-    Instance instance = readInstance1(value);
+    Instance instance = readInstanceMembers1(value);
     instance.variant = value["variant"].index();
     instance.isHidden = value["hidden"].boolean();
     instance.isLocked = value["locked"].boolean();

@@ -3,7 +3,6 @@
 #include "core/asset/project/Project.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
-#include "core/io/json/VectorJson.h"
 
 namespace rubble {
 

@@ -10,10 +10,10 @@ namespace rubble {
 /// An error of reading is NotFound where the file is missing, else Io.
 Error cannotWrite(const std::filesystem::path& path, int code);
 Error cannotRead(const std::filesystem::path& path, int code);
-/// Returns an error about a file, after what could not be done: `Cannot read "a/b": ...`.
-Error withPath(const char* what, const std::filesystem::path& path, const Error& error);
-
 /// The same with another verb: `Cannot lock "a/b": ...`.
 Error cannotDo(const char* verb, const std::filesystem::path& path, int code);
+
+/// Returns an error about a file, after what could not be done: `Cannot read "a/b": ...`.
+Error withPath(const char* what, const std::filesystem::path& path, const Error& error);
 
 }  // namespace rubble

@@ -22,7 +22,7 @@ constexpr int kAttempts = 50;  // while another process creates or removes the f
 constexpr std::chrono::milliseconds kPause{2};
 constexpr std::size_t kMaxText = 4096;  // bytes
 
-std::string firstLine(const char* path) {
+std::string firstLineOfFile(const char* path) {
     std::ifstream file(path);
     std::string line;
     std::getline(file, line);
@@ -34,9 +34,9 @@ std::string hostName() {
     return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : std::string();
 }
 
-std::string machineId() { return firstLine("/etc/machine-id"); }
+std::string machineId() { return firstLineOfFile("/etc/machine-id"); }
 
-std::string bootId() { return firstLine("/proc/sys/kernel/random/boot_id"); }
+std::string bootId() { return firstLineOfFile("/proc/sys/kernel/random/boot_id"); }
 
 /// The name of this program's file, which QLockFile compares with that of the running process.
 std::string programName() {

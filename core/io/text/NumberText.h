@@ -22,7 +22,7 @@ inline char* writeInteger(char* at, std::uint64_t value) {
     return at;
 }
 
-/// Returns the same text as a string.
+/// Returns the text of writeNumber() as a string.
 std::string numberText(double value);
 /// Appends the same text to a string.
 void appendNumber(std::string& text, double value);

@@ -88,6 +88,18 @@ struct SymMat3f {
     }
 };
 
+/// The quaternion in single precision, of length 1 there.
+inline Quatf toFloat(const Quat& q) {
+    return Quatf{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)}
+        .normalized();
+}
+inline Quat toDouble(const Quatf& q) { return Quat(q.w, q.x, q.y, q.z); }
+/// A symmetric matrix in single precision.
+inline SymMat3f toFloat(const Mat3& symmetric) {
+    const auto at = [&](int column, int row) { return static_cast<float>(symmetric[column][row]); };
+    return {at(0, 0), at(1, 0), at(2, 0), at(1, 1), at(2, 1), at(2, 2)};
+}
+
 /// The tensor in rotated axes: R m R^T.
 inline SymMat3f rotated(const SymMat3f& m, const Mat3f& r) {
     const Vec3f a = r * (m * Vec3f(r.x.x, r.y.x, r.z.x));  // R m, times the rows of R

@@ -41,10 +41,7 @@ Result<QueryHull> makeQueryHull(const Polytope& polytope, const Pose& pose) {
         return Error{ErrorCode::BadInput, *fault};
     Result<Hull> hull = makeHull(polytope, Vec3(0.0));
     if (!hull) return hull.error();
-    const Quat& q = pose.orientation;
-    const Quatf rotation{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
-                         static_cast<float>(q.w)};
-    return QueryHull{std::move(*hull), {.centre = toFloat(pose.position), .rotation = rotation.normalized()}};
+    return QueryHull{std::move(*hull), {.centre = toFloat(pose.position), .rotation = toFloat(pose.orientation)}};
 }
 
 constexpr double kNoHit = 2.0;  // CastHit::fraction of a miss

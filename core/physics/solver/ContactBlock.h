@@ -17,6 +17,7 @@ using FloatRow = std::array<float, kBlockLanes>;
 using IndexRow = std::array<std::uint32_t, kBlockLanes>;
 struct Vec3Row {
     FloatRow x, y, z;
+    /// The vector of a lane.
     Vec3f at(std::size_t lane) const { return Vec3f(x[lane], y[lane], z[lane]); }
 };
 struct QuatRow {
@@ -31,10 +32,10 @@ struct alignas(64) PointRows {
     // What every pass reads comes first: the solver is limited by memory bandwidth.
     Vec3Row position;        // m, from the first body's centre, in world axes when the manifold was computed
     FloatRow separation;     // m, at the beginning of the step
-    FloatRow impulse;        // N s, of the last sub-step; kept between steps
+    FloatRow impulse;        // N·s, of the last sub-step; kept between steps
     FloatRow effectiveMass;  // kg
     FloatRow lever;          // m, from the friction centre
-    FloatRow stepImpulse;    // N s, sum over the sub-steps of this step
+    FloatRow stepImpulse;    // N·s, sum over the sub-steps of this step
     FloatRow approach;       // m/s along the normal before the step, negative if approaching
     FloatRow unused;
 };
@@ -58,8 +59,8 @@ struct alignas(64) ContactBlock {
     Vec3Row frictionCentre;                                // m, from the first body's centre
     FloatRow tangentMassXX, tangentMassXY, tangentMassYY;  // kg: inverse of the 2 x 2 mass matrix of both tangents
     FloatRow twistMass;                                    // kg m^2
-    FloatRow frictionX, frictionY;                         // N s along both tangents; kept between steps
-    FloatRow twist;                                        // N m s about the normal; kept between steps
+    FloatRow frictionX, frictionY;                         // N·s along both tangents; kept between steps
+    FloatRow twist;                                        // N·m·s about the normal; kept between steps
 };
 
 /// The poses of both bodies when the manifold was computed; manifold recycling compares them with the current ones.

@@ -52,8 +52,8 @@ struct ImpulseKernels : ContactLanes<W> {
 
     /// The normal impulses that limit friction.
     struct Load {
-        F sum{};       // N s
-        F leverage{};  // N m s: sum of impulse times lever, which limits twist at a friction of 1
+        F sum{};       // N·s
+        F leverage{};  // N·m·s: sum of impulse times lever, which limits twist at a friction of 1
     };
 
     template <bool kWithBias>

@@ -9,7 +9,7 @@ namespace rubble {
 
 inline constexpr double kMaxCoordinate = 1e5;  // m: largest coordinate of a body; single precision resolves 8 mm there
 inline constexpr double kMaxSpeed = 1e4;       // m/s or rad/s; 170 m per step of 1/60 s
-inline constexpr double kMaxImpulse = 1e24;    // N s, and N of a grab: of the heaviest body at kMaxSpeed, and more
+inline constexpr double kMaxImpulse = 1e24;    // N·s, and N of a grab: of the heaviest body at kMaxSpeed, and more
 
 /// Identifies a body of a world. Indices are reused after removal, pairs of index and generation are not.
 struct BodyId {

@@ -16,7 +16,7 @@ struct Impact {
     double approachSpeed = 0.0;  // m/s along the normal there, at the time of impact
     double effectiveMass = 0.0;  // kg: of both bodies at the point, including rotation
     double restitution = 0.0;    // of the pair
-    /// The impulse that stops the approach and causes restitution, N s.
+    /// The impulse that stops the approach and causes restitution, N·s.
     double impulse() const { return (1.0 + restitution) * approachSpeed * effectiveMass; }
 };
 
@@ -33,7 +33,7 @@ struct HitEvent {
     Vec3 point;
     Vec3 normal;                 // from first to second
     double approachSpeed = 0.0;  // m/s
-    double impulse = 0.0;        // N s, over the step
+    double impulse = 0.0;        // N·s, over the step
 };
 
 /// The events of the last step, in a deterministic order.
@@ -50,7 +50,7 @@ struct ContactPoint {
     Vec3 point;
     Vec3 normal;              // from first to second
     double separation = 0.0;  // m, negative where they overlap
-    double impulse = 0.0;     // N s, of the last sub-step
+    double impulse = 0.0;     // N·s, of the last sub-step
 };
 
 /// Statistics of the last step.

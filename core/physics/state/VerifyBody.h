@@ -8,7 +8,7 @@
 
 namespace rubble {
 
-/// How far the length of an orientation may be from 1, for numbers written with four digits; it is normalised then.
+/// Largest deviation of an orientation's length from 1; files may have four digits.
 inline constexpr double kUnitTolerance = 1e-3;
 
 /// Whether every coordinate's magnitude is at most `most`; false for NaN.

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMinMoved = 64;  // bodies
+constexpr std::size_t kMinBodiesPerChunk = 64;
 
 /// An upper bound of how far any point of a body moves in dt seconds, if it accelerates no more than by gravity.
 float predictedDistance(const WorldState& state, std::uint32_t body, float dt) {
@@ -240,7 +240,7 @@ void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, P
     updateBoxes(state, threads, regions, scratch, dt, bodies);
     if (scratch.moved.empty()) return;
     removeSeparatedContacts(state, scratch);
-    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinMoved);
+    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinBodiesPerChunk);
     scratch.found.resize(std::max(chunks, scratch.found.size()));
     for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
     if (isSweepFaster(state, scratch)) {

@@ -16,7 +16,7 @@ constexpr float kMaxSlack = 0.02f;  // m
 constexpr float kGapFraction = 0.75f;
 /// Bodies that move more than this fraction of the thinner one's width in a step get a swept manifold.
 constexpr float kSweptFraction = 0.5f;
-constexpr std::size_t kMinContacts = 1024;  // contacts
+constexpr std::size_t kMinContactsPerChunk = 1024;
 
 /// Replaces the manifold by that of the time of impact, if the hulls touch within the displacement.
 void sweep(HullCollision& collision, const Hull& first, const Hull& second, RelativePose pose, Vec3f displacement) {
@@ -40,7 +40,7 @@ Vec3f tangentOf(Vec3f normal) {
     return normalized(cross(normal, other));
 }
 
-// Access to one lane.
+/// Writes one lane.
 void put(Vec3f v, Vec3Row& rows, std::size_t lane) {
     rows.x[lane] = v.x;
     rows.y[lane] = v.y;
@@ -122,7 +122,8 @@ void collideStale(WorldState& state, ThreadPool& threads, const Regions& regions
 /// Collides contacts without manifold whose bodies may touch now.
 void collideSeparated(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
                       float dt, bool newOnly) {
-    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinContacts);
+    const std::size_t chunks =
+        regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinContactsPerChunk);
     scratch.separated.resize(chunks);
     threads.forEachChunk(state.separated.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         scratch.separated[chunk].clear();

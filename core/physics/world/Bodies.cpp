@@ -9,18 +9,6 @@
 namespace rubble {
 namespace {
 
-SymMat3f symMat3f(const Mat3& m, double scale) {
-    const auto at = [&](int column, int row) { return static_cast<float>(m[column][row] * scale); };
-    return {at(0, 0), at(1, 0), at(2, 0), at(1, 1), at(2, 1), at(2, 2)};
-}
-
-Quatf quatf(const Quat& q) {
-    return Quatf{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)}
-        .normalized();
-}
-
-Quat quat(const Quatf& q) { return Quat(q.w, q.x, q.y, q.z); }
-
 std::uint32_t newBody(WorldState& state) {
     if (state.freeBodies.empty()) {
         state.bodies.emplace_back();
@@ -45,8 +33,8 @@ void assignMaterial(WorldState& state, std::uint32_t number, const BodyMaterial&
     if (!body.isDynamic()) return;
     const Shape& shape = *body.shape;
     body.mass = static_cast<float>(shape.mass.volume * material.density);
-    body.inertia = symMat3f(shape.mass.inertia, material.density);
-    body.inverseInertia = symMat3f(shape.inverseInertia, 1.0 / material.density);
+    body.inertia = toFloat(shape.mass.inertia * material.density);
+    body.inverseInertia = toFloat(shape.inverseInertia * (1.0 / material.density));
     body.angularMomentum = body.referenceAngularVelocity = Vec3f(0.0f);  // computed from the angular velocity again
     state.motions[number].inverseMass = 1.0f / body.mass;
 }
@@ -99,14 +87,14 @@ void setPose(WorldState& state, std::uint32_t number, const Pose& pose) {
     const Body& body = state.bodies[number];
     BodyPose& bodyPose = state.poses[number];
     const glm::dquat rotation = glm::normalize(pose.orientation);
-    bodyPose.rotation = quatf(rotation);
+    bodyPose.rotation = toFloat(rotation);
     bodyPose.centre = toFloat(pose.position + rotation * body.shape->mass.centre);
     bodyPose.inverseInertia = rotated(body.inverseInertia, bodyPose.rotation.matrix());
 }
 
 Pose poseOf(const WorldState& state, std::uint32_t number) {
     const BodyPose& pose = state.poses[number];
-    const Quat rotation = glm::normalize(quat(pose.rotation));
+    const Quat rotation = glm::normalize(toDouble(pose.rotation));
     return {toDouble(pose.centre) - rotation * state.bodies[number].shape->mass.centre, rotation};
 }
 

@@ -15,21 +15,21 @@ using Sentence = std::optional<std::string>;
 
 std::string ownerText(const SceneBody& body) { return "Body \"" + body.name + "\""; }
 
-std::string mustBe(const char* what, double value, const std::string& range) {
+std::string rangeSentence(const char* what, double value, const std::string& range) {
     return std::string("the ") + what + " is " + messageText(value) + ", but it must be " + range + ".";
 }
 
 Sentence rangeFault(const char* what, double value, double min, double max) {
     if (value >= min && value <= max) return std::nullopt;
-    return mustBe(what, value, "from " + messageText(min) + " to " + messageText(max));
+    return rangeSentence(what, value, "from " + messageText(min) + " to " + messageText(max));
 }
 
 Sentence densityFault(const SceneBody& body) {
     const bool isDynamic = body.kind == BodyKind::Dynamic;
     const bool isEnough = isDynamic ? body.density > 0.0 : body.density >= 0.0;
     if (isEnough && body.density <= kMaxDensity) return std::nullopt;
-    return mustBe("density", body.density,
-                  (isDynamic ? "above 0 and at most " : "from 0 to ") + messageText(kMaxDensity));
+    return rangeSentence("density", body.density,
+                         (isDynamic ? "above 0 and at most " : "from 0 to ") + messageText(kMaxDensity));
 }
 
 /// A vector that is not finite or longer than `most`.
@@ -42,7 +42,7 @@ Sentence vectorFault(const char* what, Vec3 value, double most) {
 Sentence orientationFault(const Quat& orientation) {
     const double length = glm::length(orientation);
     if (std::abs(length - 1.0) <= kUnitTolerance) return std::nullopt;
-    return mustBe("length of the orientation", length, "1");
+    return rangeSentence("length of the orientation", length, "1");
 }
 
 Sentence valueFault(const SceneBody& body) {

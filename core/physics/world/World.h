@@ -27,7 +27,7 @@ struct WorldSettings {
 struct BlastImpulse {
     BodyId body;
     Vec3 point;    // in world space
-    Vec3 impulse;  // N s
+    Vec3 impulse;  // N·s
 };
 
 struct Snapshot;
@@ -84,13 +84,13 @@ public:
     /// Errors: BadInput as addBody().
     Status setPose(BodyId body, const Pose& pose);
     void wake(BodyId body);
-    /// Applies an impulse, N s, at a point in world space; wakes the body. A body that would become faster than
+    /// Applies an impulse, N·s, at a point in world space; wakes the body. A body that would become faster than
     /// kMaxSpeed moves that fast.
     ///
     /// Errors: BadInput for more than kMaxImpulse or kMaxCoordinate along an axis.
     Status applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
     /// The impulses of a blast on all bodies within `radius`, including those that are not dynamic: away from `point`,
-    /// `impulse` N s/m^2 at 1 m on the body's projected area, falling off with the square of the distance,
+    /// `impulse` N·s/m^2 at 1 m on the body's projected area, falling off with the square of the distance,
     /// and no stronger within 0.1 m. A body whose centre of mass is at `point` is pushed against gravity, or along y
     /// without gravity: no direction leads away from the blast, and it is as strong as right beside it.
     std::vector<BlastImpulse> blast(Vec3 point, double radius, double impulse) const;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMinBlastDistance = 0.1;  // m: a blast is no stronger within
 constexpr double kLeastDistance = 1e-12;   // m: nearer to a centre than single precision resolves, a blast is at it
 
-Error mustBeAtMost(const std::string& what, double most, const char* unit) {
+Error rangeError(const std::string& what, double most, const char* unit) {
     return {ErrorCode::BadInput, what + " must be finite and at most " + messageText(most) + " " + unit + "."};
 }
 
@@ -72,7 +72,7 @@ void resetContacts(WorldState& state, std::uint32_t body) {
 Vec3 World::gravity() const { return toDouble(m_state->gravity); }
 
 Status World::setGravity(Vec3 gravity) {
-    if (!isWithin(gravity, kMaxSpeed)) return mustBeAtMost("Gravity", kMaxSpeed, "m/s^2 along each axis");
+    if (!isWithin(gravity, kMaxSpeed)) return rangeError("Gravity", kMaxSpeed, "m/s^2 along each axis");
     m_state->gravity = toFloat(gravity);
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
     return success();
@@ -93,7 +93,7 @@ Status World::setMaterial(BodyId body, const BodyMaterial& material) {
 Status World::setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity) {
     RUBBLE_ASSERT(contains(body) && kind(body) != BodyKind::Static);
     if (!isWithin(velocity, kMaxSpeed) || !isWithin(angularVelocity, kMaxSpeed)) {
-        return mustBeAtMost("A velocity", kMaxSpeed, "m/s or rad/s along each axis");
+        return rangeError("A velocity", kMaxSpeed, "m/s or rad/s along each axis");
     }
     BodyMotion& motion = m_state->motions[body.index];
     motion.velocity = toFloat(velocity);
@@ -120,8 +120,8 @@ void World::wake(BodyId body) {
 
 Status World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
     RUBBLE_ASSERT(contains(body));
-    if (!isWithin(impulse, kMaxImpulse)) return mustBeAtMost("An impulse", kMaxImpulse, "N·s along each axis");
-    if (!isWithin(point, kMaxCoordinate)) return mustBeAtMost("A place", kMaxCoordinate, "m along each axis");
+    if (!isWithin(impulse, kMaxImpulse)) return rangeError("An impulse", kMaxImpulse, "N·s along each axis");
+    if (!isWithin(point, kMaxCoordinate)) return rangeError("A place", kMaxCoordinate, "m along each axis");
     wake(body);
     applyImpulseAt(*m_state, body.index, impulse, point);
     return success();
@@ -146,9 +146,9 @@ std::vector<BlastImpulse> World::blast(Vec3 point, double radius, double impulse
 
 Status World::explode(Vec3 point, double radius, double impulse) {
     if (!isWithin(point, kMaxCoordinate) || !(radius >= 0.0 && radius <= kMaxCoordinate)) {
-        return mustBeAtMost("The place and radius of an explosion", kMaxCoordinate, "m");
+        return rangeError("The place and radius of an explosion", kMaxCoordinate, "m");
     }
-    if (!isWithin(Vec3(impulse), kMaxImpulse)) return mustBeAtMost("The impulse of an explosion", kMaxImpulse, "N·s");
+    if (!isWithin(Vec3(impulse), kMaxImpulse)) return rangeError("The impulse of an explosion", kMaxImpulse, "N·s");
     for (const BlastImpulse& one : blast(point, radius, impulse)) {
         if (kind(one.body) != BodyKind::Dynamic) continue;
         wake(one.body);
@@ -159,8 +159,8 @@ Status World::explode(Vec3 point, double radius, double impulse) {
 
 Status World::grab(BodyId body, Vec3 point, double force) {
     RUBBLE_ASSERT(contains(body) && kind(body) == BodyKind::Dynamic);
-    if (!isWithin(point, kMaxCoordinate)) return mustBeAtMost("A place", kMaxCoordinate, "m along each axis");
-    if (!(force >= 0.0 && force <= kMaxImpulse)) return mustBeAtMost("The force of a grab", kMaxImpulse, "N");
+    if (!isWithin(point, kMaxCoordinate)) return rangeError("A place", kMaxCoordinate, "m along each axis");
+    if (!(force >= 0.0 && force <= kMaxImpulse)) return rangeError("The force of a grab", kMaxImpulse, "N");
     wake(body);
     const BodyPose& pose = m_state->poses[body.index];
     m_state->grabbed = body;
@@ -170,7 +170,7 @@ Status World::grab(BodyId body, Vec3 point, double force) {
 }
 
 Status World::dragTo(Vec3 point) {
-    if (!isWithin(point, kMaxCoordinate)) return mustBeAtMost("A place", kMaxCoordinate, "m along each axis");
+    if (!isWithin(point, kMaxCoordinate)) return rangeError("A place", kMaxCoordinate, "m along each axis");
     m_state->grabTarget = toFloat(point);
     if (m_state->grabbed.index != 0) wakeBody(*m_state, m_state->grabbed.index);
     return success();

@@ -6,6 +6,7 @@
 #include "editor/canvas/painting/ChangePainting.h"
 #include "editor/canvas/painting/GridPainting.h"
 #include "editor/canvas/painting/VoronoiEdges.h"
+#include "editor/widgets/ColourConversion.h"
 
 #include <QPainterPath>
 
@@ -308,7 +309,7 @@ QColor CanvasContents::colour(const DrawablePattern& from, std::uint32_t piece) 
     if (overlays.colouring != CellColouring::Level) return from.colour(piece, overlays.colouring, range);
     const auto depth = depths.find(from.fragmentId(piece));
     const double fraction = range.most > 0.0 && depth != depths.end() ? depth->second / range.most : 0.0;
-    return QColor(packed(rampColour(fraction)));
+    return toQColor(rampColour(fraction));
 }
 
 const Asset* CanvasContents::asset() const {

@@ -7,6 +7,7 @@
 #include "core/geometry/hull/AspectRatio.h"
 #include "core/geometry/predicates/Predicates.h"
 #include "editor/document/CellSelection.h"
+#include "editor/widgets/ColourConversion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -229,8 +230,8 @@ std::uint32_t DrawablePattern::nearestSeed(Vec2 point, double radius) const {
 std::uint32_t DrawablePattern::triangleAt(Vec2 point) const {
     const Delaunay& delaunay = m_baked->triangulation;
     for (std::uint32_t k = 0; k < delaunay.triangles.size(); ++k) {
+        if (delaunay.triangles[k].isGhost()) continue;
         const auto& corner = delaunay.triangles[k].corner;
-        if (std::ranges::find(corner, kGhost) != std::end(corner)) continue;
         const Vec2 a = site(corner[0]), b = site(corner[1]), c = site(corner[2]);
         if (orient2d(a, b, point) >= 0 && orient2d(b, c, point) >= 0 && orient2d(c, a, point) >= 0) return k;
     }
@@ -287,10 +288,10 @@ DrawablePattern::Range DrawablePattern::range(CellColouring colouring) const {
 }
 
 QColor DrawablePattern::colour(std::uint32_t piece, CellColouring colouring, Range range) const {
-    if (colouring == CellColouring::Piece) return QColor(packed(fragmentColour(fragmentId(piece))));
+    if (colouring == CellColouring::Piece) return toQColor(fragmentColour(fragmentId(piece)));
     const double spread = range.most - range.least;
     const double fraction = spread > 0.0 ? (value(piece, colouring) - range.least) / spread : 0.5;
-    return QColor(packed(rampColour(fraction)));
+    return toQColor(rampColour(fraction));
 }
 
 void include(Box2& box, const Box2& other) {

@@ -128,7 +128,7 @@ void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::
     const QStringList lines = {
         HighlightPaintingTexts::tr("Fragment %1").arg(QString::fromStdString(pattern.fragmentId(piece))),
         localizedQuantity(QuantityKind::Area, pattern.area(piece)),
-        QCoreApplication::translate("HighlightPainting", "%Ln neighbour(s)", nullptr, neighbours),
+        HighlightPaintingTexts::tr("%Ln neighbour(s)", nullptr, neighbours),
         HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
     };
     paintLabel(painter, beside, lines, colours, colours.panelEdge, view);

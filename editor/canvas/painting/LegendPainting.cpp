@@ -3,6 +3,7 @@
 #include "core/asset/project/FragmentColours.h"
 #include "editor/canvas/painting/ChangePainting.h"
 #include "editor/canvas/painting/LabelPainting.h"
+#include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LayerText.h"
 #include "editor/widgets/LocalizedQuantity.h"
 
@@ -10,6 +11,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace rubble {
@@ -22,7 +24,7 @@ constexpr double kSampleWidth = 22.0;
 constexpr double kRowHeight = 17.0;
 constexpr double kScaleWidth = 130.0;
 constexpr double kScaleHeight = 42.0;
-constexpr double kSampleSize = 4.0;
+constexpr double kSampleMarkerRadius = 4.0;
 constexpr double kEdgeMargin = 10.0;
 constexpr std::size_t kMaxLayers = 6;
 
@@ -147,7 +149,7 @@ private:
         m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
                               painter.setPen(Qt::NoPen);
                               painter.setBrush(m_colours.text);
-                              paintSeedMarker(painter, at, kSampleSize, origin);
+                              paintSeedMarker(painter, at, kSampleMarkerRadius, origin);
                           },
                           text});
     }
@@ -164,7 +166,7 @@ private:
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.fault, 1.5));
-                              painter.drawEllipse(at, kSampleSize + 2.0, kSampleSize + 2.0);
+                              painter.drawEllipse(at, kSampleMarkerRadius + 2.0, kSampleMarkerRadius + 2.0);
                           },
                           CanvasLegendTexts::tr("duplicate seeds: %1").arg(count)});
     }
@@ -173,7 +175,7 @@ private:
         m_rows.push_back({[this](QPainter& painter, QPointF at) {
                               painter.setBrush(Qt::NoBrush);
                               painter.setPen(QPen(m_colours.text, 1.5));
-                              painter.drawEllipse(at, kSampleSize, kSampleSize);
+                              painter.drawEllipse(at, kSampleMarkerRadius, kSampleMarkerRadius);
                           },
                           CanvasLegendTexts::tr("seeds without a cell: %1").arg(count)});
     }
@@ -210,7 +212,7 @@ private:
         painter.drawText(area, Qt::AlignTop | Qt::AlignLeft, scaleTitle(colouring));
         const QRectF bar(area.left(), area.top() + 16.0, area.width(), 9.0);
         QLinearGradient ramp(bar.topLeft(), bar.topRight());
-        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, QColor(packed(rampColour(stop / 10.0))));
+        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, toQColor(rampColour(stop / 10.0)));
         painter.setBrush(ramp);
         painter.setPen(QPen(m_colours.panelEdge, 1.0));
         painter.drawRect(bar);

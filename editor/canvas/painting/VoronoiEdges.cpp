@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace rubble {
 
 namespace {
-
-bool isGhost(const Delaunay::Triangle& triangle) {
-    return std::ranges::find(triangle.corner, kGhost) != std::end(triangle.corner);
-}
 
 /// A point along a direction, outside the box.
 Vec2 farAlong(Vec2 from, Vec2 direction, const Box2& box) {
@@ -49,7 +44,7 @@ std::vector<std::array<Vec2, 2>> voronoiEdges(const Delaunay& delaunay, const Bo
 
 std::optional<Circle> circumcircle(const Delaunay& delaunay, std::uint32_t triangle) {
     const Delaunay::Triangle& corners = delaunay.triangles[triangle];
-    if (isGhost(corners)) return std::nullopt;
+    if (corners.isGhost()) return std::nullopt;
     const Vec2 a = delaunay.sites[corners.corner[0]];
     const Vec2 b = delaunay.sites[corners.corner[1]] - a, c = delaunay.sites[corners.corner[2]] - a;
     const double bb = b.x * b.x + b.y * b.y, cc = c.x * c.x + c.y * c.y;

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/FragmentTable.h"
 
+#include "core/base/Parallel.h"
 #include "editor/background/ProblemWatch.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/VolumeHistogram.h"
@@ -15,7 +16,6 @@
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTableView>
-#include <QThread>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -230,8 +230,7 @@ void FragmentTable::refreshBake() {
     m_isStale = false;
     const std::shared_ptr<const BakedAsset> baked = m_bakes.find(m_selection.asset());
     const bool hasBake = baked && baked->bake;
-    m_model->setMetrics(hasBake ? FragmentMetrics(baked->bake, density(), std::max(1, QThread::idealThreadCount()))
-                                : FragmentMetrics());
+    m_model->setMetrics(hasBake ? FragmentMetrics(baked->bake, density(), availableProcessors()) : FragmentMetrics());
     refreshProblems();
 }
 

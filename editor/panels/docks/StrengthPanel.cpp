@@ -186,14 +186,14 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
         m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
         addField(index, 0, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
-                 [](auto& event, double value) { std::get<DropRequirement>(event).height = value; });
+                 [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
         m_grid->addWidget(new QLabel(tr("an impact of")), row, 1);
         addField(index, 0, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
-                 [](auto& event, double value) { std::get<HitRequirement>(event).mass = value; });
+                 [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).mass = to; });
         addField(index, 1, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
-                 [](auto& event, double value) { std::get<HitRequirement>(event).speed = value; });
+                 [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).speed = to; });
     }
     addDeleteButton(index);
 }
@@ -210,9 +210,9 @@ void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome)
 }
 
 /// Connections are queued, since each change rebuilds the rows.
-template <class Set>
 void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
-                             const QString& name, Set set) {
+                             const QString& name,
+                             const std::function<void(StrengthRequirement& changed, double value)>& set) {
     auto* field = new NumberField;
     field->setRange(fieldRange(number));
     field->setFormat({.unit = unit});
@@ -221,7 +221,7 @@ void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number
     field->setToolTip(name);
     connect(field, &NumberField::refused, this, &StrengthPanel::refused);
     const auto apply = [this, index, set](double entered) {
-        change(tr("Change Requirement"), [=](Asset& changed) { set(changed.requirements[index].event, entered); });
+        change(tr("Change Requirement"), [=](Asset& changed) { set(changed.requirements[index], entered); });
     };
     connect(field, &NumberField::edited, this, apply, Qt::QueuedConnection);
     m_grid->addWidget(field, rowOf(index) + 1, column);

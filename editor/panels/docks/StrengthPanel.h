@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -35,9 +37,8 @@ private:
     void refreshRows(const Asset& asset, const ThresholdInterval* interval);
     void addRow(std::size_t index, const StrengthRequirement& requirement);
     void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
-    template <class Set>
     void addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
-                  const QString& name, Set set);
+                  const QString& name, const std::function<void(StrengthRequirement& changed, double value)>& set);
     void addImpulse(std::size_t index, double impulse);
     void addDeleteButton(std::size_t index);
     QString verdict(const Asset& asset, const ThresholdInterval& interval) const;

@@ -19,7 +19,7 @@ const QColor kMeasureLine(76, 194, 255);
 const QColor kMeasureUnderline(10, 14, 20, 190);
 constexpr double kRadius = 4.5;
 constexpr double kCorner = 6.0;
-constexpr int kMeasureOffset = 16;
+constexpr int kMeasureLabelOffset = 16;
 constexpr int kMeasureMargin = 6;
 
 QString lengthText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
@@ -51,12 +51,12 @@ void paintLabel(QPainter& painter, QPointF beside, const QString& title, const Q
     bold.setBold(true);
     const QFontMetrics plain(font), strong(bold);
     const int width = std::max(strong.horizontalAdvance(title), plain.horizontalAdvance(detail));
-    QRect plate(beside.toPoint() + QPoint(kMeasureOffset, kMeasureOffset),
+    QRect plate(beside.toPoint() + QPoint(kMeasureLabelOffset, kMeasureLabelOffset),
                 QSize(width + 2 * kPlatePadding, strong.height() + plain.height() + 2 * kPlatePadding - 4));
     if (plate.right() > viewSize.width() - kMeasureMargin)
-        plate.moveRight(static_cast<int>(beside.x()) - kMeasureOffset);
+        plate.moveRight(static_cast<int>(beside.x()) - kMeasureLabelOffset);
     if (plate.bottom() > viewSize.height() - kMeasureMargin)
-        plate.moveBottom(static_cast<int>(beside.y()) - kMeasureOffset);
+        plate.moveBottom(static_cast<int>(beside.y()) - kMeasureLabelOffset);
     plate.moveLeft(std::max(plate.left(), kMeasureMargin));
     plate.moveTop(std::max(plate.top(), kMeasureMargin));
     const QRect inside = paintPlate(painter, plate);

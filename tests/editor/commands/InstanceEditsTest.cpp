@@ -1,5 +1,3 @@
-#include "core/asset/checks/VerifyProject.h"
-#include "core/io/project/ProjectFile.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/Document.h"
 #include "tests/support/TestProgram.h"

@@ -1,10 +1,8 @@
 #include "editor/commands/MaterialEdits.h"
 
-#include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/StarterProject.h"
 #include "core/asset/project/Threshold.h"
 #include "core/io/project/MaterialPresetFile.h"
-#include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditedProject.h"
 

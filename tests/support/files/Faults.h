@@ -30,7 +30,7 @@ inline FaultyRun runWithFault(const QString& program, const QStringList& argumen
     environment.insert("RUBBLE_FAULT_CODE", QString::number(fault.code));
     environment.insert("RUBBLE_FAULT_REPORT", fault.report);
     QFile::remove(fault.report);
-    FaultyRun run{.outcome = runProgram(program, arguments, environment)};
+    FaultyRun run{.outcome = runProgram(program, arguments, {.environment = environment})};
     run.failed = QString::fromUtf8(bytesOfFile(fault.report));
     return run;
 }

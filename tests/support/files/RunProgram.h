@@ -2,24 +2,34 @@
 
 #include <QProcess>
 
+#include <chrono>
+
 namespace rubble {
 
-/// How a program ended and what it printed; -1 where it could not be started, crashed or took over two minutes.
+/// How a program ended and what it printed; its exit code is -1 where it could not be started, crashed or was killed.
 struct ProgramOutcome {
     int exit = -1;
     QString output;
     QString error;
 };
 
-inline ProgramOutcome runProgram(const QString& program, const QStringList& arguments,
-                                 const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
-    constexpr int kLongestMilliseconds = 120000;
+struct RunOptions {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    std::chrono::seconds limit{60};  // a program that runs longer is killed
+};
+
+/// Runs a program to its end.
+inline ProgramOutcome runProgram(const QString& program, const QStringList& arguments, const RunOptions& options = {}) {
     QProcess process;
-    process.setProcessEnvironment(environment);
+    process.setProcessEnvironment(options.environment);
     process.start(program, arguments);
-    if (!process.waitForFinished(kLongestMilliseconds) || process.exitStatus() != QProcess::NormalExit) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    const bool hasEnded = process.waitForFinished(static_cast<int>(std::chrono::milliseconds(options.limit).count()));
+    if (!hasEnded) {
+        process.kill();
+        process.waitForFinished();
+    }
+    return {hasEnded && process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
 }
 
 }  // namespace rubble

@@ -23,7 +23,7 @@ inline Polygon squareRing() {
 /// A square of side 2 without its upper right quarter.
 inline Polygon lShape() { return {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}}, {}}; }
 
-/// The same with a square hole of a sixteenth.
+/// The same with a hole of side 0.5 at the lower left.
 inline Polygon lShapeWithHole() { return {lShape().outer, {reversed(rectangle({0.25, 0.25}, {0.75, 0.75}))}}; }
 
 /// Four teeth, a hole, and points in the middle of straight edges.

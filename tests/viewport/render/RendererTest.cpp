@@ -1,4 +1,3 @@
-#include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
 #include "tests/support/editor/StarterScene.h"

@@ -38,15 +38,15 @@ class CameraTest : public QObject {
 private slots:
     void standardViewsLookAlongTheAxes() {
         const Camera camera{.distance = 2.0};
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Front)), {0, 0, 2}, 1e-12));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Back)), {0, 0, -2}, 1e-12));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Right)), {2, 0, 0}, 1e-12));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Left)), {-2, 0, 0}, 1e-12));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Top)), {0, 2, 0}, 1e-12));
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Bottom)), {0, -2, 0}, 1e-12));
-        QVERIFY(isNear(axesOf(alignedTo(camera, StandardView::Top)).up, {0, 0, -1}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Front)), {0, 0, 2}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Back)), {0, 0, -2}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Right)), {2, 0, 0}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Left)), {-2, 0, 0}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Top)), {0, 2, 0}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Bottom)), {0, -2, 0}, 1e-12));
+        QVERIFY(isWithinDistance(axesOf(alignedTo(camera, StandardView::Top)).up, {0, 0, -1}, 1e-12));
         const double third = 2.0 / std::sqrt(3.0);
-        QVERIFY(isNear(eyeOf(alignedTo(camera, StandardView::Isometric)), {third, third, third}, 1e-12));
+        QVERIFY(isWithinDistance(eyeOf(alignedTo(camera, StandardView::Isometric)), {third, third, third}, 1e-12));
     }
     void elevationIsClamped() {
         const Camera camera = orbited({}, 0.0, 10.0);
@@ -58,7 +58,8 @@ private slots:
         for (int round = 0; round < 100; ++round) {
             const Camera camera = randomCamera(random);
             const Camera moved = panned(camera, {30.0, -20.0}, kSize);
-            QVERIFY(isNear(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}, 1e-9));
+            QVERIFY(
+                isWithinDistance(pixelOf(camera.target, moved, boxAround(camera.target, 1.0)), {230.0, 130.0}, 1e-9));
         }
     }
     void dollyKeepsThePointUnderThePointer() {
@@ -68,10 +69,10 @@ private slots:
             const CameraAxes axes = axesOf(camera);
             const Vec3 point = camera.target + metresPerPixel(camera, kSize) * (120.0 * axes.right - 70.0 * axes.up);
             const Vec2 pixel = pixelOf(point, camera, boxAround(camera.target, 1.0));
-            QVERIFY(isNear(pixel, {320.0, 220.0}, 1e-9));
+            QVERIFY(isWithinDistance(pixel, {320.0, 220.0}, 1e-9));
             const Camera nearer = dollied(camera, 0.5, pixel, kSize);
             QCOMPARE(nearer.distance, 0.5 * camera.distance);
-            QVERIFY(isNear(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel, 1e-9));
+            QVERIFY(isWithinDistance(pixelOf(point, nearer, boxAround(camera.target, 1.0)), pixel, 1e-9));
         }
     }
     void framingFitsTheBox() {
@@ -116,7 +117,7 @@ private slots:
             const double reach = 0.3 * camera.distance;
             const Vec3 point = camera.target + reach * (0.3 * axes.right - 0.2 * axes.up + 0.9 * axes.back);
             const std::optional<Vec2> pixel = pixelOf(camera, point, kSize);
-            QVERIFY(pixel && isNear(*pixel, pixelOf(point, camera, boxAround(point, 1.0)), 1e-9));
+            QVERIFY(pixel && isWithinDistance(*pixel, pixelOf(point, camera, boxAround(point, 1.0)), 1e-9));
             const Ray ray = rayThrough(camera, *pixel, kSize);
             const Vec3 nearest = ray.at(glm::dot(point - ray.from, ray.direction));
             QVERIFY(glm::distance(nearest, point) < 1e-9 * camera.distance);

@@ -35,13 +35,13 @@ private slots:
     void meshIsScaledToMetresAndYUp() {
         const SourceModel model = sourceModel(sceneOf(wallMesh()), 0.1, UpAxis::Z);
         const Box3 bounds = boundsOf(importScene(model, nullptr));
-        QVERIFY(isNear(bounds.max - bounds.min, {0.2, 0.05, 0.1}, 1e-6));
-        QVERIFY(isNear(bounds.min, {0.0, -0.025, -0.1}, 1e-6));
+        QVERIFY(isWithinDistance(bounds.max - bounds.min, {0.2, 0.05, 0.1}, 1e-6));
+        QVERIFY(isWithinDistance(bounds.min, {0.0, -0.025, -0.1}, 1e-6));
     }
     void keepsPrecisionFarFromTheOrigin() {
         const SourceModel model = sourceModel(sceneOf(placed(wallMesh(), {{1e7, 0, 0}})), 1.0, UpAxis::Y);
         const Box3 bounds = boundsOf(importScene(model, nullptr));
-        QVERIFY(isNear(bounds.max - bounds.min, {2.0, 1.0, 0.5}, 1e-6));
+        QVERIFY(isWithinDistance(bounds.max - bounds.min, {2.0, 1.0, 0.5}, 1e-6));
     }
     void prismOverlaysItsMeshAndArrowFollowsItsAxis() {
         const TriangleMesh mesh = placed(wallMesh(), {{3, 4, 5}, Quat(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0)});
@@ -53,7 +53,7 @@ private slots:
         QVERIFY(scene.batches[1].geometry->indices.empty());
         const Vec3 middle = boundsOf(mesh).centre();
         for (const std::size_t body : {1, 2}) {
-            QVERIFY(isNear(scene.origin + Vec3(glm::vec3(scene.poses[body].position)), middle, 1e-6));
+            QVERIFY(isWithinDistance(scene.origin + Vec3(glm::vec3(scene.poses[body].position)), middle, 1e-6));
         }
         const Box3 bounds = boundsOf(scene);
         QVERIFY(std::abs(bounds.max.x - bounds.min.x - 1.7) < 1e-6);  // 0.5, and 0.3 of 2 beyond each cap

@@ -55,21 +55,21 @@ private slots:
         const Project project = twoWalls();
         const Box3 bounds = boundsOf(sceneOf(project, allBakes(project)));
         const Vec3 first = project.instances[0].pose.position;
-        QVERIFY(isNear(bounds.min, first - Vec3(0.5, 0.5, 0.5), 1e-6));
-        QVERIFY(isNear(bounds.max, first + Vec3(2.25, 0.5, 0.5), 1e-6));
+        QVERIFY(isWithinDistance(bounds.min, first - Vec3(0.5, 0.5, 0.5), 1e-6));
+        QVERIFY(isWithinDistance(bounds.max, first + Vec3(2.25, 0.5, 0.5), 1e-6));
     }
     void keepsPrecisionFarFromTheOrigin() {
         Project project = starterProject();
         project.instances[0].pose.position = {1e7, 2e7, -1e7};
         const RenderScene scene = sceneOf(project, allBakes(project));
-        QVERIFY(isNear(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}, 1e-6));
+        QVERIFY(isWithinDistance(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}, 1e-6));
     }
     void assetWithoutBakeIsWhole() {
         const Project project = starterProject();
         const RenderScene scene = sceneOf(project, {});
         QCOMPARE(scene.poses.size(), std::size_t{1});
         QCOMPARE(scene.picks[0].fragment, kNone);
-        QVERIFY(isNear(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}, 1e-6));
+        QVERIFY(isWithinDistance(boundsOf(scene).max - boundsOf(scene).min, {1.0, 1.0, 0.5}, 1e-6));
     }
     void invalidPrismIsLeftOut() {
         Project project = starterProject();
@@ -85,7 +85,7 @@ private slots:
         const Vec3 foot = boundsOf(together).centre() - Vec3(0.0, 0.5, 0.0);
         for (std::size_t k = 0; k < apart.poses.size(); ++k) {
             const Vec3 arm = together.origin + Vec3(together.poses[k].position) - foot;
-            QVERIFY(isNear(Vec3(apart.explodeOffsets[k]), arm, 1e-6));
+            QVERIFY(isWithinDistance(Vec3(apart.explodeOffsets[k]), arm, 1e-6));
         }
         QVERIFY(boundsOf(apart).min.y > boundsOf(together).min.y - 1e-6);  // nothing goes below the ground
     }
@@ -193,8 +193,8 @@ private slots:
         QCOMPARE(scene.appearances[23].marks, kHidden | kSelected);
         QCOMPARE(scene.appearances[24].marks, kSelected | kHovered);
         QCOMPARE(scene.appearances[4].marks, 0u);
-        QVERIFY(
-            isNear(boundsOf(scene, kSelected).min, project.instances[1].pose.position - Vec3(0.25, 0.5, 0.5), 1e-6));
+        QVERIFY(isWithinDistance(boundsOf(scene, kSelected).min,
+                                 project.instances[1].pose.position - Vec3(0.25, 0.5, 0.5), 1e-6));
         setMarks(scene, {});
         QCOMPARE(scene.appearances[23].marks, 0u);
     }

@@ -40,7 +40,7 @@ private slots:
         QVERIFY(!derivedThreshold(wall(), strongMaterial()));
     }
     void thresholdIsStrengthTimesSectionTimesTime() {
-        // 2 MPa on 0.2 m^2 are 400 kN; for 1 ms they are 400 N s.
+        // 2 MPa on 0.2 m^2 are 400 kN; for 1 ms they are 400 N·s.
         QCOMPARE(thresholdOf(derivedWall(), strongMaterial()), 400.0);
         Asset longer = derivedWall();
         longer.contactTime = 0.0025;

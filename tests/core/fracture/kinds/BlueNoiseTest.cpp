@@ -16,8 +16,6 @@ Result<Seeds> triedBlueNoise(const BlueNoise& noise, const Polygon& outline) { r
 
 Seeds blueNoiseSeeds(const BlueNoise& noise, const Polygon& outline) { return triedBlueNoise(noise, outline).value(); }
 
-double squaredLength(Vec2 vector) { return vector.x * vector.x + vector.y * vector.y; }
-
 double leastSquaredDistance(const std::vector<Vec2>& points) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -47,10 +45,11 @@ private slots:
     void maximalSamplingLeavesNoGap() {
         // Every point of a fine grid in the outline is nearer to a seed than the distance, up to 1/1000.
         const double distance = 0.1;
-        const Seeds seeds = blueNoiseSeeds({.minimumDistance = distance}, lShapeWithHole());
+        const Polygon outline = lShapeWithHole();
+        const Seeds seeds = blueNoiseSeeds({.minimumDistance = distance}, outline);
         for (double x = 0.0; x <= 2.0; x += 0.0101) {
             for (double y = 0.0; y <= 2.0; y += 0.0101) {
-                if (containment(lShapeWithHole(), {x, y}) == Containment::Outside) continue;
+                if (containment(outline, {x, y}) == Containment::Outside) continue;
                 QVERIFY(squaredDistanceToNearest({x, y}, seeds.positions) <= 1.01 * 1.01 * distance * distance);
             }
         }

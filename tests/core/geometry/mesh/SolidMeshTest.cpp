@@ -1,4 +1,5 @@
 #include "core/geometry/mesh/SolidMesh.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 #include "tests/support/geometry/Solids.h"
@@ -11,10 +12,7 @@ namespace {
 
 constexpr double kSolidTolerance = 1e-5;
 
-std::string solidFault(const TriangleMesh& mesh) {
-    const Result<SolidMesh> solid = orientedSolid(mesh, kSolidTolerance);
-    return solid ? "" : solid.error().message;
-}
+std::string solidFault(const TriangleMesh& mesh) { return errorText(orientedSolid(mesh, kSolidTolerance)); }
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // Tests core/io/json/JsonDocument.cpp and JsonParsing.cpp.
 #include "core/io/json/JsonDocument.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
@@ -14,10 +15,7 @@ constexpr const char* kEveryKind =
     "\"name\": \"a\\u00e9\\\"\", \"list\": [[1, 2], [3, 4], []]}";
 
 /// Returns the error of parsing the text, or "".
-std::string parseFault(std::string_view text) {
-    const Result<JsonDocument> document = JsonDocument::parse(text);
-    return document ? "" : document.error().message;
-}
+std::string parseFault(std::string_view text) { return errorText(JsonDocument::parse(text)); }
 
 /// Returns the error of reading the text, or "".
 std::string readFault(std::string_view text, const std::function<void(JsonValue)>& read) {

@@ -196,7 +196,7 @@ private slots:
         QVERIFY(moved.world.applyImpulse(moved.bodies[1], {500.0, 0.0, 0.0}, {0.0, 5.5, 0.0}));
         const BodyState state = moved.world.state(moved.bodies[1]);
         QVERIFY(glm::distance(state.velocity, Vec3(0.5, 0.0, 0.0)) < 1e-6);
-        QVERIFY(glm::distance(state.angularVelocity, Vec3(0.0, 0.0, -1.5)) < 1e-5);  // 250 N m s over 1000 / 6 kg m^2
+        QVERIFY(glm::distance(state.angularVelocity, Vec3(0.0, 0.0, -1.5)) < 1e-5);  // 250 N·m·s over 1000 / 6 kg m^2
     }
     void grabbedBodyFollowsTheTarget() {
         SceneWorld moved = test::worldOf(boxesAt({{0.0, 0.5, 0.0}}));

@@ -28,7 +28,7 @@ BodyForecast forecastOfBlock(const Project& project, const Throw& thrown) {
     return forecastOf(sessionOf(project), thrown)[1];
 }
 
-/// The first impact that a throw makes, as something that breaks at 1 N s tells it: where, how, and how hard.
+/// The first impact that a throw makes, as something that breaks at 1 N·s tells it: where, how, and how hard.
 PlayBreak firstBreak(Session& session, const Throw& thrown) {
     addInput(session, ShotInput{"throw", thrown});
     for (int step = 0; step < 120; ++step) {
@@ -97,7 +97,7 @@ Vec3 randomDirection(Random& random) {
 class ForecastTest : public QObject {
     Q_OBJECT
 private slots:
-    /// A block of 500 kg that breaks at 100 N s, its front at z = 0.25.
+    /// A block of 500 kg that breaks at 100 N·s, its front at z = 0.25.
     void headOnImpactUsesBothMasses() {
         const BodyForecast block = forecastOfBlock(floatingBlock(), test::throwAtBlock(20.0, 12.0));
         const double expected = 12.0 / (1.0 / 20.0 + 1.0 / 500.0) / 100.0;
@@ -172,7 +172,7 @@ private slots:
     void momentumRuleUsesTheLargerMomentum() {
         const BodyForecast block = forecastOf(struckBlock(DamageRule::Momentum), test::throwAtBlock(20.0, 12.0))[1];
         const double own = 500.0 * std::sqrt(glm::dot(block.mass.velocity, block.mass.velocity)) * (1.0 - 0.2);
-        QVERIFY(own > 390.0);  // the projectile's is 240 N s
+        QVERIFY(own > 390.0);  // the projectile's is 240 N·s
         const double damage = block.at({0.0, 5.0, 0.2}, {0.0, 0.0, 1.0}) * block.threshold;
         QVERIFY(std::abs(damage / own - 1.0) < 1e-6);  // a body's restitution is of single precision
     }

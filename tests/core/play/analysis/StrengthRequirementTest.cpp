@@ -3,6 +3,7 @@
 
 #include "core/play/analysis/RequirementImpulse.h"
 #include "tests/support/Closeness.h"
+#include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"
 #include "tests/support/editor/Sessions.h"
@@ -31,8 +32,7 @@ double impulseOf(const Project& project, const StrengthRequirement& requirement)
 }
 
 std::string faultOf(const Project& project, const StrengthRequirement& requirement) {
-    const Result<double> impulse = requirementImpulse(project, onlyAsset(*test::playSceneOf(project)), requirement);
-    return impulse ? std::string() : impulse.error().message;
+    return errorText(requirementImpulse(project, onlyAsset(*test::playSceneOf(project)), requirement));
 }
 
 /// What a real drop from a height, or a throw from near by, does to the only asset.

@@ -133,7 +133,7 @@ private slots:
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 10.0)});
         QCOMPARE(test::breaksWithin(session, 30).size(), 1u);
         const BodyState box = session.world().state(projectileOf(session).body);
-        QVERIFY2(box.velocity.z < -9.0, QByteArray::number(box.velocity.z));  // 20 N s of 1000 were transferred
+        QVERIFY2(box.velocity.z < -9.0, QByteArray::number(box.velocity.z));  // 20 N·s of 1000 were transferred
         QVERIFY(box.centre.z < -1.0);
     }
 
@@ -155,7 +155,7 @@ private slots:
     void impactorLosesTheBreakImpulse() {
         Project project = floatingBlock();
         project.assets[0].prism.depth = 0.05;  // 50 kg
-        project.assets[0].threshold = 200.0;   // of the 400 N s that the box applies
+        project.assets[0].threshold = 200.0;   // of the 400 N·s that the box applies
         Session session = sessionOf(project);
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 12.0)});
         QCOMPARE(test::breaksWithin(session, 20).size(), 1u);
@@ -198,7 +198,7 @@ private slots:
     void momentumRuleBreaksOnGrazingContact() {
         Project project = floatingBlock();
         project.assets[0].threshold = 1000.0;
-        Throw thrown = throwAtBlock(1.0, 3.0);  // 3 N s: nothing by itself
+        Throw thrown = throwAtBlock(1.0, 3.0);  // 3 N·s: nothing by itself
         for (const DamageRule rule : {DamageRule::Impact, DamageRule::Momentum}) {
             project.damage.rule = rule;
             Session session = sessionOf(project);
@@ -209,7 +209,7 @@ private slots:
                                .speed = 4.0};
             project.instances.clear();
             Session alone = sessionOf(project);
-            addInput(alone, ShotInput{"block", flying});  // 500 kg at 4 m/s: 2000 N s
+            addInput(alone, ShotInput{"block", flying});  // 500 kg at 4 m/s: 2000 N·s
             thrown.from = {0.0, 5.0, -1.0};
             thrown.to = {0.0, 5.0, 9.0};
             addInput(alone, ShotInput{"pebble", thrown});

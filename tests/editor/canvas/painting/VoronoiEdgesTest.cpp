@@ -20,10 +20,10 @@ private slots:
         const auto lines = voronoiEdges(*triangulate(seeds), kBox);
         QCOMPARE(lines.size(), std::size_t{3});
         for (const auto& [from, to] : lines) {
-            QVERIFY(isNear(from, {0.5, 0.5}, 1e-12) || isNear(to, {0.5, 0.5}, 1e-12));
-            const Vec2 end = isNear(from, {0.5, 0.5}, 1e-12) ? to : from;
-            QVERIFY(isNear(end, {0.5, -1.0}, 1e-12) || isNear(end, {-1.0, 0.5}, 1e-12) ||
-                    isNear(end, {2.0, 2.0}, 1e-12));
+            QVERIFY(isWithinDistance(from, {0.5, 0.5}, 1e-12) || isWithinDistance(to, {0.5, 0.5}, 1e-12));
+            const Vec2 end = isWithinDistance(from, {0.5, 0.5}, 1e-12) ? to : from;
+            QVERIFY(isWithinDistance(end, {0.5, -1.0}, 1e-12) || isWithinDistance(end, {-1.0, 0.5}, 1e-12) ||
+                    isWithinDistance(end, {2.0, 2.0}, 1e-12));
         }
     }
     void twoSeedsHaveTheBisector() {
@@ -50,7 +50,8 @@ private slots:
     }
     void segmentsAreClippedToTheBox() {
         const auto cut = clippedTo(kBox, {-5.0, 0.0}, {5.0, 0.0});
-        QVERIFY(cut && isNear((*cut)[0], {-1.0, 0.0}, 1e-12) && isNear((*cut)[1], {2.0, 0.0}, 1e-12));
+        QVERIFY(cut && isWithinDistance((*cut)[0], {-1.0, 0.0}, 1e-12) &&
+                isWithinDistance((*cut)[1], {2.0, 0.0}, 1e-12));
         QVERIFY(!clippedTo(kBox, {-5.0, 3.0}, {5.0, 3.0}));
         QVERIFY(!clippedTo(kBox, {-5.0, 0.0}, {-2.0, 0.0}));
     }

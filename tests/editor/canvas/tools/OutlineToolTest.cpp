@@ -31,7 +31,7 @@ private slots:
         OutlineBench bench;
         const Vec2 by = bench.metres({1.2, 1.1}) - bench.metres({1.0, 1.0});
         bench.drag({1.0, 1.0}, {1.2, 1.1});
-        QVERIFY(isNear(bench.outline().outer[2], Vec2(1.0, 1.0) + by, 1e-12));
+        QVERIFY(isWithinDistance(bench.outline().outer[2], Vec2(1.0, 1.0) + by, 1e-12));
         QCOMPARE(bench.document.undoStack().count(), 1);
         bench.document.undoStack().undo();
         QVERIFY(bench.outline() == unitSquare());
@@ -40,8 +40,8 @@ private slots:
         OutlineBench bench;
         bench.canvas.setSnapping(true);
         bench.drag({1.0, 0.5}, {1.2, 0.5});
-        QVERIFY(isNear(bench.outline().outer[1], {1.2, 0.0}, 1e-12) &&
-                isNear(bench.outline().outer[2], {1.2, 1.0}, 1e-12));
+        QVERIFY(isWithinDistance(bench.outline().outer[1], {1.2, 0.0}, 1e-12) &&
+                isWithinDistance(bench.outline().outer[2], {1.2, 1.0}, 1e-12));
     }
     void invalidOutlineIsShownButNotPushed() {
         OutlineBench bench;
@@ -145,7 +145,7 @@ private slots:
         bench.key(Qt::Key_PageDown);
         bench.key(Qt::Key_PageDown);
         bench.key(Qt::Key_Right, Qt::ShiftModifier);
-        QVERIFY(isNear(bench.outline().outer[1], {1.0 + 10.0 / bench.canvas.view().scale, 0.0}, 1e-12));
+        QVERIFY(isWithinDistance(bench.outline().outer[1], {1.0 + 10.0 / bench.canvas.view().scale, 0.0}, 1e-12));
         bench.key(Qt::Key_Insert);
         QCOMPARE(bench.outline().outer.size(), std::size_t{5});
     }

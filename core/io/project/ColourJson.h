@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/asset/project/Project.h"
+#include "core/io/json/JsonDocument.h"
+#include "core/io/json/JsonWriter.h"
+
+namespace rubble {
+
+/// A colour as an array of three numbers: red, green and blue.
+void writeColour(JsonWriter& json, std::string_view key, const Colour& colour);
+Colour readColour(const JsonValue& value);
+
+}  // namespace rubble
