@@ -25,12 +25,13 @@ void writeHouse(const QString& file, const QByteArray& met, const QByteArray& fa
     if (!changed.open(QIODevice::WriteOnly) || changed.write(text) != text.size()) qFatal("cannot write");
 }
 
-ProgramOutcome run(const QStringList& arguments) {
+ProgramOutcome runWithPictures(const QStringList& arguments) {
     return runProgram(RUBBLE_CLI, arguments, {.limit = std::chrono::minutes(2)});
 }
 
 ProgramOutcome tested(const QString& project, const QString& pictures) {
-    return run({"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
+    return runWithPictures(
+        {"test", project, "--test", "a box breaks the wall beside the door", "--pictures", pictures});
 }
 
 }  // namespace
@@ -68,8 +69,8 @@ private slots:
 private:
     /// The output of `render` at the same step.
     static QImage drawnAfter(const QTemporaryDir& place, const QString& step) {
-        run({"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step, "--samples", "8",
-             "--out", place.filePath("moment.png")});
+        runWithPictures({"render", place.filePath("house.rubble"), "--shot", "box at the door", "--at", step,
+                         "--samples", "8", "--out", place.filePath("moment.png")});
         return QImage(place.filePath("moment.png")).convertToFormat(QImage::Format_RGB888);
     }
 };
