@@ -3,6 +3,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/MessageText.h"
 #include "core/base/OutOfMemory.h"
 #include "core/base/Version.h"
 
@@ -38,7 +39,7 @@ std::string verbNames(const CLI::App& program) {
 std::string extrasError(const CLI::App& program) {
     const std::vector<std::string> extras = program.remaining(true);
     const bool isVerb = program.get_subcommands().empty() && !extras.front().starts_with('-');
-    if (isVerb) return '"' + extras.front() + "\" is not a verb; the verbs are " + verbNames(program);
+    if (isVerb) return quotedName(extras.front()) + " is not a verb; the verbs are " + verbNames(program);
     return "Unexpected arguments: " + joinedText(extras);
 }
 

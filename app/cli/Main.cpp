@@ -1,5 +1,5 @@
 #include "app/cli/Cli.h"
-#include "app/cli/console/PrintableText.h"
+#include "app/cli/console/PrintableBuffer.h"
 #include "app/cli/console/Terminal.h"
 #include "core/io/system/ChildProcess.h"
 #include "core/io/system/ProgramFolder.h"

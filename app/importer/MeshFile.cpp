@@ -2,6 +2,7 @@
 
 #include "app/importer/AssimpValues.h"
 #include "app/importer/PlyReader.h"
+#include "core/base/MessageText.h"
 
 #include <glm/matrix.hpp>
 
@@ -186,19 +187,19 @@ std::optional<std::string> numberError(const SourceScene& scene) {
         const bool hasUvs = std::ranges::all_of(object.triangles, [&](const SourceTriangle& triangle) {
             return std::ranges::all_of(triangle.uvs, isFinite);
         });
-        if (!hasPoints) return "has a point in \"" + excerptOf(object.name) + "\" that is not finite";
-        if (!hasUvs) return "has texture coordinates in \"" + excerptOf(object.name) + "\" that are not finite";
+        if (!hasPoints) return "has a point in " + quotedName(object.name) + " that is not finite";
+        if (!hasUvs) return "has texture coordinates in " + quotedName(object.name) + " that are not finite";
     }
     return std::nullopt;
 }
 
 Error fileError(ErrorCode code, const std::string& name, const std::string& what) {
-    return {code, "\"" + name + "\" " + what + "."};
+    return {code, quotedName(name) + " " + what + "."};
 }
 
 std::string outsideText(const std::string& resource) {
-    return "refers to \"" + excerptOf(resource) +
-           "\", which lies outside its folder; only files in the folder of a mesh and below are read";
+    return "refers to " + quotedName(resource) +
+           ", which lies outside its folder; only files in the folder of a mesh and below are read";
 }
 
 /// Returns the error for a file that the library rejected.
@@ -206,8 +207,9 @@ Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const 
     if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, outsideText(files.refused().front()));
     const std::string reason = reasonOf(importer);
     if (reason.starts_with("No suitable reader"))
-        return {ErrorCode::Unsupported, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; \"" + name +
-                                            "\" is none of these, or of a version that is not supported."};
+        return {ErrorCode::Unsupported, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; " +
+                                            quotedName(name) +
+                                            " is none of these, or of a version that is not supported."};
     return fileError(ErrorCode::Unsupported, name, "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reason);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/importer/AssimpValues.h"
 #include "app/importer/TextEncoding.h"
+#include "core/base/MessageText.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -160,7 +161,7 @@ Assimp::IOStream* memoryStream(const std::string& bytes) {
 
 Result<MeshPlace> openMesh(const std::string& path) {
     const std::string name = fs::path(path).filename().string();
-    const auto error = [&](const char* what) { return Error{ErrorCode::Io, "\"" + name + "\" " + what}; };
+    const auto error = [&](const char* what) { return Error{ErrorCode::Io, quotedName(name) + " " + what}; };
     std::error_code ignored;
     const fs::path folder = fs::absolute(path, ignored).parent_path();
     MeshPlace place{name, std::make_shared<const Descriptor>(::open(path.c_str(), kReading)),

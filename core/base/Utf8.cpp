@@ -39,4 +39,14 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+std::string wellFormed(std::string_view text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = characterLength(text, at);
+        result += length == 0 ? std::string_view("\xef\xbf\xbd") : text.substr(at, length);
+        at += length == 0 ? 1 : length;
+    }
+    return result;
+}
+
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #include "app/cli/console/InputOutput.h"
 
-#include "app/cli/console/PrintableText.h"
+#include "core/base/MessageText.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/StreamReading.h"
 #include "core/io/system/Temporary.h"

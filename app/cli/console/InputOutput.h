@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/console/CliContext.h"
+#include "core/base/MessageText.h"
 #include "core/base/Result.h"
 
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/Command.h"
 #include "app/cli/options/CommonOptions.h"
+#include "core/base/MessageText.h"
 #include "core/io/project/ProjectFile.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector
     for (const std::string& name : names) {
         if (findAsset(project, name) != nullptr) continue;
         return Error{ErrorCode::NotFound,
-                     "The project has no asset \"" + name + "\"; " + quotedNamesOf(project.assets) + "."};
+                     "The project has no asset " + quotedName(name) + "; " + quotedNamesOf(project.assets) + "."};
     }
     std::vector<Id> selected;
     for (const Asset& asset : project.assets) {

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/CommonOptions.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,7 +20,7 @@ std::function<std::string(const std::string&)> rangeCheck(ProjectNumber number, 
     return [&range = rangeOf(number), kind](const std::string& given) {
         Value value{};
         if (CLI::detail::lexical_cast(given, value) && range.contains(value)) return std::string();
-        return '"' + given + "\" is not a " + kind + " " + rangeText(range);
+        return quotedName(given) + " is not a " + kind + " " + rangeText(range);
     };
 }
 
@@ -58,7 +59,7 @@ CommandOption CommandOption::separatedBy(char separator) const {
 CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const {
     return check([words](const std::string& given) {
         if (std::ranges::find(words, given) != words.end()) return std::string();
-        return '"' + given + "\" is not one of " + joinedText(words);
+        return quotedName(given) + " is not one of " + joinedText(words);
     });
 }
 

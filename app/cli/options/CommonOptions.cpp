@@ -2,6 +2,7 @@
 
 #include "app/cli/options/Command.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 
 #include <map>
@@ -19,7 +20,7 @@ std::string convertToMetres(std::string& text) {
     if (const auto unit = kUnits.find(text); unit != kUnits.end()) {
         text = unit->second;
     } else if (!isNumberInRange(text, range)) {
-        return '"' + text + "\" is not mm, cm, m, in, ft or a number of metres that is " + rangeText(range);
+        return quotedName(text) + " is not mm, cm, m, in, ft or a number of metres that is " + rangeText(range);
     }
     return {};
 }

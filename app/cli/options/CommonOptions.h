@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/MessageText.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,9 +28,9 @@ std::string joinedText(const std::vector<std::string>& words);
 /// Returns the names of elements for an error message: `it has "a", "b"` or `it has none`.
 template <class Element>
 std::string quotedNamesOf(const std::vector<Element>& elements) {
-    std::string names;
-    for (const Element& element : elements) names += (names.empty() ? "\"" : ", \"") + element.name + '"';
-    return names.empty() ? "it has none" : "it has " + names;
+    std::vector<std::string> names;
+    for (const Element& element : elements) names.push_back(element.name);
+    return names.empty() ? "it has none" : "it has " + quotedNames(names);
 }
 
 }  // namespace rubble

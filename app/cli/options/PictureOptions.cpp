@@ -3,6 +3,7 @@
 #include "app/cli/options/Command.h"
 #include "app/cli/options/PictureValues.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
 #include "viewport/render/OffscreenRenderer.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ template <class Parse>
 void addParsed(Command& command, const char* name, std::string& text, const char* help, const char* label, Parse parse,
                const std::string& error) {
     const auto check = [parse, error](const std::string& given) {
-        return parse(given) ? std::string() : '"' + given + "\" is " + error;
+        return parse(given) ? std::string() : quotedName(given) + " is " + error;
     };
     command.option(name, text, help).check(check).valueName(label);
 }

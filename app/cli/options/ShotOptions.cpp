@@ -3,6 +3,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/Command.h"
 #include "app/cli/options/CommonOptions.h"
+#include "core/base/MessageText.h"
 #include "core/io/project/ShotJson.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ Result<std::vector<Shot>> selectedShots(const Project& project, const ShotOption
     for (const std::string& name : options.names) {
         if (std::ranges::find(project.shots, name, &Shot::name) != project.shots.end()) continue;
         return Error{ErrorCode::NotFound,
-                     "The project has no shot \"" + name + "\"; " + quotedNamesOf(project.shots) + "."};
+                     "The project has no shot " + quotedName(name) + "; " + quotedNamesOf(project.shots) + "."};
     }
     std::vector<Shot> shots;
     for (const Shot& shot : project.shots) {

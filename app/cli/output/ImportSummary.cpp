@@ -1,5 +1,6 @@
 #include "app/cli/output/ImportSummary.h"
 
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 
 namespace rubble {
@@ -29,8 +30,8 @@ std::string line(const char* label, const std::string& text) { return std::strin
 std::string paragraph(const ImportedAsset& imported, const ImportOutcome& outcome) {
     const Asset& asset = *findAsset(outcome.project, imported.asset);
     const PrismFit& prism = imported.prism;
-    std::string text =
-        "\"" + asset.name + "\", asset " + std::to_string(asset.id) + (imported.isReplaced ? ", updated\n" : ", new\n");
+    std::string text = quotedName(asset.name) + ", asset " + std::to_string(asset.id) +
+                       (imported.isReplaced ? ", updated\n" : ", new\n");
     text += line("outline    ", outlineText(prism.outline));
     text += line("depth      ", lengthOf(prism.depth) + " along " + axisText(prism.axis) + otherAxesText(prism));
     text += line(imported.isReplaced ? "mesh at    " : "placed at  ", pointText(prism.pose.position));

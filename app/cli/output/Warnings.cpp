@@ -1,5 +1,7 @@
 #include "app/cli/output/Warnings.h"
 
+#include "core/base/MessageText.h"
+
 #include <ostream>
 
 namespace rubble {
@@ -7,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxPrinted = 3;
 
-std::string ownerText(const std::string& asset) { return "Asset \"" + asset + "\": "; }
+std::string ownerText(const std::string& asset) { return "Asset " + quotedName(asset) + ": "; }
 
 }  // namespace
 

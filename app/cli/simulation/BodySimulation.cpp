@@ -21,9 +21,9 @@ void removeLost(const BodyScene& scene, int step, SceneWorld& moved, std::vector
         if (!moved.world.contains(body) || moved.world.isWithinBounds(body)) continue;
         moved.world.removeBody(body);
         diagnostics.push_back(diagnostic(DiagnosticCode::LeftWorld, {},
-                                         '"' + scene.bodies[k].name + "\" was removed at step " + std::to_string(step) +
-                                             ": it is farther than " + messageText(kMaxCoordinate) +
-                                             " m from the origin."));
+                                         quotedName(scene.bodies[k].name) + " was removed at step " +
+                                             std::to_string(step) + ": it is farther than " +
+                                             messageText(kMaxCoordinate) + " m from the origin."));
     }
 }
 

@@ -67,9 +67,9 @@ std::string speedText(const PieceSpeed& fastest) {
 }
 
 std::string textOf(const NamedAudit& named) {
-    if (!named.audit) return named.name + ": does not break\n";
+    if (!named.audit) return shownName(named.name) + ": does not break\n";
     const SwapAudit& audit = *named.audit;
-    std::string text = named.name + ": " + countText(audit.pieces, "fragment", "fragments") + ", " +
+    std::string text = shownName(named.name) + ": " + countText(audit.pieces, "fragment", "fragments") + ", " +
                        (audit.isClean() ? "clean" : "not clean") + "\n";
     text += "  contacts after the swap: " + std::to_string(audit.contacts) + " with " +
             countText(audit.contactPoints, "point", "points") + "; deepest overlap " +
@@ -92,7 +92,7 @@ Status statusOf(std::span<const NamedAudit> audits) {
         if (!named.audit) continue;
         for (const Diagnostic& one : named.audit->diagnostics) {
             if (one.severity == Severity::Note) continue;
-            message += (message.empty() ? "" : "\n") + named.name + ": " + one.message;
+            message += (message.empty() ? "" : "\n") + shownName(named.name) + ": " + one.message;
         }
     }
     if (!message.empty()) return Error{ErrorCode::BadInput, message};

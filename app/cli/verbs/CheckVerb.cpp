@@ -8,6 +8,7 @@
 #include "core/asset/checks/VerifyBake.h"
 #include "core/asset/checks/VerifyMeshes.h"
 #include "core/asset/project/Variants.h"
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/io/pack/ExportFolder.h"
 #include "core/io/pack/PackFile.h"
@@ -52,7 +53,7 @@ struct CheckResult {
 };
 
 std::string okText(const std::string& name, std::size_t fragments, double volume) {
-    return name + ": " + fragmentsText(fragments, volume) + ", ok\n";
+    return shownName(name) + ": " + fragmentsText(fragments, volume) + ", ok\n";
 }
 
 CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
@@ -63,7 +64,8 @@ CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
         if (const auto found = verify(*baked, asset)) return {.status = Error{ErrorCode::BadInput, *found}};
     }
     std::string warnings;
-    for (const Diagnostic& problem : problemsOf(asset, *baked)) warnings += asset.name + ": " + problem.message + '\n';
+    for (const Diagnostic& problem : problemsOf(asset, *baked))
+        warnings += shownName(asset.name) + ": " + problem.message + '\n';
     return {success(), okText(asset.name, baked->fragmentCount(), baked->whole.volume), std::move(warnings)};
 }
 
@@ -138,7 +140,7 @@ Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     for (const fs::directory_entry& entry : *entries) {
         if (isPack(entry.path())) packs.push_back(entry.path());
     }
-    const std::string name = '"' + folder.string() + '"';
+    const std::string name = quotedPath(folder);
     if (packs.empty())
         return Error{ErrorCode::NotFound, name + " is not a pack and contains none: it has no " + kPackName + "."};
     std::ranges::sort(packs);

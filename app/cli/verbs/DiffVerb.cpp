@@ -3,6 +3,7 @@
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/io/project/AssetDifferenceJson.h"
 #include "core/io/project/ProjectFile.h"
@@ -42,7 +43,7 @@ Result<std::vector<AssetPair>> selectedPairs(std::vector<AssetPair> pairs, const
     };
     for (const std::string& name : names) {
         if (std::ranges::any_of(pairs, [&](const AssetPair& pair) { return hasName(pair, name); })) continue;
-        return Error{ErrorCode::NotFound, "Neither project has an asset \"" + name + "\"."};
+        return Error{ErrorCode::NotFound, "Neither project has an asset " + quotedName(name) + "."};
     }
     std::erase_if(pairs, [&](const AssetPair& pair) {
         return !names.empty() &&
@@ -69,7 +70,7 @@ std::string piecesText(const BakeDifference& difference, bool isAll) {
 
 std::string textOf(const AssetDifference& difference, bool isAll) {
     const AssetPair& pair = difference.pair;
-    const std::string& name = pair.name();
+    const std::string name = shownName(pair.name());
     if (difference.isEmpty()) return name + ": same\n";
     if (!pair.before)
         return name + ": added, " + countText(difference.pieces.sum().after, "fragment", "fragments") + "\n";

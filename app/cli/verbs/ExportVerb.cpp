@@ -5,6 +5,7 @@
 #include "app/cli/output/FragmentsText.h"
 #include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/MessageText.h"
 #include "core/io/pack/PackExport.h"
 #include "core/io/project/ProjectFile.h"
 
@@ -61,8 +62,8 @@ void addEnumOption(Command& command, const char* name, const char* help, const A
 }
 
 std::string summaryOf(const AssetExport& asset) {
-    if (asset.isUnchanged) return asset.name + ": unchanged in " + asset.folder.string() + '\n';
-    return asset.name + ": " + fragmentsText(asset.fragmentCount, asset.volume) + ", exported to " +
+    if (asset.isUnchanged) return shownName(asset.name) + ": unchanged in " + asset.folder.string() + '\n';
+    return shownName(asset.name) + ": " + fragmentsText(asset.fragmentCount, asset.volume) + ", exported to " +
            asset.folder.string() + '\n';
 }
 

@@ -3,6 +3,7 @@
 #include "app/cli/output/ImportSummary.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/AssetImport.h"
+#include "core/base/MessageText.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
@@ -59,7 +60,7 @@ Status checkTarget(const ImportVerbOptions& options) {
     const std::filesystem::path path = targetPath(options);
     if (!options.project.empty() || !std::filesystem::exists(path, ignored)) return success();
     return Error{ErrorCode::BadInput,
-                 "\"" + path.string() + "\" already exists; use --into to import into it or into another project."};
+                 quotedPath(path) + " already exists; use --into to import into it or into another project."};
 }
 
 Result<Target> openTarget(const ImportVerbOptions& options) {
@@ -112,8 +113,8 @@ std::string rejections(const ImportOutcome& outcome, const ImportOptions& option
 Status checkIsNoProject(const std::filesystem::path& mesh) {
     if (mesh.extension() != ".rubble") return success();
     const std::string name = mesh.string();
-    return Error{ErrorCode::BadInput, "\"" + name +
-                                          "\" is a project, not a mesh file. To import a mesh into it, use --into " +
+    return Error{ErrorCode::BadInput, quotedPath(mesh) +
+                                          " is a project, not a mesh file. To import a mesh into it, use --into " +
                                           name + "; to export its meshes, use rubble-cli export."};
 }
 

@@ -3,6 +3,7 @@
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Threshold.h"
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/pattern/PatternKind.h"
 
@@ -73,7 +74,7 @@ std::string cellText(const MaterialPreset& preset, const Column& column) {
 
 std::string listText(const std::vector<LibraryMaterial>& materials) {
     std::size_t width = 0;
-    for (const LibraryMaterial& material : materials) width = std::max(width, widthOf(material.preset.name));
+    for (const LibraryMaterial& material : materials) width = std::max(width, widthOf(shownName(material.preset.name)));
     std::vector<std::size_t> widths;
     for (const Column& column : kColumns) {
         widths.push_back(widthOf(column.name));
@@ -88,7 +89,7 @@ std::string listText(const std::vector<LibraryMaterial>& materials) {
     };
     std::string text = line(padded("", width), [](const Column& column) { return std::string(column.name); });
     for (const LibraryMaterial& material : materials) {
-        text += line(padded(material.preset.name, width),
+        text += line(padded(shownName(material.preset.name), width),
                      [&](const Column& column) { return cellText(material.preset, column); });
     }
     return text;
@@ -120,7 +121,7 @@ std::string patternText(const Pattern& pattern) {
 
 std::string detailsText(const LibraryMaterial& material) {
     const MaterialPreset& preset = material.preset;
-    std::string text = preset.name + (preset.note.empty() ? "" : ": " + preset.note) + '\n';
+    std::string text = shownName(preset.name) + (preset.note.empty() ? "" : ": " + preset.note) + '\n';
     for (const Column& column : kColumns) {
         if (const PresetFigure* figure = column.figure(preset)) text += figureText(*figure, column);
     }

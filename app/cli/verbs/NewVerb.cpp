@@ -2,6 +2,7 @@
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/StarterProject.h"
+#include "core/base/MessageText.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 
@@ -44,7 +45,8 @@ Status createProject(const NewOptions& options, const CliContext& context) {
     if (!lock) return lock.error();
     std::error_code ignored;  // saving will report the error
     if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored))) {
-        return Error{ErrorCode::BadInput, "\"" + options.file + "\" already exists; choose another name or delete it."};
+        return Error{ErrorCode::BadInput,
+                     quotedPath(options.file) + " already exists; choose another name or delete it."};
     }
     if (const Status saved = saveProject(options.file, *project); !saved) return saved;
     return printText("Created " + options.file + ".\n", context);

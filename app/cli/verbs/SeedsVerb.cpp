@@ -4,6 +4,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/VertexSeeds.h"
 #include "core/asset/project/Ids.h"
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
@@ -52,7 +53,7 @@ Status addSeeds(const SeedsOptions& options, const CliContext& context) {
     const Id layer = allocateId(*project);
     asset.pattern.layers.push_back({.id = layer, .randomSeed = layer, .parameters = std::move(found->seeds)});
     if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    return printText("\"" + asset.name + "\" has a new layer of " + countText(count, "seed", "seeds") + "." +
+    return printText(quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + "." +
                          (omissions.empty() ? "" : " " + omissions) + "\nSaved " + options.project.string() + "\n",
                      context);
 }

@@ -4,6 +4,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/bake/AssetBakes.h"
 #include "core/asset/project/Threshold.h"
+#include "core/base/MessageText.h"
 #include "core/io/play/StrengthReportJson.h"
 
 #include <memory>
@@ -58,7 +59,7 @@ std::string verdictOn(const StrengthReport& report) {
 }
 
 std::string textOf(const StrengthReport& report) {
-    std::string text = report.asset.name + ": " + verdictOn(report);
+    std::string text = shownName(report.asset.name) + ": " + verdictOn(report);
     for (std::size_t k = 0; k < report.asset.requirements.size(); ++k) {
         text += "  " + requirementText(report.asset.requirements[k]) + ": " + impulseText(report.interval.impulses[k]) +
                 "\n";
@@ -71,7 +72,7 @@ Status statusOf(std::span<const StrengthReport> reports) {
     std::string conflicts;
     for (const StrengthReport& report : reports) {
         if (const std::optional<std::string> conflict = conflictText(report.asset, report.interval)) {
-            conflicts += (conflicts.empty() ? "" : "\n") + report.asset.name + ": " + *conflict;
+            conflicts += (conflicts.empty() ? "" : "\n") + shownName(report.asset.name) + ": " + *conflict;
         }
     }
     if (!conflicts.empty()) return Error{ErrorCode::BadInput, conflicts};

@@ -4,6 +4,7 @@
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/MessageText.h"
 #include "core/io/play/JUnitXml.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
@@ -44,8 +45,8 @@ struct TestOptions {
 Result<std::vector<PlayTest>> selectedTests(const Project& project, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (std::ranges::find(project.playTests, name, &PlayTest::name) != project.playTests.end()) continue;
-        return Error{ErrorCode::NotFound,
-                     "The project has no play-test \"" + name + "\"; " + quotedNamesOf(project.playTests) + "."};
+        return Error{ErrorCode::NotFound, "The project has no play-test " + quotedName(name) + "; " +
+                                              quotedNamesOf(project.playTests) + "."};
     }
     if (project.playTests.empty()) return Error{ErrorCode::NotFound, "The project has no play-tests."};
     std::vector<PlayTest> selected;
@@ -56,7 +57,7 @@ Result<std::vector<PlayTest>> selectedTests(const Project& project, const std::v
 }
 
 std::string resultText(const PlayTestOutcome& outcome) {
-    std::string text = (outcome.isPassed() ? "ok      " : "FAILED  ") + outcome.name + '\n';
+    std::string text = (outcome.isPassed() ? "ok      " : "FAILED  ") + shownName(outcome.name) + '\n';
     for (const ExpectationOutcome& expectation : outcome.expectations) {
         if (!expectation.isMet) text += "        " + expectation.expected + ": " + expectation.seen + '\n';
     }
@@ -93,7 +94,7 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
     if (!scene) return scene.error();
     std::vector<TimedPlayTest> done;
     for (const PlayTest& test : tests) {
-        ProgressLine line(context, "Playing \"" + test.name + '"');
+        ProgressLine line(context, "Playing " + quotedName(test.name));
         const auto start = std::chrono::steady_clock::now();
         Result<PlayTestOutcome> outcome =
             runPlayTest(*scene, test, {.threads = options.threads},

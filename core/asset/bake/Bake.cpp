@@ -5,6 +5,7 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/PrismHulls.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/pattern/PieceEstimate.h"
 
@@ -189,7 +190,7 @@ const BakedFracture* Bake::fractureOf(std::uint32_t parent) const {
 }
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
-    if (const std::optional<std::string> fault = prismRangeFault("Asset \"" + asset.name + '"', asset.prism)) {
+    if (const std::optional<std::string> fault = prismRangeFault("Asset " + quotedName(asset.name), asset.prism)) {
         return Error{ErrorCode::BadInput, *fault};
     }
     if (const std::optional<std::string> fault = sizeFault(estimateOf(asset))) {

@@ -3,6 +3,7 @@
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/FragmentEditing.h"
 #include "core/base/Hash.h"
+#include "core/base/MessageText.h"
 #include "core/base/Random.h"
 #include "core/fracture/pattern/PatternCuts.h"
 #include "core/fracture/pattern/PatternPartition.h"
@@ -48,7 +49,7 @@ void dropSeeds(const std::vector<std::uint32_t>& dropped, Seeds& seeds) {
 
 Error ofAsset(const Asset& asset, const Error& error) {
     if (error.code == ErrorCode::Cancelled) return error;
-    return {error.code, "Asset \"" + asset.name + "\": " + error.message};
+    return {error.code, "Asset " + quotedName(asset.name) + ": " + error.message};
 }
 
 Recipe recipeOf(const Asset& asset) { return {asset.pattern, asset.shaping, asset.edits, {}, {}}; }

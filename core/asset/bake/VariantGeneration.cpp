@@ -172,19 +172,21 @@ Asset child(std::span<const Asset> parents, const VariantRecipe& recipe, std::ui
 std::optional<std::string> fault(const VariedParameter& varied, const Asset& asset) {
     const auto layer = std::ranges::find(asset.pattern.layers, varied.layer, &PatternLayer::id);
     const std::string name = "Layer " + std::to_string(varied.layer);
-    if (layer == asset.pattern.layers.end()) return name + " cannot vary: \"" + asset.name + "\" has no such layer.";
+    if (layer == asset.pattern.layers.end())
+        return name + " cannot vary: " + quotedName(asset.name) + " has no such layer.";
     const LayerParameter* parameter = findParameter(layer->parameters, varied.parameter);
     if (!parameter || !hasNumbers(*parameter)) {
-        return name + ": \"" + varied.parameter + "\" cannot vary: it is not a number of a layer of kind \"" +
-               std::string(kindOf(layer->parameters).name) + "\".";
+        return name + ": " + quotedName(varied.parameter) + " cannot vary: it is not a number of a layer of kind " +
+               quotedName(kindOf(layer->parameters).name) + ".";
     }
     const std::string range = messageText(varied.from) + " to " + messageText(varied.to);
     const bool isOrdered = varied.from <= varied.to;  // false for NaN, too
-    if (!isOrdered) return name + ": \"" + varied.parameter + "\" cannot vary from " + range + ": the range is empty.";
+    if (!isOrdered)
+        return name + ": " + quotedName(varied.parameter) + " cannot vary from " + range + ": the range is empty.";
     if (accepts(*parameter, layer->parameters, varied.from) && accepts(*parameter, layer->parameters, varied.to)) {
         return std::nullopt;
     }
-    return name + ": \"" + varied.parameter + "\" cannot vary from " + range +
+    return name + ": " + quotedName(varied.parameter) + " cannot vary from " + range +
            ": the parameter does not accept these values.";
 }
 
@@ -192,7 +194,7 @@ std::optional<std::string> fault(const LockedSeed& locked, const Asset& asset) {
     const auto layer = std::ranges::find(asset.pattern.layers, locked.id.layer, &PatternLayer::id);
     const bool isThere = layer != asset.pattern.layers.end();
     if (isThere && (scatters(*layer) || kindOf(layer->parameters).role == LayerRole::Places)) return std::nullopt;
-    return "Seed " + locked.id.text() + " cannot be locked: \"" + asset.name + "\" has no such layer of seeds.";
+    return "Seed " + locked.id.text() + " cannot be locked: " + quotedName(asset.name) + " has no such layer of seeds.";
 }
 
 /// The first fault of a recipe apart from its varied parameters: in crossover a parent may have another kind.
@@ -203,7 +205,7 @@ std::optional<std::string> faultForChildren(const VariantRecipe& recipe, const A
     const bool isSpread = recipe.spread >= 0.0 && recipe.spread < 1.0;  // false for NaN, too
     if (!isSpread) return "The spread is " + messageText(recipe.spread) + ", but must be from 0 to less than 1.";
     for (const std::string& kind : recipe.kinds) {
-        if (!findKind(kind)) return '"' + kind + "\" is not a kind of layer that can scatter seeds in variants.";
+        if (!findKind(kind)) return quotedName(kind) + " is not a kind of layer that can scatter seeds in variants.";
     }
     for (const LockedSeed& locked : recipe.locked) {
         if (std::optional<std::string> found = fault(locked, asset)) return found;

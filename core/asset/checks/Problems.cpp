@@ -161,8 +161,8 @@ std::vector<Diagnostic> outlineProblems(const Asset& asset) {
 std::vector<Diagnostic> strengthProblems(const Asset& asset, const Material& material) {
     if (!lacksStrength(asset, material)) return {};
     return {diagnostic(DiagnosticCode::UnknownStrength, {.asset = asset.id},
-                       "The threshold is to be derived from strength, but the material \"" + material.name +
-                           "\" has none: the stored one, " + quantityText(QuantityKind::Impulse, asset.threshold) +
+                       "The threshold is to be derived from strength, but the material " + quotedName(material.name) +
+                           " has none: the stored one, " + quantityText(QuantityKind::Impulse, asset.threshold) +
                            ", is used.",
                        asset.threshold)};
 }

@@ -39,7 +39,7 @@ Sentence shapeFault(const Asset& asset) {
     }
     const FragmentPath* before = nullptr;
     for (const FragmentLevel& leaf : asset.leaves) {
-        if (!isFragmentPath(leaf.fragment)) return "\"" + leaf.fragment + "\" is not a fragment path.";
+        if (!isFragmentPath(leaf.fragment)) return quotedName(leaf.fragment) + " is not a fragment path.";
         if (before && *before >= leaf.fragment) {
             return "the settings of fragment " + leaf.fragment + " come after those of " + *before +
                    "; paths must ascend.";

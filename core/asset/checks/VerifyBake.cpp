@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
+#include "core/base/MessageText.h"
 #include "core/fracture/pattern/AnisotropyMap.h"
 #include "core/fracture/pattern/PatternPartition.h"
 #include "core/fracture/verify/VerifyDelaunay.h"
@@ -112,7 +113,7 @@ Sentence treeFault(const Bake& bake, const Asset& asset) {
 }  // namespace
 
 std::optional<std::string> verifyBake(const Bake& bake, const Asset& asset) {
-    const std::string owner = "Asset \"" + asset.name + "\": ";
+    const std::string owner = "Asset " + quotedName(asset.name) + ": ";
     if (bake.asset != asset.id || bake.input != bakeInputHash(asset)) {
         return owner + "the bake was computed from a different asset.";
     }

@@ -2,6 +2,7 @@
 
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/asset/mesh/RoughCuts.h"
+#include "core/base/MessageText.h"
 
 #include <cmath>
 #include <vector>
@@ -14,7 +15,7 @@ constexpr double kRelative = 1e-9;  // of a volume
 }  // namespace
 
 std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
-    const std::string owner = "Asset \"" + asset.name + "\": the mesh of ";
+    const std::string owner = "Asset " + quotedName(asset.name) + ": the mesh of ";
     const FragmentMesher mesher(asset);
     if (auto fault = verifyMesh(mesher.wholeMesh(bake), bake.whole.volume)) return owner + "the whole: " + *fault;
     const bool isRough = asset.shaping.roughness.amplitude > 0.0;

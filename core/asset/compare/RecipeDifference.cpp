@@ -76,7 +76,7 @@ std::string thresholdText(const Project& project, const Asset& asset) {
 
 std::string materialText(const Project& project, Id id) {
     const Material* material = findMaterial(project, id);
-    return material ? material->name + " (" + messageText(material->density) + " kg/m³)" : "none";
+    return material ? shownName(material->name) + " (" + messageText(material->density) + " kg/m³)" : "none";
 }
 
 std::string cutText(const std::optional<CutAtImpact>& cut) {

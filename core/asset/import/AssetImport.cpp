@@ -6,6 +6,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/asset/project/SurfaceFault.h"
 #include "core/base/MessageText.h"
+#include "core/base/Utf8.h"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ namespace {
 
 /// An error with the object's name: `"Ball": The mesh ...`.
 Error namedError(const std::string& name, Error error) {
-    error.message = "\"" + name + "\": " + error.message;
+    error.message = quotedName(name) + ": " + error.message;
     return error;
 }
 
@@ -27,14 +28,14 @@ Result<std::vector<RequestedPart>> requestedParts(const SourceScene& scene, cons
     const bool hasSeveral = scene.objects.size() > 1;
     const bool isNamed = std::ranges::find(scene.objects, options.asset, &SourceObject::name) != scene.objects.end();
     if (!options.asset.empty() && hasSeveral && !isNamed) {
-        std::string names;
-        for (const SourceObject& object : scene.objects) names += (names.empty() ? "\"" : ", \"") + object.name + "\"";
-        return Error{ErrorCode::NotFound,
-                     "The file has several objects and none named \"" + options.asset + "\"; it has " + names + "."};
+        std::vector<std::string> names;
+        for (const SourceObject& object : scene.objects) names.push_back(object.name);
+        return Error{ErrorCode::NotFound, "The file has several objects and none named " + quotedName(options.asset) +
+                                              "; it has " + quotedNames(names) + "."};
     }
     for (const SourceObject& object : scene.objects) {
         if (!options.asset.empty() && hasSeveral && object.name != options.asset) continue;
-        const std::string name = object.name.empty() ? fileName : object.name;
+        const std::string name = object.name.empty() ? wellFormed(fileName) : object.name;
         Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up);
         if (!parts) {
             all.push_back(namedError(name, parts.error()));
@@ -46,7 +47,7 @@ Result<std::vector<RequestedPart>> requestedParts(const SourceScene& scene, cons
         }
     }
     if (!options.asset.empty() && all.size() > 1)
-        return Error{ErrorCode::Degenerate, "\"" + options.asset + "\" would have " + std::to_string(all.size()) +
+        return Error{ErrorCode::Degenerate, quotedName(options.asset) + " would have " + std::to_string(all.size()) +
                                                 " unconnected parts; an asset has one."};
     return all;
 }
@@ -59,7 +60,7 @@ Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::
     const Colour colour{source.colour.x, source.colour.y, source.colour.z};
     Material material{.id = allocateId(project), .name = source.name.empty() ? "default" : source.name};
     material.outside = material.inside = colour;
-    notes.push_back("The material \"" + material.name + "\" was added, with a density of " +
+    notes.push_back("The material " + quotedName(material.name) + " was added, with a density of " +
                     messageText(material.density) + " kg/m³.");
     project.materials.push_back(material);
     return material.id;
@@ -93,7 +94,8 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     }
     Asset asset{.name = uniqueName(project.assets, part.name), .prism = prism, .surface = solid.surface.surface};
     if (asset.name != part.name)
-        result.notes.push_back("The name \"" + part.name + "\" is taken; the asset is named \"" + asset.name + "\".");
+        result.notes.push_back("The name " + quotedName(part.name) + " is taken; the asset is named " +
+                               quotedName(asset.name) + ".");
     asset.material = materialFor(scene.materials[solid.material], project, result.notes);
     asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
@@ -117,7 +119,7 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
 
 /// A solid in a wrong unit is often too large or too small for a project, and its texture coordinates may be anything.
 std::optional<std::string> solidRangeFault(const std::string& name, const ImportedSolid& solid) {
-    const std::string owner = '"' + name + '"';
+    const std::string owner = quotedName(name);
     if (auto fault = prismRangeFault(owner, {solid.prism.outline, solid.prism.depth})) return fault;
     if (solid.surface.surface) {
         if (auto fault = surfaceFault(owner, *solid.surface.surface)) return fault;

@@ -59,7 +59,7 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset) {
     if (preset.name.empty()) return "The material has no name.";
     if (!isUtf8(preset.name) || !isUtf8(preset.note))
         return "The material has a name or note that is not text in UTF-8.";
-    const std::string owner = "Material \"" + preset.name + "\"";
+    const std::string owner = "Material " + quotedName(preset.name);
     for (const NamedFigure& named : figuresOf(preset)) {
         if (named.figure == nullptr) continue;
         if (Sentence fault = figureFault(owner, named)) return fault;

@@ -1,9 +1,11 @@
 #include "core/asset/project/Names.h"
 
+#include "core/base/MessageText.h"
+
 namespace rubble {
 
 std::string ownerText(const char* kind, std::uint32_t id, const std::string& name) {
-    return std::string(kind) + " " + std::to_string(id) + (name.empty() ? "" : " \"" + name + "\"");
+    return std::string(kind) + " " + std::to_string(id) + (name.empty() ? "" : " " + quotedName(name));
 }
 
 std::string caseFolded(std::string name) {

@@ -32,7 +32,7 @@ std::optional<std::string> verifyShaping(const Shaping& shaping) {
 std::optional<std::string> verifyEdit(const FragmentEdit& edit) {
     const auto pathFault = [](const FragmentPath& path) -> std::optional<std::string> {
         if (isFragmentPath(path)) return std::nullopt;
-        return "\"" + path + "\" is not a fragment path.";
+        return quotedName(path) + " is not a fragment path.";
     };
     if (const auto* split = std::get_if<FragmentSplit>(&edit)) {
         if (auto fault = pathFault(split->fragment)) return fault;

@@ -42,15 +42,15 @@ std::optional<std::string> countFault(const SeedCount& count, const LayerParamet
     if (count.by == CountBy::Number && parameter.range.contains(count.amount)) return std::nullopt;
     if (count.by != CountBy::Number && kAboveZero.contains(count.amount)) return std::nullopt;
     const std::string wanted = count.by == CountBy::Number ? requirement(parameter) : "finite and above zero";
-    return '"' + std::string(parameter.caption) + "\" is " + countText(count) + ", but must be " + wanted;
+    return quotedName(parameter.caption) + " is " + countText(count) + ", but must be " + wanted;
 }
 
 }  // namespace
 
 std::optional<std::string> parameterFault(const LayerParameter& parameter, const ParameterValue& value) {
     const auto fault = [&](const std::string& found) {
-        return '"' + std::string(parameter.caption) + "\" is " + found + unitText(parameter.quantity) +
-               ", but must be " + requirement(parameter);
+        return quotedName(parameter.caption) + " is " + found + unitText(parameter.quantity) + ", but must be " +
+               requirement(parameter);
     };
     if (const auto* point = std::get_if<Vec2>(&value)) {
         if (std::isfinite(point->x) && std::isfinite(point->y)) return std::nullopt;

@@ -1,5 +1,7 @@
 #include "core/io/json/FormatVersion.h"
 
+#include "core/base/MessageText.h"
+
 #include <array>
 
 namespace rubble {
@@ -8,8 +10,7 @@ Result<std::uint32_t> versionOf(JsonDocument& document, const FileFormat& format
     const JsonValue root = document.root();
     if (!root.isObject()) root.requireObject({});
     for (const std::string_view key : {"format", "version"}) {
-        if (!document.firstError() && !root[key].isPresent())
-            root.fail("the key \"" + std::string(key) + "\" is missing");
+        if (!document.firstError() && !root[key].isPresent()) root.fail("the key " + quotedName(key) + " is missing");
     }
     root["format"].oneOf(std::array{format.name});
     const std::uint64_t version = root["version"].wholeNumber(1);

@@ -1,5 +1,6 @@
 #include "core/io/json/JsonDocument.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/text/NumberText.h"
 
 #include <algorithm>
@@ -7,18 +8,6 @@
 
 namespace rubble {
 namespace {
-
-/// Returns text from a file for use in a message: quoted, shortened to 40 bytes, without control characters.
-std::string quoted(std::string_view text) {
-    constexpr std::size_t kMaxLength = 40;
-    std::size_t length = std::min(text.size(), kMaxLength);
-    while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
-        --length;  // cut between UTF-8 characters
-    std::string result = "\"";
-    for (const char letter : text.substr(0, length))
-        result += static_cast<unsigned char>(letter) < 32 || letter == 127 ? '?' : letter;
-    return result + (length < text.size() ? "…\"" : "\"");
-}
 
 bool isPlainKey(std::string_view key) {
     const auto isPlain = [](char letter) {
@@ -38,7 +27,7 @@ std::string rangeText(JsonRange range) {
 std::string wordList(std::span<const std::string_view> words) {
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i)
-        list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + quoted(words[i]);
+        list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + quotedName(words[i]);
     return list;
 }
 
@@ -58,7 +47,7 @@ std::string JsonDocument::pathOf(std::uint32_t node) const {
         } else if (isPlainKey(key)) {
             path.append(path.empty() ? "" : ".").append(key);
         } else {
-            path += "[" + quoted(key) + "]";
+            path += "[" + quotedName(key) + "]";
         }
         container = child;
     }
@@ -80,7 +69,7 @@ std::string JsonDocument::described(std::uint32_t index) const {
         case Kind::Unsigned: return std::to_string(node.bits);
         case Kind::Negative: return std::to_string(std::bit_cast<std::int64_t>(node.bits));
         case Kind::Real: return numberText(std::bit_cast<double>(node.bits));
-        case Kind::Text: return quoted(textAt(node.bits));
+        case Kind::Text: return quotedName(textAt(node.bits));
         case Kind::Array: return "an array of " + std::to_string(node.count);
         case Kind::Object: return "an object";
     }
@@ -124,10 +113,10 @@ void JsonValue::requireObject(std::span<const std::string_view> required,
     for (std::uint32_t child = m_node + 1; child < node->end; child = nodes[child].end) {
         const std::string_view key = m_document->textAt(nodes[child].key);
         if (std::ranges::find(required, key) == required.end() && std::ranges::find(optional, key) == optional.end())
-            return fail("unknown key " + quoted(key));
+            return fail("unknown key " + quotedName(key));
     }
     for (const std::string_view key : required)
-        if (!(*this)[key].isPresent()) return fail("the key " + quoted(key) + " is missing");
+        if (!(*this)[key].isPresent()) return fail("the key " + quotedName(key) + " is missing");
 }
 
 JsonValue JsonValue::operator[](std::string_view key) const {

@@ -1,3 +1,4 @@
+#include "core/base/MessageText.h"
 #include "core/io/json/JsonDocument.h"
 
 #include <algorithm>
@@ -121,8 +122,7 @@ private:
         std::ranges::sort(m_keys);
         const auto repeated = std::ranges::adjacent_find(m_keys);
         if (repeated == m_keys.end()) return true;
-        return refuse(
-            m_document.errorAt(object, "the key \"" + std::string(repeated->substr(0, 40)) + "\" is repeated"));
+        return refuse(m_document.errorAt(object, "the key " + quotedName(*repeated) + " is repeated"));
     }
 
     JsonDocument& m_document;

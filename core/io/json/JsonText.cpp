@@ -1,8 +1,11 @@
 #include "core/io/json/JsonText.h"
 
+#include "core/base/Utf8.h"
+
 namespace rubble {
 
 void appendJsonText(std::string& json, std::string_view text) {
+    if (!isUtf8(text)) return appendJsonText(json, wellFormed(text));
     constexpr const char* kDigits = "0123456789abcdef";
     json += '"';
     for (const char letter : text) {

@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// Appends text (UTF-8) as a JSON string with its quotes. Escapes '"', '\' and control characters.
+/// Appends text as a JSON string with its quotes. Escapes '"', '\' and control characters; bytes that are not UTF-8, as
+/// paths can hold, become U+FFFD.
 void appendJsonText(std::string& json, std::string_view text);
 
 }  // namespace rubble

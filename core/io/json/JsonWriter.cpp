@@ -11,7 +11,11 @@
 namespace rubble {
 namespace {
 
-bool needsEscape(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == '"' || letter == '\\'; }
+/// Whether a character may not be written as it is. Those beyond ASCII are checked.
+bool needsEscape(char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    return code < 0x20 || code >= 0x80 || letter == '"' || letter == '\\';
+}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "core/io/media/PictureSequence.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/FolderReading.h"
@@ -30,7 +31,7 @@ Status checkHoldsNoFilm(const fs::path& folder) {
     for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
-        return Error{ErrorCode::BadInput, folder.string() + " already contains a film: " + name +
+        return Error{ErrorCode::BadInput, quotedPath(folder) + " already contains a film: " + name +
                                               ". Choose another folder, or remove its pictures."};
     }
     return success();
@@ -45,7 +46,7 @@ Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path&
     if (!sequence->m_lock->isOpen()) return cannotRead(folder, errno);
     if (::flock(sequence->m_lock->descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         return Error{ErrorCode::BadInput,
-                     "Another film is being written to \"" + folder.string() + "\". Choose another folder, or wait."};
+                     "Another film is being written to " + quotedPath(folder) + ". Choose another folder, or wait."};
     }
     if (const Status free = checkHoldsNoFilm(folder); !free) return free.error();
     removeLeftovers(folder);

@@ -1,5 +1,6 @@
 #include "core/io/mesh/MeshImport.h"
 
+#include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
 #include <algorithm>
@@ -26,8 +27,6 @@ constexpr ChildLimits kImporterLimits{.memory = std::size_t{2} << 30,
                                       .descriptors = 64,
                                       .environment = ChildEnvironment::Empty};
 
-std::string quotedName(const std::filesystem::path& file) { return "\"" + file.filename().string() + "\""; }
-
 /// Returns the first line of the child's standard error in UTF-8, shortened, without control characters.
 std::string firstLine(const std::string& text) {
     constexpr std::size_t kMaxLength = 1000;
@@ -44,7 +43,7 @@ std::optional<Error> cannotOpen(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     const auto error = [&](ErrorCode code, const char* reason) {
-        return Error{code, "Cannot read \"" + file.string() + "\": " + reason + "."};
+        return Error{code, "Cannot read " + quotedPath(file) + ": " + reason + "."};
     };
     if (!std::filesystem::exists(status)) return error(ErrorCode::NotFound, "No such file or directory");
     if (std::filesystem::is_directory(status)) return error(ErrorCode::Io, "Is a directory");
@@ -90,7 +89,7 @@ Result<SourceScene> importMesh(const std::filesystem::path& file, const std::fil
                                const TaskContext& context) {
     if (std::optional<Error> error = cannotOpen(file)) return *error;
     if (!importer.is_absolute())  // would be looked for in the current folder
-        return Error{ErrorCode::Io, "Cannot start \"" + importer.string() + "\": its folder is unknown."};
+        return Error{ErrorCode::Io, "Cannot start " + quotedPath(importer) + ": its folder is unknown."};
     std::error_code ignored;
     const std::string path = std::filesystem::absolute(file, ignored).string();
     const Result<ChildResult> outcome = runChild(importer, {path}, kImporterLimits, context);
@@ -101,7 +100,7 @@ Result<SourceScene> importMesh(const std::filesystem::path& file, const std::fil
 ChildLimits importerLimits() { return kImporterLimits; }
 
 Result<SourceScene> importedMesh(const ChildResult& outcome, const std::filesystem::path& file) {
-    const std::string name = quotedName(file);
+    const std::string name = quotedName(file.filename().native());
     if (std::optional<Error> error = importerError(outcome, name)) return *error;
     Result<SourceScene> scene = readSourceScene(outcome.output);
     if (!scene) return Error{ErrorCode::Unsupported, name + " cannot be read: the mesh reader returned invalid data."};

@@ -1,5 +1,6 @@
 #include "core/io/pack/ExportFolder.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/system/AtomicFile.h"
@@ -43,8 +44,6 @@ struct Manifest {
     std::string source;
     std::vector<ManifestEntry> files;
 };
-
-std::string inQuotes(const fs::path& path) { return "\"" + path.string() + "\""; }
 
 bool isEngineFile(const fs::directory_entry& entry) {
     std::error_code ignored;
@@ -254,19 +253,19 @@ Status checkReplaceable(const fs::path& folder, EditedFiles edited) {
     if (!fs::exists(folder, ignored)) return success();
     if (!fs::is_directory(folder, ignored)) {
         return Error{ErrorCode::BadInput,
-                     inQuotes(folder) + " is a file, not a folder; move it first or export elsewhere."};
+                     quotedPath(folder) + " is a file, not a folder; move it first or export elsewhere."};
     }
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error();
     if (*unexpected) {
-        return Error{ErrorCode::BadInput, "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
+        return Error{ErrorCode::BadInput, "The folder " + quotedPath(folder) + " contains " + quotedPath(**unexpected) +
                                               ", which is not part of an export; move it first or export elsewhere."};
     }
     if (edited == EditedFiles::Replaced) return success();
     const Result<std::optional<fs::path>> file = findEditedFile(folder);
     if (!file) return file.error();
     if (!*file) return success();
-    return Error{ErrorCode::Edited, inQuotes(**file) +
+    return Error{ErrorCode::Edited, quotedPath(**file) +
                                         " was modified after the export and would be lost; move it first or export "
                                         "elsewhere."};
 }
@@ -307,16 +306,16 @@ bool isExportOf(const fs::path& folder, const ContentHash& source) {
 
 std::optional<std::string> verifyExportFolder(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
-    if (!manifest) return "The folder " + inQuotes(folder) + " has no readable " + kManifestName + ".";
+    if (!manifest) return "The folder " + quotedPath(folder) + " has no readable " + kManifestName + ".";
     for (const ManifestEntry& file : manifest->files) {
         const Result<ManifestEntry> current = entryOfFile(folder, file.name);
         if (!current) return current.error().message;
-        if (*current != file) return inQuotes(folder / file.name) + " was modified after the export.";
+        if (*current != file) return quotedPath(folder / file.name) + " was modified after the export.";
     }
     const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
     if (!unexpected) return unexpected.error().message;
     if (!*unexpected) return std::nullopt;
-    return "The folder " + inQuotes(folder) + " contains " + inQuotes(**unexpected) +
+    return "The folder " + quotedPath(folder) + " contains " + quotedPath(**unexpected) +
            ", which is not part of the export.";
 }
 

@@ -5,6 +5,7 @@
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Threshold.h"
 #include "core/asset/project/Variants.h"
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
@@ -49,9 +50,9 @@ Status checkFolderNames(const Project& project) {
     for (const Asset& asset : assetsInVariants(project)) {
         const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), asset.name);
         if (isFirst) continue;
-        return Error{ErrorCode::BadInput, "The assets \"" + owner->second + "\" and \"" + asset.name +
-                                              "\" would both be exported to the folder \"" + safeFileName(asset.name) +
-                                              "\"; rename one of them."};
+        return Error{ErrorCode::BadInput, "The assets " + quotedName(owner->second) + " and " + quotedName(asset.name) +
+                                              " would both be exported to the folder " +
+                                              quotedName(safeFileName(asset.name)) + "; rename one of them."};
     }
     return success();
 }
@@ -90,7 +91,7 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     if (!baked) return baked.error();
     Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, task.stage(0.5, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
-    if (!meshes) return Error{meshes.error().code, "Asset \"" + asset.name + "\": " + meshes.error().message};
+    if (!meshes) return Error{meshes.error().code, "Asset " + quotedName(asset.name) + ": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
     files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, task.stage(0.8, 0.9))});
     result.fragmentCount = baked->fragmentCount();

@@ -18,7 +18,7 @@ bool isNear(double value, double expected) { return std::abs(value - expected) <
 
 std::string ownerOf(const Pack& pack, const PackBody& body) {
     if (&body == &pack.whole) return "The whole: ";
-    return "Fragment " + std::to_string(&body - pack.fragments.data()) + " \"" + body.id + "\": ";
+    return "Fragment " + std::to_string(&body - pack.fragments.data()) + " " + quotedName(body.id) + ": ";
 }
 
 ErrorText verifyHeader(const Pack& pack) {
@@ -26,10 +26,10 @@ ErrorText verifyHeader(const Pack& pack) {
         return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
     };
     if (pack.hash.size() != 32 || !std::ranges::all_of(pack.hash, isDigit))
-        return "The hash \"" + pack.hash + "\" is not 32 hexadecimal digits.";
+        return "The hash " + quotedName(pack.hash) + " is not 32 hexadecimal digits.";
     if (pack.name.empty()) return "The asset has no name.";
     for (const PackMeshFile& mesh : pack.meshes) {
-        const std::string owner = "The mesh \"" + mesh.name + "\" ";
+        const std::string owner = "The mesh " + quotedName(mesh.name) + " ";
         if (mesh.name.empty() || mesh.name.find('/') != std::string::npos) return owner + "is not a file of the pack.";
         const bool isOne = mesh.bodies == PackMeshBodies::Fragment;
         if (isOne != (mesh.fragment != kNone))
@@ -45,9 +45,10 @@ ErrorText verifyNames(const Pack& pack) {
     std::set<std::string_view> names;
     const auto verifyBodyName = [&](const PackBody& body) -> ErrorText {
         if (body.id.empty() || body.name.empty()) return ownerOf(pack, body) + "it has no id or no name.";
-        if (!ids.insert(body.id).second) return ownerOf(pack, body) + "the id \"" + body.id + "\" is used twice.";
+        if (!ids.insert(body.id).second)
+            return ownerOf(pack, body) + "the id " + quotedName(body.id) + " is used twice.";
         if (!names.insert(body.name).second)
-            return ownerOf(pack, body) + "the name \"" + body.name + "\" is used twice.";
+            return ownerOf(pack, body) + "the name " + quotedName(body.name) + " is used twice.";
         return std::nullopt;
     };
     if (ErrorText error = verifyBodyName(pack.whole)) return error;
@@ -60,7 +61,7 @@ ErrorText verifyNames(const Pack& pack) {
 /// Parents precede their children, whose ids start with the parent's.
 ErrorText verifyParents(const Pack& pack) {
     if (pack.whole.id != std::to_string(pack.asset))
-        return "The id of the whole is \"" + pack.whole.id + "\" instead of the asset's.";
+        return "The id of the whole is " + quotedName(pack.whole.id) + " instead of the asset's.";
     if (pack.whole.parent != kNone) return std::string("The whole has a parent.");
     for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
         const PackBody& body = pack.fragments[k];
@@ -68,7 +69,7 @@ ErrorText verifyParents(const Pack& pack) {
             return ownerOf(pack, body) + "its parent " + std::to_string(body.parent) + " does not precede it.";
         const PackBody& parent = body.parent == kNone ? pack.whole : pack.fragments[body.parent];
         if (!body.id.starts_with(parent.id + "/"))
-            return ownerOf(pack, body) + "its id does not start with its parent's \"" + parent.id + "\".";
+            return ownerOf(pack, body) + "its id does not start with its parent's " + quotedName(parent.id) + ".";
     }
     return std::nullopt;
 }

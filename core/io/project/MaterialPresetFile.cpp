@@ -1,12 +1,14 @@
 #include "core/io/project/MaterialPresetFile.h"
 
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/io/json/FormatVersion.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
+#include "core/io/system/FileName.h"
 #include "material_preset.h"
 
 #include <algorithm>
@@ -114,8 +116,8 @@ void addFile(const std::filesystem::path& file, MaterialLibrary& library) {
     if (same->file.empty()) {
         *same = {std::move(*preset), file};
     } else {
-        library.errors.push_back("\"" + file.string() + "\" is skipped: \"" + same->file.string() +
-                                 "\" already defines the material \"" + preset->name + "\".");
+        library.errors.push_back(quotedPath(file) + " is skipped: " + quotedPath(same->file) +
+                                 " already defines the material " + quotedName(preset->name) + ".");
     }
 }
 
@@ -175,7 +177,7 @@ std::filesystem::path materialPresetPath(const std::filesystem::path& folder, co
     }
     if (file.empty() || file == "-") file = "material";
     if (file.back() == '-') file.pop_back();
-    return folder / (file + ".json");
+    return folder / fittingFileName("", file, ".json");
 }
 
 MaterialLibrary materialLibrary(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
+#include "core/base/MessageText.h"
 #include "core/io/json/FormatVersion.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"

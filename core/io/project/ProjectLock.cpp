@@ -1,6 +1,7 @@
 #include "core/io/project/ProjectLock.h"
 
-#include "core/base/Hash.h"
+#include "core/base/MessageText.h"
+#include "core/io/system/FileName.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,19 +15,11 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMaxName = 255;  // bytes of a file name on Linux file systems
-
 /// The path without symbolic links; that of a missing file in a missing folder is only made absolute.
 std::filesystem::path realPath(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
     return error ? std::filesystem::absolute(path, error) : real;
-}
-
-/// Cuts UTF-8 text before a character, not inside it.
-std::string shortened(const std::string& text, std::size_t size) {
-    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
-    return text.substr(0, size);
 }
 
 /// Returns whether a lock was left by a process that was killed before it wrote its name.
@@ -36,28 +29,21 @@ bool isAbandoned(const LockHolder& holder) {
 }
 
 Error heldBy(const LockHolder& holder, const std::filesystem::path& project) {
-    const std::string program = holder.program.empty() ? "another program" : holder.program;
-    const std::string machine = holder.host.empty() ? "" : " on " + holder.host;
+    const std::string program = holder.program.empty() ? "another program" : shownName(holder.program);
+    const std::string machine = holder.host.empty() ? "" : " on " + shownName(holder.host);
     const std::string process = holder.process == 0 ? "" : ", process " + std::to_string(holder.process);
     const std::string advice = holder.isRunningHere ? "Save and close it there first."
                                                     : "Save and close it there first; if that program has ended, "
-                                                      "delete \"" +
-                                                          lockPathOf(project).string() + "\".";
-    return {ErrorCode::Io,
-            "\"" + project.string() + "\" is already open in " + program + machine + process + ". " + advice};
+                                                      "delete " +
+                                                          quotedPath(lockPathOf(project)) + ".";
+    return {ErrorCode::Io, quotedPath(project) + " is already open in " + program + machine + process + ". " + advice};
 }
 
 }  // namespace
 
 std::filesystem::path lockPathOf(const std::filesystem::path& project) {
     const std::filesystem::path real = realPath(project);
-    const std::string name = real.filename().string();
-    std::string lock = "." + name + ".lock";
-    if (lock.size() > kMaxName) {
-        const std::string end = "-" + contentHash(name).hex() + ".lock";
-        lock = "." + shortened(name, kMaxName - 1 - end.size()) + end;
-    }
-    return real.parent_path() / lock;
+    return real.parent_path() / fittingFileName(".", real.filename().string(), ".lock");
 }
 
 LockAttempt lockProject(const std::filesystem::path& project, LockTakeover takeover) {
@@ -77,7 +63,7 @@ Result<std::shared_ptr<const LockFile>> waitForProjectLock(const std::filesystem
         if (attempt.holder && isAbandoned(*attempt.holder)) attempt = lockProject(project, LockTakeover::Any);
         if (attempt.lock) return attempt.lock;
         if (!attempt.holder)
-            return Error{ErrorCode::Io, "Cannot write \"" + project.string() + "\": " + attempt.reason + "."};
+            return Error{ErrorCode::Io, "Cannot write " + quotedPath(project) + ": " + attempt.reason + "."};
         if (cancel.isCancelled()) return TaskContext::cancelled();
         const bool isBrief = attempt.holder->isThisProgram || attempt.holder->process == 0;
         if (!isBrief || std::chrono::steady_clock::now() >= end) return heldBy(*attempt.holder, project);

@@ -1,6 +1,8 @@
 #include "core/io/system/AtomicFile.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/system/FileErrors.h"
+#include "core/io/system/FileName.h"
 #include "core/io/system/OpenFile.h"
 #include "core/io/system/Temporary.h"
 
@@ -24,7 +26,7 @@ constexpr char kInterrupted = '\0';
 constexpr std::size_t kMaxFileSize = std::size_t{1} << 30;  // bytes; files are read into memory whole
 
 Error tooLarge(const fs::path& path) {
-    return {ErrorCode::Limit, "Cannot read \"" + path.string() + "\": it is larger than 1 GiB."};
+    return {ErrorCode::Limit, "Cannot read " + quotedPath(path) + ": it is larger than 1 GiB."};
 }
 
 /// Devices and pipes cannot be replaced by a rename: the bytes are written to them directly.
@@ -83,7 +85,7 @@ Status writeInPlace(const fs::path& path, std::string_view bytes) {
     if (isWhole) ::unlink(copy.c_str());
     if (code == 0) return success();
     Error error = cannotWrite(path, code);
-    if (!isWhole) error.message += " Its previous contents are in \"" + copy.string() + "\".";
+    if (!isWhole) error.message += " Its previous contents are in " + quotedPath(copy) + ".";
     return error;
 }
 
@@ -110,7 +112,7 @@ bool hasAccessList(const fs::path& path) { return ::getxattr(path.c_str(), "syst
 Error notAFile(const char* verb, const fs::path& path, mode_t mode) {
     const char* kind = S_ISFIFO(mode) ? "pipe" : S_ISSOCK(mode) ? "socket" : "device";
     return {ErrorCode::Io,
-            std::string("Cannot ") + verb + " \"" + path.string() + "\": it is a " + kind + ", not a file."};
+            std::string("Cannot ") + verb + " " + quotedPath(path) + ": it is a " + kind + ", not a file."};
 }
 
 /// Opens a file for reading, unless it is a folder, a pipe or a device.
@@ -144,7 +146,8 @@ fs::path linkTarget(fs::path path) {
 fs::path copyBeforeSave(const fs::path& path) {
     std::error_code error;
     const fs::path target = fs::canonical(path, error);
-    return (error ? path : target).native() + ".before-save";
+    const fs::path& file = error ? path : target;
+    return file.parent_path() / fittingFileName("", file.filename().string(), ".before-save");
 }
 
 bool isInterruptedSave(std::string_view bytes) { return bytes.starts_with(kInterrupted); }
@@ -153,8 +156,8 @@ std::string interruptedSaveText(const fs::path& path) {
     std::error_code ignored;
     const fs::path copy = copyBeforeSave(path);
     if (fs::exists(copy, ignored))
-        return "Saving it was interrupted; \"" + copy.string() +
-               "\" is the file as it was before. Move it over the damaged one.";
+        return "Saving it was interrupted; " + quotedPath(copy) +
+               " is the file as it was before. Move it over the damaged one.";
     return "Saving it was interrupted, perhaps by another name of the file: look beside its hard links for the file as "
            "it was before, whose name ends in \".before-save\", and move that over the damaged one.";
 }

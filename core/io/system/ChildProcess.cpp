@@ -1,5 +1,6 @@
 #include "core/io/system/ChildProcess.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/system/OpenFile.h"
 
 #include <fcntl.h>
@@ -181,7 +182,7 @@ void setExit(ChildResult& result, ReadEnd readEnd, int status) {
 }
 
 Error cannotStart(const std::filesystem::path& program, int code) {
-    return {ErrorCode::Io, "Cannot start \"" + program.string() + "\": " + std::generic_category().message(code) + "."};
+    return {ErrorCode::Io, "Cannot start " + quotedPath(program) + ": " + std::generic_category().message(code) + "."};
 }
 
 }  // namespace

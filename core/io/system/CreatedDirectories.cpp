@@ -1,5 +1,7 @@
 #include "core/io/system/CreatedDirectories.h"
 
+#include "core/base/MessageText.h"
+
 #include <algorithm>
 #include <system_error>
 
@@ -24,7 +26,7 @@ Status CreatedDirectories::create(const fs::path& directory) {
     }
     if (!error) fs::create_directories(directory, error);  // an error if it is a file
     if (!error) return success();
-    return Error{ErrorCode::Io, "Cannot create the folder \"" + directory.string() + "\": " + error.message() + "."};
+    return Error{ErrorCode::Io, "Cannot create the folder " + quotedPath(directory) + ": " + error.message() + "."};
 }
 
 }  // namespace rubble

@@ -1,5 +1,7 @@
 #include "core/io/system/FileErrors.h"
 
+#include "core/base/MessageText.h"
+
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -7,8 +9,8 @@
 namespace rubble {
 
 Error cannotDo(const char* verb, const std::filesystem::path& path, int code) {
-    return {ErrorCode::Io, std::string("Cannot ") + verb + " \"" + path.string() +
-                               "\": " + std::generic_category().message(code) + "."};
+    return {ErrorCode::Io, std::string("Cannot ") + verb + " " + quotedPath(path) + ": " +
+                               std::generic_category().message(code) + "."};
 }
 
 Error cannotWrite(const std::filesystem::path& path, int code) { return cannotDo("write", path, code); }
@@ -20,7 +22,7 @@ Error cannotRead(const std::filesystem::path& path, int code) {
 }
 
 Error withPath(const char* what, const std::filesystem::path& path, const Error& error) {
-    return {error.code, std::string(what) + " \"" + path.string() + "\": " + error.message};
+    return {error.code, std::string(what) + " " + quotedPath(path) + ": " + error.message};
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "core/io/system/StreamReading.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/OpenFile.h"
 
@@ -29,7 +30,7 @@ Result<std::string> readStream(int descriptor, const std::filesystem::path& name
         if (count == 0) return bytes;
         bytes.append(buffer.data(), static_cast<std::size_t>(count));
         if (bytes.size() > kMaxSize)
-            return Error{ErrorCode::Limit, "Cannot read \"" + name.string() + "\": it is larger than 1 GiB."};
+            return Error{ErrorCode::Limit, "Cannot read " + quotedPath(name) + ": it is larger than 1 GiB."};
     }
     return TaskContext::cancelled();
 }

@@ -1,5 +1,7 @@
 #include "core/io/system/Temporary.h"
 
+#include "core/base/MessageText.h"
+
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/FolderReading.h"
 
@@ -180,7 +182,7 @@ int syncFolder(const fs::path& folder) {
 Status flushRenamed(const fs::path& target, const fs::path& path) {
     const int code = syncFolder(target.parent_path());
     if (code == 0) return success();
-    return Error{ErrorCode::Io, "\"" + path.string() + "\" was written, but its folder cannot be flushed to disk (" +
+    return Error{ErrorCode::Io, quotedPath(path) + " was written, but its folder cannot be flushed to disk (" +
                                     std::generic_category().message(code) +
                                     "): a power cut may undo it. Write it again or elsewhere."};
 }

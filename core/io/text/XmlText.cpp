@@ -1,10 +1,12 @@
 #include "core/io/text/XmlText.h"
 
+#include "core/base/Utf8.h"
+
 namespace rubble {
 
 std::string escapedXml(std::string_view text) {
     std::string result;
-    for (const char letter : text) {
+    for (const char letter : wellFormed(text)) {
         switch (letter) {
             case '&': result += "&amp;"; break;
             case '<': result += "&lt;"; break;

@@ -13,7 +13,7 @@ namespace {
 
 using Sentence = std::optional<std::string>;
 
-std::string ownerText(const SceneBody& body) { return "Body \"" + body.name + "\""; }
+std::string ownerText(const SceneBody& body) { return "Body " + quotedName(body.name); }
 
 std::string rangeSentence(const char* what, double value, const std::string& range) {
     return std::string("the ") + what + " is " + messageText(value) + ", but it must be " + range + ".";
@@ -93,8 +93,8 @@ Sentence nameFault(const std::vector<SceneBody>& bodies) {
         const std::string& name = bodies[order[k]].name;
         if (name.empty()) return "Body " + std::to_string(order[k]) + " has no name.";
         if (k > 0 && name == bodies[order[k - 1]].name) {
-            return "Two bodies have the name \"" + name + "\": numbers " + std::to_string(order[k - 1]) + " and " +
-                   std::to_string(order[k]) + ", counted from 0.";
+            return "Two bodies have the name " + quotedName(name) + ": numbers " + std::to_string(order[k - 1]) +
+                   " and " + std::to_string(order[k]) + ", counted from 0.";
         }
     }
     return std::nullopt;

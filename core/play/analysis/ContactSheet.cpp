@@ -1,6 +1,7 @@
 #include "core/play/analysis/ContactSheet.h"
 
 #include "core/asset/bake/FragmentSets.h"
+#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/geometry/hull/AspectRatio.h"
 
@@ -65,7 +66,7 @@ private:
 };
 
 Status checkStage(const SheetRequest& request) {
-    const std::string name = '"' + findAsset(request.project, request.asset)->name + '"';
+    const std::string name = quotedName(findAsset(request.project, request.asset)->name);
     if (std::ranges::find(request.project.instances, request.asset, &Instance::asset) ==
         request.project.instances.end()) {
         return Error{ErrorCode::NotFound, "The scene has no instance of " + name + " that a shot could hit."};

@@ -1,6 +1,7 @@
 #include "core/play/breaking/Swap.h"
 
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/CutAtImpact.h"
 #include "core/play/breaking/Damage.h"
@@ -97,7 +98,7 @@ BodyId addPiece(const SessionParts& parts, const PendingBreak& broken, std::uint
         ++parts.state.nextNumber;
         parts.state.events.diagnostics.push_back(
             diagnostic(DiagnosticCode::LeftWorld, placeOf(piece),
-                       '"' + nameOf(piece, parts.state.origins[piece.origin]) + "\" was left out at step " +
+                       quotedName(nameOf(piece, parts.state.origins[piece.origin])) + " was left out at step " +
                            std::to_string(event.step) + ": " + added.error().message));
         return {};
     }

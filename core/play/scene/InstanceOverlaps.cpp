@@ -1,5 +1,6 @@
 #include "core/play/scene/InstanceOverlaps.h"
 
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/physics/queries/Penetration.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 std::string nameOf(const Project& project, Id instance) {
     const auto found = std::ranges::find(project.instances, instance, &Instance::id);
-    return found != project.instances.end() ? '"' + found->name + '"' : std::to_string(instance);
+    return found != project.instances.end() ? quotedName(found->name) : std::to_string(instance);
 }
 
 double depthInGround(const PosedHulls& body, const Ground& ground) {

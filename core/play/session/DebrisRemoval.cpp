@@ -27,9 +27,9 @@ std::optional<std::string> reasonToLeave(const SessionParts& parts, const PlayBo
 
 void reportLeft(const SessionParts& parts, const PlayBody& body, const std::string& reason) {
     parts.state.events.diagnostics.push_back(diagnostic(DiagnosticCode::LeftWorld, placeOf(body),
-                                                        '"' + nameOf(body, parts.state.origins[body.origin]) +
-                                                            "\" was removed at step " +
-                                                            std::to_string(parts.state.step) + ": " + reason + "."));
+                                                        quotedName(nameOf(body, parts.state.origins[body.origin])) +
+                                                            " was removed at step " + std::to_string(parts.state.step) +
+                                                            ": " + reason + "."));
 }
 
 /// Adds the debris that exceeds a number of pieces: sleeping first, then the smallest, then the oldest. Returns the

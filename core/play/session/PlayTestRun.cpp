@@ -71,7 +71,7 @@ private:
     }
     std::string nameOf(Id instance, const std::string& any) const {
         for (const PlayOrigin& origin : m_session.origins()) {
-            if (instance != 0 && origin.instance == instance) return '"' + origin.name + '"';
+            if (instance != 0 && origin.instance == instance) return quotedName(origin.name);
         }
         return any;
     }
@@ -92,7 +92,7 @@ private:
         return expectation.instance == 0 ? "nothing broke" : "it did not break";
     }
     std::string brokeText(std::uint32_t origin) const {
-        return '"' + m_session.origins()[origin].name + "\" broke " + when(m_brokenAt[origin]);
+        return quotedName(m_session.origins()[origin].name) + " broke " + when(m_brokenAt[origin]);
     }
 
     ExpectationOutcome standsUntouched(const Expectation& expectation) const {
@@ -106,9 +106,10 @@ private:
                                                    : "it stayed intact";
         for (const Move& move : m_firstMoves) {
             if (move.step > outcome.step || !matches(move.origin, expectation.instance)) continue;
-            outcome = {false, outcome.expected,
-                       '"' + m_session.origins()[move.origin].name + "\" had moved more than 1 cm " + when(move.step),
-                       move.step};
+            outcome = {
+                false, outcome.expected,
+                quotedName(m_session.origins()[move.origin].name) + " had moved more than 1 cm " + when(move.step),
+                move.step};
             break;
         }
         const std::optional<std::uint32_t> broken = firstBroken(expectation.instance);
@@ -164,8 +165,9 @@ private:
         return {body == nullptr || height <= expectation.value,
                 nameOf(expectation.instance, "everything") + " ends below a height of " +
                     messageText(expectation.value) + " m",
-                body == nullptr ? "nothing was left"
-                                : '"' + m_session.nameOf(*body) + "\" reached up to " + roundedText(height, 4) + " m",
+                body == nullptr
+                    ? "nothing was left"
+                    : quotedName(m_session.nameOf(*body)) + " reached up to " + roundedText(height, 4) + " m",
                 m_session.stepsDone()};
     }
 
@@ -177,7 +179,7 @@ private:
                 nameOf(expectation.instance, "everything") + " ends below a speed of " +
                     messageText(expectation.value) + " m/s",
                 body == nullptr ? "nothing was left"
-                                : '"' + m_session.nameOf(*body) + "\" moved at " + roundedText(speed, 4) + " m/s",
+                                : quotedName(m_session.nameOf(*body)) + " moved at " + roundedText(speed, 4) + " m/s",
                 m_session.stepsDone()};
     }
 

@@ -1,6 +1,7 @@
 #include "core/play/session/Replay.h"
 
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 
 #include <algorithm>
@@ -175,11 +176,11 @@ Result<Replay> recordReplay(std::shared_ptr<const PlayScene> scene, const Sessio
 }
 
 Diagnostic Divergence::diagnostic() const {
-    std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : '"' + body + '"') + ' ' +
+    std::string text = "At step " + std::to_string(step) + ' ' + (body.empty() ? "the scene" : quotedName(body)) + ' ' +
                        differenceText(*this);
     if (distance && distance->metres > 0.0) {
-        text += "; at step " + std::to_string(distance->step) + ", \"" + distance->body +
-                "\" is farthest from its recorded position, by " + quantityText(QuantityKind::Length, distance->metres);
+        text += "; at step " + std::to_string(distance->step) + ", " + quotedName(distance->body) +
+                " is farthest from its recorded position, by " + quantityText(QuantityKind::Length, distance->metres);
     }
     return rubble::diagnostic(DiagnosticCode::ReplayMismatch, place, text + '.', difference);
 }

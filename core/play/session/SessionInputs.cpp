@@ -4,6 +4,7 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/state/SessionBodies.h"
@@ -35,10 +36,11 @@ Sentence faultOfInput(const ShotInput& shot, const PlayScene& scene, const Sessi
     const Throw* thrown = std::get_if<Throw>(&shot.action);
     if (thrown == nullptr) return std::nullopt;
     if (thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
-        return "Shot \"" + shot.name + "\" throws asset " + std::to_string(thrown->asset) + ", which does not exist.";
+        return "Shot " + quotedName(shot.name) + " throws asset " + std::to_string(thrown->asset) +
+               ", which does not exist.";
     }
     const Result<BodyDefinition> body = projectileBodyOf(*thrown, scene, state);
-    if (!body) return "Shot \"" + shot.name + "\": " + body.error().message;
+    if (!body) return "Shot " + quotedName(shot.name) + ": " + body.error().message;
     return std::nullopt;
 }
 
@@ -104,7 +106,7 @@ void reportRefused(const SessionParts& parts, const PlayBody* body, const std::s
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
     if (!definition) {  // its material has changed since the input was added
-        return addUnapplied(parts, nullptr, "Shot \"" + name + "\": " + definition.error().message);
+        return addUnapplied(parts, nullptr, "Shot " + quotedName(name) + ": " + definition.error().message);
     }
     PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state.origins.size())};
     PlayOrigin origin{.name = name};
@@ -116,7 +118,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
     }
     const Result<std::uint32_t> added = addBody(parts, *definition, body);
     if (!added) {
-        addUnapplied(parts, &body, "Shot \"" + name + "\": " + added.error().message);
+        addUnapplied(parts, &body, "Shot " + quotedName(name) + ": " + added.error().message);
         return;
     }
     parts.state.origins.push_back(std::move(origin));
@@ -134,7 +136,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
     const Vec3 direction = hammer.impulse / size;
     std::optional<CastHit> hit = hitBy(parts.world, hammer, direction);
     if (!hit) {
-        addUnapplied(parts, nullptr, "The blow \"" + name + "\" hit nothing.");
+        addUnapplied(parts, nullptr, "The blow " + quotedName(name) + " hit nothing.");
         return;
     }
     double remaining = size;
@@ -153,7 +155,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
         hit = hitBy(parts.world, hammer, direction);
     }
     if (hit && parts.world.kind(hit->body) == BodyKind::Dynamic) {
-        reportRefused(parts, nullptr, "Shot \"" + name + "\"",
+        reportRefused(parts, nullptr, "Shot " + quotedName(name),
                       parts.world.applyImpulse(hit->body, remaining * direction, hit->point));
     }
 }
@@ -174,7 +176,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Explo
     }
     std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
     applyBreaks(parts, std::move(breaks));
-    reportRefused(parts, nullptr, "Shot \"" + name + "\"",
+    reportRefused(parts, nullptr, "Shot " + quotedName(name),
                   parts.world.explode(explosion.at, explosion.radius, explosion.impulse));
 }
 
@@ -193,9 +195,10 @@ void applyInput(const SessionParts& parts, const MaterialInput& input) {
     for (const PlayBody& body : parts.state.bodies) {
         if (body.asset == nullptr) continue;
         if (materialOf(parts.state, parts.scene, body.asset->bake->asset).id != input.material.id) continue;
-        reportRefused(parts, &body,
-                      "The material of \"" + nameOf(body, parts.state.origins[body.origin]) + "\" stays as it was",
-                      parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role)));
+        reportRefused(
+            parts, &body,
+            "The material of " + quotedName(nameOf(body, parts.state.origins[body.origin])) + " stays as it was",
+            parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role)));
     }
 }
 

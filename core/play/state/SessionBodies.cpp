@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Threshold.h"
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 
 #include <algorithm>
 #include <limits>
@@ -54,7 +55,8 @@ Status placeInstance(const SessionParts& parts, const Instance& instance) {
                  .friction = material.friction,
                  .restitution = material.restitution},
                 {.role = PlayRole::Instance, .origin = origin, .asset = asset});
-    if (!added) return Error{added.error().code, "Instance \"" + instance.name + "\": " + added.error().message};
+    if (!added)
+        return Error{added.error().code, "Instance " + quotedName(instance.name) + ": " + added.error().message};
     return success();
 }
 

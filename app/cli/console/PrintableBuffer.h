@@ -3,13 +3,8 @@
 #include <ostream>
 #include <streambuf>
 #include <string>
-#include <string_view>
 
 namespace rubble {
-
-/// Returns text that cannot control a terminal: control characters except line feeds and tabs, Unicode direction marks,
-/// and bytes that are not UTF-8 become "\\u001b" or "\\x9b".
-std::string printableText(std::string_view text);
 
 /// Passes printableText() of what is written on to another stream when it is flushed. Names in files can hold any
 /// character.
