@@ -11,13 +11,13 @@
 #include "editor/dialogs/MeshReading.h"
 #include "editor/dialogs/MeshSeedsDialog.h"
 #include "editor/dialogs/ShapeDialog.h"
+#include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/widgets/LayerText.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 
@@ -117,7 +117,7 @@ void AssetActions::addSeedsFromMesh() {
     std::optional<SourceScene> mesh = readMesh(path, importer, window);
     if (!mesh) return;
     const Asset& asset = *m_workspace.asset();
-    MeshSeedsDialog dialog(QFileInfo(path).fileName(), std::move(*mesh), asset.prism.outline, window);
+    MeshSeedsDialog dialog(fileNameText(path), std::move(*mesh), asset.prism.outline, window);
     if (dialog.exec() != QDialog::Accepted) return;
     m_workspace.document().push(addLayer(m_workspace.project(), asset.id, dialog.seeds()).edit);
 }

@@ -6,6 +6,7 @@
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/FragmentVisibility.h"
+#include "editor/document/ShownText.h"
 #include "editor/panels/docks/ChangesPanel.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
@@ -72,7 +73,7 @@ void CompareActions::compareWithFile() {
     const QString folder = QFileInfo(m_workspace.file().path()).path();
     const QString path =
         QFileDialog::getOpenFileName(&m_views.window(), tr("Compare with File"), folder, projectFilter());
-    if (!path.isEmpty()) compareWith(path, QFileInfo(path).fileName());
+    if (!path.isEmpty()) compareWith(path, fileNameText(path));
 }
 
 void CompareActions::compareWith(const QString& path, const QString& name) {

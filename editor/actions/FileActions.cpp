@@ -9,13 +9,13 @@
 #include "editor/dialogs/ImportDialog.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/RecentFiles.h"
 #include "editor/workspace/Workspace.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -81,6 +81,7 @@ void FileActions::openFile(const QString& path) {
 
 bool FileActions::save() {
     DocumentFile& file = m_workspace.file();
+    if (file.isReadOnly()) m_views.showStatus(file.readOnlyReason());
     if (file.path().isEmpty() || file.isReadOnly()) return saveAs();
     const DiskState state = file.diskState();
     if (state == DiskState::Unreadable) return saveOverUnreadable();
@@ -130,7 +131,7 @@ bool FileActions::saveAs() {
     QFileDialog dialog(&m_views.window(), tr("Save Project"), QFileInfo(file.path()).path(), projectFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
-    dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : file.name());
+    dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : QFileInfo(file.path()).fileName());
     if (dialog.exec() != QDialog::Accepted) return false;
     if (!saveTo(dialog.selectedFiles().first())) return false;
     m_recentFiles.add(file.path());
@@ -227,7 +228,7 @@ void FileActions::importMesh(const QString& path) {
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
     if (!m_workspace.document().push(dialog.edit())) return;
     m_workspace.selection().setAsset(dialog.firstAsset());
-    m_views.showStatus(tr("Imported %1.").arg(QFileInfo(path).fileName()));
+    m_views.showStatus(tr("Imported %1.").arg(fileNameText(path)));
 }
 
 void FileActions::exportWithDialog() {
@@ -251,8 +252,8 @@ void FileActions::closeWindow() { m_views.window().close(); }
 void FileActions::fillRecent() {
     m_recent->clear();
     for (const QString& path : m_recentFiles.paths()) {
-        QAction* action = m_recent->addAction(QFileInfo(path).fileName(), this, [this, path] { openFile(path); });
-        action->setStatusTip(QDir::toNativeSeparators(path));
+        QAction* action = m_recent->addAction(menuText(fileNameText(path)), this, [this, path] { openFile(path); });
+        action->setStatusTip(pathText(path));
     }
     if (m_recent->isEmpty()) m_recent->addAction(tr("No Recent Projects"))->setEnabled(false);
     m_recent->addSeparator();

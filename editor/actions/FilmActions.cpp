@@ -2,13 +2,14 @@
 
 #include "editor/dialogs/FilmDialog.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QProgressBar>
@@ -24,7 +25,7 @@ constexpr int kProgressWidth = 140;  // pixels
 
 FilmSubject subjectOf(Workspace& workspace) {
     const QString path = workspace.file().path();
-    return {.name = QFileInfo(workspace.file().name()).completeBaseName(),
+    return {.name = path.isEmpty() ? workspace.file().name() : QFileInfo(path).completeBaseName(),
             .folder = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
                                      : QFileInfo(path).absolutePath(),
             .length = workspace.play().frame()->length,
@@ -105,7 +106,7 @@ void FilmActions::exportWithDialog() {
                                .overlays = play.overlays(),
                                .plan = planOf(options, play.thread().stepLength(), m_views.scene().viewport()),
                                .isCompared = options.isCompared,
-                               .path = options.path.toStdString()});
+                               .path = toPath(options.path)});
 }
 
 bool FilmActions::confirmStop(const QString& question, const QString& action) {
@@ -118,7 +119,7 @@ bool FilmActions::confirmClose() {
 }
 
 void FilmActions::showFinished(const FilmRequest& request) {
-    const QString place = QDir::toNativeSeparators(QString::fromStdString(request.path.string()));
+    const QString place = pathText(fromPath(request.path));
     m_views.showStatus(tr("Exported %n frame(s) to %1.", nullptr, request.plan.frames).arg(place));
 }
 

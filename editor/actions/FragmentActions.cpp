@@ -1,6 +1,7 @@
 #include "editor/actions/FragmentActions.h"
 
 #include "editor/document/EnteredFragment.h"
+#include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/Workspace.h"
@@ -111,9 +112,8 @@ void FragmentActions::enterSelected() {
     const FragmentPath fractured = nearestFractured(*m_workspace.asset(), &bake, path);
     if (fractured == path) return enterFragment(selection, path);
     if (fractured.empty() || fractured == selection.enteredFragment()) {
-        return m_views.showStatus(
-            tr("Fragment %1 is not fractured. Use Fracture Again (%2) to give it a pattern.")
-                .arg(QString::fromStdString(path), m_fracture->shortcut().toString(QKeySequence::NativeText)));
+        return m_views.showStatus(tr("Fragment %1 is not fractured. Use Fracture Again (%2) to give it a pattern.")
+                                      .arg(nameText(path), m_fracture->shortcut().toString(QKeySequence::NativeText)));
     }
     enterFragment(selection, fractured);
     selection.setFragments(selectionOf(set, bake, fractured));

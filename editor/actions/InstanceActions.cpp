@@ -3,6 +3,7 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/ArrayDialogs.h"
+#include "editor/document/ShownText.h"
 #include "editor/view3d/ScenePicker.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/view3d/tools/PlacementTool.h"
@@ -165,7 +166,7 @@ void InstanceActions::startPlacing() {
     menu->setObjectName("assets-to-place");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (const Asset& asset : assets) {
-        QAction* action = menu->addAction(iconNamed("asset"), QString::fromStdString(asset.name));
+        QAction* action = menu->addAction(iconNamed("asset"), menuText(nameText(asset.name)));
         connect(action, &QAction::triggered, this, [this, id = asset.id] { place(id); });
     }
     menu->popup(QCursor::pos());

@@ -1,9 +1,9 @@
 #include "editor/actions/LockQuestion.h"
 
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/ShownText.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 namespace rubble {
 
@@ -14,7 +14,7 @@ struct LockQuestionTexts {
 };
 
 Question baseQuestion(const QString& path, const LockHolder& holder) {
-    return {.text = LockQuestionTexts::tr("\"%1\" is open in %2.").arg(QFileInfo(path).fileName(), holderText(holder)),
+    return {.text = LockQuestionTexts::tr("\"%1\" is open in %2.").arg(fileNameText(path), holderText(holder)),
             .informativeText = LockQuestionTexts::tr(
                 "Rubble cannot tell whether that program is still running. Take the lock over only if it has ended.")};
 }

@@ -2,12 +2,13 @@
 
 #include "editor/dialogs/MaterialDialog.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QMainWindow>
 
 namespace rubble {
@@ -41,16 +42,16 @@ void MaterialActions::saveAsPreset() {
     }
     const MaterialPreset preset = presetFrom(workspace.project(), material, selection.asset());
     QDir().mkpath(materialFolder());
-    const std::filesystem::path path = materialPresetPath(materialFolder().toStdString(), preset.name);
-    const QString file = QDir::toNativeSeparators(QString::fromStdString(path.string()));
+    const std::filesystem::path path = materialPresetPath(toPath(materialFolder()), preset.name);
+    const QString file = fromPath(path);
     const QString question = tr("A preset named \"%1\" exists already. Replace it?");
-    if (QFileInfo::exists(file) && !confirmLoss(&m_views.window(), question.arg(QString::fromStdString(preset.name)),
-                                                tr("Replace"), tr("Cancel"))) {
+    if (exists(statusOf(file)) &&
+        !confirmLoss(&m_views.window(), question.arg(nameText(preset.name)), tr("Replace"), tr("Cancel"))) {
         return;
     }
     const Status saved = saveMaterialPreset(path, preset);
     showIfError(&m_views.window(), saved);
-    if (saved) m_views.showStatus(tr("Saved %1.").arg(file));
+    if (saved) m_views.showStatus(tr("Saved %1.").arg(pathText(file)));
 }
 
 }  // namespace rubble

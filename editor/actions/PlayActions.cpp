@@ -5,6 +5,8 @@
 #include "editor/actions/FilmActions.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
@@ -15,7 +17,6 @@
 
 #include <QActionGroup>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
@@ -142,7 +143,7 @@ void PlayActions::pauseOrResume() { controller().isPlaying() ? controller().paus
 void PlayActions::fillShots() {
     m_shots->clear();
     for (const Shot& shot : m_workspace.project().shots) {
-        QAction* action = m_shots->addAction(QString::fromStdString(shot.name));
+        QAction* action = m_shots->addAction(menuText(nameText(shot.name)));
         action->setStatusTip(tr("Fire this shot"));
         connect(action, &QAction::triggered, this, [this, shot] {
             if (!controller().isInPlay()) startOrStop();
@@ -174,16 +175,16 @@ void PlayActions::saveReplay() {
         const Result<Replay> replay = recordReplay(scene, script.settings, script.inputs, script.steps,
                                                    programVersion(), projectHash(controller().startProject()), context);
         if (!replay) return replay.error();
-        return rubble::saveReplay(path.toStdString(), *replay);
+        return rubble::saveReplay(toPath(path), *replay);
     });
-    if (saved) return m_views.showStatus(tr("Saved %1.").arg(QFileInfo(path).fileName()));
+    if (saved) return m_views.showStatus(tr("Saved %1.").arg(fileNameText(path)));
     if (saved.error().code != ErrorCode::Cancelled) showError(&m_views.window(), saved.error());
 }
 
 void PlayActions::openReplay() {
     const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Replay"), {}, replayFilter());
     if (path.isEmpty()) return;
-    const Result<Replay> replay = loadReplay(path.toStdString());
+    const Result<Replay> replay = loadReplay(toPath(path));
     if (!replay) return showError(&m_views.window(), replay.error());
     if (replay->project != projectHash(m_workspace.project())) {
         m_views.showStatus(tr("The project has changed since the replay was recorded."));

@@ -3,6 +3,7 @@
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
+#include "core/base/MessageText.h"
 #include "core/base/OutOfMemory.h"
 #include "editor/document/EnteredFragment.h"
 
@@ -131,7 +132,8 @@ BakeRequest requestFor(std::shared_ptr<const Asset> asset, const Project& projec
 Result<std::shared_ptr<const Bake>> bakeOf(const Asset& variant, const BakeRequest& request, const TaskContext& task) {
     const auto isSame = [input = bakeInputHash(variant)](const auto& bake) { return bake->input == input; };
     if (const auto same = std::ranges::find_if(request.known, isSame); same != request.known.end()) return *same;
-    Result<Bake> made = orOutOfMemory("fracturing asset \"" + variant.name + '"', [&] { return bake(variant, task); });
+    Result<Bake> made =
+        orOutOfMemory("fracturing asset " + quotedName(variant.name), [&] { return bake(variant, task); });
     if (!made) return made.error();
     return std::make_shared<const Bake>(std::move(*made));
 }

@@ -1,6 +1,7 @@
 #include "editor/commands/AssetPatterns.h"
 
 #include "core/asset/bake/Bake.h"
+#include "editor/document/ShownText.h"
 
 #include <QCoreApplication>
 
@@ -106,7 +107,7 @@ QString patternName(const Asset& asset, std::size_t index) {
     if (index == 0) return AssetPatternsTexts::tr("Whole asset");
     if (index <= asset.levels.size()) return AssetPatternsTexts::tr("Fragments, level %1").arg(index);
     const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
-    const QString name = QString::fromStdString(leaf.fragment);
+    const QString name = nameText(leaf.fragment);
     return leaf.level ? AssetPatternsTexts::tr("Fragment %1").arg(name)
                       : AssetPatternsTexts::tr("Fragment %1, kept whole").arg(name);
 }

@@ -2,10 +2,10 @@
 
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QImageReader>
 
 #include <algorithm>
@@ -70,13 +70,10 @@ QImage pictureOf(const GreyImage& image) {
     return picture;
 }
 
-Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
-    const QString name = QFileInfo(path).fileName();
+Result<std::shared_ptr<const GreyImage>> readGreyImage(std::string_view bytes, const QString& name) {
     const auto fault = [](const QString& sentence) { return Error{ErrorCode::BadInput, sentence.toStdString()}; };
-    Result<std::string> bytes = readFile(toPath(path));  // refuses pipes and devices, for which Qt would wait
-    if (!bytes) return bytes.error();
-    QByteArray data = QByteArray::fromStdString(*bytes);
-    QBuffer buffer(&data);
+    QBuffer buffer;
+    buffer.setData(bytes.data(), static_cast<int>(bytes.size()));
     QImageReader reader(&buffer);
     if (!kFormats.contains(reader.format()))
         return fault(GreyImageLoadingTexts::tr("%1 is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(name));
@@ -84,19 +81,21 @@ Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
     if (const QSize size = reader.size(); size.width() > kMaxSide || size.height() > kMaxSide) {
         return fault(
             GreyImageLoadingTexts::tr("%1 is too large: %2 × %3 pixels. Scale it down to at most %4 pixels a side.")
-                .arg(name)
-                .arg(size.width())
-                .arg(size.height())
-                .arg(kMaxSide));
+                .arg(name, QString::number(size.width()), QString::number(size.height()), QString::number(kMaxSide)));
     }
     const QImage picture = reader.read();
     if (picture.isNull())
         return fault(GreyImageLoadingTexts::tr("%1 cannot be read as a picture: %2.").arg(name, reader.errorString()));
     if (std::max(picture.width(), picture.height()) > kMaxSide)
         return fault(GreyImageLoadingTexts::tr("%1 is too large. Scale it down to at most %2 pixels a side.")
-                         .arg(name)
-                         .arg(kMaxSide));
+                         .arg(name, QString::number(kMaxSide)));
     return std::make_shared<const GreyImage>(greyImageOf(picture));
+}
+
+Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
+    const Result<std::string> bytes = readFile(toPath(path));  // refuses pipes and devices, for which Qt would wait
+    if (!bytes) return bytes.error();
+    return readGreyImage(*bytes, fileNameText(path));
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Names.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/ShownText.h"
 
 #include <QCoreApplication>
 
@@ -34,7 +35,7 @@ QString nameFault(const Project& project, Part part, Id id, const QString& name)
         const auto other = std::ranges::find_if(
             elements, [&](const auto& element) { return element.id != id && caseFolded(element.name) == folded; });
         if (other == elements.end()) return QString();
-        return RenamingTexts::tr("The name \"%1\" is already taken.").arg(QString::fromStdString(other->name));
+        return RenamingTexts::tr("The name \"%1\" is already taken.").arg(nameText(other->name));
     });
 }
 

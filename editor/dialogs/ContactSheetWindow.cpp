@@ -4,6 +4,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/ContactSheetText.h"
 #include "editor/dialogs/VariationTree.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/workspace/ViewportStyle.h"
 #include "editor/workspace/Workspace.h"
@@ -165,6 +166,7 @@ QWidget* ContactSheetWindow::createBar() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     m_summary->setObjectName("sheet-summary");
+    m_summary->setTextFormat(Qt::PlainText);
     m_progress->setMaximumWidth(kProgressWidth);
     m_progress->setAccessibleName(tr("Generating variants"));
     row->addWidget(m_summary, 1);
@@ -178,14 +180,14 @@ void ContactSheetWindow::fillShots() {
     const QSignalBlocker blocker(m_shot);
     m_shot->clear();
     m_shot->addItem(tr("None"), 0u);
-    for (const Shot& shot : m_workspace.project().shots) m_shot->addItem(QString::fromStdString(shot.name), shot.id);
+    for (const Shot& shot : m_workspace.project().shots) m_shot->addItem(nameText(shot.name), shot.id);
     m_shot->setCurrentIndex(std::max(0, m_shot->findData(selected)));
 }
 
 /// Shows the document's asset, layers and shots; closes the window if the asset was deleted.
 void ContactSheetWindow::updateDocument() {
     if (!asset()) return void(close());
-    setWindowTitle(tr("Contact Sheet – %1").arg(QString::fromStdString(asset()->name)));
+    setWindowTitle(tr("Contact Sheet – %1").arg(nameText(asset()->name)));
     fillShots();
     m_variations->setAsset(*asset());
     updateState();
@@ -247,7 +249,7 @@ void ContactSheetWindow::add(const SheetCell& cell) {
     auto* item = new QListWidgetItem(QIcon(pictureOf(cell, devicePixelRatioF())), captionOf(cell.entry), m_list);
     item->setData(kNumberRole, cell.entry.number);
     item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    item->setToolTip(item->text());
+    item->setToolTip(toolTipText(item->text()));
     sort();
     updateState();
 }

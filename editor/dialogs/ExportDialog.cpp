@@ -1,6 +1,7 @@
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/io/system/FileName.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 
 #include <QCheckBox>
@@ -96,7 +97,7 @@ void ExportDialog::addForm() {
 
 void ExportDialog::showOptions(const ExportOptions& options) {
     for (const Asset& asset : m_workspace.project().assets) {
-        auto* item = new QListWidgetItem(QString::fromStdString(asset.name), m_assets);
+        auto* item = new QListWidgetItem(nameText(asset.name), m_assets);
         item->setData(Qt::UserRole, asset.id);
         const bool isSelected =
             !options.assets || std::ranges::find(*options.assets, asset.id) != options.assets->end();
@@ -152,7 +153,7 @@ void ExportDialog::updateSummary() {
             folders.append("…");
             break;
         }
-        folders.append(QString::fromStdString(safeFileName(findAsset(m_workspace.project(), id)->name)));
+        folders.append(nameText(safeFileName(findAsset(m_workspace.project(), id)->name)));
     }
     const QString content = meshes.obj && meshes.glb ? tr("pack.json, OBJ and GLB meshes")
                             : meshes.obj             ? tr("pack.json and OBJ meshes")

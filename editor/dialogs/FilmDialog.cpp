@@ -3,6 +3,9 @@
 #include "core/asset/project/Ranges.h"
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
+#include "core/io/system/FileName.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 #include "viewport/film/Film.h"
 #include "viewport/render/OffscreenRenderer.h"
@@ -64,15 +67,17 @@ QDoubleSpinBox* createNumberField(double min, double max, const QString& suffix,
 }
 
 QString withoutFilmSuffix(const QString& path) {
-    if (!isFilmPath(path.toStdString())) return path;
+    if (!isFilmPath(toPath(path))) return path;
     return path.left(path.lastIndexOf('.'));
 }
 
 /// Returns "<folder>/<name> film", with a number if that exists.
 QString unusedPath(const QString& folder, const QString& name) {
-    const QString base = QDir(folder).filePath(FilmDialog::tr("%1 film").arg(name));
+    const std::string ending = std::string(" 99") + kFilmSuffix;
+    const QString longest = fromPath(fittingFileName("", toPath(FilmDialog::tr("%1 film").arg(name)).native(), ending));
+    const QString base = folder + '/' + longest.chopped(static_cast<qsizetype>(ending.size()));
     QString path = base;
-    for (int k = 2; QFileInfo::exists(path) || QFileInfo::exists(path + kFilmSuffix); ++k) {
+    for (int k = 2; exists(statusOf(path)) || exists(statusOf(path + kFilmSuffix)); ++k) {
         path = QString("%1 %2").arg(base).arg(k);
     }
     return path;
@@ -179,8 +184,8 @@ void FilmDialog::restoreOptions() {
     m_height->setValue(settings.value("film/height", 720).toInt());
     m_quality->setCurrentIndex(settings.value("film/quality", 1).toInt());
     m_frameRate->setValue(settings.value("film/rate", 30.0).toDouble());
-    const QString folder = settings.value("film/folder").toString();
-    const bool exists = !folder.isEmpty() && QFileInfo(folder).isDir();
+    const QString folder = pathOf(settings.value("film/folder"));
+    const bool exists = is_directory(statusOf(folder));
     m_path->setText(QDir::toNativeSeparators(unusedPath(exists ? folder : m_subject.folder, m_subject.name)));
     updateSuffix();
 }
@@ -195,8 +200,7 @@ FilmOptions FilmDialog::options() const {
                         .first = static_cast<std::uint64_t>(m_first->value()),
                         .last = static_cast<std::uint64_t>(m_last->value()),
                         .isCompared = m_compare->isChecked()};
-    if (options.isFilm && !options.path.isEmpty() && !isFilmPath(options.path.toStdString()))
-        options.path += kFilmSuffix;
+    if (options.isFilm && !options.path.isEmpty() && !isFilmPath(toPath(options.path))) options.path += kFilmSuffix;
     return options;
 }
 
@@ -208,7 +212,7 @@ void FilmDialog::accept() {
     settings.setValue("film/height", accepted.size.height);
     settings.setValue("film/quality", m_quality->currentIndex());
     settings.setValue("film/rate", accepted.frameRate);
-    settings.setValue("film/folder", QFileInfo(accepted.path).absolutePath());
+    settings.setValue("film/folder", settingOf(QFileInfo(accepted.path).absolutePath()));
     QDialog::accept();
 }
 
@@ -241,7 +245,7 @@ void FilmDialog::updateSummary() {
 
 QString FilmDialog::error(const FilmOptions& options, int frames) const {
     if (options.path.isEmpty()) return tr("The target is empty. Enter a path.");
-    if (!options.isFilm && isFilmPath(options.path.toStdString()))
+    if (!options.isFilm && isFilmPath(toPath(options.path)))
         return tr("The target is a file. Enter a folder for the images.");
     if (frames <= kMaxPictures) return {};
     return tr("The film would have %L1 frames; at most %L2 are possible. Use fewer steps, a lower frame rate or a "
@@ -255,8 +259,8 @@ QString FilmDialog::summary(const FilmOptions& options, int frames) const {
     const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
     QString text = tr("%Ln frame(s), %1 s, of %2 s of simulation.", nullptr, frames)
                        .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));
-    if (options.isFilm && QFileInfo::exists(options.path)) {
-        text += ' ' + tr("%1 will be replaced.").arg(QFileInfo(options.path).fileName());
+    if (options.isFilm && exists(statusOf(options.path))) {
+        text += ' ' + tr("%1 will be replaced.").arg(fileNameText(options.path));
     }
     return text;
 }

@@ -4,11 +4,12 @@
 #include "editor/dialogs/ImportView.h"
 #include "editor/dialogs/MeshReading.h"
 #include "editor/dialogs/OutlinePreview.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/LocalizedQuantity.h"
 
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -48,7 +49,7 @@ struct ImportDialog::Found {
 
 ImportDialog::ImportDialog(const QString& path, const Project& project, const Preferences& preferences, QWidget* parent)
     : QDialog(parent), m_path(path), m_project(project), m_view(new ImportView(preferences)) {
-    setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
+    setWindowTitle(tr("Import %1").arg(fileNameText(path)));
     createFields();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
@@ -92,7 +93,7 @@ bool ImportDialog::read(const std::filesystem::path& importer) {
 }
 
 Edit ImportDialog::edit() const {
-    return editBetween(tr("Import %1").arg(QFileInfo(m_path).fileName()), m_project, m_outcome->project);
+    return editBetween(tr("Import %1").arg(fileNameText(m_path)), m_project, m_outcome->project);
 }
 
 Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
@@ -191,8 +192,8 @@ void ImportDialog::search() {
     m_progress->setValue(0);
     m_progress->show();
     m_job.start(
-        [scene = m_scene, project = m_project, name = QFileInfo(m_path).completeBaseName().toStdString(),
-         options = options(), unit = fileUnit(), needsModel = m_isModelOutdated](const TaskContext& task) {
+        [scene = m_scene, project = m_project, name = toPath(m_path).stem().string(), options = options(),
+         unit = fileUnit(), needsModel = m_isModelOutdated](const TaskContext& task) {
             Found found{{}, importedInto(project, *scene, name, options, task)};
             if (needsModel && !task.isCancelled()) found.model = sourceModel(*scene, unit, options.up);
             return found;
@@ -229,7 +230,7 @@ void ImportDialog::fillTable() {
     m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
-        const QStringList cells = {QString::fromStdString(findAsset(m_outcome->project, imported.asset)->name),
+        const QStringList cells = {nameText(findAsset(m_outcome->project, imported.asset)->name),
                                    sizeText(imported.prism), metresText(imported.prism.depth),
                                    QString::fromStdString(axisText(imported.prism.axis)),
                                    metresText(imported.tolerance)};

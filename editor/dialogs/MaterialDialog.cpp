@@ -1,11 +1,13 @@
 #include "editor/dialogs/MaterialDialog.h"
 
+#include "core/base/MessageText.h"
 #include "editor/dialogs/MaterialSummary.h"
 #include "editor/dialogs/PatternPreview.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -28,7 +30,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
     : QDialog(parent),
       m_document(document),
       m_selection(selection),
-      m_library(materialLibrary(folder.toStdString())),
+      m_library(materialLibrary(toPath(folder))),
       m_folder(folder),
       m_list(new QListWidget),
       m_summary(new QTextBrowser),
@@ -66,22 +68,23 @@ QWidget* MaterialDialog::createOptions() {
         tr("Compute strength × smallest cross-section × contact time instead of using the entered threshold"));
     layout->addWidget(m_appliesPattern);
     layout->addWidget(m_derivesThreshold);
-    auto* folder = new QLabel(tr("Preset folder: %1").arg(QDir::toNativeSeparators(m_folder)));
+    auto* folder = new QLabel(tr("Preset folder: %1").arg(pathText(m_folder)));
+    folder->setTextFormat(Qt::PlainText);
     folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
     folder->setWordWrap(true);
     folder->setEnabled(false);
     layout->addWidget(folder);
     for (const std::string& error : m_library.errors) {
         auto* label = new QLabel(QString::fromStdString(error));
+        label->setTextFormat(Qt::PlainText);
         label->setObjectName("error");
         label->setWordWrap(true);
         layout->addWidget(label);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    const QString name = asset() != nullptr ? QString::fromStdString(asset()->name) : QString();
-    m_apply =
-        buttons->addButton(name.isEmpty() ? tr("A&pply") : tr("A&pply to \"%1\"").arg(QString(name).replace('&', "&&")),
-                           QDialogButtonBox::AcceptRole);
+    const QString name = asset() != nullptr ? nameText(asset()->name) : QString();
+    m_apply = buttons->addButton(name.isEmpty() ? tr("A&pply") : tr("A&pply to \"%1\"").arg(menuText(name)),
+                                 QDialogButtonBox::AcceptRole);
     m_apply->setToolTip(tr("Add the material to the project and apply it to the active asset"));
     m_add = buttons->addButton(tr("&Add to Project"), QDialogButtonBox::ActionRole);
     m_add->setToolTip(tr("Add the material to the project only"));
@@ -94,9 +97,8 @@ QWidget* MaterialDialog::createOptions() {
 
 void MaterialDialog::fill() {
     for (const LibraryMaterial& material : m_library.materials) {
-        auto* item =
-            new QListWidgetItem(materialSwatch(material.preset), QString::fromStdString(material.preset.name), m_list);
-        item->setToolTip(QString::fromStdString(material.preset.note));
+        auto* item = new QListWidgetItem(materialSwatch(material.preset), nameText(material.preset.name), m_list);
+        item->setToolTip(toolTipText(QString::fromStdString(printableText(material.preset.note))));
     }
     const Material* current = asset() ? findMaterial(m_document.project(), asset()->material) : nullptr;
     const LibraryMaterial* preset = current ? findMaterial(m_library, current->name) : nullptr;

@@ -1,6 +1,7 @@
 #include "editor/dialogs/MaterialSummary.h"
 
 #include "core/asset/project/Threshold.h"
+#include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LayerText.h"
@@ -21,7 +22,7 @@ struct MaterialSummaryTexts {
     Q_DECLARE_TR_FUNCTIONS(MaterialSummary)
 };
 
-QString htmlText(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+QString htmlText(const std::string& text) { return QString::fromStdString(printableText(text)).toHtmlEscaped(); }
 
 /// Returns a row of the table as HTML, with a note below it unless that is empty.
 QString rowOf(const QString& name, const QString& text, const QString& note) {
@@ -68,7 +69,7 @@ QString materialSummary(const LibraryMaterial& material, const QLocale& locale) 
                          MaterialSummaryTexts::tr("(toughness / strength)² / π: deeper cracks lower the strength"));
     }
     summary += rowOf(MaterialSummaryTexts::tr("Pattern"), layerNames(preset.pattern), {});
-    const QString file = QString::fromStdString(material.file.string()).toHtmlEscaped();
+    const QString file = htmlText(material.file.native());
     if (!file.isEmpty()) summary += rowOf(MaterialSummaryTexts::tr("File"), "<small>" + file + "</small>", {});
     return summary + "</table>";
 }

@@ -2,11 +2,12 @@
 
 #include "core/io/mesh/MeshImport.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/TaskDialog.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include <array>
 
@@ -21,9 +22,9 @@ struct MeshReadingTexts {
 }  // namespace
 
 std::optional<SourceScene> readMesh(const QString& path, const std::filesystem::path& importer, QWidget* parent) {
-    TaskDialog dialog(MeshReadingTexts::tr("Reading %1…").arg(QFileInfo(path).fileName()), parent);
+    TaskDialog dialog(MeshReadingTexts::tr("Reading %1…").arg(fileNameText(path)), parent);
     Result<SourceScene> scene = dialog.run<Result<SourceScene>>(
-        [&](const TaskContext& task) { return importMesh(path.toStdString(), importer, task); });
+        [&](const TaskContext& task) { return importMesh(toPath(path), importer, task); });
     if (scene) return std::move(*scene);
     if (scene.error().code != ErrorCode::Cancelled) showError(parent, scene.error());
     return std::nullopt;

@@ -32,6 +32,7 @@ MeshSeedsDialog::MeshSeedsDialog(const QString& fileName, SourceScene mesh, Poly
     m_along->setCurrentIndex(static_cast<int>(FileAxis::Z));
     m_fit->setToolTip(tr("Scale and move the mesh to fill the outline"));
     m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_add = buttons->addButton(tr("Add Layer"), QDialogButtonBox::AcceptRole);
     auto* form = new QFormLayout;

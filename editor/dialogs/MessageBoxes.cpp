@@ -7,6 +7,7 @@ namespace rubble {
 
 void showError(QWidget* parent, const QString& text, const QStringList& details) {
     QMessageBox box(QMessageBox::Warning, QApplication::applicationDisplayName(), text, QMessageBox::Ok, parent);
+    box.setTextFormat(Qt::PlainText);  // names in files can look like HTML
     box.setDetailedText(details.join('\n'));
     box.exec();
 }
@@ -20,6 +21,7 @@ void showIfError(QWidget* parent, const Status& status) {
 std::size_t ask(QWidget* parent, const Question& question) {
     QMessageBox box(QMessageBox::Question, QApplication::applicationDisplayName(), question.text, QMessageBox::NoButton,
                     parent);
+    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(question.informativeText);
     std::vector<QAbstractButton*> buttons;
     std::size_t rejected = question.defaultAnswer;

@@ -2,11 +2,12 @@
 
 #include "core/io/pack/PackExport.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/TaskDialog.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDir>
 #include <QSettings>
 
 namespace rubble {
@@ -20,7 +21,7 @@ struct ExportTexts {
 /// Returns the settings group of a project's last export; empty for a project without a file.
 QString settingsGroup(const QString& projectPath) {
     if (projectPath.isEmpty()) return {};
-    const QByteArray hash = QCryptographicHash::hash(projectPath.toUtf8(), QCryptographicHash::Sha1).toHex();
+    const QByteArray hash = QCryptographicHash::hash(settingOf(projectPath), QCryptographicHash::Sha1).toHex();
     return "exports/" + QString::fromLatin1(hash);
 }
 
@@ -28,7 +29,7 @@ void store(const QString& group, const ExportOptions& options) {
     if (group.isEmpty()) return;
     QSettings settings;
     settings.beginGroup(group);
-    settings.setValue("folder", options.folder);
+    settings.setValue("folder", settingOf(options.folder));
     settings.setValue("obj", options.meshes.obj);
     settings.setValue("glb", options.meshes.glb);
     settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
@@ -53,7 +54,7 @@ bool isEdited(const AssetExport& asset) { return !asset.status && asset.status.e
 bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) {
     QStringList folders;
     for (const AssetExport& asset : exports) {
-        if (isEdited(asset)) folders.append(QString::fromStdString(asset.folder.filename().string()));
+        if (isEdited(asset)) folders.append(fileNameText(fromPath(asset.folder)));
     }
     if (folders.isEmpty()) return false;
     return confirmLoss(
@@ -80,7 +81,7 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
         showError(parent, text, errors);
     }
     const QString exported =
-        ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(QDir::toNativeSeparators(folder));
+        ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
     if (unchanged == 0) return exported + '.';
     return exported + ExportTexts::tr("; %L1 unchanged.").arg(unchanged);
 }
@@ -92,7 +93,7 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     QSettings settings;
     if (group.isEmpty() || !settings.contains(group + "/folder")) return std::nullopt;
     settings.beginGroup(group);
-    ExportOptions options{.folder = settings.value("folder").toString()};
+    ExportOptions options{.folder = pathOf(settings.value("folder"))};
     options.meshes.obj = settings.value("obj").toBool();
     options.meshes.glb = settings.value("glb").toBool();
     if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
@@ -114,7 +115,7 @@ QString exportProject(Workspace& workspace, const ExportOptions& options, Messag
     const auto run = [&](EditedFiles edited) {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
         return dialog.run<Outcome>([&](const TaskContext& task) {
-            return exportPacks(project, assets, options.folder.toStdString(), options.meshes, edited, task);
+            return exportPacks(project, assets, toPath(options.folder), options.meshes, edited, task);
         });
     };
     Outcome outcome = run(EditedFiles::Kept);

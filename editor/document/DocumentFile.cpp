@@ -1,10 +1,12 @@
 #include "editor/document/DocumentFile.h"
 
 #include "core/base/OutOfMemory.h"
+#include "core/base/Utf8.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 
 #include <QFileInfo>
 
@@ -13,6 +15,7 @@ namespace rubble {
 namespace {
 
 constexpr std::chrono::milliseconds kWatchDelay{100};
+constexpr std::chrono::seconds kPollInterval{1};
 
 /// The hash of a file, none if it does not exist.
 ///
@@ -46,9 +49,11 @@ DocumentFile::DocumentFile(Document& document, QObject* parent) : QObject(parent
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, checkSoon);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, checkSoon);
     connect(&m_watchDelay, &QTimer::timeout, this, &DocumentFile::checkForChange);
+    m_poll.setInterval(kPollInterval);
+    connect(&m_poll, &QTimer::timeout, this, &DocumentFile::checkForChange);
 }
 
-QString DocumentFile::name() const { return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName(); }
+QString DocumentFile::name() const { return m_path.isEmpty() ? tr("Untitled") : fileNameText(m_path); }
 
 Status DocumentFile::open(const QString& path) {
     const ProjectAccess access = accessProject(absolutePath(path));
@@ -147,7 +152,10 @@ void DocumentFile::setFile(const BackupOrigin& origin, const ProjectAccess& acce
 void DocumentFile::watch() {
     const QStringList watched = m_watcher.files() + m_watcher.directories();
     if (!watched.isEmpty()) m_watcher.removePaths(watched);
+    m_poll.stop();
     if (m_path.isEmpty()) return;
+    const bool isKnownToQt = isUtf8(toPath(m_path).native());
+    if (!isKnownToQt) return m_poll.start();
     for (const QString& path : {m_path, QFileInfo(m_path).absolutePath()}) {
         if (QFileInfo::exists(path)) m_watcher.addPath(path);
     }

@@ -88,6 +88,7 @@ private:
     ProjectAccess m_access;
     QFileSystemWatcher m_watcher;
     QTimer m_watchDelay;                // other programs remove and write in several steps
+    QTimer m_poll;                      // of a path that Qt cannot watch
     std::optional<ContentHash> m_base;  // of the file that was loaded or saved last; none: there was no file
     std::optional<ContentHash> m_seen;  // of the file when it was last compared; none: there was no file
 };

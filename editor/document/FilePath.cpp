@@ -2,8 +2,6 @@
 
 #include "core/base/Utf8.h"
 
-#include <QByteArray>
-
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -61,5 +59,14 @@ QString absolutePath(const QString& path) {
     const std::filesystem::path absolute = std::filesystem::absolute(toPath(path), error);
     return error ? path : fromPath(absolute.lexically_normal());
 }
+
+std::filesystem::file_status statusOf(const QString& path) {
+    std::error_code ignored;
+    return std::filesystem::status(toPath(path), ignored);
+}
+
+QByteArray settingOf(const QString& path) { return QByteArray::fromStdString(toPath(path).native()); }
+
+QString pathOf(const QVariant& setting) { return fromPath(setting.toByteArray().toStdString()); }
 
 }  // namespace rubble

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QByteArray>
 #include <QString>
+#include <QVariant>
 
 #include <filesystem>
 
@@ -14,5 +16,12 @@ QString fromPath(const std::filesystem::path& path);
 
 /// The absolute path without "." and "..".
 QString absolutePath(const QString& path);
+
+/// What exists at a path; errors count as nothing.
+std::filesystem::file_status statusOf(const QString& path);
+
+/// A path as a setting and back; text would lose bytes. Settings of older versions are text.
+QByteArray settingOf(const QString& path);
+QString pathOf(const QVariant& setting);
 
 }  // namespace rubble

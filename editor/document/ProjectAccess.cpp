@@ -2,10 +2,10 @@
 
 #include "core/io/project/ProjectLock.h"
 #include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -22,22 +22,22 @@ QString timeText(std::chrono::system_clock::time_point time) {
     return QLocale().toString(local, QLocale::ShortFormat);
 }
 
-QString orUnknown(const std::string& name, const QString& unknown) {
-    return name.empty() ? unknown : QString::fromStdString(name);
-}
+QString orUnknown(const std::string& name, const QString& unknown) { return name.empty() ? unknown : nameText(name); }
 
 }  // namespace
 
 ProjectAccess accessProject(const QString& path, LockTakeover takeover) {
     LockAttempt attempt = lockProject(toPath(path), takeover);
-    const QString name = QFileInfo(path).fileName();
+    const QString name = fileNameText(path);
     ProjectAccess access{.lock = std::move(attempt.lock), .holder = std::move(attempt.holder)};
     if (access.holder) {
         access.readOnlyReason = ProjectAccessTexts::tr("\"%1\" is read-only, because it is open in %2.")
                                     .arg(name, holderText(*access.holder));
     } else if (!access.lock) {
-        const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
-        access.readOnlyReason = ProjectAccessTexts::tr("\"%1\" is read-only, because \"%2\" cannot be written to: %3.")
+        const QString folder = pathText(QFileInfo(path).absolutePath());
+        access.readOnlyReason = ProjectAccessTexts::tr(
+                                    "\"%1\" is read-only, because \"%2\" cannot be written to: %3. Save it to another "
+                                    "folder.")
                                     .arg(name, folder, QString::fromStdString(attempt.reason));
     }
     return access;

@@ -1,5 +1,6 @@
 #include "editor/view3d/TimelineBar.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/play/PlayController.h"
 
 #include <QHelpEvent>
@@ -116,11 +117,10 @@ bool TimelineBar::event(QEvent* event) {
     QStringList lines{timeText(static_cast<double>(stepAt(help->pos().x())) * dt)};
     for (const BreakRecord& broken : m_controller.breaks()) {
         if (std::abs(positionOf(broken.step) - help->pos().x()) <= kMarkTolerance && lines.size() < 8) {
-            lines << tr("%1 broke at %2")
-                         .arg(QString::fromStdString(broken.name), timeText(static_cast<double>(broken.step) * dt));
+            lines << tr("%1 broke at %2").arg(nameText(broken.name), timeText(static_cast<double>(broken.step) * dt));
         }
     }
-    QToolTip::showText(help->globalPos(), lines.join('\n'), this);
+    QToolTip::showText(help->globalPos(), toolTipText(lines.join('\n')), this);
     return true;
 }
 

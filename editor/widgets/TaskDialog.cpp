@@ -3,6 +3,7 @@
 #include "core/base/Parallel.h"
 
 #include <QEventLoop>
+#include <QLabel>
 #include <QThread>
 
 #include <memory>
@@ -17,7 +18,11 @@ constexpr int kProgressSteps = 1000;
 }  // namespace
 
 TaskDialog::TaskDialog(const QString& label, QWidget* parent)
-    : QProgressDialog(label, tr("Cancel"), 0, kProgressSteps, parent) {
+    : QProgressDialog(QString(), tr("Cancel"), 0, kProgressSteps, parent) {
+    auto* plain = new QLabel(label);
+    plain->setTextFormat(Qt::PlainText);
+    plain->setAlignment(Qt::AlignCenter);
+    setLabel(plain);
     setWindowModality(Qt::WindowModal);
     setMinimumDuration(kMinimumDurationMilliseconds);
     setAutoReset(false);

@@ -13,6 +13,7 @@
 #include "editor/actions/SelectActions.h"
 #include "editor/actions/ViewActions.h"
 #include "editor/dialogs/FileFilters.h"
+#include "editor/document/ShownText.h"
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
 #include "editor/window/StartPage.h"
@@ -254,7 +255,7 @@ void MainWindow::updateTitle() {
     const QString name = file.name() + "[*]" + (file.isReadOnly() ? tr(" (read-only)") : QString());
     setWindowTitle(name + " – " + QApplication::applicationDisplayName());
     m_readOnly->setVisible(file.isReadOnly());
-    m_readOnly->setToolTip(file.readOnlyReason());
+    m_readOnly->setToolTip(toolTipText(file.readOnlyReason()));
     setWindowModified(m_workspace.document().isModified());
     setWindowFilePath(file.path());
 }
@@ -280,7 +281,7 @@ void MainWindow::updateBakeProgress(Id asset, double fraction) {
     m_cancelBake->setVisible(isBaking);
     m_bakeProgress->setValue(static_cast<int>(100.0 * fraction));
     if (const Asset* baked = findAsset(m_workspace.project(), asset)) {
-        m_bakeProgress->setToolTip(tr("Baking %1").arg(QString::fromStdString(baked->name)));
+        m_bakeProgress->setToolTip(toolTipText(tr("Baking %1").arg(nameText(baked->name))));
     }
 }
 

@@ -1,11 +1,11 @@
 #include "editor/window/StartPage.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/workspace/InstalledData.h"
 #include "editor/workspace/RecentFiles.h"
 
 #include <QCommandLinkButton>
-#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -140,11 +140,11 @@ void StartPage::fillRecent() {
     }
     for (const QString& path : paths) {
         auto* button = new QToolButton;
-        button->setText(QFileInfo(path).fileName());
+        button->setText(menuText(fileNameText(path)));
         button->setIcon(iconNamed("file-project"));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setAutoRaise(true);
-        button->setToolTip(QDir::toNativeSeparators(path));
+        button->setToolTip(toolTipText(pathText(path)));
         connect(button, &QToolButton::clicked, this, [this, path] { emit recentRequested(path); });
         m_recentRows->addWidget(button);
     }

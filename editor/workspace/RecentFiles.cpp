@@ -1,20 +1,31 @@
 #include "editor/workspace/RecentFiles.h"
 
-#include <QFileInfo>
+#include "editor/document/FilePath.h"
+
 #include <QSettings>
 
 namespace rubble {
 
 namespace {
+
 constexpr const char* kKey = "recentFiles";
+
+QStringList storedPaths() {
+    QStringList paths;
+    const QVariant stored = QSettings().value(kKey);
+    const bool isOne = stored.typeId() == QMetaType::QString;  // a list of one text, as older versions stored it
+    for (const QVariant& path : isOne ? QVariantList{stored} : stored.toList()) paths.append(pathOf(path));
+    return paths;
 }
 
-RecentFiles::RecentFiles(QObject* parent) : QObject(parent), m_paths(QSettings().value(kKey).toStringList()) {}
+}  // namespace
+
+RecentFiles::RecentFiles(QObject* parent) : QObject(parent), m_paths(storedPaths()) {}
 
 QStringList RecentFiles::paths() const {
     QStringList existing;
     for (const QString& path : m_paths) {
-        if (QFileInfo(path).isFile()) existing.append(path);
+        if (is_regular_file(statusOf(path))) existing.append(path);
     }
     return existing;
 }
@@ -32,7 +43,9 @@ void RecentFiles::clear() {
 }
 
 void RecentFiles::store() {
-    QSettings().setValue(kKey, m_paths);
+    QVariantList paths;
+    for (const QString& path : m_paths) paths.append(settingOf(path));
+    QSettings().setValue(kKey, paths);
     emit changed();
 }
 

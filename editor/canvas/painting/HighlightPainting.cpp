@@ -4,6 +4,7 @@
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
 #include "editor/canvas/painting/VoronoiEdges.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/LocalizedQuantity.h"
 
 #include <QCoreApplication>
@@ -126,7 +127,7 @@ void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::
                         const CanvasView& view, const CanvasColours& colours) {
     const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
     const QStringList lines = {
-        HighlightPaintingTexts::tr("Fragment %1").arg(QString::fromStdString(pattern.fragmentId(piece))),
+        HighlightPaintingTexts::tr("Fragment %1").arg(nameText(pattern.fragmentId(piece))),
         localizedQuantity(QuantityKind::Area, pattern.area(piece)),
         HighlightPaintingTexts::tr("%Ln neighbour(s)", nullptr, neighbours),
         HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),

@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/FragmentLookup.h"
 #include "editor/canvas/painting/CanvasColours.h"
+#include "editor/document/ShownText.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,7 +19,7 @@ constexpr int kMaxNameLength = 24;     // of the asset's name
 
 /// The name of a fragment below its parent.
 QString nameOf(const FragmentPath& fragment) {
-    return Breadcrumb::tr("Fragment %1").arg(QString::fromStdString(fragment.substr(fragment.rfind('/') + 1)));
+    return Breadcrumb::tr("Fragment %1").arg(nameText(fragment.substr(fragment.rfind('/') + 1)));
 }
 
 QString shortened(const QString& name) {
@@ -59,6 +60,7 @@ void Breadcrumb::add(const QString& text, const FragmentPath& fragment, bool isC
     if (!fragment.empty()) m_layout->addWidget(new QLabel(QStringLiteral("▸"), this));
     if (isCurrent) {
         auto* current = new QLabel(text, this);
+        current->setTextFormat(Qt::PlainText);
         QFont bold = current->font();
         bold.setBold(true);
         current->setFont(bold);
@@ -66,11 +68,11 @@ void Breadcrumb::add(const QString& text, const FragmentPath& fragment, bool isC
         return m_layout->addWidget(current);
     }
     auto* button = new QToolButton(this);
-    button->setText(text);
+    button->setText(menuText(text));
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);  // the canvas keeps the focus
     button->setCursor(Qt::PointingHandCursor);
-    button->setToolTip(tr("Exit to %1").arg(text));
+    button->setToolTip(toolTipText(tr("Exit to %1").arg(text)));
     connect(button, &QToolButton::clicked, this, [this, fragment] { emit clicked(fragment); });
     m_layout->addWidget(button);
 }

@@ -11,6 +11,7 @@
 #include "editor/canvas/widget/Breadcrumb.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
+#include "editor/document/ShownText.h"
 
 #include <QContextMenuEvent>
 #include <QNativeGestureEvent>
@@ -205,7 +206,7 @@ void PatternCanvas::refreshFragment() {
         if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered))
             m_state.fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
     }
-    m_breadcrumb->setPath(asset ? QString::fromStdString(asset->name) : QString(), entered);
+    m_breadcrumb->setPath(asset ? nameText(asset->name) : QString(), entered);
 }
 
 /// Reports when the first edit inside a fragment gives it a pattern of its own.
@@ -215,7 +216,7 @@ void PatternCanvas::reportOwnPattern(const Changes& changes) {
     const bool hadOwn = std::exchange(m_hasOwnPattern, hasOwn);
     if (!hasOwn || hadOwn || changes.isUndoOrRedo) return;
     emit statusMessage(tr("Fragment %1 now has its own pattern. The other fragments of its level keep theirs.")
-                           .arg(QString::fromStdString(entered)));
+                           .arg(nameText(entered)));
 }
 
 void PatternCanvas::updateTool() {
@@ -404,7 +405,7 @@ void PatternCanvas::addFragmentNavigation(QMenu& menu, const std::optional<Fragm
     if (!fractured && !m_state.isInFragment()) return;
     menu.addSeparator();
     if (fractured) {
-        menu.addAction(tr("&Enter Fragment %1").arg(QString::fromStdString(*fractured)), this,
+        menu.addAction(tr("&Enter Fragment %1").arg(nameText(*fractured)), this,
                        [this, fractured] { enterFragment(m_state.selection, *fractured); });
     }
     if (m_state.isInFragment()) {

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/ChangesPanel.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 
 #include <QKeyEvent>
@@ -35,6 +36,7 @@ ChangesPanel::ChangesPanel(const StateComparison& comparison, const Selection& s
       m_list(new QListWidget) {
     m_title->setWordWrap(true);
     m_title->setMargin(6);
+    m_title->setTextFormat(Qt::PlainText);
     m_title->setObjectName("changes-title");
     m_list->setObjectName("changes");
     m_list->setAccessibleName(tr("Changes"));
@@ -64,14 +66,14 @@ void ChangesPanel::keyPressEvent(QKeyEvent* event) {
 void ChangesPanel::add(const QString& icon, const QString& text, int piece) {
     auto* item = new QListWidgetItem(icon.isEmpty() ? QIcon() : iconNamed(icon), text, m_list);
     item->setData(Qt::UserRole, piece);
-    item->setToolTip(text);
+    item->setToolTip(toolTipText(text));
 }
 
 void ChangesPanel::refresh() {
     m_list->clear();
     const Asset* asset = findAsset(m_document.project(), m_selection.asset());
     if (!asset) return m_title->setText(tr("No asset selected"));
-    const QString name = QString::fromStdString(asset->name);
+    const QString name = nameText(asset->name);
     m_title->setText(tr("%1, compared with %2").arg(name, m_comparison.name()));
     if (m_comparison.asset()) return fill(*m_comparison.asset());
     add({}, tr("Comparing…"));

@@ -2,6 +2,7 @@
 
 #include "editor/commands/ProjectEdits.h"
 #include "editor/commands/Renaming.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
@@ -234,7 +235,7 @@ QString PlayTestPanel::expectationText(const Expectation& expectation) const {
     const Kind& kind = kindOf(expectation.kind);
     const QString value = kind.unit ? withUnit(roundedText(expectation.value, {}), {kind.unit}) : QString();
     if (expectation.instance == 0) return kind.unit ? tr(kind.ofAll).arg(value) : tr(kind.ofAll);
-    const QString name = nameOf(m_document.project(), Part::Instance, expectation.instance);
+    const QString name = nameText(nameOf(m_document.project(), Part::Instance, expectation.instance).toStdString());
     return kind.unit ? tr(kind.ofInstance).arg(name, value) : tr(kind.ofInstance).arg(name);
 }
 
@@ -247,7 +248,7 @@ void PlayTestPanel::fill() {
     m_tree->clear();
     for (const PlayTest& one : m_document.project().playTests) {
         const PlayTestOutcome* outcome = m_runner.outcomeOf(one.id);
-        auto* item = new QTreeWidgetItem(m_tree, {QString::fromStdString(one.name)});
+        auto* item = new QTreeWidgetItem(m_tree, {nameText(one.name)});
         item->setData(0, kIdRole, one.id);
         item->setData(0, kRowRole, -1);
         if (outcome != nullptr) {
@@ -284,7 +285,7 @@ void PlayTestPanel::fillForm() {
     m_duration->setValue(selected->duration);
     m_shots->clear();
     for (const Shot& shot : m_document.project().shots) {
-        auto* item = new QListWidgetItem(QString::fromStdString(shot.name), m_shots);
+        auto* item = new QListWidgetItem(nameText(shot.name), m_shots);
         item->setData(kIdRole, shot.id);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         const bool isFired = std::ranges::find(selected->shots, shot.id) != selected->shots.end();
@@ -295,7 +296,7 @@ void PlayTestPanel::fillForm() {
     m_instance->clear();
     m_instance->addItem(tr("All Instances"), 0u);
     for (const Instance& instance : m_document.project().instances) {
-        m_instance->addItem(QString::fromStdString(instance.name), instance.id);
+        m_instance->addItem(nameText(instance.name), instance.id);
     }
     m_instance->setCurrentIndex(m_instance->findData(one.instance));
     m_kind->setCurrentIndex(static_cast<int>(one.kind));

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/PlayToolsPanel.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
@@ -105,7 +106,7 @@ void PlayToolsPanel::refreshAssets() {
     m_assets = std::move(assets);
     m_kind->clear();
     m_kind->addItems({tr("Box"), tr("Ball"), tr("Plank")});
-    for (const auto& [id, name] : m_assets) m_kind->addItem(QString::fromStdString(name), id);
+    for (const auto& [id, name] : m_assets) m_kind->addItem(nameText(name), id);
     PlayToolSettings tools = m_controller.toolSettings();
     if (tools.projectile.kind == ProjectileKind::Asset && !findAsset(m_document.project(), tools.projectile.asset)) {
         tools.projectile.kind = ProjectileKind::Box;

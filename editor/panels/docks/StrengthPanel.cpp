@@ -3,6 +3,7 @@
 #include "core/asset/project/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/ShownText.h"
 #include "editor/panels/docks/IntervalBar.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ComboBox.h"
@@ -73,6 +74,7 @@ QWidget* StrengthPanel::makeRequirements() {
     section->addWide(makeAddButton());
     section->addWide(m_bar);
     m_verdict->setWordWrap(true);
+    m_verdict->setTextFormat(Qt::PlainText);
     section->addWide(m_verdict);
     m_apply = new QPushButton;
     m_apply->setObjectName("set-threshold");
@@ -125,8 +127,7 @@ const Asset* StrengthPanel::asset() const { return findAsset(m_document.project(
 
 void StrengthPanel::refresh() {
     const Asset* shown = asset();
-    m_title->setText(shown ? tr("<b>%1</b>").arg(QString::fromStdString(shown->name).toHtmlEscaped())
-                           : tr("No asset selected"));
+    m_title->setText(shown ? tr("<b>%1</b>").arg(nameText(shown->name).toHtmlEscaped()) : tr("No asset selected"));
     setEnabled(shown != nullptr);
     m_suggested.reset();
     m_bar->setVisible(shown != nullptr);

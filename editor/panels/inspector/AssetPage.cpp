@@ -3,6 +3,7 @@
 #include "core/asset/project/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/commands/Resizing.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/ProjectRange.h"
@@ -109,6 +110,7 @@ void AssetPage::buildThreshold(Section& section) {
         [](const Asset& asset) { return asset.contactTime.value_or(kDefaultContactTime); },
         [](Asset& asset, double entered) { asset.contactTime = entered; });
     m_derivation = new QLabel;
+    m_derivation->setTextFormat(Qt::PlainText);
     m_derivation->setObjectName("derivation");
     m_derivation->setWordWrap(true);
     section.addWide(m_derivation);
@@ -128,7 +130,7 @@ void AssetPage::showThreshold(const Asset& asset) {
     if (!isDerived) {
         return m_derivation->setText(
             tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")
-                .arg(QString::fromStdString(material.name)));
+                .arg(nameText(material.name)));
     }
     m_derivation->setText(tr("%1 × %2 × %3 = %4")
                               .arg(text(QuantityKind::Pressure, *material.tensileStrength),
@@ -192,12 +194,12 @@ void AssetPage::setUnits(const Units& units) {
 void AssetPage::refresh() {
     std::vector<ComboItem> materials;
     for (const Material& material : m_document.project().materials) {
-        materials.push_back({material.id, QString::fromStdString(material.name), material.outside});
+        materials.push_back({material.id, nameText(material.name), material.outside});
     }
     setItems(*m_material, materials);
     std::vector<ComboItem> insides{{0, tr("Same as Asset"), {}}};
     for (const Material& material : m_document.project().materials) {
-        insides.push_back({material.id, QString::fromStdString(material.name), material.inside});
+        insides.push_back({material.id, nameText(material.name), material.inside});
     }
     setItems(*m_inside, insides);
     m_form.refresh();

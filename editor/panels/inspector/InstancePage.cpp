@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Threshold.h"
 #include "editor/commands/Renaming.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/EulerAngles.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/SliderField.h"
@@ -155,8 +156,7 @@ void InstancePage::setUnits(const Units& units) {
 
 void InstancePage::refresh() {
     std::vector<ComboItem> assets;
-    for (const Asset& asset : m_document.project().assets)
-        assets.push_back({asset.id, QString::fromStdString(asset.name), {}});
+    for (const Asset& asset : m_document.project().assets) assets.push_back({asset.id, nameText(asset.name), {}});
     setItems(*m_asset, assets);
     m_form.refresh();
     const std::vector<Instance> instances = selected();

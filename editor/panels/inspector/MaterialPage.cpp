@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Threshold.h"
 #include "editor/commands/Renaming.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/ProjectRange.h"
@@ -58,6 +59,7 @@ MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidg
     bindColours(*m_section);
     m_section->addRow(tr("Used by"), m_uses, tr("Assets made of this material"));
     m_uses->setWordWrap(true);
+    m_uses->setTextFormat(Qt::PlainText);
 }
 
 void MaterialPage::bindName(Section& section) {
@@ -123,7 +125,7 @@ void MaterialPage::refresh() {
     m_crackLimit->setText(limit ? localizedQuantity(QuantityKind::Length, *limit, {}, locale()) : tr("Unknown"));
     QStringList users;
     for (const Asset& asset : m_document.project().assets) {
-        if (asset.material == m_selection.material()) users.append(QString::fromStdString(asset.name));
+        if (asset.material == m_selection.material()) users.append(nameText(asset.name));
     }
     m_uses->setText(users.isEmpty() ? tr("No asset") : users.join(", "));
 }

@@ -1,5 +1,6 @@
 #include "editor/panels/models/BreakModel.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/NumberText.h"
 
 #include <array>
@@ -39,7 +40,7 @@ QVariant BreakModel::text(const BreakRecord& broken, int column) const {
     const QLocale locale;
     switch (column) {
         case kTime: return locale.toString(static_cast<double>(broken.step) * m_stepLength, 'f', 2);
-        case kName: return QString::fromStdString(broken.name);
+        case kName: return nameText(broken.name);
         case kRatio: return tr("%1×").arg(roundedText(broken.ratio(), {}, locale));
         case kImpact: return roundedText(broken.impact, {}, locale);
         case kThreshold: return roundedText(broken.threshold, {}, locale);

@@ -1,5 +1,6 @@
 #include "editor/panels/models/MessagesModel.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 
 #include <QLocale>
@@ -41,14 +42,14 @@ QVariant MessagesModel::data(const QModelIndex& index, int role) const {
     if (role == kSeverityRole) return static_cast<int>(shown.severity);
     if (role == Qt::DecorationRole && index.column() == kText) return iconOf(shown.severity);
     if (role == Qt::ToolTipRole) {
-        return !shown.hasPlace() ? shown.text : tr("%1\nDouble-click to show the location").arg(shown.text);
+        return toolTipText(shown.hasPlace() ? tr("%1\nDouble-click to show the location").arg(shown.text) : shown.text);
     }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
         case kTime: return QLocale().toString(shown.time.time(), QLocale::LongFormat).section(' ', 0, 0);
         case kAsset: {
             const Asset* asset = findAsset(m_document.project(), shown.asset);
-            return asset ? QString::fromStdString(asset->name) : QString();
+            return asset ? nameText(asset->name) : QString();
         }
         case kText: return shown.text;
         default: return {};

@@ -1,5 +1,6 @@
 #include "editor/panels/models/ProblemModel.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberText.h"
@@ -55,7 +56,8 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
     const bool isNumber = index.column() == kValue || index.column() == kLimit;
     switch (role) {
         case Qt::DisplayRole: return text(index.row(), index.column());
-        case Qt::ToolTipRole: return tr("%1\nDouble-click to show the location").arg(text(index.row(), kText));
+        case Qt::ToolTipRole:
+            return toolTipText(tr("%1\nDouble-click to show the location").arg(text(index.row(), kText)));
         case Qt::DecorationRole:
             if (index.column() != kKind || problem(index.row()).code != DiagnosticCode::FaultyOutline) return {};
             return iconNamed("message-error");
@@ -95,7 +97,7 @@ QString ProblemModel::text(int row, int column) const {
         case kKind: return textOf(problem.code);
         case kAsset: {
             const Asset* asset = findAsset(m_document.project(), problem.place.asset);
-            return asset ? QString::fromStdString(asset->name) : QString();
+            return asset ? nameText(asset->name) : QString();
         }
         case kLocation: return location(row);
         case kValue: return valueText(problem, problem.value);

@@ -4,6 +4,7 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/commands/Renaming.h"
 #include "editor/document/DraggedAsset.h"
+#include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ColourButton.h"
 #include "editor/widgets/LayerText.h"
@@ -247,13 +248,17 @@ int ProjectModel::rowCount(const QModelIndex& parent) const {
 
 int ProjectModel::columnCount(const QModelIndex&) const { return 1; }
 
+QString ProjectModel::name(Node node) const {
+    return isNamed(node.kind) ? nameOf(m_document.project(), partOf(node.kind), node.id) : text(node);
+}
+
 QString ProjectModel::text(Node node) const {
     switch (node.kind) {
         case Kind::Materials: return tr("Materials");
         case Kind::Assets: return tr("Assets");
         case Kind::Scene: return tr("Scene");
         case Kind::Layer: break;
-        default: return nameOf(m_document.project(), partOf(node.kind), node.id);
+        default: return nameText(name(node).toStdString());
     }
     QString text;
     if (const Asset* asset = findAsset(m_document.project(), assetOf(node))) {
@@ -272,14 +277,15 @@ QString ProjectModel::text(Node node) const {
 
 QString ProjectModel::hint(Node node) const {
     const Project& project = m_document.project();
+    const auto assetName = [&](Id id) { return nameText(nameOf(project, Part::Asset, id).toStdString()); };
     switch (node.kind) {
         case Kind::Materials: return tr("Materials of the project");
         case Kind::Assets: return tr("Solids with their fracture patterns");
         case Kind::Scene: return tr("Ground, gravity and the placed instances");
-        case Kind::Layer: return tr("Pattern layer of asset \"%1\"").arg(nameOf(project, Part::Asset, assetOf(node)));
+        case Kind::Layer: return tr("Pattern layer of asset \"%1\"").arg(assetName(assetOf(node)));
         case Kind::Instance: {
             const Instance* instance = findInstance(project, node.id);
-            return instance ? tr("Instance of asset \"%1\"").arg(nameOf(project, Part::Asset, instance->asset)) : "";
+            return instance ? tr("Instance of asset \"%1\"").arg(assetName(instance->asset)) : "";
         }
         default: return text(node);
     }
@@ -305,9 +311,9 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Node node = nodeAt(index);
     switch (role) {
-        case Qt::DisplayRole:
-        case Qt::EditRole: return text(node);
-        case Qt::ToolTipRole: return hint(node);
+        case Qt::DisplayRole: return text(node);
+        case Qt::EditRole: return name(node);
+        case Qt::ToolTipRole: return toolTipText(hint(node));
         case Qt::DecorationRole: return icon(node);
         case kHiddenRole:
         case kLockedRole: return flagOf(m_document.project(), node, role);

@@ -61,6 +61,7 @@ private:
     std::vector<Id>& idsOf(Kind group);
     const std::vector<Id>& idsOf(Kind group) const;
     bool setFlag(Node node, int role, bool isOn);
+    QString name(Node node) const;
     QString text(Node node) const;
     QString hint(Node node) const;
     QIcon icon(Node node) const;

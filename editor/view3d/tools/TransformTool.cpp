@@ -2,6 +2,7 @@
 
 #include "core/base/Trigonometry.h"
 #include "editor/commands/InstanceEdits.h"
+#include "editor/document/ShownText.h"
 #include "editor/view3d/tools/GizmoPainting.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -189,7 +190,7 @@ bool TransformTool::placeOnFace() {
     Pose pose = m_drag->poses.front();
     pose.position = restingPosition(m_drag->hulls.at(instance.asset), pose.orientation, *hit);
     const Instance* on = findInstance(project, hit->instance);
-    m_label = on ? tr("on %1").arg(QString::fromStdString(on->name)) : tr("on the ground");
+    m_label = on ? tr("on %1").arg(nameText(on->name)) : tr("on the ground");
     push(tr("Move"), {pose});
     return true;
 }

@@ -34,6 +34,48 @@ private slots:
         QCOMPARE(messageText(std::numeric_limits<double>::quiet_NaN()), std::string("nan"));
         QCOMPARE(messageText(-std::numeric_limits<double>::infinity()), std::string("-inf"));
     }
+    void controlsAreEscaped() {
+        QCOMPARE(printableText("wall \u00e4\U0001F9F1\n\t."), std::string("wall \u00e4\U0001F9F1\n\t."));
+        QCOMPARE(printableText("\x1b[31m\x7f\u009b\u202e\u200f\u2028"),
+                 std::string("\\u001b[31m\\u007f\\u009b\\u202e\\u200f\\u2028"));
+        QCOMPARE(printableText("h\xff\xe2\x80"), std::string("h\\xff\\xe2\\x80"));
+        QCOMPARE(printableText(printableText("\x1b")), std::string("\\u001b"));
+    }
+    void namesFitASentence() {
+        QCOMPARE(quotedName("wall"), std::string("\"wall\""));
+        QCOMPARE(quotedName(""), std::string("\"\""));
+        QCOMPARE(shownName(std::string(60, 'x')), std::string(60, 'x'));
+        QCOMPARE(shownName("a" + std::string(100000, 'x') + "z"),
+                 "a" + std::string(29, 'x') + "\u2026" + std::string(28, 'x') + "z");
+        QCOMPARE(shownName("two\nlines\t\x1b"), std::string("two\\u000alines\\u0009\\u001b"));
+        QCOMPARE(shownName("h\xff"), std::string("h\\xff"));
+    }
+    void longNamesAreCutBetweenCharacters() {
+        std::string umlauts, escapes, wrong(1000, '\x80');
+        for (int k = 0; k < 100; ++k) umlauts += "\u00e4";
+        for (int k = 0; k < 100; ++k) escapes += '\x1b';
+        const auto halves = [](const std::string& character, int first, int second) {
+            std::string text;
+            for (int k = 0; k < first; ++k) text += character;
+            text += "\u2026";
+            for (int k = 0; k < second; ++k) text += character;
+            return text;
+        };
+        QCOMPARE(shownName(umlauts), halves("\u00e4", 30, 29));
+        QCOMPARE(shownName(escapes), halves("\\u001b", 5, 4));
+        QCOMPARE(shownName(wrong), halves("\\x80", 7, 7));
+    }
+    void manyNamesAreCounted() {
+        QCOMPARE(quotedNames({}), std::string());
+        QCOMPARE(quotedNames({"a", "b"}), std::string("\"a\", \"b\""));
+        QCOMPARE(QString::fromStdString(quotedNames(std::vector<std::string>(20, "a"))).count("\"a\""), 20);
+        const QString many = QString::fromStdString(quotedNames(std::vector<std::string>(1000, "a")));
+        QVERIFY2(many.endsWith(", \"a\" and 981 more") && many.count("\"a\"") == 19, qPrintable(many));
+    }
+    void pathsAreWhole() {
+        const std::string path = "/" + std::string(300, 'x') + "/h\xff\n";
+        QCOMPARE(quotedPath(path), "\"/" + std::string(300, 'x') + "/h\\xff\\u000a\"");
+    }
 };
 
 RUBBLE_TEST(MessageTextTest)

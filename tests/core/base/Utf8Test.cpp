@@ -33,6 +33,10 @@ private slots:
         QFETCH(QByteArray, text);
         QVERIFY(!isUtf8(text.toStdString()));
     }
+    void malformedBytesAreReplaced() {
+        QCOMPARE(wellFormed("M\u00e4uer"), std::string("M\u00e4uer"));
+        QCOMPARE(wellFormed("h\xff\xc3(\xed\xa0\x80"), std::string("h\ufffd\ufffd(\ufffd\ufffd\ufffd"));
+    }
 };
 
 RUBBLE_TEST(Utf8Test)

@@ -3,6 +3,7 @@
 #include "core/asset/project/StarterProject.h"
 #include "core/geometry/polygon/OutlineShapes.h"
 #include "editor/commands/InstanceEdits.h"
+#include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileBytes.h"
@@ -102,6 +103,19 @@ private slots:
         QVERIFY(lastExportOptions(*m_workspace)->meshes.glb);
         QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
         QVERIFY(!lastExportOptions(*m_workspace));
+    }
+    void everyFileNameIsExported() {
+        for (const std::string& name : {std::string("h\xff"), std::string(248, 'x')}) {
+            const std::filesystem::path place = toPath(m_folder->path()) / name;
+            std::filesystem::create_directory(place);
+            QVERIFY(m_workspace->file().saveAs(fromPath(place / (name + ".rubble"))));
+            exportBy([](QListWidget&) {});
+            QVERIFY(std::filesystem::exists(place / "packs/gable/pack.json"));
+            exportAgain();
+            QCOMPARE(toPath(lastExportOptions(*m_workspace)->folder), place / "packs");
+            std::filesystem::remove_all(place);  // QTemporaryDir cannot
+        }
+        QVERIFY(m_messages.list().empty() || m_messages.list().back().severity == Severity::Note);
     }
 
 private:

@@ -136,7 +136,7 @@ private slots:
         DocumentFile file(document);
         QVERIFY(file.open(m_path));
         QVERIFY(file.isReadOnly() && document.project() == starterProject());
-        QVERIFY2(file.readOnlyReason().endsWith(" cannot be written to: Permission denied."),
+        QVERIFY2(file.readOnlyReason().endsWith(" cannot be written to: Permission denied. Save it to another folder."),
                  qPrintable(file.readOnlyReason()));
     }
     void fullDiskOpensReadOnly() {
@@ -145,7 +145,7 @@ private slots:
         const FileSizeLimit limit(3);
         QVERIFY(file.open(m_path));
         QVERIFY(file.isReadOnly() && !isLocked(m_path));
-        QVERIFY2(file.readOnlyReason().endsWith(": No space left on device."), qPrintable(file.readOnlyReason()));
+        QVERIFY2(file.readOnlyReason().contains(": No space left on device. "), qPrintable(file.readOnlyReason()));
     }
     void everyFileNameIsOpened() {
         const std::filesystem::path folder = toPath(m_folder->path());
@@ -158,7 +158,34 @@ private slots:
             edit(document);
             QVERIFY(file.save());
             QVERIFY(loadProject(folder / name)->instances.empty());
+            QSignalSpy changes(&file, &DocumentFile::changedOnDisk);
+            QVERIFY(saveProject(folder / name, starterProject()));
+            QTRY_COMPARE(changes.count(), 1);
+            QVERIFY(file.diskState() == DiskState::Changed);
+            QVERIFY(file.save() && file.diskState() == DiskState::Unchanged);
             std::filesystem::remove(folder / name);  // QTemporaryDir cannot
+        }
+    }
+    void everyFileNameIsRestored() {
+        const std::filesystem::path folder = toPath(m_folder->path());
+        const QString backups = m_folder->filePath("backups");
+        for (const std::string& name : {std::string("h\xff\xfe.rubble"), std::string(248, 'x') + ".rubble"}) {
+            QVERIFY(saveProject(folder / name, starterProject()));
+            {
+                Backup left = newBackup(backups);
+                left.origin = {fromPath(folder / name), contentHash(projectText(starterProject()))};
+                QVERIFY(writeBackup(left, QByteArray::fromStdString(projectText(emptyProject()))));
+            }
+            const std::vector<Backup> found = orphanedBackups(backups);
+            QCOMPARE(found.size(), std::size_t{1});
+            Document document(starterProject());
+            DocumentFile file(document);
+            QVERIFY(file.restore(found[0], accessProject(found[0].origin.path)));
+            QVERIFY(!file.isReadOnly() && document.project().assets.empty());
+            QVERIFY(file.save());
+            QVERIFY(loadProject(folder / name)->assets.empty());
+            removeBackup(found[0]);
+            std::filesystem::remove(folder / name);
         }
     }
     void externalChangeIsDetected() {

@@ -142,8 +142,8 @@ private slots:
         row("object", "[false]", "object", "[0]: expected an object, found false.");
         row("missing key", "[{}]", "object", R"([0]: the key "a" is missing.)");
         row("unknown key", R"([{"a": 1, "c": 2}])", "object", R"([0]: unknown key "c".)");
-        row("odd key", R"([{"a": 1, "new\nline": 2}])", "object", R"([0]: unknown key "new?line".)");
-        row("key with DEL", "[{\"a\": 1, \"new\x7fline\": 2}]", "object", R"([0]: unknown key "new?line".)");
+        row("odd key", R"([{"a": 1, "new\nline": 2}])", "object", R"([0]: unknown key "new\u000aline".)");
+        row("key with DEL", "[{\"a\": 1, \"new\x7fline\": 2}]", "object", R"([0]: unknown key "new\u007fline".)");
     }
     void wrongTypesAndRangesAreReported() {
         QFETCH(QString, text);

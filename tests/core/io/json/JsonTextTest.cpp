@@ -23,6 +23,7 @@ private slots:
     void controlCharactersAreEscapedByCode() {
         QCOMPARE(jsonOf(std::string_view("\x01\x1f\0", 3)), std::string("\"\\u0001\\u001f\\u0000\""));
     }
+    void bytesThatAreNoTextAreReplaced() { QCOMPARE(jsonOf("h\xff\"\xc3"), std::string("\"h\ufffd\\\"\ufffd\"")); }
     void emptyTextIsTwoQuotes() { QCOMPARE(jsonOf(""), std::string("\"\"")); }
 };
 

@@ -1,3 +1,4 @@
+#include "core/io/pack/ExportFolder.h"
 #include "core/io/pack/PackExport.h"
 
 #include "core/io/system/AtomicFile.h"
@@ -70,6 +71,15 @@ private slots:
         for (const char* file : {"wall/pack.json", "wall/manifest.json", "wall/wall.obj", "wall/wall.mtl",
                                  "wall/wall.glb", "wall/wall-whole.obj", "old roof/old_roof.glb"}) {
             QVERIFY2(fs::exists(m_out / file), file);
+        }
+    }
+    void longNamesAreExported() {
+        const Project project = projectOf({std::string(5000, 'x'), std::string(5000, 'x') + 'y'});
+        const auto assets = exportPacks(project, allAssets(project), m_out, {.split = FileSplit::PerFragment});
+        QVERIFY(assets);
+        for (const AssetExport& asset : *assets) {
+            QVERIFY2(asset.status, asset.status ? "" : asset.status.error().message.c_str());
+            QVERIFY(!verifyExportFolder(asset.folder));
         }
     }
     void bytesDoNotDependOnThreads() {

@@ -179,6 +179,14 @@ private slots:
         QCOMPARE(*readFile(inFolder("other")), std::string("new"));
         QCOMPARE(entryCount(inFolder("")), std::size_t{2});
     }
+    void longNamesAreWrittenInPlace() {
+        const fs::path longest = inFolder("") / (std::string(248, 'x') + ".rubble");
+        QVERIFY(writeFileAtomically(longest, "old"));
+        fs::create_hard_link(longest, inFolder("other"));
+        QVERIFY(writeFileAtomically(longest, "new"));
+        QCOMPARE(*readFile(inFolder("other")), std::string("new"));
+        QCOMPARE(entryCount(inFolder("")), std::size_t{2});
+    }
     void ownerIsKept() {
         if (::geteuid() != 0) QSKIP("Only root can give files away.");
         QVERIFY(writeFileAtomically(inFolder("file"), "old"));

@@ -16,6 +16,20 @@ private slots:
         QCOMPARE(safeFileName("dot."), std::string("dot_"));
         QCOMPARE(safeFileName(""), std::string("_"));
     }
+    void longNamesAreShortened() {
+        const std::string a(201, 'a'), b = std::string(200, 'a') + 'b';
+        QCOMPARE(safeFileName(a).size(), std::size_t{200});
+        QVERIFY(safeFileName(a) != safeFileName(b) && safeFileName(a).starts_with("aaa"));
+        QCOMPARE(safeFileName(std::string(200, 'a')), std::string(200, 'a'));
+    }
+    void namesWithEndingsFit() {
+        QCOMPARE(fittingFileName(".", "wall", ".lock"), std::string(".wall.lock"));
+        const std::string longest(255, 'x');
+        QCOMPARE(fittingFileName("", longest, ""), longest);
+        const std::string fitting = fittingFileName(".", longest, ".lock");
+        QCOMPARE(fitting.size(), std::size_t{255});
+        QVERIFY(fitting.starts_with(".xxx") && fitting.ends_with(".lock"));
+    }
 };
 
 RUBBLE_TEST(FileNameTest)
