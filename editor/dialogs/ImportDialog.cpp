@@ -15,13 +15,17 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
+
+#include <algorithm>
 
 namespace rubble {
 
 namespace {
 
 constexpr QSize kImportDialogSize{920, 700};
+constexpr int kRefusedLines = 5;  // shown without scrolling
 
 enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
@@ -30,6 +34,34 @@ QString metresText(double metres) { return localizedQuantity(QuantityKind::Lengt
 QString sizeText(const PrismFit& prism) {
     const Vec2 size = boundsOf(prism.outline.outer).size();
     return metresText(size.x) + " × " + metresText(size.y);
+}
+
+/// A fallback, and the number of refused objects that it imports.
+struct OfferedFallback {
+    WorkingFallback fallback;
+    int objects = 0;
+};
+
+std::vector<OfferedFallback> offeredFallbacks(const std::vector<RejectedObject>& all) {
+    std::vector<OfferedFallback> offered;
+    for (const RejectedObject& rejected : all) {
+        for (const WorkingFallback& working : rejected.fallbacks) {
+            auto known = std::ranges::find(offered, working, &OfferedFallback::fallback);
+            if (known == offered.end()) known = offered.insert(known, {working, 0});
+            ++known->objects;
+        }
+    }
+    return offered;
+}
+
+/// The caption of a button; names the axis unless it is the selected one.
+QString fallbackText(const WorkingFallback& working, PrismAxis selected) {
+    const bool isSilhouette = working.fallback == PrismFallback::Silhouette;
+    if (working.axis == selected)
+        return isSilhouette ? ImportDialog::tr("Use Silhouette") : ImportDialog::tr("Use Top Face");
+    const QString axis = QStringLiteral("XYZ").at(static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X));
+    return (isSilhouette ? ImportDialog::tr("Use Silhouette Along %1") : ImportDialog::tr("Use Top Face Along %1"))
+        .arg(axis);
 }
 
 QLabel* createNotes() {
@@ -61,7 +93,8 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addLayout(top, 3);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
-    layout->addWidget(m_refused);
+    layout->addWidget(m_refusedArea);
+    layout->addWidget(m_fallbacks);
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // after the button was added to the dialog
@@ -130,8 +163,7 @@ void ImportDialog::createFields() {
     m_table->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
     m_preview = new OutlinePreview;
     m_notes = createNotes();
-    m_refused = createNotes();
-    m_refused->hide();
+    createRefused();
     m_progress = new QProgressBar;
     m_progress->setTextVisible(false);
     m_progress->setAccessibleName(tr("Searching for prisms"));
@@ -139,6 +171,23 @@ void ImportDialog::createFields() {
     policy.setRetainSizeWhenHidden(true);  // most searches take an instant; the rest of the dialog stays in place
     m_progress->setSizePolicy(policy);
     m_progress->hide();
+}
+
+void ImportDialog::createRefused() {
+    m_refused = createNotes();
+    m_refused->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_refusedArea = new QScrollArea;
+    m_refusedArea->setWidget(m_refused);
+    m_refusedArea->setWidgetResizable(true);
+    m_refusedArea->setFrameShape(QFrame::NoFrame);
+    m_refusedArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_refusedArea->hide();
+    m_fallbacks = new QWidget;
+    m_fallbackRow = new QHBoxLayout(m_fallbacks);
+    m_fallbackRow->setContentsMargins(0, 0, 0, 0);
+    m_fallbackRow->addWidget(new QLabel(tr("Import the outline instead:")));
+    m_fallbackRow->addStretch();
+    m_fallbacks->hide();
 }
 
 QWidget* ImportDialog::createOptions() {
@@ -157,7 +206,7 @@ QWidget* ImportDialog::createOptions() {
 }
 
 ImportOptions ImportDialog::options() const {
-    ImportOptions options{.metresPerUnit = metresPerUnit(*m_unit)};
+    ImportOptions options{.metresPerUnit = metresPerUnit(*m_unit), .findsFallbacks = true};
     options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
     options.axis = static_cast<PrismAxis>(m_axis->currentIndex());
     if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
@@ -189,6 +238,7 @@ void ImportDialog::updateMesh() {
 /// The previous result stays visible until the search is finished, but cannot be imported.
 void ImportDialog::search() {
     m_import->setEnabled(false);
+    m_fallbacks->setEnabled(false);
     m_progress->setValue(0);
     m_progress->show();
     m_job.start(
@@ -216,9 +266,51 @@ void ImportDialog::apply(Found found) {
         for (const RejectedObject& object : m_outcome->rejected)
             refused.append(QString::fromStdString(object.error.message));
     }
-    m_refused->setText(refused.isEmpty() ? QString() : tr("Refused:") + '\n' + refused.join('\n'));
-    m_refused->setVisible(!refused.isEmpty());
+    showRefused(refused);
+    offerFallbacks();
     fillTable();
+}
+
+void ImportDialog::showRefused(const QStringList& sentences) {
+    m_refused->setText(sentences.isEmpty() ? QString() : tr("Refused:") + '\n' + sentences.join('\n'));
+    m_refusedArea->setVisible(!sentences.isEmpty());
+    fitRefused();
+}
+
+/// Makes the area as high as its text, up to some lines.
+void ImportDialog::fitRefused() {
+    if (m_refused->text().isEmpty()) return;
+    const QMargins margins = layout()->contentsMargins();
+    const int textHeight = m_refused->heightForWidth(width() - margins.left() - margins.right());
+    m_refusedArea->setFixedHeight(std::min(textHeight, kRefusedLines * m_refused->fontMetrics().lineSpacing()));
+}
+
+void ImportDialog::resizeEvent(QResizeEvent* event) {
+    fitRefused();
+    QDialog::resizeEvent(event);
+}
+
+/// Replaces the buttons by one for each fallback that imports a refused object.
+void ImportDialog::offerFallbacks() {
+    for (QPushButton* button : m_fallbacks->findChildren<QPushButton*>()) delete button;
+    const std::vector<OfferedFallback> offered =
+        m_outcome ? offeredFallbacks(m_outcome->rejected) : std::vector<OfferedFallback>();
+    for (const auto& [fallback, count] : offered) {
+        auto* button = new QPushButton(fallbackText(fallback, options().axis));
+        button->setAutoDefault(false);
+        button->setToolTip(tr("Import %Ln refused object(s) in this way", nullptr, count));
+        connect(button, &QPushButton::clicked, this, [this, fallback = fallback] { use(fallback); });
+        m_fallbackRow->insertWidget(m_fallbackRow->count() - 1, button);
+        button->show();  // at once, not when the event loop runs again
+    }
+    m_fallbacks->setVisible(!offered.empty());
+    m_fallbacks->setEnabled(true);
+}
+
+/// Selects the options of a fallback, which starts a search.
+void ImportDialog::use(const WorkingFallback& fallback) {
+    m_axis->setCurrentIndex(static_cast<int>(fallback.axis));
+    m_fallback->setCurrentIndex(1 + static_cast<int>(fallback.fallback));
 }
 
 void ImportDialog::fillTable() {
@@ -226,6 +318,7 @@ void ImportDialog::fillTable() {
     m_preview->setOutline({});
     m_view->setPrism(nullptr);
     m_notes->clear();
+    m_notes->hide();
     if (!m_outcome) return;
     m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
@@ -254,6 +347,7 @@ void ImportDialog::showRow(int row) {
         notes.append(tr("The mesh deviates from this prism by up to %1.").arg(metresText(deviation)));
     }
     m_notes->setText(notes.join('\n'));
+    m_notes->setVisible(!notes.isEmpty());
 }
 
 }  // namespace rubble

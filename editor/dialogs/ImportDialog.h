@@ -14,9 +14,11 @@
 #include <vector>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QTableWidget;
 
 namespace rubble {
@@ -24,8 +26,9 @@ namespace rubble {
 class ImportView;
 class OutlinePreview;
 
-/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them and why objects are refused. Prisms
-/// are searched for in the background, again after each change of the options.
+/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them, why objects are refused, and a button
+/// for each fallback that imports some of these. Prisms and fallbacks are searched for in the background, again after
+/// each change of the options.
 class ImportDialog : public QDialog {
     Q_OBJECT
 public:
@@ -40,10 +43,14 @@ public:
     /// Messages about merged, flipped, omitted and refused elements.
     std::vector<Message> messages() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     struct Found;
 
     void createFields();
+    void createRefused();
     QWidget* createOptions();
     ImportOptions options() const;
     double fileUnit() const;
@@ -51,6 +58,10 @@ private:
     void updateMesh();
     void search();
     void apply(Found found);
+    void showRefused(const QStringList& sentences);
+    void fitRefused();
+    void offerFallbacks();
+    void use(const WorkingFallback& fallback);
     void fillTable();
     void showRow(int row);
 
@@ -67,8 +78,11 @@ private:
     QTableWidget* m_table;
     ImportView* m_view;
     OutlinePreview* m_preview;
-    QLabel* m_notes;           // about the asset of the current row
-    QLabel* m_refused;         // the objects that cannot be imported
+    QLabel* m_notes;    // about the asset of the current row
+    QLabel* m_refused;  // the objects that cannot be imported, and why
+    QScrollArea* m_refusedArea;
+    QWidget* m_fallbacks;  // a button for each that imports some of them
+    QHBoxLayout* m_fallbackRow;
     QProgressBar* m_progress;  // visible during a search
     QPushButton* m_import = nullptr;
     BackgroundJob m_job;

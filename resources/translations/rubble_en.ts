@@ -176,6 +176,13 @@
             <numerusform>%Ln triangles</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Import %Ln refused object(s) in this way</source>
+        <translation>
+            <numerusform>Import %Ln refused object in this way</numerusform>
+            <numerusform>Import %Ln refused objects in this way</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rubble::MainWindow</name>

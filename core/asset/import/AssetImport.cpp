@@ -104,12 +104,26 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     return result;
 }
 
+/// A solid in a wrong unit is often too large or too small for a project.
+std::optional<std::string> prismFault(const std::string& name, const PrismFit& prism) {
+    const std::string owner = quotedName(name);
+    if (auto fault = prismRangeFault(owner, {prism.outline, prism.depth})) return fault;
+    return rangeFault(owner, ProjectNumber::InstancePosition, prism.pose.position);
+}
+
+bool isImportedBy(const WorkingFallback& tried, const ImportPart& part) {
+    const Result<PrismFit> prism = fallbackPrism(part.mesh, tried.axis, tried.fallback, part.tolerance);
+    return prism && !prismFault(part.name, *prism);
+}
+
 /// The fallbacks that import a part, each along the requested axis or else the first world axis that works.
-std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis requested) {
+std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis requested, const TaskContext& context) {
     std::vector<WorkingFallback> working;
+    if (isFlat(part)) return working;
     for (const PrismFallback fallback : {PrismFallback::Silhouette, PrismFallback::TopCap}) {
         for (const PrismAxis axis : {requested, PrismAxis::X, PrismAxis::Y, PrismAxis::Z}) {
-            if (!fallbackPrism(part.mesh, axis, fallback, part.tolerance)) continue;
+            if (context.isCancelled()) return working;
+            if (!isImportedBy({fallback, axis}, part)) continue;
             working.push_back({fallback, axis});
             break;
         }
@@ -117,24 +131,21 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
     return working;
 }
 
-/// A solid in a wrong unit is often too large or too small for a project, and its texture coordinates may be anything.
-std::optional<std::string> solidRangeFault(const std::string& name, const ImportedSolid& solid) {
-    const std::string owner = quotedName(name);
-    if (auto fault = prismRangeFault(owner, {solid.prism.outline, solid.prism.depth})) return fault;
-    if (solid.surface.surface) {
-        if (auto fault = surfaceFault(owner, *solid.surface.surface)) return fault;
-    }
-    return rangeFault(owner, ProjectNumber::InstancePosition, solid.prism.pose.position);
+/// prismFault(), and that of texture coordinates, which may be anything.
+std::optional<std::string> solidFault(const std::string& name, const ImportedSolid& solid) {
+    if (auto fault = prismFault(name, solid.prism)) return fault;
+    return solid.surface.surface ? surfaceFault(quotedName(name), *solid.surface.surface) : std::nullopt;
 }
 
-void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options, ImportOutcome& outcome) {
+void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options,
+            const TaskContext& context, ImportOutcome& outcome) {
     if (!part) {
         outcome.rejected.push_back({part.error(), {}});
     } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
         RejectedObject& rejected =
             outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}});
-        if (options.findsFallbacks && !options.fallback) rejected.fallbacks = workingFallbacks(*part, options.axis);
-    } else if (const auto fault = solidRangeFault(part->name, *solid)) {
+        if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
+    } else if (const auto fault = solidFault(part->name, *solid)) {
         outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
     } else {
         outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
@@ -162,9 +173,10 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
     for (const RequestedPart& part : *requested) {
         if (context.isCancelled()) return TaskContext::cancelled();
-        import(part, scene, options, outcome);
+        import(part, scene, options, context, outcome);
         context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
     }
+    if (context.isCancelled()) return TaskContext::cancelled();
     if (!outcome.assets.empty()) {
         std::vector<std::string>& notes = outcome.assets.front().notes;
         notes.insert(notes.begin(), scene.notes.begin(), scene.notes.end());

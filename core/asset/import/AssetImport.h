@@ -20,7 +20,7 @@ struct ImportOptions {
     PrismAxis axis = PrismAxis::Thinnest;   // of the prism, in the world
     std::optional<PrismFallback> fallback;  // for objects that are not prisms
     std::string asset;                      // the asset to reimport or to create; empty: one per object
-    bool findsFallbacks = false;            // for rejected objects; takes about as long as importing them
+    bool findsFallbacks = false;            // of rejected objects; takes about as long as importing them
 };
 
 /// An asset created or replaced by an import.
@@ -33,7 +33,7 @@ struct ImportedAsset {
     std::vector<std::string> notes;  // sentences: what was merged, flipped, omitted, renamed or replaced
 };
 
-/// A fallback that imports an object that is rejected without it.
+/// A fallback that was tried and imports a rejected object.
 struct WorkingFallback {
     PrismFallback fallback = PrismFallback::Silhouette;
     PrismAxis axis = PrismAxis::Thinnest;  // the requested one if it works

@@ -88,21 +88,10 @@ void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<
     notes.push_back(std::string("The ") + name + " cap takes its UVs from the nearest faces" + why);
 }
 
-/// Whether all points lie in one plane, that of the largest triangle.
-bool isFlat(const TriangleMesh& mesh, double tolerance) {
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < mesh.triangles.size(); ++i)
-        if (glm::length(doubleArea(mesh, i)) > glm::length(doubleArea(mesh, largest))) largest = i;
-    const Vec3 normal = glm::normalize(doubleArea(mesh, largest)), origin = mesh.points[mesh.triangles[largest][0]];
-    return std::ranges::all_of(mesh.points,
-                               [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= tolerance; });
-}
-
 /// The fitted prism, or its fallback.
 Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid, const ImportOptions& options,
                          ImportedSolid& result) {
-    if (isFlat(part.mesh, part.tolerance))
-        return Error{ErrorCode::Degenerate, "The mesh is flat; an asset needs a depth."};
+    if (isFlat(part)) return Error{ErrorCode::Degenerate, "The mesh is flat; an asset needs a depth."};
     Result<PrismFit> found = solid ? fitPrism(solid->mesh, options.axis, part.tolerance) : solid.error();
     if (found || !options.fallback) return found;
     const std::string why = found.error().message;
@@ -158,6 +147,16 @@ Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double
                                                     " parts is inverted and lies within another."};
     }
     return parts;
+}
+
+bool isFlat(const ImportPart& part) {
+    const TriangleMesh& mesh = part.mesh;
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < mesh.triangles.size(); ++i)
+        if (glm::length(doubleArea(mesh, i)) > glm::length(doubleArea(mesh, largest))) largest = i;
+    const Vec3 normal = glm::normalize(doubleArea(mesh, largest)), origin = mesh.points[mesh.triangles[largest][0]];
+    return std::ranges::all_of(
+        mesh.points, [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= part.tolerance; });
 }
 
 Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options) {

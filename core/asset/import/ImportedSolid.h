@@ -23,6 +23,9 @@ TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxi
 /// Errors: those of welded(); Degenerate if a part is the wall of a cavity; Limit above 1000 parts.
 Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up);
 
+/// Whether all points of a part lie in one plane. Such a part is never imported.
+bool isFlat(const ImportPart& part);
+
 /// A prism with the surface of the mesh it was fitted to.
 struct ImportedSolid {
     PrismFit prism;

@@ -6,6 +6,8 @@
 #include "editor/document/Translations.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Patience.h"
+#include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/Solids.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QComboBox>
@@ -13,9 +15,11 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextStream>
 #include <QTimer>
 
 using namespace rubble;
@@ -37,11 +41,27 @@ struct ImportBench {
 
     QTableWidget& table() { return *dialog.findChild<QTableWidget*>(); }
     ViewportWidget& view() { return dialog.findChild<ImportView*>()->viewport(); }
-    QPushButton& importButton() {
+    QPushButton* buttonNamed(const QString& text) {
         for (auto* button : dialog.findChildren<QPushButton*>()) {
-            if (button->text() == "Import") return *button;
+            if (button->text() == text) return button;
         }
-        qFatal("Import button not found.");
+        return nullptr;
+    }
+    QPushButton& importButton() { return *buttonNamed("Import"); }
+    /// The captions of the visible fallbacks.
+    QStringList offered() {
+        QStringList captions;
+        for (auto* button : dialog.findChildren<QPushButton*>()) {
+            if (button->isVisible() && button->text().startsWith("Use ")) captions.append(button->text());
+        }
+        return captions;
+    }
+    /// Clicks a fallback and waits for the result.
+    void take(const QString& caption) {
+        QPushButton* button = buttonNamed(caption);
+        QVERIFY(button);
+        QTest::mouseClick(button, Qt::LeftButton);
+        waitForSearch();
     }
     QStringList row(int row) {
         QStringList cells;
@@ -89,6 +109,20 @@ struct ImportBench {
     bool isRead = false;
 };
 
+/// A prism whose top is shifted: its silhouette and its top face replace it.
+TriangleMesh leaning() {
+    TriangleMesh mesh = prismSolid(lShape(), 0.5);
+    for (std::size_t i = 6; i < 12; ++i) mesh.points[i] += Vec3(0.0032, 0, 0);
+    return mesh;
+}
+
+/// A box with a cavity.
+TriangleMesh hollowBox() {
+    TriangleMesh hollow = placed(prismSolid({rectangle({0, 0}, {1, 1}), {}}, 1.0), {{0.5, 0.5, 0}});
+    for (auto& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
+    return joined(prismSolid({rectangle({0, 0}, {2, 2}), {}}, 2.0), hollow);
+}
+
 bool isOrange(QColor colour) { return colour.red() > colour.blue() + 80 && colour.red() > colour.green() + 30; }
 bool isBlueGreen(QColor colour) { return colour.blue() > colour.red() + 60 && colour.green() > colour.red() + 40; }
 
@@ -101,6 +135,19 @@ Vec3 sizeOf(const RenderScene& scene, std::size_t body) {
 
 class ImportDialogTest : public QObject {
     Q_OBJECT
+
+    QTemporaryDir m_folder;
+    /// An OBJ file with one object.
+    QString meshFile(const TriangleMesh& mesh) {
+        QFile file(m_folder.filePath("mesh.obj"));
+        if (!file.open(QIODevice::WriteOnly)) qFatal("The mesh cannot be written.");
+        QTextStream text(&file);
+        text << "o Mesh\n";
+        for (const Vec3& point : mesh.points) text << "v " << point.x << ' ' << point.y << ' ' << point.z << '\n';
+        for (const auto& [a, b, c] : mesh.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+        return file.fileName();
+    }
+
 private slots:
     void initTestCase() { installTranslations(); }
 
@@ -147,6 +194,69 @@ private slots:
         QTest::keyClick(&bench.dialog, Qt::Key_Return);
         QCOMPARE(bench.dialog.result(), int(QDialog::Accepted));
         QVERIFY(bench.dialog.messages().at(0).text.startsWith("Its silhouette along z replaces it"));
+    }
+    void workingFallbackIsTakenWithOneClick() {
+        ImportBench bench(kMeshes + "sphere.glb");
+        QCOMPARE(bench.offered(), QStringList{"Use Silhouette"});
+        bench.take("Use Silhouette");
+        QCOMPARE(bench.row(0), (QStringList{"Ball", "1 m × 1 m", "1 m", "z"}));
+        QCOMPARE(bench.offered(), QStringList());
+        QTest::keyClick(&bench.dialog, Qt::Key_Return);
+        QCOMPARE(bench.dialog.result(), int(QDialog::Accepted));
+    }
+    void fallbacksAreOfferedAlongTheAxesThatWork() {
+        ImportBench bench(meshFile(touchingInProjection()));
+        QVERIFY(bench.shows("\"Mesh\": The mesh is not closed: 10 edges have one face only."));
+        QCOMPARE(bench.offered(), (QStringList{"Use Silhouette Along X", "Use Top Face"}));
+        bench.selectItem(Qt::Key_E, "Y (up)");
+        QCOMPARE(bench.offered(), (QStringList{"Use Silhouette", "Use Top Face Along Z"}));
+        bench.selectItem(Qt::Key_E, "Z");
+        QCOMPARE(bench.offered(), (QStringList{"Use Silhouette Along X", "Use Top Face"}));
+    }
+    void fallbackThatTouchesItselfOffersAnother() {
+        ImportBench bench(meshFile(touchingInProjection()));
+        bench.selectItem(Qt::Key_N, "Use silhouette");
+        QVERIFY(bench.shows("\"Mesh\": Its silhouette cannot replace it: "));
+        QVERIFY(bench.shows("The outline touches itself: points 1 and 4 meet"));
+        bench.take("Use Silhouette Along X");
+        QVERIFY(bench.shows("Its silhouette along x replaces it: The mesh is not closed"));
+        QCOMPARE(bench.row(0), (QStringList{"Mesh", "1 m × 1 m", "4 m", "x"}));
+        QVERIFY(!bench.shows("Refused"));
+        QVERIFY(bench.importButton().isEnabled());
+    }
+    void fallbackOfSeveralObjectsIsOfferedOnce() {
+        ImportBench bench(meshFile(joined(leaning(), placed(leaning(), {{10, 0, 0}}))));
+        QCOMPARE(bench.offered(), (QStringList{"Use Silhouette", "Use Top Face"}));
+        QCOMPARE(bench.buttonNamed("Use Top Face")->toolTip(), QString("Import 2 refused objects in this way"));
+        bench.take("Use Top Face");
+        QCOMPARE(bench.table().rowCount(), 2);
+    }
+    void objectsWithoutAFallbackGetNoAdvice() {
+        ImportBench flat(meshFile({{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}}));
+        QVERIFY(flat.shows("\"Mesh\": The mesh is flat; an asset needs a depth."));
+        QCOMPARE(flat.offered(), QStringList());
+        ImportBench hollow(meshFile(hollowBox()));
+        QVERIFY(hollow.shows("\"Mesh\": The mesh has a cavity: one of its 2 parts is inverted"));
+        QCOMPARE(hollow.offered(), QStringList());
+        TriangleMesh huge = leaning();
+        for (Vec3& point : huge.points) point *= 1e7;
+        ImportBench tooLarge(meshFile(huge));
+        QVERIFY(tooLarge.shows("\"Mesh\": "));
+        QCOMPARE(tooLarge.offered(), QStringList());
+    }
+    void fallbacksCannotBeTakenDuringASearch() {
+        ImportBench bench(kMeshes + "sphere.glb");
+        bench.setItem("Feet");
+        QVERIFY(bench.isSearching() && !bench.buttonNamed("Use Silhouette")->isEnabled());
+        bench.waitForSearch();
+        QVERIFY(bench.buttonNamed("Use Silhouette")->isEnabled());
+    }
+    void manyRefusedObjectsLeaveRoomForTheView() {
+        TriangleMesh many = touchingInProjection();
+        for (int k = 1; k < 60; ++k) many = joined(many, placed(touchingInProjection(), {{10.0 * k, 0, 0}}));
+        ImportBench bench(meshFile(many));
+        QVERIFY(bench.dialog.findChild<QScrollArea*>()->isVisible());
+        QVERIFY(bench.dialog.height() < 800 && bench.view().height() > 250);
     }
     void openMeshIsShownAndRefused() {
         ImportBench bench(kMeshes + "open.obj");

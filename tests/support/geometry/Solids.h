@@ -51,4 +51,20 @@ inline TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
     return first;
 }
 
+/// A bent open sheet whose ends, 1 m apart along z, meet in a point if seen along z: the silhouette touches itself there.
+/// Along x and y it does not.
+inline TriangleMesh touchingInProjection() {
+    return {{{0, 0, 0},
+             {-2, -1, 0},
+             {-2, 2, 0},
+             {-1, 2, 0},
+             {-2, 3, 0},  // from the point to the left, at z = 0
+             {0, 0, 1},
+             {2, -1, 1},
+             {2, 2, 1},
+             {1, 2, 1},
+             {2, 3, 1}},  // to the right, at z = 1
+            {{0, 3, 2}, {0, 2, 1}, {2, 3, 4}, {3, 8, 4}, {8, 9, 4}, {8, 7, 9}, {5, 6, 7}, {5, 7, 8}}};
+}
+
 }  // namespace rubble

@@ -151,11 +151,25 @@ private slots:
         const TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 1, 0}},
                                    {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
         QVERIFY((fallbacks(pyramid, PrismAxis::Y) == std::vector<WorkingFallback>{{Silhouette, PrismAxis::Y}}));
-        // Two triangles that touch in a point: their silhouette along z touches itself, along x and y it does not.
-        const TriangleMesh bow{{{0, 0, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, -1, 1}, {1, 1, 1}}, {{0, 2, 1}, {0, 3, 4}}};
-        const std::vector<WorkingFallback> ofBow = fallbacks(bow, PrismAxis::Z);
-        QVERIFY(ofBow.empty() || ofBow[0].axis != PrismAxis::Z);
-        QCOMPARE(fallbacks(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).size(), std::size_t{0});
+        for (const PrismAxis axis : {PrismAxis::Thinnest, PrismAxis::Z}) {
+            QVERIFY((fallbacks(touchingInProjection(), axis) ==
+                     std::vector<WorkingFallback>{{Silhouette, PrismAxis::X}, {TopCap, axis}}));
+        }
+        QVERIFY((fallbacks(touchingInProjection(), PrismAxis::Y) ==
+                 std::vector<WorkingFallback>{{Silhouette, PrismAxis::Y}, {TopCap, PrismAxis::Z}}));
+        const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+        QVERIFY(fallbacks(flat).empty());
+        for (Vec3& point : leaning.points) point *= 1e7;  // larger than a project allows
+        QVERIFY(fallbacks(leaning).empty());
+    }
+    void fallbackThatFailsIsReplacedByOneThatWorks() {
+        const ImportOptions options{.fallback = PrismFallback::Silhouette, .findsFallbacks = true};
+        const Result<ImportOutcome> outcome =
+            importedInto({}, sceneOf({objectOf("Mesh", touchingInProjection())}), "file", options, {});
+        const RejectedObject& rejected = outcome->rejected.at(0);
+        QVERIFY(rejected.error.message.starts_with("\"Mesh\": Its silhouette cannot replace it: "));
+        QVERIFY((rejected.fallbacks == std::vector<WorkingFallback>{{PrismFallback::Silhouette, PrismAxis::X},
+                                                                    {PrismFallback::TopCap, PrismAxis::Thinnest}}));
     }
     void flatMeshIsRejectedAsFlat() {
         const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
