@@ -77,13 +77,15 @@ void CompareActions::compareWithFile() {
 }
 
 void CompareActions::compareWith(const QString& path, const QString& name) {
-    Result<Project> other = loadProject(toPath(path));
+    std::vector<Diagnostic> notes;
+    Result<Project> other = loadProject(toPath(path), &notes);
     if (!other) return showError(&m_views.window(), other.error());
     m_views.showProject();
     m_views.setCanvasVisible(true);
     m_views.window().addDockWidget(Qt::RightDockWidgetArea, m_dock);
     m_dock->show();
     m_dock->raise();
+    if (!notes.empty()) m_views.showStatus(noteText(notes.front(), *other));
     m_comparison.begin(std::make_shared<const Project>(std::move(*other)), name);
     m_views.canvas().setFocus();
 }

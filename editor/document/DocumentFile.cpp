@@ -30,14 +30,16 @@ Result<std::optional<ContentHash>> hashOnDisk(const QString& path) {
 struct ReadFile {
     Project project;
     ContentHash hash;
+    std::vector<Diagnostic> notes;
 };
 
 Result<ReadFile> readProjectFile(const std::filesystem::path& path) {
     const Result<std::string> text = readFile(path);
     if (!text) return text.error();
-    Result<Project> project = readProjectText(*text, path);
+    std::vector<Diagnostic> notes;
+    Result<Project> project = readProjectText(*text, path, &notes);
     if (!project) return project.error();
-    return ReadFile{std::move(*project), contentHash(*text)};
+    return ReadFile{std::move(*project), contentHash(*text), std::move(notes)};
 }
 
 }  // namespace
@@ -67,6 +69,7 @@ Status DocumentFile::open(const QString& path, const ProjectAccess& access) {
     if (!file) return file.error();
     setFile({absolute, file->hash}, access);
     m_document.replace(std::move(file->project));
+    if (!file->notes.empty()) emit noted(file->notes);
     return success();
 }
 

@@ -75,6 +75,8 @@ signals:
     void originChanged(const rubble::BackupOrigin& origin);
     /// Another program wrote or removed the file.
     void changedOnDisk();
+    /// Parts of the file that was loaded were left out; see readProjectText().
+    void noted(const std::vector<rubble::Diagnostic>& notes);
 
 private:
     Result<Faults> restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);

@@ -46,6 +46,12 @@ void Messages::clear() {
     emit changed();
 }
 
+QString noteText(const Diagnostic& note, const Project& project) {
+    const Asset* asset = findAsset(project, note.place.asset);
+    const QString name = asset ? QString::fromStdString('"' + asset->name + "\": ") : QString();
+    return name + QString::fromStdString(note.message);
+}
+
 std::vector<Message> messagesOf(const Bake& bake) {
     std::vector<Message> messages;
     for (const Diagnostic& report : bake.diagnostics) {

@@ -49,6 +49,9 @@ private:
     std::vector<Id> m_topics;  // of each message: the asset of its bake or kSceneTopic; 0: none, never replaced
 };
 
+/// A sentence about an asset of a project: `"wall": 2 repeated points of the outline were left out.`
+QString noteText(const Diagnostic& note, const Project& project);
+
 /// The messages of a bake.
 std::vector<Message> messagesOf(const Bake& bake);
 

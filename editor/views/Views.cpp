@@ -79,6 +79,7 @@ void Views::connectViews() {
     connect(m_canvas, &PatternCanvas::pointerLeft, this, [this] { emit positionChanged({}); });
     connect(&m_workspace.bakes(), &Bakes::changed, this, &Views::updateBakeMessages);
     connect(&m_workspace.play(), &PlayController::stateChanged, this, &Views::updatePlayState);
+    connect(&m_workspace.file(), &DocumentFile::noted, this, &Views::addNotes);
 }
 
 void Views::addDocks() {
@@ -136,6 +137,14 @@ void Views::updateBakeMessages(Id asset) {
         messages = {{.severity = Severity::Error, .text = text, .asset = asset}};
     }
     m_messages.setOfBake(asset, std::move(messages));
+}
+
+void Views::addNotes(const std::vector<Diagnostic>& notes) {
+    for (const Diagnostic& note : notes) {
+        m_messages.add(
+            {.severity = note.severity, .text = QString::fromStdString(note.message), .asset = note.place.asset});
+    }
+    if (!notes.empty()) showStatus(noteText(notes.front(), m_workspace.project()));
 }
 
 void Views::showProject() {

@@ -49,6 +49,8 @@ public:
     bool isProjectShown() const { return m_isProjectShown; }
     /// Shows a sentence in the status bar for some seconds.
     void showStatus(const QString& sentence) { emit statusMessage(sentence); }
+    /// Adds messages about what was left out of the project when it was read, and shows the first in the status bar.
+    void addNotes(const std::vector<Diagnostic>& notes);
 
     void setCanvasVisible(bool isVisible);
     void setSceneVisible(bool isVisible);

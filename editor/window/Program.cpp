@@ -122,13 +122,15 @@ void Program::showOpened(MainWindow& window) {
 
 MainWindow* Program::openCopy(const QString& path, MainWindow* from) {
     MainWindow* window = windowFor(from);
-    Result<Project> project = orOutOfMemory("opening the project", [&] { return loadProject(toPath(path)); });
+    std::vector<Diagnostic> notes;
+    Result<Project> project = orOutOfMemory("opening the project", [&] { return loadProject(toPath(path), &notes); });
     if (!project) {
         showError(window, project.error());
         return nullptr;
     }
     window->workspace().document().replace(std::move(*project));
     window->views().showProject();
+    window->views().addNotes(notes);
     return window;
 }
 

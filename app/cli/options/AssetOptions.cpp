@@ -2,8 +2,8 @@
 
 #include "app/cli/options/Command.h"
 #include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "core/base/MessageText.h"
-#include "core/io/project/ProjectFile.h"
 
 #include <algorithm>
 
@@ -26,8 +26,9 @@ Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector
     return selected;
 }
 
-Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names) {
-    Result<Project> project = loadProject(file);
+Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names,
+                                        const CliContext& context) {
+    Result<Project> project = openProject(file, context);
     if (!project) return project.error();
     Result<std::vector<Id>> assets = selectedAssets(*project, names);
     if (!assets) return assets.error();

@@ -9,6 +9,7 @@
 namespace rubble {
 
 class Command;
+struct CliContext;
 
 /// Adds --asset, which is repeatable, to a verb.
 void addAssetOption(Command& command, std::vector<std::string>& names);
@@ -24,9 +25,10 @@ struct ProjectAssets {
 /// Errors: NotFound, with the first unknown name and the names of all assets.
 Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector<std::string>& names);
 
-/// Loads a project and selects its assets with these names; all if `names` is empty.
+/// Loads a project as openProject() does and selects its assets with these names; all if `names` is empty.
 ///
-/// Errors: those of loadProject() and selectedAssets(); NotFound if the project has no assets.
-Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names);
+/// Errors: those of openProject() and selectedAssets(); NotFound if the project has no assets.
+Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names,
+                                        const CliContext& context);
 
 }  // namespace rubble

@@ -100,7 +100,7 @@ Status statusOf(std::span<const NamedAudit> audits) {
 }
 
 Status audit(const AuditOptions& options, const CliContext& context) {
-    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets, context);
     if (!loaded) return loaded.error();
     const Result<std::vector<NamedAudit>> audits = auditsOf(loaded->project, loaded->assets, options, context);
     if (!audits) return audits.error();

@@ -84,8 +84,11 @@ Status printResults(const std::vector<CheckResult>& results, const CliContext& c
 }
 
 void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<CheckResult>& all) {
-    const Result<Project> project = loadProject(path);
+    std::vector<Diagnostic> notes;
+    const Result<Project> project = loadProject(path, &notes);
     if (!project) return all.push_back({.status = project.error()});
+    for (const Diagnostic& note : notes)
+        context.err << findAsset(*project, note.place.asset)->name << ": " << note.message << '\n';
     ProgressLine line(context, "Checking");
     std::mutex guard;  // guards line and done
     std::size_t done = 0;

@@ -2,11 +2,11 @@
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/io/project/AssetDifferenceJson.h"
-#include "core/io/project/ProjectFile.h"
 
 #include <algorithm>
 #include <memory>
@@ -95,9 +95,9 @@ Status statusOf(std::span<const AssetDifference> differences) {
 }
 
 Status diff(const DiffOptions& options, const CliContext& context) {
-    const Result<Project> before = loadProject(options.before);
+    const Result<Project> before = openProject(options.before, context);
     if (!before) return before.error();
-    const Result<Project> after = loadProject(options.after);
+    const Result<Project> after = openProject(options.after, context);
     if (!after) return after.error();
     const Result<std::vector<AssetPair>> pairs = selectedPairs(assetPairs(*before, *after), options.assets);
     if (!pairs) return pairs.error();

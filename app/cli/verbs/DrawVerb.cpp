@@ -64,7 +64,7 @@ Result<std::vector<PatternPanel>> panelsOf(const Project& project, std::span<con
 }
 
 Status draw(const DrawOptions& options, const CliContext& context) {
-    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets, context);
     if (!loaded) return loaded.error();
     const Result<std::vector<PatternPanel>> panels = panelsOf(loaded->project, loaded->assets, options.file, context);
     if (!panels) return panels.error();

@@ -3,11 +3,11 @@
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
 #include "core/io/pack/PackExport.h"
-#include "core/io/project/ProjectFile.h"
 
 #include <memory>
 #include <string>
@@ -94,7 +94,7 @@ Status printResults(const std::vector<AssetExport>& assets, const std::string& p
 Status exportAssets(ExportArguments arguments, const CliContext& context) {
     arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
     arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
-    const Result<Project> project = loadProject(arguments.project);
+    const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();

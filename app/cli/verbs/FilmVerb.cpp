@@ -3,12 +3,12 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
-#include "core/io/project/ProjectFile.h"
 #include "viewport/film/Film.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ Status film(const FilmOptions& options, const CliContext& context) {
                      "A film needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
     }
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
-    const Result<Project> project = loadProject(options.file);
+    const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
     if (!play) return play.error();

@@ -1,6 +1,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/ImportSummary.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/AssetImport.h"
 #include "core/base/MessageText.h"
@@ -63,12 +64,12 @@ Status checkTarget(const ImportVerbOptions& options) {
                  quotedPath(path) + " already exists; use --into to import into it or into another project."};
 }
 
-Result<Target> openTarget(const ImportVerbOptions& options) {
+Result<Target> openTarget(const ImportVerbOptions& options, const CliContext& context) {
     if (const Status isFree = checkTarget(options); !isFree) return isFree.error();
     Target target{.path = targetPath(options)};
     std::error_code ignored;
     if (!std::filesystem::exists(target.path, ignored)) return target;
-    Result<Project> project = loadProject(target.path);
+    Result<Project> project = openProject(target.path, context);
     if (!project) return project.error();
     target.project = std::move(*project);
     return target;
@@ -126,7 +127,7 @@ Status import(const ImportVerbOptions& options, const CliContext& context) {
     if (!scene) return scene.error();
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(targetPath(options), context.cancel);
     if (!lock) return lock.error();
-    Result<Target> target = openTarget(options);
+    Result<Target> target = openTarget(options, context);
     if (!target) return target.error();
     const ImportOptions wanted = importOptions(options);
     const Result<ImportOutcome> outcome =

@@ -4,9 +4,9 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
-#include "core/io/project/ProjectFile.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
@@ -61,8 +61,8 @@ struct Subject {
 };
 
 /// Returns the fragments, exploded or not.
-Result<Subject> fragmentsOf(const RenderOptions& options, const TaskContext& task) {
-    const Result<Project> project = loadProject(options.file);
+Result<Subject> fragmentsOf(const RenderOptions& options, const CliContext& context, const TaskContext& task) {
+    const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<Id> asset = assetToRender(*project, options);
     if (!asset) return asset.error();
@@ -79,7 +79,7 @@ Result<Subject> fragmentsOf(const RenderOptions& options, const TaskContext& tas
 
 /// Returns the scene at a step of the simulation, framed as at its start.
 Result<Subject> simulatedScene(const RenderOptions& options, const CliContext& context, TaskContext task) {
-    const Result<Project> project = loadProject(options.file);
+    const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
     if (!play) return play.error();
@@ -100,7 +100,8 @@ Result<Subject> simulatedScene(const RenderOptions& options, const CliContext& c
 
 Status render(const RenderOptions& options, const CliContext& context) {
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
-    const Result<Subject> subject = options.step ? simulatedScene(options, context, task) : fragmentsOf(options, task);
+    const Result<Subject> subject =
+        options.step ? simulatedScene(options, context, task) : fragmentsOf(options, context, task);
     if (!subject) return subject.error();
     ProgressLine line(context, "Rendering");
     task.progress = [&line](double fraction) { line.show(fraction); };

@@ -1,11 +1,11 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/base/Version.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/play/ReplayFile.h"
-#include "core/io/project/ProjectFile.h"
 
 #include <memory>
 
@@ -72,7 +72,7 @@ std::vector<std::string> warnings(const Replay& replay, const Project& project) 
 Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
     Result<Replay> replay = loadReplay(options.file);
     if (!replay) return replay.error();
-    const Result<Project> project = loadProject(options.project);
+    const Result<Project> project = openProject(options.project, context);
     if (!project) return project.error();
     for (const std::string& warning : warnings(*replay, *project)) context.err << warning << '\n';
     ProgressLine line(context, "Replaying");

@@ -1,6 +1,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/VertexSeeds.h"
 #include "core/asset/project/Ids.h"
@@ -39,7 +40,7 @@ Status addSeeds(const SeedsOptions& options, const CliContext& context) {
     if (!mesh) return mesh.error();
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
     if (!lock) return lock.error();
-    Result<Project> project = loadProject(options.project);
+    Result<Project> project = openProject(options.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
     if (!selected) return selected.error();

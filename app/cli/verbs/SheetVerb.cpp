@@ -4,11 +4,11 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/options/ShotOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
-#include "core/io/project/ProjectFile.h"
 #include "viewport/film/ContactSheetPage.h"
 #include "viewport/film/ContactSheetPainter.h"
 
@@ -99,7 +99,7 @@ std::string jsonOf(const std::vector<SheetEntry>& entries) {
 }
 
 Status sheet(const SheetOptions& options, const CliContext& context) {
-    const Result<Project> project = loadProject(options.file);
+    const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<SheetRequest> request = requestFor(*project, options, context);
     if (!request) return request.error();

@@ -1,6 +1,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/CommonOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/simulation/BodySimulation.h"
 #include "app/cli/simulation/ProjectSimulation.h"
 #include "app/cli/verbs/Verb.h"
@@ -83,8 +84,10 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
 
 Result<SimulationRun> simulateProject(const std::string& text, const SimulateOptions& options,
                                       const CliContext& context) {
-    const Result<Project> project = readProjectText(text);
+    std::vector<Diagnostic> notes;
+    const Result<Project> project = readProjectText(text, &notes);
     if (!project) return project.error();
+    printNotes(notes, *project, options.input, context);
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) -> Result<SimulationRun> {
         const Result<PreparedProject> play =

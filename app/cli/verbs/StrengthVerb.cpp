@@ -80,7 +80,7 @@ Status statusOf(std::span<const StrengthReport> reports) {
 }
 
 Status strength(const StrengthOptions& options, const CliContext& context) {
-    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets);
+    const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets, context);
     if (!loaded) return loaded.error();
     const TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<std::vector<StrengthReport>> reports = reportsOn(loaded->project, loaded->assets, task);

@@ -3,10 +3,10 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/PictureOptions.h"
 #include "app/cli/options/PlayOptions.h"
+#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
 #include "core/io/play/JUnitXml.h"
-#include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "viewport/render/OffscreenRenderer.h"
@@ -113,7 +113,7 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
 }
 
 Status test(const TestOptions& options, const CliContext& context) {
-    const Result<Project> project = loadProject(options.file);
+    const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<std::vector<PlayTest>> tests = selectedTests(*project, options.names);
     if (!tests) return tests.error();

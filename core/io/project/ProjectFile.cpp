@@ -3,6 +3,8 @@
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
+#include "core/geometry/polygon/OutlineCleaning.h"
 #include "core/io/json/FormatVersion.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"
@@ -106,6 +108,18 @@ Result<RecoveredProject> readRecovered(std::string_view json) {
     return RecoveredProject{std::move(*project), std::move(faults)};
 }
 
+/// Removes the repeated points of an asset's outline and its holes, and reports their number.
+void cleanOutline(Asset& asset, std::vector<Diagnostic>& notes) {
+    Polygon& outline = asset.prism.outline;
+    std::size_t count = removeRepeatedPoints(outline.outer).size();
+    for (Ring& hole : outline.holes) count += removeRepeatedPoints(hole).size();
+    if (count == 0) return;
+    notes.push_back(diagnostic(
+        DiagnosticCode::RepeatedPoint, {.asset = asset.id},
+        countText(count, "repeated point of the outline was", "repeated points of the outline were") + " left out.",
+        static_cast<double>(count)));
+}
+
 }  // namespace
 
 std::string projectText(const Project& project) {
@@ -127,24 +141,31 @@ std::string projectText(const Project& project) {
     return std::move(json).finished();
 }
 
-Result<Project> readProjectText(std::string_view json) {
+Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes) {
     Result<Project> project = readUnverified(json);
     if (!project) return project;
-    if (const std::optional<std::string> fault = verifyProject(*project)) return Error{ErrorCode::BadInput, *fault};
+    std::vector<Diagnostic> found;
+    for (Asset& asset : project->assets) cleanOutline(asset, found);
+    if (std::optional<std::string> fault = verifyProject(*project)) {
+        if (!found.empty()) *fault += " Points are counted without those that repeat others.";
+        return Error{ErrorCode::BadInput, *fault};
+    }
+    if (notes) *notes = std::move(found);
     return project;
 }
 
-Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path) {
+Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path,
+                                std::vector<Diagnostic>* notes) {
     if (isInterruptedSave(json)) return withPath("Cannot read", path, {ErrorCode::BadInput, interruptedSaveText(path)});
-    Result<Project> project = readProjectText(json);
+    Result<Project> project = readProjectText(json, notes);
     if (!project) return withPath("Cannot read", path, project.error());
     return project;
 }
 
-Result<Project> loadProject(const std::filesystem::path& path) {
+Result<Project> loadProject(const std::filesystem::path& path, std::vector<Diagnostic>* notes) {
     const Result<std::string> text = readFile(path);
     if (!text) return text.error();
-    return readProjectText(*text, path);
+    return readProjectText(*text, path, notes);
 }
 
 Result<RecoveredProject> recoverProject(const std::filesystem::path& path) {

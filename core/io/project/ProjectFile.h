@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
+#include "core/base/Diagnostic.h"
 #include "core/base/Result.h"
 
 #include <filesystem>
@@ -18,18 +19,21 @@ inline constexpr std::uint32_t kProjectVersion = 5;
 /// verifyProject(). All fields are described in docs/formats/project.md.
 std::string projectText(const Project& project);
 
-/// Reads a project written by projectText() in this version or an older one, bit for bit.
+/// Reads a project written by projectText() in this version or an older one, bit for bit. Points of outlines and holes
+/// that close a ring or repeat the one before, as other programs write them, are left out; `notes`, if given, gets a
+/// RepeatedPoint with their number for each asset that has some.
 ///
 /// Errors: BadInput if the text is not JSON of this form, with the path ("assets[2].prism.depth: ..."), or if
 /// verifyProject() finds an error; Unsupported if its version is newer; Limit if it is too large.
-Result<Project> readProjectText(std::string_view json);
+Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes = nullptr);
 /// The same for the text of a file, whose path the errors name. An interrupted save is told as one.
-Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path);
+Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path,
+                                std::vector<Diagnostic>* notes = nullptr);
 
-/// Loads a project file.
+/// Loads a project file. `notes` as for readProjectText().
 ///
 /// Errors, with the path: those of readFile() and readProjectText().
-Result<Project> loadProject(const std::filesystem::path& path);
+Result<Project> loadProject(const std::filesystem::path& path, std::vector<Diagnostic>* notes = nullptr);
 
 /// A project of which some values may be out of range.
 struct RecoveredProject {

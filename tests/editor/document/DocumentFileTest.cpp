@@ -4,6 +4,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "editor/document/FilePath.h"
+#include "editor/document/Messages.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
@@ -53,6 +54,26 @@ private slots:
         document.undoStack().undo();
         QVERIFY(file.save());
         QCOMPARE(bytesOfFile(m_path), before);
+    }
+    void repeatedPointsAreReportedAndSavedWithout() {
+        Project closed = starterProject();
+        QByteArray text = QByteArray::fromStdString(projectText(closed));
+        const qsizetype start = text.indexOf("\"outline\": [") + qstrlen("\"outline\": [");
+        const QByteArray first = text.mid(start, text.indexOf(']', start) + 1 - start);
+        setBytes(m_path, QByteArray(text).insert(start, first + ", "));
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QSignalSpy spy(&file, &DocumentFile::noted);
+        QVERIFY(file.open(m_path));
+        QCOMPARE(spy.count(), 1);
+        const auto notes = spy[0][0].value<std::vector<Diagnostic>>();
+        QCOMPARE(notes.size(), std::size_t{1});
+        QCOMPARE(noteText(notes[0], document.project()), "\"wall\": 1 repeated point of the outline was left out.");
+        QVERIFY(document.project() == closed && file.diskState() == DiskState::Unchanged);
+        QVERIFY(file.save());
+        QCOMPARE(bytesOfFile(m_path), text);
+        QVERIFY(file.reload());
+        QCOMPARE(spy.count(), 1);
     }
     void invalidFileLeavesTheDocument() {
         setBytes(m_path, "{");

@@ -20,10 +20,12 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <memory>
 
 using namespace rubble;
@@ -197,6 +199,21 @@ private slots:
         QVERIFY(!restored()->fileActions().save());
         QVERIFY(m_question.contains("changed by another program"));
         QCOMPARE(heightIn(m_path), kOtherHeight);
+    }
+    void notesOnTheFileAreShown() {
+        const QString path = RUBBLE_SOURCE_DIR "/tests/corpus/Project/outlines-with-repeated-points.rubble";
+        QVERIFY(QFile::copy(path, m_folder->filePath("repeated.rubble")));
+        for (const bool isCopy : {false, true}) {
+            MainWindow* window =
+                isCopy ? m_program->openCopy(path) : m_program->open(m_folder->filePath("repeated.rubble"));
+            QVERIFY(window);
+            const std::vector<Message>& messages = window->views().messages().list();
+            QCOMPARE(std::ranges::count(messages, "3 repeated points of the outline were left out.", &Message::text),
+                     1);
+            QCOMPARE(std::ranges::count(messages, "1 repeated point of the outline was left out.", &Message::text), 1);
+            QCOMPARE(window->statusBar()->currentMessage(),
+                     "\"frame\": 3 repeated points of the outline were left out.");
+        }
     }
 
     void foreignLockIsTakenOverOnRequest() {

@@ -395,6 +395,33 @@ private slots:
         json["version"] = 5;
         QCOMPARE(projectFault(json.dump()), std::string("materials[0]: the key \"tensileStrength\" is missing."));
     }
+    void repeatedPointsAreLeftOutAndReported() {
+        const fs::path path = RUBBLE_SOURCE_DIR "/tests/corpus/Project/outlines-with-repeated-points.rubble";
+        std::vector<Diagnostic> notes;
+        const Result<Project> project = loadProject(path, &notes);
+        QVERIFY2(project, project ? "" : project.error().message.c_str());
+        const Polygon& frame = project->assets[0].prism.outline;
+        QVERIFY((frame.outer == Ring{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+        QVERIFY((frame.holes.at(0) == Ring{{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}}));
+        QCOMPARE(notes.size(), std::size_t{2});
+        QCOMPARE(notes[0].message, std::string("3 repeated points of the outline were left out."));
+        QVERIFY(notes[0].code == DiagnosticCode::RepeatedPoint && notes[0].severity == Severity::Note);
+        QCOMPARE(notes[0].place.asset, project->assets[0].id);
+        QCOMPARE(notes[0].value, 3.0);
+        QCOMPARE(notes[1].message, std::string("1 repeated point of the outline was left out."));
+        QCOMPARE(notes[1].place.asset, project->assets[2].id);
+        QVERIFY(saveProject(inFolder("clean.rubble"), *project));
+        QVERIFY(*loadProject(inFolder("clean.rubble"), &notes) == *project);
+        QVERIFY(notes.empty());
+    }
+    void faultsOfOutlinesWithRepeatedPointsSayHowPointsAreCounted() {
+        nlohmann::json json = fullJson();
+        json["assets"][1]["prism"]["outline"] = {{0, 0}, {0, 0}, {1, 1}, {1, 0}, {0, 1}};
+        const std::string fault = projectFault(json.dump());
+        QVERIFY2(fault.ends_with(" Points are counted without those that repeat others."), fault.c_str());
+        json["assets"][1]["prism"]["outline"] = {{0, 0}, {1, 1}, {0, 0}, {0, 0}};
+        QVERIFY(!projectFault(json.dump()).empty());
+    }
     void truncatedTextIsRejected() {
         const std::string text = projectText(fullProject());
         for (std::size_t size = 0; size + 2 < text.size(); size += 7) {
