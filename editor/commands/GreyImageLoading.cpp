@@ -19,7 +19,7 @@ struct GreyImageLoadingTexts {
 };
 
 /// Formats of pixels alone. A vector picture could name other files, which Qt would open.
-const QByteArrayList kFormats{"png", "jpeg", "jpg", "bmp", "pbm", "pgm", "ppm"};
+const QByteArrayList kFormats{"jpeg", "jpg", "bmp", "pbm", "pgm", "ppm"};
 
 bool hasMoreThan8Bits(const QImage& picture) {
     switch (picture.format()) {
@@ -31,9 +31,28 @@ bool hasMoreThan8Bits(const QImage& picture) {
     }
 }
 
-/// With the weights of qGray().
-std::uint32_t luminanceOf(QRgba64 colour) {
-    return (colour.red() * 11u + colour.green() * 16u + colour.blue() * 5u) / 32u;
+Status checkSize(QSize size, const std::string& name) {
+    return checkPictureSize(name, static_cast<std::uint64_t>(std::max(size.width(), 0)),
+                            static_cast<std::uint64_t>(std::max(size.height(), 0)));
+}
+
+/// Decodes a picture other than PNG, which core/io reads.
+Result<GreyImage> decodedByQt(const std::string& bytes, const std::string& name) {
+    const QString shownName = QString::fromStdString(name);
+    const auto fault = [](const QString& sentence) { return Error{ErrorCode::BadInput, sentence.toStdString()}; };
+    QByteArray data = QByteArray::fromStdString(bytes);
+    QBuffer buffer(&data);
+    QImageReader reader(&buffer);
+    if (!kFormats.contains(reader.format()))
+        return fault(
+            GreyImageLoadingTexts::tr("\"%1\" is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(shownName));
+    if (const Status checked = checkSize(reader.size(), name); !checked) return checked.error();
+    const QImage picture = reader.read();
+    if (picture.isNull())
+        return fault(
+            GreyImageLoadingTexts::tr("\"%1\" cannot be read as a picture: %2.").arg(shownName, reader.errorString()));
+    if (const Status checked = checkSize(picture.size(), name); !checked) return checked.error();
+    return greyImageOf(picture);
 }
 
 }  // namespace
@@ -43,11 +62,12 @@ GreyImage greyImageOf(const QImage& picture) {
                     .height = static_cast<std::uint32_t>(picture.height()),
                     .bits = hasMoreThan8Bits(picture) ? 16u : 8u};
     const std::uint32_t step = 65535u / image.white();  // between two grey values, in 16 bits
-    const QImage wide = picture.convertToFormat(QImage::Format_RGBA64);
-    for (int y = 0; y < wide.height(); ++y) {
-        const auto* row = reinterpret_cast<const QRgba64*>(wide.constScanLine(y));
+    for (int y = 0; y < picture.height(); ++y) {
+        const QImage wide = picture.copy(0, y, picture.width(), 1).convertToFormat(QImage::Format_RGBA64);
+        const auto* row = reinterpret_cast<const QRgba64*>(wide.constScanLine(0));
         for (int x = 0; x < wide.width(); ++x) {
-            image.grey.push_back(static_cast<std::uint16_t>(luminanceOf(row[x]) / step));
+            const std::uint32_t grey = luminanceOf(row[x].red(), row[x].green(), row[x].blue());
+            image.grey.push_back(static_cast<std::uint16_t>(grey / step));
             image.opacity.push_back(static_cast<std::uint16_t>(row[x].alpha() / step));
         }
     }
@@ -70,32 +90,14 @@ QImage pictureOf(const GreyImage& image) {
     return picture;
 }
 
-Result<std::shared_ptr<const GreyImage>> readGreyImage(std::string_view bytes, const QString& name) {
-    const auto fault = [](const QString& sentence) { return Error{ErrorCode::BadInput, sentence.toStdString()}; };
-    QBuffer buffer;
-    buffer.setData(bytes.data(), static_cast<int>(bytes.size()));
-    QImageReader reader(&buffer);
-    if (!kFormats.contains(reader.format()))
-        return fault(GreyImageLoadingTexts::tr("%1 is not a PNG, JPEG, BMP or PGM picture. Save it as PNG.").arg(name));
-    constexpr int kMaxSide = GreyImage::kMaxSide;
-    if (const QSize size = reader.size(); size.width() > kMaxSide || size.height() > kMaxSide) {
-        return fault(
-            GreyImageLoadingTexts::tr("%1 is too large: %2 × %3 pixels. Scale it down to at most %4 pixels a side.")
-                .arg(name, QString::number(size.width()), QString::number(size.height()), QString::number(kMaxSide)));
-    }
-    const QImage picture = reader.read();
-    if (picture.isNull())
-        return fault(GreyImageLoadingTexts::tr("%1 cannot be read as a picture: %2.").arg(name, reader.errorString()));
-    if (std::max(picture.width(), picture.height()) > kMaxSide)
-        return fault(GreyImageLoadingTexts::tr("%1 is too large. Scale it down to at most %2 pixels a side.")
-                         .arg(name, QString::number(kMaxSide)));
-    return std::make_shared<const GreyImage>(greyImageOf(picture));
-}
-
-Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path) {
-    const Result<std::string> bytes = readFile(toPath(path));  // refuses pipes and devices, for which Qt would wait
+Result<DensityPicture> loadPicture(const QString& path) {
+    const std::filesystem::path file = toPath(path);
+    const Result<std::string> bytes = readFile(file);  // refuses pipes and devices, for which Qt would wait
     if (!bytes) return bytes.error();
-    return readGreyImage(*bytes, fileNameText(path));
+    const std::string name = file.filename().string();
+    Result<GreyImage> image = isPng(*bytes) ? greyImageOfPng(*bytes, name) : decodedByQt(*bytes, name);
+    if (!image) return image.error();
+    return densityPictureOf(std::move(*image), name);
 }
 
 }  // namespace rubble

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "core/base/Result.h"
-#include "core/fracture/sampling/GreyImage.h"
+#include "core/io/media/GreyImageFile.h"
 
 #include <QImage>
 #include <QString>
-
-#include <memory>
 
 namespace rubble {
 
@@ -16,9 +13,9 @@ GreyImage greyImageOf(const QImage& picture);
 /// Converts a grey image for display.
 QImage pictureOf(const GreyImage& image);
 
-/// Loads an image file in any format that Qt reads.
+/// Loads a PNG, JPEG, BMP or PGM file; reduces it if it is larger than GreyImage::kMaxSide pixels a side.
 ///
-/// Errors: BadInput if it cannot be read, or is wider or higher than GreyImage::kMaxSide.
-Result<std::shared_ptr<const GreyImage>> loadGreyImage(const QString& path);
+/// Errors: those of loadDensityPicture().
+Result<DensityPicture> loadPicture(const QString& path);
 
 }  // namespace rubble

@@ -38,9 +38,9 @@ std::vector<std::string> samples() {
 Verdict checkPicture(const fs::path& folder, std::string_view bytes) {
     const fs::path file = folder / std::to_string(::getpid());
     if (!writeFileAtomically(file, bytes)) return {.fault = "The picture cannot be written."};
-    const Result<std::shared_ptr<const GreyImage>> image = loadGreyImage(QString::fromStdString(file.string()));
+    const Result<DensityPicture> picture = loadPicture(QString::fromStdString(file.string()));
     fs::remove(file);
-    if (!image) return {.fault = test::errorFault(image.error())};
+    if (!picture) return {.fault = test::errorFault(picture.error())};
     return {.isAccepted = true};
 }
 

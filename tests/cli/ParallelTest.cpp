@@ -106,15 +106,21 @@ private slots:
         QFile file(at("wall.rubble"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray before = file.readAll();
-        QProcess program;
-        program.start(RUBBLE_CLI,
-                      {"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", at("wall.rubble")});
-        QVERIFY(program.waitForFinished(60000));
-        QCOMPARE(program.exitCode(), 1);
-        const QByteArray error = program.readAllStandardError();
-        QVERIFY2(error.contains("\" is already open in ") && error.endsWith("Save and close it there first.\n"), error);
-        file.seek(0);
-        QCOMPARE(file.readAll(), before);
+        for (const QStringList& arguments :
+             {QStringList{"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb"},
+              QStringList{"seeds", RUBBLE_SOURCE_DIR "/tests/data/meshes/wall.stl", "--asset", "wall"},
+              QStringList{"seeds", "--density", RUBBLE_SOURCE_DIR "/tests/data/densities/crack.png", "--asset",
+                          "wall"}}) {
+            QProcess program;
+            program.start(RUBBLE_CLI, arguments + QStringList{"--into", at("wall.rubble")});
+            QVERIFY(program.waitForFinished(60000));
+            QCOMPARE(program.exitCode(), 1);
+            const QByteArray error = program.readAllStandardError();
+            QVERIFY2(error.contains("\" is already open in ") && error.endsWith("Save and close it there first.\n"),
+                     error);
+            file.seek(0);
+            QCOMPARE(file.readAll(), before);
+        }
     }
 };
 

@@ -69,6 +69,14 @@ CommandOption CommandOption::wholeInRange(ProjectNumber number) const {
     return check(rangeCheck<int>(number, "whole number"));
 }
 
+CommandOption CommandOption::wholeUpTo(std::uint32_t max) const {
+    return check([max](const std::string& given) {
+        std::uint64_t value = 0;
+        if (CLI::detail::lexical_cast(given, value) && value <= max) return std::string();
+        return '"' + given + "\" is not a whole number from 0 to " + std::to_string(max);
+    });
+}
+
 CommandOption CommandOption::check(std::function<std::string(const std::string&)> check) const {
     m_option->check(CLI::Validator(std::move(check), ""));
     return *this;
@@ -118,6 +126,13 @@ CommandOption Command::flag(const std::string& name, bool& value, const std::str
     return CommandOption(m_app->add_flag(name, value, help));
 }
 
+void Command::requireOne(CommandOption first, CommandOption second) {
+    m_app->callback([first = first.m_option, second = second.m_option] {
+        if (first->empty() && second->empty())
+            throw CLI::RequiredError(first->get_name() + " or " + second->get_name());
+    });
+}
+
 CommandOption Command::operator[](const std::string& name) const { return CommandOption(m_app->get_option(name)); }
 
 bool isNumberInRange(const std::string& text, const NumberRange& range) {
@@ -137,6 +152,8 @@ template CommandOption Command::option(const std::string& name, double& value, c
 template CommandOption Command::option(const std::string& name, std::uint32_t& value, const std::string& help);
 template CommandOption Command::option(const std::string& name, std::uint64_t& value, const std::string& help);
 template CommandOption Command::option(const std::string& name, std::optional<int>& value, const std::string& help);
+template CommandOption Command::option(const std::string& name, std::optional<std::uint32_t>& value,
+                                       const std::string& help);
 template CommandOption Command::option(const std::string& name, std::optional<double>& value, const std::string& help);
 template CommandOption Command::option(const std::string& name, std::string& value, const std::string& help);
 template CommandOption Command::option(const std::string& name, Path& value, const std::string& help);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ public:
     /// Accept numbers, or whole numbers, in the range of a number only.
     CommandOption inRange(ProjectNumber number) const;
     CommandOption wholeInRange(ProjectNumber number) const;
+    /// Accepts whole numbers from 0 to `max` only.
+    CommandOption wholeUpTo(std::uint32_t max) const;
     /// Accepts texts for which `check` returns no error.
     CommandOption check(std::function<std::string(const std::string& text)> check) const;
     /// Replaces the text by means of `convert`, which returns an error for an invalid one.
@@ -45,6 +48,7 @@ public:
     CommandOption excludes(CommandOption other) const;
 
 private:
+    friend class Command;
     CLI::Option* m_option;
 };
 
@@ -68,6 +72,9 @@ public:
     CommandOption callback(const std::string& name, std::function<void(const std::string& text)> apply,
                            const std::string& help);
     CommandOption flag(const std::string& name, bool& value, const std::string& help);
+
+    /// Requires at least one of two options.
+    void requireOne(CommandOption first, CommandOption second);
 
     /// Returns the option that was added with a name.
     CommandOption operator[](const std::string& name) const;

@@ -7,12 +7,18 @@
 #include "core/asset/project/Ids.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
+#include "core/fracture/pattern/PatternKind.h"
+#include "core/io/media/GreyImageFile.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -22,49 +28,170 @@ constexpr const char* kSeedsFooter =
 import and projected along one of its axes, with its origin at the prism's; --fit scales and moves it to fill
 the outline instead. Vertices outside the outline and duplicates are ignored, and their number is printed.
 
+With --density, adds a layer of seeds that follow a PNG picture, stretched over the bounding box of the outline:
+most are where it is dark, and none where it is transparent. --layer gives the picture to a density image that the
+asset already has; with an unknown number, the error lists the layers. Pictures above 1024 pixels a side are
+reduced, and those above 8192 rejected.
+
 Examples:
   rubble-cli seeds cracks.obj --into house.rubble --asset Wall
-  rubble-cli seeds scan.ply --into house.rubble --asset Wall --along y --fit)";
+  rubble-cli seeds scan.ply --into house.rubble --asset Wall --along y --fit
+  rubble-cli seeds --density cracks.png --count 300 --into house.rubble --asset Wall)";
 
 struct SeedsOptions {
     std::filesystem::path mesh;
+    std::filesystem::path picture;
+    std::optional<Id> layer;
+    std::optional<std::uint32_t> count;
+    std::string dense;
     std::filesystem::path project;
     std::string asset;
     std::string along = "z";
     VertexView view;
 };
 
-Status addSeeds(const SeedsOptions& options, const CliContext& context) {
-    const TaskContext task{.cancel = context.cancel};
-    const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
-    if (!mesh) return mesh.error();
+/// Changes an asset of a project. Returns a sentence that says how.
+using AssetChange = std::function<Result<std::string>(Project& project, Asset& asset)>;
+
+/// Applies a change to the asset, saves the project and prints the sentence.
+Status changeAsset(const SeedsOptions& options, const AssetChange& change, const CliContext& context) {
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
     if (!lock) return lock.error();
     Result<Project> project = openProject(options.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
     if (!selected) return selected.error();
+    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
+    const Result<std::string> changed = change(*project, asset);
+    if (!changed) return changed.error();
+    if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
+    return printText(*changed + "\nSaved " + options.project.string() + "\n", context);
+}
+
+/// Returns the id of the new layer.
+Id addLayer(LayerParameters parameters, Project& project, Asset& asset) {
+    const Id id = allocateId(project);
+    asset.pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = std::move(parameters)});
+    return id;
+}
+
+Status addVertexSeeds(const SeedsOptions& options, const CliContext& context) {
+    const TaskContext task{.cancel = context.cancel};
+    const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
+    if (!mesh) return mesh.error();
     VertexView view = options.view;
     if (options.along != "z") view.along = options.along == "x" ? FileAxis::X : FileAxis::Y;
-    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
-    Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
-    if (!found) return found.error();
-    const std::size_t count = found->seeds.seeds.size();
-    const std::string omissions = found->omissionText();
-    const Id layer = allocateId(*project);
-    asset.pattern.layers.push_back({.id = layer, .randomSeed = layer, .parameters = std::move(found->seeds)});
-    if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    return printText(quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + "." +
-                         (omissions.empty() ? "" : " " + omissions) + "\nSaved " + options.project.string() + "\n",
-                     context);
+    const AssetChange change = [&](Project& project, Asset& asset) -> Result<std::string> {
+        Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
+        if (!found) return found.error();
+        const std::size_t count = found->seeds.seeds.size();
+        const std::string omissions = found->omissionText();
+        addLayer(std::move(found->seeds), project, asset);
+        return quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + "." +
+               (omissions.empty() ? "" : " " + omissions);
+    };
+    return changeAsset(options, change, context);
+}
+
+/// The patterns of an asset, of its levels and of single fragments, which may share layers.
+std::vector<Pattern*> patternsOf(Asset& asset) {
+    std::vector<Pattern*> patterns{&asset.pattern};
+    for (Level& level : asset.levels) patterns.push_back(&level.pattern);
+    for (FragmentLevel& leaf : asset.leaves) {
+        if (leaf.level) patterns.push_back(&leaf.level->pattern);
+    }
+    return patterns;
+}
+
+/// "3 (uniform), 5 (densityImage)"
+std::string layersText(Asset& asset) {
+    std::map<Id, std::string_view> kinds;
+    for (const Pattern* pattern : patternsOf(asset)) {
+        for (const PatternLayer& layer : pattern->layers) kinds.emplace(layer.id, kindOf(layer.parameters).name);
+    }
+    std::vector<std::string> layers;
+    for (const auto& [id, kind] : kinds) layers.push_back(std::to_string(id) + " (" + std::string(kind) + ")");
+    return layers.empty() ? "none" : joinedText(layers);
+}
+
+/// The density images of an asset with an id.
+///
+/// Errors: NotFound if no layer has the id; BadInput if it is of another kind.
+Result<std::vector<DensityImage*>> densityImages(Asset& asset, Id id) {
+    std::vector<DensityImage*> images;
+    for (Pattern* pattern : patternsOf(asset)) {
+        for (PatternLayer& layer : pattern->layers) {
+            if (layer.id != id) continue;
+            auto* image = std::get_if<DensityImage>(&layer.parameters);
+            if (!image) {
+                return Error{ErrorCode::BadInput, "Layer " + std::to_string(id) + " of " + quotedName(asset.name) +
+                                                      " is not a density image; the asset has " + layersText(asset) +
+                                                      "."};
+            }
+            images.push_back(image);
+        }
+    }
+    if (!images.empty()) return images;
+    return Error{ErrorCode::NotFound, quotedName(asset.name) + " has no layer " + std::to_string(id) + "; it has " +
+                                          layersText(asset) + "."};
+}
+
+void apply(const SeedsOptions& options, const DensityPicture& picture, DensityImage& layer) {
+    layer.image = picture.image;
+    if (options.count) layer.count = *options.count;
+    if (!options.dense.empty()) layer.dense = options.dense == "bright" ? DenseWhere::Bright : DenseWhere::Dark;
+}
+
+Status applyPicture(const SeedsOptions& options, const CliContext& context) {
+    const Result<DensityPicture> picture = loadDensityPicture(options.picture);
+    if (!picture) return picture.error();
+    const AssetChange change = [&](Project& project, Asset& asset) -> Result<std::string> {
+        DensityImage added;
+        std::vector<DensityImage*> images{&added};
+        if (options.layer) {
+            Result<std::vector<DensityImage*>> found = densityImages(asset, *options.layer);
+            if (!found) return found.error();
+            images = std::move(*found);
+        }
+        for (DensityImage* image : images) apply(options, *picture, *image);
+        const Id id = options.layer ? *options.layer : addLayer(added, project, asset);
+        const std::string layer = (options.layer ? "Layer " : "The new layer ") + std::to_string(id);
+        return layer + " of " + quotedName(asset.name) + " follows " + quotedName(options.picture.filename().string()) +
+               "." + (picture->note.empty() ? "" : " " + picture->note);
+    };
+    return changeAsset(options, change, context);
+}
+
+Status addSeeds(const SeedsOptions& options, const CliContext& context) {
+    return options.picture.empty() ? addVertexSeeds(options, context) : applyPicture(options, context);
+}
+
+/// Adds --density and the options of its layer.
+void addDensityOptions(Command& command, SeedsOptions& options) {
+    const CommandOption picture =
+        command.option("--density", options.picture, "Add seeds that follow this PNG picture").valueName("PICTURE");
+    command.option("--layer", options.layer, "Give the picture to this density image instead of a new layer")
+        .wholeUpTo(std::numeric_limits<Id>::max())
+        .valueName("N");
+    command.option("--count", options.count, "The number of seeds that follow the picture (default: 200)")
+        .wholeUpTo(kMaxSeeds)
+        .valueName("N");
+    command.option("--dense", options.dense, "Where seeds are densest (default: dark)")
+        .oneOf({"bright", "dark"})
+        .valueName("bright|dark");
+    command.requireOne(command["FILE"], picture);
+    for (const char* name : {"FILE", "--unit", "--along", "--fit"}) picture.excludes(command[name]);
+    for (const char* name : {"--layer", "--count", "--dense"}) command[name].needs(picture);
+    for (const char* name : {"FILE", "--fit"}) command[name].valueName(" ");  // hides CLI11's note on --density
 }
 
 }  // namespace
 
 Verb addSeeds(CLI::App& program) {
-    Command command(program, "seeds", "Place seeds at the vertices of a mesh", kSeedsFooter);
+    Command command(program, "seeds", "Place seeds at the vertices of a mesh, or by the greys of a picture",
+                    kSeedsFooter);
     const auto options = std::make_shared<SeedsOptions>();
-    command.argument("FILE", options->mesh, "The mesh file").required();
+    command.argument("FILE", options->mesh, "The mesh file");
     command.option("-i,--into", options->project, "The project of the asset").required().valueName("PROJECT");
     command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");
     addUnitOption(command, options->view.metresPerUnit);
@@ -72,6 +199,7 @@ Verb addSeeds(CLI::App& program) {
         .oneOf({"x", "y", "z"})
         .valueName("x|y|z");
     command.flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
+    addDensityOptions(command, *options);
     return {command, [options](const CliContext& context) { return addSeeds(*options, context); }};
 }
 

@@ -25,6 +25,16 @@ struct GreyImage {
 /// Which pixels of an image mean a high density.
 enum class DenseWhere { Bright, Dark };
 
+/// The grey of a colour, the weighted mean of its channels; exact for grey colours.
+constexpr std::uint32_t luminanceOf(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+    return (11u * red + 16u * green + 5u * blue) / 32u;
+}
+
+/// An image of up to 2^26 pixels at a size of at most `maxSide` pixels a side, in about the same proportions; the image
+/// itself if it is no larger. Each pixel has the mean opacity of the area that it covers, and the mean grey weighted by
+/// opacity, so that the mean density stays.
+GreyImage reduced(GreyImage image, std::uint32_t maxSide = GreyImage::kMaxSide);
+
 /// The fault of an image, as the end of a sentence that names its layer; nothing if it is valid.
 std::optional<std::string> verifyGreyImage(const GreyImage& image);
 

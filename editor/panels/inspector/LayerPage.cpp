@@ -39,6 +39,7 @@ void LayerPage::buildPicture() {
         m_common->addRow(tr("Picture"), new PictureField,
                          tr("Greyscale picture that controls the density of seeds, stretched to fit the outline"));
     connect(m_picture, &PictureField::refused, this, &LayerPage::refused);
+    connect(m_picture, &PictureField::reduced, this, &LayerPage::refused);
     connect(m_picture, &PictureField::picked, this, [this](const PictureField::Picture& picture) {
         std::vector<PatternLayer> layers = selected();
         for (PatternLayer& layer : layers) {

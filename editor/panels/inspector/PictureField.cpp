@@ -1,8 +1,10 @@
 #include "editor/panels/inspector/PictureField.h"
 
 #include "editor/commands/GreyImageLoading.h"
+#include "editor/widgets/TaskDialog.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -61,12 +63,12 @@ void PictureField::setPicture(const Picture& picture) {
 }
 
 void PictureField::load(const QString& path) {
-    Result<Picture> picture = loadGreyImage(path);
-    if (picture) {
-        emit picked(*picture);
-    } else {
-        emit refused(QString::fromStdString(picture.error().message));
-    }
+    TaskDialog dialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), this);
+    const Result<DensityPicture> picture =
+        dialog.run<Result<DensityPicture>>([&](const TaskContext&) { return loadPicture(path); });
+    if (!picture) return emit refused(QString::fromStdString(picture.error().message));
+    emit picked(picture->image);
+    if (!picture->note.empty()) emit reduced(QString::fromStdString(picture->note));
 }
 
 void PictureField::openDialog() {

@@ -20,13 +20,15 @@ public:
     explicit PictureField(QWidget* parent = nullptr);
     /// Null: no picture.
     void setPicture(const Picture& picture);
-    /// Loads a file and emits `picked`, or `refused`.
+    /// Loads a file in the background, shows its progress, and emits `picked`, or `refused`.
     void load(const QString& path);
 
 signals:
     void picked(rubble::PictureField::Picture picture);
     /// A file could not be loaded; the sentence says why.
     void refused(const QString& sentence);
+    /// A picture that was loaded is smaller than its file.
+    void reduced(const QString& sentence);
 
 private:
     void openDialog();

@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+
 #include <sys/stat.h>
 
 using namespace rubble;
@@ -17,7 +19,7 @@ class GreyImageLoadingTest : public QObject {
     GreyImage throughFile(const QImage& picture) {
         const QString path = m_folder.filePath("picture.png");
         if (!picture.save(path)) qFatal("The picture cannot be written.");
-        return **loadGreyImage(path);
+        return *loadPicture(path)->image;
     }
 
 private slots:
@@ -59,21 +61,36 @@ private slots:
         QCOMPARE(image.opacity[0], std::uint16_t{30000});
     }
     void rejectsOtherFilesAndLargeImages() {
-        const auto missing = loadGreyImage(m_folder.filePath("none.png"));
+        const auto missing = loadPicture(m_folder.filePath("none.png"));
         QVERIFY(!missing);
         QCOMPARE(missing.error().code, ErrorCode::NotFound);
-        QImage wide(1025, 2, QImage::Format_Grayscale8);
+        QImage wide(8193, 2, QImage::Format_Grayscale8);
         wide.fill(0);
-        QVERIFY(wide.save(m_folder.filePath("wide.png")));
-        const auto large = loadGreyImage(m_folder.filePath("wide.png"));
-        QVERIFY(!large);
-        QCOMPARE(large.error().message, std::string("wide.png is too large: 1025 \xc3\x97 2 pixels. "
-                                                    "Scale it down to at most 1024 pixels a side."));
+        for (const char* name : {"wide.png", "wide.bmp"}) {
+            QVERIFY(wide.save(m_folder.filePath(name)));
+            const auto large = loadPicture(m_folder.filePath(name));
+            QVERIFY(!large);
+            QCOMPARE(large.error().message, '"' + std::string(name) + "\" is too large: 8193 \xc3\x97 2 pixels. " +
+                                                "Scale it down to at most 8192 pixels a side.");
+        }
+    }
+    void largePicturesAreReduced() {
+        QImage wide(2048, 512, QImage::Format_Grayscale8);
+        wide.fill(40);
+        for (const char* name : {"wide.png", "wide.bmp"}) {
+            QVERIFY(wide.save(m_folder.filePath(name)));
+            const auto reduced = loadPicture(m_folder.filePath(name));
+            QCOMPARE(reduced->note,
+                     '"' + std::string(name) + "\" was reduced from 2048 \xc3\x97 512 to 1024 \xc3\x97 256 pixels.");
+            QCOMPARE(reduced->image->width, 1024u);
+            QCOMPARE(reduced->image->height, 256u);
+            QVERIFY(std::ranges::all_of(reduced->image->grey, [](auto grey) { return grey == 40; }));
+        }
     }
     void pipeIsRefusedAtOnce() {
         const QString path = m_folder.filePath("pipe.png");
         QCOMPARE(mkfifo(path.toUtf8().constData(), 0600), 0);
-        const auto pipe = loadGreyImage(path);
+        const auto pipe = loadPicture(path);
         QCOMPARE(pipe.error().message, "Cannot read \"" + path.toStdString() + "\": it is a pipe, not a file.");
     }
     /// The reader of vector pictures would open the file that the picture names.
@@ -84,9 +101,9 @@ private slots:
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"8\" height=\"8\">"
             "<image href=\"/etc/passwd\" width=\"8\" height=\"8\"/></svg>");
         file.close();
-        const auto picture = loadGreyImage(file.fileName());
+        const auto picture = loadPicture(file.fileName());
         QCOMPARE(picture.error().message,
-                 std::string("picture.png is not a PNG, JPEG, BMP or PGM picture. Save it as PNG."));
+                 std::string("\"picture.png\" is not a PNG, JPEG, BMP or PGM picture. Save it as PNG."));
     }
 };
 

@@ -296,6 +296,11 @@ private slots:
         QVERIFY(loaded && loaded->width == 4 && loaded->grey[7] == 40);
         picture.load(folder.filePath("none.png"));
         QCOMPARE(desk.refusals.count(), 1);
+        QVERIFY(image.scaled(2000, 1000).save(folder.filePath("large.png")));
+        picture.load(folder.filePath("large.png"));
+        QCOMPARE(desk.refusals.last()[0], "\"large.png\" was reduced from 2000 × 1000 to 1024 × 512 pixels.");
+        const auto& reduced = std::get<DensityImage>(desk.asset().pattern.layers.back().parameters).image;
+        QVERIFY(reduced->width == 1024 && reduced->height == 512 && reduced->grey[0] == 40);
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
