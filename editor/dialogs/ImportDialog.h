@@ -26,9 +26,9 @@ namespace rubble {
 class ImportView;
 class OutlinePreview;
 
-/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them, why objects are refused, and a button
-/// for each fallback that imports some of these. Prisms and fallbacks are searched for in the background, again after
-/// each change of the options.
+/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them, why objects are refused, and a
+/// button for each fallback that imports some of these. Prisms and fallbacks are searched for in the background, again
+/// after each change of the options.
 class ImportDialog : public QDialog {
     Q_OBJECT
 public:

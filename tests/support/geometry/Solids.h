@@ -51,8 +51,8 @@ inline TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
     return first;
 }
 
-/// A bent open sheet whose ends, 1 m apart along z, meet in a point if seen along z: the silhouette touches itself there.
-/// Along x and y it does not.
+/// A bent open sheet whose ends, 1 m apart along z, meet in a point if seen along z: the silhouette touches itself
+/// there. Along x and y it does not.
 inline TriangleMesh touchingInProjection() {
     return {{{0, 0, 0},
              {-2, -1, 0},
