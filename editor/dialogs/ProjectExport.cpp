@@ -80,8 +80,7 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
         const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
         showError(parent, text, errors);
     }
-    const QString exported =
-        ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
+    const QString exported = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
     if (unchanged == 0) return exported + '.';
     return exported + ExportTexts::tr("; %L1 unchanged.").arg(unchanged);
 }

@@ -64,7 +64,8 @@ ProgramOutcome withFailingCall(int call, int code, const std::filesystem::path& 
     environment.insert("LD_PRELOAD", RUBBLE_FAULTS);
     environment.insert("RUBBLE_FAULT_SYSTEM_CALL", QString::number(call));
     environment.insert("RUBBLE_FAULT_CODE", QString::number(code));
-    return runProgram(RUBBLE_IMPORTER, {"--log-files", QString::fromStdString(file.string())}, {.environment = environment});
+    return runProgram(RUBBLE_IMPORTER, {"--log-files", QString::fromStdString(file.string())},
+                      {.environment = environment});
 }
 
 /// ASCII as UTF-16 with a byte order mark.
