@@ -78,8 +78,8 @@ private slots:
         QCOMPARE(film(place, {"--steps", "0", "--size", "18x12"}).exit, 0);
         const ProgramOutcome outcome = film(place, {"--steps", "0", "--size", "18x12"});
         QCOMPARE(outcome.exit, 1);
-        QCOMPARE(outcome.error, place.filePath("film") +
-                                    " already contains a film: frame-0000.png. Choose another folder, or remove its "
+        QCOMPARE(outcome.error, '"' + place.filePath("film") +
+                                    "\" already contains a film: frame-0000.png. Choose another folder, or remove its "
                                     "pictures.\n");
     }
     void filmIsEncodedWithFfmpeg() {

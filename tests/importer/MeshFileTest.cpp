@@ -52,8 +52,9 @@ private slots:
     }
     void longNamesOutsideAreShortened() {
         const QString message = messageOf("wall.gltf", gltfWithBuffer("../" + std::string(1000, 'a')));
-        QVERIFY2(message.contains(QString::fromUtf8("aaa\u2026\", which lies outside its folder; only")),
-                 qPrintable(message));
+        QVERIFY2(
+            message.contains(QString::fromUtf8("aaa\u2026aaa")) && message.contains(" lies outside its folder; only"),
+            qPrintable(message));
         QVERIFY(message.endsWith("are read."));
     }
     void bytesInReasonsAreLatin1() {

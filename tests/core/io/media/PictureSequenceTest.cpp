@@ -55,7 +55,8 @@ private slots:
         const auto second = PictureSequence::create(folder().toStdString());
         QCOMPARE(second.error().code, ErrorCode::BadInput);
         QCOMPARE(QString::fromStdString(second.error().message),
-                 folder() + " already contains a film: frame-0000.png. Choose another folder, or remove its pictures.");
+                 '"' + folder() +
+                     "\" already contains a film: frame-0000.png. Choose another folder, or remove its pictures.");
     }
     void folderOfARunningFilmIsRejected() {
         const auto first = PictureSequence::create(folder().toStdString());

@@ -291,7 +291,8 @@ private slots:
             "Asset 3 \"wall\": The line that splits fragment 4.2/8.1 has no direction, or is not finite.",
             "/assets/0/edits/1/direction", "[0, 0]");
         test::addWrongValue(
-            "Material 2 \"gl\xc3\xa4ss \"2\"\n\": the tensile strength is 0, but it must be from 1 to 1000000000000.",
+            "Material 2 \"gl\xc3\xa4ss \"2\"\\u000a\": the tensile strength is 0, but it must be from 1 to "
+            "1000000000000.",
             "/materials/1/tensileStrength", "0");
         test::addWrongValue("materials[1].fractureToughness: expected a number, found \"high\".",
                             "/materials/1/fractureToughness", "\"high\"");
