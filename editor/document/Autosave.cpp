@@ -3,6 +3,8 @@
 #include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
 
+#include <algorithm>
+
 namespace rubble {
 
 Autosave::Autosave(const Document& document, const QString& folder, QObject* parent)
@@ -18,8 +20,8 @@ Autosave::~Autosave() { discardBackup(); }
 
 void Autosave::setInterval(std::chrono::seconds interval) {
     m_timer.stop();
-    m_timer.setInterval(interval);
-    if (m_hasChange) noteChange();
+    m_interval = interval;
+    if (m_hasChange) schedule();
 }
 
 void Autosave::adopt(const Backup& backup) {
@@ -31,8 +33,14 @@ void Autosave::adopt(const Backup& backup) {
 }
 
 void Autosave::noteChange() {
+    if (!m_hasChange) m_sinceChange.start();
     m_hasChange = true;
-    if (m_timer.interval() > 0 && !m_timer.isActive()) m_timer.start();
+    if (!m_timer.isActive()) schedule();
+}
+
+void Autosave::schedule() {
+    const std::chrono::milliseconds elapsed{m_sinceChange.elapsed()};
+    if (m_interval.count() > 0) m_timer.start(std::max(m_interval - elapsed, std::chrono::milliseconds(0)));
 }
 
 void Autosave::writeNow() {
@@ -43,7 +51,7 @@ void Autosave::writeNow() {
     });
     m_hasChange = !status;
     if (status) return;
-    if (m_timer.interval() > 0) m_timer.start();  // there may be room later
+    if (m_interval.count() > 0) m_timer.start(m_interval);  // there may be room later
     emit failed(tr("The backup could not be written: %1").arg(QString::fromStdString(status.error().message)));
 }
 

@@ -3,6 +3,7 @@
 #include "editor/document/Backup.h"
 #include "editor/document/Document.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include <chrono>
@@ -17,7 +18,7 @@ public:
     Autosave(const Document& document, const QString& folder, QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// The maximum time from a change to its backup; zero or less disables backups.
+    /// The maximum time from a change to its backup, also of changes made before; zero or less disables backups.
     void setInterval(std::chrono::seconds interval);
     /// The document's file, stored with the backup.
     void setOrigin(const BackupOrigin& origin) { m_backup.origin = origin; }
@@ -32,12 +33,15 @@ signals:
 
 private:
     void noteChange();
+    void schedule();
     void discardBackup();
 
     const Document& m_document;
     Backup m_backup;
+    std::chrono::milliseconds m_interval{0};
     QTimer m_timer;
     bool m_hasChange = false;
+    QElapsedTimer m_sinceChange;  // since the first one that is not backed up
 };
 
 }  // namespace rubble

@@ -35,6 +35,10 @@ Document::Document(Project project, QObject* parent) : QObject(parent), m_projec
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
 }
 
+/// The undo stack clears itself when it is destroyed, which must not be reported: what belongs to the document, such as
+/// its file, is gone by then.
+Document::~Document() { m_undoStack.disconnect(this); }
+
 bool Document::push(Edit edit) {
     if (edit.isEmpty() || isNoChange(m_project, edit)) return true;
     if (const std::optional<std::string> fault = editFault(m_project, edit)) {

@@ -15,6 +15,7 @@ class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(Project project, QObject* parent = nullptr);
+    ~Document() override;
 
     const Project& project() const { return m_project; }
     /// The undo stack; its clean state is the saved file.

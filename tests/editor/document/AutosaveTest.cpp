@@ -79,6 +79,16 @@ private slots:
         QCOMPARE(heightIn(backups()[0]), 3.0);
         QVERIFY(orphanedBackups(m_folder->path()).empty());  // its program is running
     }
+    void newIntervalCountsFromTheChange() {
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(1s);
+        setHeight(document, 3.0);
+        QTimer preferences;  // as if they were changed all the time
+        connect(&preferences, &QTimer::timeout, &autosave, [&] { autosave.setInterval(1s); });
+        preferences.start(200ms);
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+    }
     void savingAndClosingRemoveTheBackup() {
         Document document(starterProject());
         {

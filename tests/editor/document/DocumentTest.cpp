@@ -42,6 +42,16 @@ private slots:
             QVERIFY(changes.touches(Part::Asset, asset) && !changes.touches(Part::Material));
         }
     }
+    void destructionReportsNoChange() {
+        int reports = 0;
+        {
+            Document document(starterProject());
+            document.push(thresholdEdit(document, 7.0));
+            connect(&document, &Document::changed, this, [&] { ++reports; });
+            connect(&document, &Document::modifiedChanged, this, [&] { ++reports; });
+        }
+        QCOMPARE(reports, 0);
+    }
     void editWithoutChangeAddsNoStep() {
         Document document(starterProject());
         document.push(thresholdEdit(document, 100.0));
