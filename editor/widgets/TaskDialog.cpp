@@ -5,14 +5,16 @@
 #include <QEventLoop>
 #include <QLabel>
 #include <QThread>
+#include <QTimer>
 
+#include <chrono>
 #include <memory>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kMinimumDurationMilliseconds = 300;  // shorter tasks show no dialog
+constexpr std::chrono::milliseconds kMinimumDuration{300};  // shorter tasks show no dialog
 constexpr int kProgressSteps = 1000;
 
 }  // namespace
@@ -24,7 +26,6 @@ TaskDialog::TaskDialog(const QString& label, QWidget* parent)
     plain->setAlignment(Qt::AlignCenter);
     setLabel(plain);
     setWindowModality(Qt::WindowModal);
-    setMinimumDuration(kMinimumDurationMilliseconds);
     setAutoReset(false);
     setAutoClose(false);
     setValue(0);
@@ -39,8 +40,13 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
     connect(this, &QProgressDialog::canceled, this, [this, cancel = context.cancel] {
         cancel.cancel();
         setLabelText(tr("Cancelling…"));
+        appear();
         show();  // until the task has cleaned up
     });
+    // A dialog that is shown off the screen blocks its parent like any other.
+    setAttribute(Qt::WA_DontShowOnScreen);
+    show();
+    QTimer::singleShot(kMinimumDuration, this, &TaskDialog::appear);
     QEventLoop loop;
     const std::unique_ptr<QThread> thread(QThread::create([&] { task(context); }));
     connect(thread.get(), &QThread::finished, &loop, &QEventLoop::quit);
@@ -48,6 +54,13 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
     loop.exec();
     thread->wait();
     hide();
+}
+
+void TaskDialog::appear() {
+    if (isHidden() || !testAttribute(Qt::WA_DontShowOnScreen)) return;
+    hide();
+    setAttribute(Qt::WA_DontShowOnScreen, false);
+    show();
 }
 
 }  // namespace rubble

@@ -12,7 +12,7 @@
 namespace rubble {
 
 /// Runs a long task on its own thread and shows its progress with a Cancel button. The parent window keeps painting but
-/// accepts no input. Short tasks show no dialog.
+/// accepts no input from the start, although short tasks show no dialog.
 class TaskDialog : public QProgressDialog {
     Q_OBJECT
 public:
@@ -31,6 +31,7 @@ public:
 
 private:
     void runAndWait(const std::function<void(const TaskContext&)>& task);
+    void appear();
 };
 
 }  // namespace rubble

@@ -209,7 +209,19 @@ void MainWindow::showProject() {
 
 void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }
 
+bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::WindowBlocked) m_isBlocked = true;
+    if (event->type() == QEvent::WindowUnblocked) m_isBlocked = false;
+    return QMainWindow::event(event);
+}
+
+/// Stays open under a dialog or a task, which belongs to the window and runs an event loop in a function of it: quitting
+/// from another window, or a session that ends, would destroy both meanwhile.
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_isBlocked) {
+        activateWindow();
+        return event->ignore();
+    }
     if (!m_filmActions->confirmClose() || !m_fileActions->confirmClose()) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();

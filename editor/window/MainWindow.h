@@ -45,6 +45,7 @@ signals:
     void quitRequested();
 
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -79,6 +80,7 @@ private:
     QList<QToolBar*> m_toolBars;
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
     int m_labelledWidth = 0;              // pixels that all toolbars need with texts
+    bool m_isBlocked = false;             // by a dialog or a task
     QLabel* m_hint = nullptr;
     QLabel* m_position = nullptr;
     QLabel* m_counts = nullptr;

@@ -42,12 +42,14 @@ struct Format {
     int checks = 64;  // of each file of the corpus: what is checked of it may depend on the random numbers
 };
 
-/// The formats of a program: those of JSON, and meshes if there is an importer; or pictures. `folder`: for files while
+/// The formats of a program: those of core/io, and meshes if there is an importer; or pictures. `folder`: for files while
 /// they are read. Must be called before threads are started.
 std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::filesystem::path& folder);
 
 /// The JSON formats, and replays' inputs and bytes.
 std::vector<Format> jsonFormats();
+/// PNG files, and what the importer's process returns.
+std::vector<Format> binaryFormats();
 /// Meshes of each format, which are read by `importer` in a child process.
 std::vector<Format> meshFormats(const std::filesystem::path& importer, const std::filesystem::path& folder);
 

@@ -1,6 +1,4 @@
-#include "core/asset/import/AssetImport.h"
 #include "core/io/mesh/MeshImport.h"
-#include "core/io/project/ProjectFile.h"
 #include "core/io/system/ChildProcess.h"
 #include "tests/attack/Format.h"
 #include "tests/attack/MeshMutator.h"
@@ -87,16 +85,6 @@ void countEnd(const ChildResult& outcome, ImporterFigures& figures) {
     figures.outOfMemory += outcome.exit == ChildExit::Exited && outcome.exitCode == kOutOfMemory ? 1 : 0;
 }
 
-/// The fault of what becomes of a mesh in a project.
-std::optional<std::string> importFault(const SourceScene& scene) {
-    const Result<ImportOutcome> imported = importedInto({}, scene, "mesh", {}, {.threads = 1});
-    if (!imported) return test::errorFault(imported.error());
-    for (const RejectedObject& rejected : imported->rejected) {
-        if (std::optional<std::string> fault = test::errorFault(rejected.error)) return fault;
-    }
-    return test::projectFault(projectText(imported->project));
-}
-
 /// Reads a mesh as importMesh() does, and also the importer's log.
 Verdict checkMesh(const fs::path& importer, MeshFolder& folder, const std::string& name, std::string_view bytes) {
     const fs::path file = folder.path(name);
@@ -113,7 +101,7 @@ Verdict checkMesh(const fs::path& importer, MeshFolder& folder, const std::strin
     const Result<SourceScene> scene = importedMesh(*outcome, file);
     verdict.isAccepted = verdict.isPlayed = scene.hasValue();
     if (scene) {
-        verdict.fault = importFault(*scene);
+        verdict.fault = test::importFault(*scene);
     } else {
         const bool hasSucceeded = outcome->exit == ChildExit::Exited && outcome->exitCode == 0;
         verdict.fault = hasSucceeded ? scene.error().message : test::errorFault(scene.error());

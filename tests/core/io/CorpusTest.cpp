@@ -21,7 +21,9 @@ const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test
                                                            {"Pack", test::packFault},
                                                            {"BodiesJson", test::bodiesFault},
                                                            {"Replay", test::replayFault},
-                                                           {"Shots", test::shotsFault}};
+                                                           {"Shots", test::shotsFault},
+                                                           {"Png", test::pngFault},
+                                                           {"SourceScene", test::sourceSceneFault}};
 
 std::vector<fs::path> inputsOf(const char* target) {
     std::vector<fs::path> paths;

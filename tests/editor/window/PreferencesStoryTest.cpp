@@ -1,4 +1,4 @@
-// Tests editor/dialogs/PreferencesDialog.cpp and Views::applyPreferences().
+// Tests editor/dialogs/PreferencesDialog.cpp, Views::applyPreferences() and MainWindow::closeEvent().
 #include "editor/dialogs/PreferencesDialog.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
@@ -33,6 +33,16 @@ private slots:
         action("edit-preferences")->trigger();
         QCOMPARE(during, 4);
         QCOMPARE(viewport().settings().msaa, before);
+    }
+    void windowWithDialogStaysOpen() {
+        bool isClosed = true;
+        test::onNextDialog<PreferencesDialog>([&](PreferencesDialog& dialog) {
+            isClosed = window().close();  // as quitting from another window does
+            dialog.reject();
+        });
+        action("edit-preferences")->trigger();
+        QVERIFY(!isClosed);
+        QVERIFY(window().isVisible());
     }
     void navigationStyleChangesMouseButtons() {
         const Camera before = viewport().camera();

@@ -2,6 +2,7 @@
 
 #include "core/asset/checks/PlayFaults.h"
 #include "core/asset/checks/VerifyProject.h"
+#include "core/asset/import/AssetImport.h"
 #include "core/base/Utf8.h"
 #include "core/fracture/pieces/Extrusion.h"
 #include "core/fracture/thesis/ThesisMethod.h"
@@ -10,7 +11,9 @@
 #include "core/fracture/verify/VerifyNearestSeed.h"
 #include "core/fracture/verify/VerifyPartition.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
+#include "core/geometry/mesh/SourceScene.h"
 #include "core/io/fracture/FractureJson.h"
+#include "core/io/media/GreyImageFile.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
@@ -32,6 +35,7 @@ inline constexpr std::size_t kMaxFuzzedSeeds = 64;
 inline constexpr std::size_t kMaxFuzzedCorners = 64;
 inline constexpr std::size_t kMaxFuzzedBodies = 16;
 inline constexpr int kFuzzedSteps = 5;
+inline constexpr std::size_t kMaxFuzzedTriangles = 1000;
 
 using Sentence = std::optional<std::string>;
 
@@ -146,6 +150,33 @@ inline Sentence bodiesFault(std::string_view bytes) {
         if (!isFinite) return "Body \"" + scene->bodies[k].name + "\" has a pose that is not finite after some steps.";
     }
     return std::nullopt;
+}
+
+/// An accepted PNG file gives a valid image for a density layer.
+inline Sentence pngFault(std::string_view bytes) {
+    Result<GreyImage> image = greyImageOfPng(bytes, "picture.png");
+    if (!image) return errorFault(image.error());
+    return verifyGreyImage(*densityPictureOf(std::move(*image), "picture.png").image);
+}
+
+/// What becomes of the objects of a mesh in a project: each is imported or rejected with a sentence.
+inline Sentence importFault(const SourceScene& scene) {
+    const Result<ImportOutcome> imported = importedInto({}, scene, "mesh", {}, {.threads = 1});
+    if (!imported) return errorFault(imported.error());
+    for (const RejectedObject& rejected : imported->rejected) {
+        if (Sentence fault = errorFault(rejected.error)) return fault;
+    }
+    return projectFault(projectText(imported->project));
+}
+
+/// What the importer returns must give the same bytes again, and be imported or rejected.
+inline Sentence sourceSceneFault(std::string_view bytes) {
+    const Result<SourceScene> scene = readSourceScene(bytes);
+    if (!scene) return errorFault(scene.error());
+    if (sourceSceneBytes(*scene) != bytes) return "The scene gives other bytes.";
+    std::size_t triangles = 0;
+    for (const SourceObject& object : scene->objects) triangles += object.triangles.size();
+    return triangles > kMaxFuzzedTriangles ? std::nullopt : importFault(*scene);
 }
 
 }  // namespace rubble::test
