@@ -12,7 +12,7 @@ struct SurfacelessContext::State {
         if (display == EGL_NO_DISPLAY) return;
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-        eglTerminate(display);
+        eglReleaseThread();
     }
 };
 
@@ -22,21 +22,27 @@ Error noContext(const std::string& reason) {
     return {ErrorCode::Unsupported, "This machine has no OpenGL 3.3 to render images with: " + reason + "."};
 }
 
-}  // namespace
-
-Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::create() {
+/// EGL's only display without a screen. It is never terminated: that would end the contexts of other threads.
+Result<EGLDisplay> initializedDisplay() {
     // Check first: epoxy aborts the program if the library or a function is missing.
     if (dlopen("libEGL.so.1", RTLD_LAZY) == nullptr) return noContext("libEGL.so.1 is not installed");
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
         return noContext("EGL does not support rendering without a display");
     }
-    auto state = std::make_unique<State>();
-    state->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (state->display == EGL_NO_DISPLAY || eglInitialize(state->display, nullptr, nullptr) == EGL_FALSE) {
-        state->display = EGL_NO_DISPLAY;
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
         return noContext("EGL finds no graphics driver");
-    }
+    return display;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SurfacelessContext>> SurfacelessContext::create() {
+    static const Result<EGLDisplay> display = initializedDisplay();
+    if (!display) return display.error();
+    auto state = std::make_unique<State>();
+    state->display = *display;
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return noContext("EGL offers OpenGL ES only");
     constexpr EGLint kAttributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
