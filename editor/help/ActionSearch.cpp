@@ -1,6 +1,5 @@
 #include "editor/help/ActionSearch.h"
 
-#include <QAction>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -71,7 +70,7 @@ QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& act
 }
 
 ActionSearch::ActionSearch(const QList<QAction*>& actions, QWidget* parent)
-    : QDialog(parent, Qt::Popup), m_actions(actions), m_query(new QLineEdit), m_list(new QListWidget) {
+    : QDialog(parent, Qt::Popup), m_actions(actions.begin(), actions.end()), m_query(new QLineEdit), m_list(new QListWidget) {
     setAccessibleName(tr("Search actions"));
     m_query->setPlaceholderText(tr("Search actions"));
     m_query->setClearButtonEnabled(true);
@@ -106,21 +105,24 @@ bool ActionSearch::eventFilter(QObject* watched, QEvent* event) {
 
 void ActionSearch::filter(const QString& query) {
     m_list->clear();
-    for (QAction* action : matchingActions(query, m_actions)) {
+    m_actions.removeAll(nullptr);
+    const QList<QAction*> found = matchingActions(query, {m_actions.begin(), m_actions.end()});
+    m_found = {found.begin(), found.end()};
+    for (const QAction* action : found) {
         const QString path = pathOf(action);
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? path : path + "    " + keys, m_list);
         item->setToolTip(action->statusTip());
-        item->setData(Qt::UserRole, QVariant::fromValue(action));
     }
     m_list->setCurrentRow(0);
 }
 
 void ActionSearch::triggerCurrent() {
-    const QListWidgetItem* item = m_list->currentItem();
-    if (!item) return;
-    auto* action = item->data(Qt::UserRole).value<QAction*>();
+    const int row = m_list->currentRow();
+    if (row < 0) return;
+    QAction* action = m_found[row];
     accept();
+    if (!action) return;
     QTimer::singleShot(0, action, &QAction::trigger);  // after the popup has closed and the window has the focus
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QAction>
 #include <QDialog>
+#include <QPointer>
 
 class QLineEdit;
 class QListWidget;
@@ -20,7 +22,9 @@ private:
     void filter(const QString& query);
     void triggerCurrent();
 
-    QList<QAction*> m_actions;
+    // Actions may be removed meanwhile, such as those of recent files.
+    QList<QPointer<QAction>> m_actions;
+    QList<QPointer<QAction>> m_found;  // one per row
     QLineEdit* m_query;
     QListWidget* m_list;
 };

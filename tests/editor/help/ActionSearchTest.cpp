@@ -1,7 +1,8 @@
 #include "editor/help/ActionSearch.h"
 #include "tests/support/TestProgram.h"
 
-#include <QAction>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QTest>
 
@@ -34,6 +35,20 @@ private slots:
         m_actions.back()->setEnabled(false);
         QVERIFY(!found("sca").contains("Scatter A&gain"));
         m_actions.back()->setEnabled(true);
+    }
+    void actionsMayBeRemovedMeanwhile() {
+        QWidget window;
+        QMenu recent("Recent");
+        QAction* project = recent.addAction("wall.rubble");
+        ActionSearch search({project, m_actions.front()}, &window);
+        auto* query = search.findChild<QLineEdit*>();
+        auto* list = search.findChild<QListWidget*>();
+        QCOMPARE(list->count(), 2);
+        delete project;
+        QTest::keyClick(query, Qt::Key_Return);  // on the row of the removed action
+        QVERIFY(!search.isVisible());
+        query->setText("r");
+        QCOMPARE(list->count(), 1);
     }
 
 private:
