@@ -43,13 +43,14 @@ void append(FractureResult&& fracture, std::uint32_t parent, Bake& bake) {
         for (Diagnostic& one : *list) bake.diagnostics.push_back(located(std::move(one), fracture.seeds, parent, bake));
         list->clear();
     }
-    BakedFracture baked{parent, 0, bake.fragmentCount(), std::move(fracture.seeds), std::move(fracture.fragments)};
+    std::uint32_t level = 0;
     if (parent != kNone) {
         const BakedFragment whole = bake.fragment(parent);
-        baked.level = whole.level + 1;
-        baked.fragments.origin = whole.solid.offset();
+        level = whole.level + 1;
+        fracture.fragments.origin = whole.solid.offset();
     }
-    bake.fractures.push_back(std::move(baked));
+    bake.fractures.push_back(
+        {parent, level, bake.fragmentCount(), std::move(fracture.seeds), std::move(fracture.fragments)});
 }
 
 /// The fragments of one level that are fractured, their settings and their results.

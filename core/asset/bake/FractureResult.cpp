@@ -45,6 +45,28 @@ void dropSeeds(const std::vector<std::uint32_t>& dropped, Seeds& seeds) {
     seeds.ids.resize(kept);
 }
 
+/// The stages in the plane of a valid prism.
+Result<PlanarFracture> cutInPlane(const Recipe& recipe, Prism prism, const TaskContext& task) {
+    Result<Seeds> seeds = seedsOf(recipe.pattern, prism.outline, task.stage(0.0, 0.25));
+    if (!seeds) return seeds.error();
+    PlanarFracture cut{.prism = std::move(prism), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};
+    if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.25, 0.9)); !made) return made.error();
+    const SmallPieces& small = recipe.shaping.smallPieces;
+    while (small.rule == SmallPieceRule::DropSeeds) {
+        const std::vector<std::uint32_t> dropped = seedsToDrop(cut.partition, small, cut.prism.depth);
+        if (dropped.empty()) break;
+        dropSeeds(dropped, cut.seeds);
+        if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.9, 0.9)); !made) return made.error();
+    }
+    if (!recipe.edits.empty()) {
+        cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
+    }
+    if (small.rule != SmallPieceRule::Keep) {
+        cut.partition = withoutSmallPieces(std::move(cut.partition), small, cut.prism.depth);
+    }
+    return cut;
+}
+
 }  // namespace
 
 Error ofAsset(const Asset& asset, const Error& error) {
@@ -65,28 +87,13 @@ Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const T
     if (!valid) return valid.error();
     const BakeEstimate estimate{estimatedPieces(recipe.pattern, area(valid->outline)), 1.0};
     if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
-    Result<Seeds> seeds = seedsOf(recipe.pattern, valid->outline, task.stage(0.0, 0.25));
-    if (!seeds) return seeds.error();
-    PlanarFracture cut{.prism = std::move(*valid), .seeds = std::move(*seeds), .delaunay = {}, .partition = {}};
-    if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.25, 0.9)); !made) return made.error();
-    const SmallPieces& small = recipe.shaping.smallPieces;
-    while (small.rule == SmallPieceRule::DropSeeds) {
-        const std::vector<std::uint32_t> dropped = seedsToDrop(cut.partition, small, cut.prism.depth);
-        if (dropped.empty()) break;
-        dropSeeds(dropped, cut.seeds);
-        if (const Status made = computePartition(recipe.pattern, cut, task.stage(0.9, 0.9)); !made) return made.error();
-    }
-    if (!recipe.edits.empty()) {
-        cut.partition = editedPieces(std::move(cut.partition), cut.seeds, recipe.edits, recipe.place, recipe.offset);
-    }
-    if (small.rule != SmallPieceRule::Keep) {
-        cut.partition = withoutSmallPieces(std::move(cut.partition), small, cut.prism.depth);
-    }
-    return cut;
+    return cutInPlane(recipe, std::move(*valid), task);
 }
 
 Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task) {
-    Result<PlanarFracture> cut = planarFracture(recipe, std::move(prism), task.stage(0.0, 0.8));
+    Result<Prism> valid = validated(std::move(prism));
+    if (!valid) return valid.error();
+    Result<PlanarFracture> cut = cutInPlane(recipe, std::move(*valid), task.stage(0.0, 0.8));
     if (!cut) return cut.error();
     Result<Fragments> fragments =
         extrudedFragments(cut->prism, std::move(cut->partition), gapOf(recipe), task.stage(0.8, 1.0));

@@ -49,9 +49,9 @@ Error ofAsset(const Asset& asset, const Error& error);
 /// Cancelled.
 Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task);
 
-/// All stages, fragments included.
+/// All stages, fragments included. The caller has checked the size: a bake counts its fractures together.
 ///
-/// Errors: those of planarFracture().
+/// Errors: those of planarFracture() but Limit.
 Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task);
 
 /// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments fracture alike.

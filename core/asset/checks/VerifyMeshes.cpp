@@ -36,7 +36,7 @@ std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
             sumGained += gained.back();
         }
         // Without gaps a rough cut moves volume between pieces: together they gain as much as their parent did.
-        const bool hasGap = !fracture.fragments.shrunk.ringsOfPiece.empty();
+        const bool hasGap = fracture.fragments.shrunk != nullptr;
         const double expected = fracture.parent == kNone ? 0.0 : gained[fracture.parent];
         if (hasGap || std::abs(sumGained - expected) <= kRelative * sum) continue;
         return owner + "the pieces of " + (fracture.parent == kNone ? "the whole" : bake.fragmentId(fracture.parent)) +

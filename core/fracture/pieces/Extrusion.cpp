@@ -42,7 +42,8 @@ void moveToCentre(Vec2 centre, Polygon& outline) {
 /// Makes a fragment from each piece that is not too thin.
 class Extrusion {
 public:
-    Extrusion(const Prism& prism, Partition&& partition, Partition&& shrunk) : m_isThin(partition.pieceCount(), 0) {
+    Extrusion(const Prism& prism, Partition&& partition, std::shared_ptr<const Partition> shrunk)
+        : m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
         m_all.tolerance = {kMinWidth * widthOf(prism.outline), kFlatness * diameter};
@@ -51,7 +52,7 @@ public:
         m_all.partition = std::move(partition);
         m_all.shrunk = std::move(shrunk);
         for (std::uint32_t piece = 0; piece < m_isThin.size() && hasGap(); ++piece) {
-            m_isThin[piece] = m_all.shrunk.ringsOfPiece[piece] == m_all.shrunk.ringsOfPiece[piece + 1];
+            m_isThin[piece] = m_all.shrunk->ringsOfPiece[piece] == m_all.shrunk->ringsOfPiece[piece + 1];
         }
     }
 
@@ -86,16 +87,17 @@ public:
     }
 
 private:
-    bool hasGap() const { return &m_all.shapes() != &m_all.partition; }
+    bool hasGap() const { return m_all.shrunk != nullptr; }
 
     /// Reports the area that the gap removed, and the pieces that vanished.
     void reportGap() {
-        m_all.diagnostics.insert(m_all.diagnostics.end(), m_all.shrunk.diagnostics.begin(),
-                                 m_all.shrunk.diagnostics.end());
+        m_all.diagnostics.insert(m_all.diagnostics.end(), m_all.shrunk->diagnostics.begin(),
+                                 m_all.shrunk->diagnostics.end());
         for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
             const double whole = pieceArea(m_all.partition, piece);
             m_all.gapArea += whole - (m_isThin[piece] ? 0.0 : m_all.records[piece].moments.area);
-            if (!m_isThin[piece] || m_all.shrunk.ringsOfPiece[piece] == m_all.shrunk.ringsOfPiece[piece + 1]) continue;
+            if (!m_isThin[piece] || m_all.shrunk->ringsOfPiece[piece] == m_all.shrunk->ringsOfPiece[piece + 1])
+                continue;
             m_all.diagnostics.push_back(vanishedReport(m_all.partition, piece, whole));
         }
         m_all.diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},
@@ -193,9 +195,13 @@ Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, con
 }
 
 Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, double gap, const TaskContext& task) {
-    Result<Partition> shrunk = gap > 0.0 ? shrunkPartition(partition, gap / 2.0, task) : Partition{};
-    if (!shrunk) return shrunk.error();
-    Extrusion extrusion(prism, std::move(partition), std::move(*shrunk));
+    std::shared_ptr<const Partition> shrunk;
+    if (gap > 0.0) {
+        Result<Partition> pieces = shrunkPartition(partition, gap / 2.0, task);
+        if (!pieces) return pieces.error();
+        shrunk = std::make_shared<const Partition>(std::move(*pieces));
+    }
+    Extrusion extrusion(prism, std::move(partition), std::move(shrunk));
     if (!extrusion.run(task)) return TaskContext::cancelled();
     return std::move(extrusion).result();
 }

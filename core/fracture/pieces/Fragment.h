@@ -8,6 +8,7 @@
 #include "core/geometry/hull/Polytope.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace rubble {
@@ -71,12 +72,12 @@ struct AdjustedMass {
 /// The extruded pieces of a partition of a prism's outline. All arrays are flat; use operator[] to read them.
 struct Fragments {
     Partition partition;
-    Partition shrunk;            // the pieces less the gap between them, see shrunkPartition(); empty: no gap
-    double gapArea = 0.0;        // m^2, of all pieces, that the gap removed
-    double depth = 0.0;          // m
-    HullTolerance tolerance;     // of the hulls
-    double minSharedEdge = 0.0;  // m: pieces that share less have no bond
-    Vec3 origin{0.0, 0.0, 0.0};  // of the prism's frame in that of `Fragment::offset()`, m
+    std::shared_ptr<const Partition> shrunk;  // the pieces less the gap between them, see shrunkPartition(); null: none
+    double gapArea = 0.0;                     // m^2, of all pieces, that the gap removed
+    double depth = 0.0;                       // m
+    HullTolerance tolerance;                  // of the hulls
+    double minSharedEdge = 0.0;               // m: pieces that share less have no bond
+    Vec3 origin{0.0, 0.0, 0.0};               // of the prism's frame in that of `Fragment::offset()`, m
 
     UninitializedVector<PieceRecord> records;            // of each piece; undefined for thin ones
     UninitializedVector<std::uint32_t> pieceOfFragment;  // by seed, then piece
@@ -87,7 +88,7 @@ struct Fragments {
     std::vector<Diagnostic> diagnostics;
 
     /// The pieces as extruded.
-    const Partition& shapes() const { return shrunk.ringsOfPiece.empty() ? partition : shrunk; }
+    const Partition& shapes() const { return shrunk ? *shrunk : partition; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(pieceOfFragment.size()); }
     Fragment operator[](std::uint32_t index) const { return {*this, index}; }
 };

@@ -11,7 +11,7 @@ void addEdges(const Fragments& fragments, Vec2 origin, std::vector<std::array<Ve
     const Vec2 offset = shapes.origin + Vec2{fragments.origin} - origin;
     for (std::uint32_t piece = 0; piece < shapes.pieceCount(); ++piece) {
         forEachEdge(shapes, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-            const bool isShared = neighbour != kNone && fragments.shrunk.ringsOfPiece.empty();
+            const bool isShared = neighbour != kNone && !fragments.shrunk;
             if (!isShared || neighbour < piece)
                 edges.push_back({shapes.points[from] + offset, shapes.points[to] + offset});
         });
