@@ -70,7 +70,10 @@ QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& act
 }
 
 ActionSearch::ActionSearch(const QList<QAction*>& actions, QWidget* parent)
-    : QDialog(parent, Qt::Popup), m_actions(actions.begin(), actions.end()), m_query(new QLineEdit), m_list(new QListWidget) {
+    : QDialog(parent, Qt::Popup),
+      m_actions(actions.begin(), actions.end()),
+      m_query(new QLineEdit),
+      m_list(new QListWidget) {
     setAccessibleName(tr("Search actions"));
     m_query->setPlaceholderText(tr("Search actions"));
     m_query->setClearButtonEnabled(true);

@@ -215,8 +215,8 @@ bool MainWindow::event(QEvent* event) {
     return QMainWindow::event(event);
 }
 
-/// Stays open under a dialog or a task, which belongs to the window and runs an event loop in a function of it: quitting
-/// from another window, or a session that ends, would destroy both meanwhile.
+/// Stays open under a dialog or a task, which belongs to the window and runs an event loop in a function of it. Both
+/// would be destroyed meanwhile when the program quits from another window or the session ends.
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_isBlocked) {
         activateWindow();

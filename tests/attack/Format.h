@@ -42,8 +42,8 @@ struct Format {
     int checks = 64;  // of each file of the corpus: what is checked of it may depend on the random numbers
 };
 
-/// The formats of a program: those of core/io, and meshes if there is an importer; or pictures. `folder`: for files while
-/// they are read. Must be called before threads are started.
+/// The formats of a program: those of core/io, and meshes if there is an importer; or pictures. `folder`: for files
+/// while they are read. Must be called before threads are started.
 std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::filesystem::path& folder);
 
 /// The JSON formats, and replays' inputs and bytes.
