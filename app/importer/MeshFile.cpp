@@ -207,9 +207,8 @@ Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const 
     if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, outsideText(files.refused().front()));
     const std::string reason = reasonOf(importer);
     if (reason.starts_with("No suitable reader"))
-        return {ErrorCode::Unsupported, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; " +
-                                            quotedName(name) +
-                                            " is none of these, or of a version that is not supported."};
+        return fileError(ErrorCode::Unsupported, name,
+                         "is not an OBJ, glTF, GLB, FBX, STL or PLY file, or its version is not supported");
     return fileError(ErrorCode::Unsupported, name, "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reason);
 }
 

@@ -95,13 +95,14 @@ bool FileActions::saveOverUnreadable() {
     const Result<std::string> bytes = readFile(toPath(file.path()));
     const QString reason = bytes ? QString() : QString::fromStdString(bytes.error().message) + ' ';
     m_isAskingAboutDisk = true;
-    const std::size_t answer = ask(
-        &m_views.window(), {.text = tr("%1 was changed by another program, and cannot be compared.").arg(file.name()),
-                            .informativeText = reason + tr("Overwriting it discards what is there now."),
-                            .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
-                                        {tr("Overwrite"), QMessageBox::DestructiveRole},
-                                        {tr("Cancel"), QMessageBox::RejectRole}},
-                            .defaultAnswer = kSaveAs});
+    const std::size_t answer =
+        ask(&m_views.window(),
+            {.text = tr("\"%1\" was changed by another program, and cannot be compared.").arg(file.name()),
+             .informativeText = reason + tr("Overwriting it discards what is there now."),
+             .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
+                         {tr("Overwrite"), QMessageBox::DestructiveRole},
+                         {tr("Cancel"), QMessageBox::RejectRole}},
+             .defaultAnswer = kSaveAs});
     m_isAskingAboutDisk = false;
     if (answer == kSaveAs) return saveAs();
     return answer == kOverwrite && saveTo(file.path());
@@ -113,7 +114,7 @@ bool FileActions::saveOverChange() {
     enum Answer : std::size_t { kSaveAs, kCompare, kOverwrite, kCancel };
     m_isAskingAboutDisk = true;
     const std::size_t answer =
-        ask(&m_views.window(), {.text = tr("%1 was changed by another program.").arg(file.name()),
+        ask(&m_views.window(), {.text = tr("\"%1\" was changed by another program.").arg(file.name()),
                                 .informativeText = tr("Overwriting it discards what the other program saved."),
                                 .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
                                             {tr("Compare"), QMessageBox::AcceptRole},
@@ -150,7 +151,8 @@ bool FileActions::saveTo(const QString& path) {
 }
 
 void FileActions::revert() {
-    const QString question = tr("Discard all changes to %1 since it was last saved?").arg(m_workspace.file().name());
+    const QString question =
+        tr("Discard all changes to \"%1\" since it was last saved?").arg(m_workspace.file().name());
     if (!confirmLoss(&m_views.window(), question, tr("Revert"), tr("Cancel"))) return;
     showIfError(&m_views.window(), m_workspace.file().reload());
 }
@@ -175,7 +177,7 @@ void FileActions::askAboutChange() {
     const bool isModified = m_workspace.document().isModified();
     enum Answer : std::size_t { kSaveAs, kCompare, kReload, kKeep };
     const std::size_t answer =
-        ask(&m_views.window(), {.text = tr("%1 was changed by another program.").arg(m_workspace.file().name()),
+        ask(&m_views.window(), {.text = tr("\"%1\" was changed by another program.").arg(m_workspace.file().name()),
                                 .informativeText = isModified ? tr("Reloading it discards your unsaved changes.")
                                                               : tr("You have no unsaved changes."),
                                 .answers = {{tr("Save As…"), QMessageBox::AcceptRole},
@@ -196,7 +198,7 @@ void FileActions::askAboutChange() {
 void FileActions::askAboutDeletion() {
     m_workspace.document().setUnsaved();
     const Question question{
-        .text = tr("%1 was deleted by another program.").arg(m_workspace.file().name()),
+        .text = tr("\"%1\" was deleted by another program.").arg(m_workspace.file().name()),
         .informativeText = tr("The project is still open here. Saving it creates the file again."),
         .answers = {{tr("Save As…"), QMessageBox::AcceptRole}, {tr("Keep Current Version"), QMessageBox::RejectRole}},
         .defaultAnswer = 1};
@@ -206,12 +208,13 @@ void FileActions::askAboutDeletion() {
 bool FileActions::confirmClose() {
     if (!m_workspace.document().isModified()) return true;
     enum Answer : std::size_t { kSave, kDiscard, kCancel };
-    const std::size_t answer = ask(&m_views.window(), {.text = tr("Save changes to %1?").arg(m_workspace.file().name()),
-                                                       .informativeText = tr("Unsaved changes will be lost."),
-                                                       .answers = {{tr("Save"), QMessageBox::AcceptRole},
-                                                                   {tr("Discard"), QMessageBox::DestructiveRole},
-                                                                   {tr("Cancel"), QMessageBox::RejectRole}},
-                                                       .defaultAnswer = kSave});
+    const std::size_t answer =
+        ask(&m_views.window(), {.text = tr("Save changes to \"%1\"?").arg(m_workspace.file().name()),
+                                .informativeText = tr("Unsaved changes will be lost."),
+                                .answers = {{tr("Save"), QMessageBox::AcceptRole},
+                                            {tr("Discard"), QMessageBox::DestructiveRole},
+                                            {tr("Cancel"), QMessageBox::RejectRole}},
+                                .defaultAnswer = kSave});
     return answer == kSave ? save() : answer == kDiscard;
 }
 

@@ -257,7 +257,7 @@ QString FilmDialog::error(const FilmOptions& options, int frames) const {
 QString FilmDialog::summary(const FilmOptions& options, int frames) const {
     const auto seconds = [](double time) { return QLocale().toString(time, 'f', 1); };
     const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
-    QString text = tr("%Ln frame(s), %1 s, of %2 s of simulation.", nullptr, frames)
+    QString text = tr("%Ln frame(s): %1 s of film from %2 s of simulation.", nullptr, frames)
                        .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));
     if (options.isFilm && exists(statusOf(options.path))) {
         text += ' ' + tr("%1 will be replaced.").arg(fileNameText(options.path));

@@ -196,7 +196,7 @@ QWidget* ImportDialog::createOptions() {
     form->addRow(tr("&Unit:"), m_unit);
     form->addRow(tr("U&p axis:"), m_up);
     form->addRow(tr("&Extrude along:"), m_axis);
-    form->addRow(tr("&Not a prism:"), m_fallback);
+    form->addRow(tr("If &not a prism:"), m_fallback);
     auto* rows = new QVBoxLayout(options);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(form);
@@ -272,7 +272,7 @@ void ImportDialog::apply(Found found) {
 }
 
 void ImportDialog::showRefused(const QStringList& sentences) {
-    m_refused->setText(sentences.isEmpty() ? QString() : tr("Refused:") + '\n' + sentences.join('\n'));
+    m_refused->setText(sentences.isEmpty() ? QString() : tr("Cannot be imported:") + '\n' + sentences.join('\n'));
     m_refusedArea->setVisible(!sentences.isEmpty());
     fitRefused();
 }

@@ -29,8 +29,9 @@ void PreferencesDialog::addFields() {
     m_theme = comboBox({tr("System"), tr("Light"), tr("Dark")}, tr("Select the colours of all windows"));
     m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
                       tr("Select the unit of length for all windows; files use metres"));
-    m_navigation = comboBox({tr("Blender: middle button orbits, with Shift pans"), tr("Maya: Alt and mouse buttons")},
-                            tr("Select the mouse controls of the 3D view"));
+    m_navigation =
+        comboBox({tr("Blender: middle button orbits, Shift+middle button pans"), tr("Maya: Alt and mouse buttons")},
+                 tr("Select the mouse controls of the 3D view"));
     m_smooth = new QCheckBox(tr("S&mooth view changes"));
     m_smooth->setToolTip(tr("Move the camera smoothly instead of jumping"));
     m_msaa = comboBox({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
@@ -56,7 +57,7 @@ void PreferencesDialog::addFields() {
     form->addRow(QString(), m_smooth);
     form->addRow(tr("&Anti-aliasing:"), m_msaa);
     form->addRow(tr("So&ft light:"), m_refining);
-    form->addRow(tr("&Backup after:"), m_autosave);
+    form->addRow(tr("&Back up changes after:"), m_autosave);
     form->addRow(buttons);
 }
 

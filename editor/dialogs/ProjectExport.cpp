@@ -54,22 +54,27 @@ bool isEdited(const AssetExport& asset) { return !asset.status && asset.status.e
 bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) {
     QStringList folders;
     for (const AssetExport& asset : exports) {
-        if (isEdited(asset)) folders.append(fileNameText(fromPath(asset.folder)));
+        if (isEdited(asset)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
     }
     if (folders.isEmpty()) return false;
-    return confirmLoss(
-        parent,
-        ExportTexts::tr("Files in %1 were changed after the last export. Replace them?").arg(folders.join(", ")),
-        ExportTexts::tr("Replace"), ExportTexts::tr("Keep"));
+    const QString changed = ExportTexts::tr("Files in the %n folder(s) %1 were changed after the last export.", nullptr,
+                                            static_cast<int>(folders.size()))
+                                .arg(folders.join(", "));
+    return confirmLoss(parent, changed + ' ' + ExportTexts::tr("Replacing them discards these changes."),
+                       ExportTexts::tr("Replace"), ExportTexts::tr("Keep Changed Files"));
 }
 
-/// Shows the assets that failed and returns a sentence about the others.
+/// Shows the assets that failed and returns a sentence about the others. Files that the user keeps are no failure.
 QString summary(const std::vector<AssetExport>& exports, const QString& folder, Messages& messages, QWidget* parent) {
     QStringList errors;
-    int written = 0, unchanged = 0;
+    int written = 0, unchanged = 0, kept = 0;
     for (const AssetExport& asset : exports) {
         if (asset.status) {
             ++(asset.isUnchanged ? unchanged : written);
+            continue;
+        }
+        if (isEdited(asset)) {
+            ++kept;
             continue;
         }
         errors.append(QString::fromStdString(asset.status.error().message));
@@ -80,9 +85,10 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
         const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
         showError(parent, text, errors);
     }
-    const QString exported = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
-    if (unchanged == 0) return exported + '.';
-    return exported + ExportTexts::tr("; %L1 unchanged.").arg(unchanged);
+    QString text = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
+    if (unchanged > 0) text += ExportTexts::tr("; %L1 unchanged").arg(unchanged);
+    if (kept > 0) text += ExportTexts::tr("; %L1 kept as changed").arg(kept);
+    return text + '.';
 }
 
 }  // namespace

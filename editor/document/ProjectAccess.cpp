@@ -45,11 +45,12 @@ ProjectAccess accessProject(const QString& path, LockTakeover takeover) {
 
 QString holderText(const LockHolder& holder) {
     if (holder.isThisProcess) return ProjectAccessTexts::tr("another window");
-    return ProjectAccessTexts::tr("%1, process %2 of %3 on %4, since %5")
-        .arg(orUnknown(holder.program, ProjectAccessTexts::tr("an unknown program")),
-             holder.process > 0 ? QString::number(holder.process) : ProjectAccessTexts::tr("(unknown)"),
-             orUnknown(holder.user, ProjectAccessTexts::tr("an unknown user")),
-             orUnknown(holder.host, ProjectAccessTexts::tr("an unknown host")), timeText(holder.since));
+    const QString program = orUnknown(holder.program, ProjectAccessTexts::tr("an unknown program"));
+    const QString since = timeText(holder.since);
+    if (holder.process <= 0) return ProjectAccessTexts::tr("%1 since %2").arg(program, since);
+    return ProjectAccessTexts::tr("%1 on \"%2\" (user %3, process %4) since %5")
+        .arg(program, orUnknown(holder.host, ProjectAccessTexts::tr("an unknown host")),
+             orUnknown(holder.user, ProjectAccessTexts::tr("unknown")), QString::number(holder.process), since);
 }
 
 }  // namespace rubble

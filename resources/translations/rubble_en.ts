@@ -14,6 +14,13 @@
 <context>
     <name>Export</name>
     <message numerus="yes">
+        <source>Files in the %n folder(s) %1 were changed after the last export.</source>
+        <translation>
+            <numerusform>Files in the folder %1 were changed after the last export.</numerusform>
+            <numerusform>Files in the folders %1 were changed after the last export.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n asset(s) could not be exported. See the details.</source>
         <translation>
             <numerusform>%n asset could not be exported. See the details.</numerusform>
@@ -153,10 +160,10 @@
 <context>
     <name>rubble::FilmDialog</name>
     <message numerus="yes">
-        <source>%Ln frame(s), %1 s, of %2 s of simulation.</source>
+        <source>%Ln frame(s): %1 s of film from %2 s of simulation.</source>
         <translation>
-            <numerusform>%Ln frame, %1 s, of %2 s of simulation.</numerusform>
-            <numerusform>%Ln frames, %1 s, of %2 s of simulation.</numerusform>
+            <numerusform>%Ln frame: %1 s of film from %2 s of simulation.</numerusform>
+            <numerusform>%Ln frames: %1 s of film from %2 s of simulation.</numerusform>
         </translation>
     </message>
 </context>

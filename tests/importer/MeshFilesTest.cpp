@@ -215,8 +215,9 @@ private slots:
         const Folder folder;
         for (const char* name : {"cube.dae", "cube.3ds"}) {
             const std::string message = imported(folder.write(name, "<COLLADA/>")).error().message;
-            QCOMPARE(message, "Meshes are read from OBJ, glTF, GLB, FBX, STL and PLY files; \"" + std::string(name) +
-                                  "\" is none of these, or of a version that is not supported.");
+            QCOMPARE(message,
+                     "\"" + std::string(name) +
+                         "\" is not an OBJ, glTF, GLB, FBX, STL or PLY file, or its version is not supported.");
         }
         const std::string empty = imported(folder.write("empty.ply", "")).error().message;
         QVERIFY2(empty.find("/mesh") == std::string::npos, empty.c_str());

@@ -60,7 +60,7 @@ Id materialFor(const SourceMaterial& source, Project& project, std::vector<std::
     const Colour colour{source.colour.x, source.colour.y, source.colour.z};
     Material material{.id = allocateId(project), .name = source.name.empty() ? "default" : source.name};
     material.outside = material.inside = colour;
-    notes.push_back("The material " + quotedName(material.name) + " was added, with a density of " +
+    notes.push_back("The material " + quotedName(material.name) + " is added, with a density of " +
                     messageText(material.density) + " kg/m³.");
     project.materials.push_back(material);
     return material.id;

@@ -81,7 +81,8 @@ void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<
     if (fit.materials > 1) {
         why = ": it has " + std::to_string(fit.materials) + " materials; the one with the largest area is used.";
     } else if (fit.deviation) {
-        why = ": no affine map fits them (the best deviates by " + roundedText(*fit.deviation, 2) + ").";
+        why =
+            ": its own are not planar (they deviate by " + roundedText(*fit.deviation, 2) + " of the texture's size).";
     } else if (fit.triangles > 0) {
         why = ": its faces have no area.";
     }
@@ -98,9 +99,10 @@ Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid,
     found = fallbackPrism(part.mesh, options.axis, *options.fallback, part.tolerance);
     const char* what = *options.fallback == PrismFallback::Silhouette ? "silhouette" : "top cap";
     if (!found)
-        return Error{found.error().code, "Its " + std::string(what) + " cannot replace it: " + found.error().message};
+        return Error{found.error().code,
+                     "Its " + std::string(what) + " cannot be used instead: " + found.error().message};
     result.usesFallback = true;
-    result.notes.push_back("Its " + std::string(what) + " along " + axisText(found->axis) + " replaces it: " + why);
+    result.notes.push_back("The " + std::string(what) + " along " + axisText(found->axis) + " is used instead. " + why);
     return found;
 }
 

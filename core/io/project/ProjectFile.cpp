@@ -147,7 +147,8 @@ Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* 
     std::vector<Diagnostic> found;
     for (Asset& asset : project->assets) cleanOutline(asset, found);
     if (std::optional<std::string> fault = verifyProject(*project)) {
-        if (!found.empty()) *fault += " Points are counted without those that repeat others.";
+        const bool isAboutPoints = fault->find("point") != std::string::npos;
+        if (!found.empty() && isAboutPoints) *fault += " Points are counted without those that repeat others.";
         return Error{ErrorCode::BadInput, *fault};
     }
     if (notes) *notes = std::move(found);

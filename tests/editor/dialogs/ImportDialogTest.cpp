@@ -189,11 +189,11 @@ private slots:
         QCOMPARE(bench.view().scene().poses.size(), std::size_t{1});
         bench.selectItem(Qt::Key_N, "Use silhouette");
         QCOMPARE(bench.row(0), (QStringList{"Ball", "1 m × 1 m", "1 m", "z"}));
-        QVERIFY(bench.shows("Its silhouette along z replaces it"));
+        QVERIFY(bench.shows("The silhouette along z is used instead"));
         QVERIFY(!bench.shows("No prism fits it."));
         QTest::keyClick(&bench.dialog, Qt::Key_Return);
         QCOMPARE(bench.dialog.result(), int(QDialog::Accepted));
-        QVERIFY(bench.dialog.messages().at(0).text.startsWith("Its silhouette along z replaces it"));
+        QVERIFY(bench.dialog.messages().at(0).text.startsWith("The silhouette along z is used instead"));
     }
     void workingFallbackIsTakenWithOneClick() {
         ImportBench bench(kMeshes + "sphere.glb");
@@ -216,10 +216,10 @@ private slots:
     void fallbackThatTouchesItselfOffersAnother() {
         ImportBench bench(meshFile(touchingInProjection()));
         bench.selectItem(Qt::Key_N, "Use silhouette");
-        QVERIFY(bench.shows("\"Mesh\": Its silhouette cannot replace it: "));
+        QVERIFY(bench.shows("\"Mesh\": Its silhouette cannot be used instead: "));
         QVERIFY(bench.shows("The outline touches itself: points 1 and 4 meet"));
         bench.take("Use Silhouette Along X");
-        QVERIFY(bench.shows("Its silhouette along x replaces it: The mesh is not closed"));
+        QVERIFY(bench.shows("The silhouette along x is used instead. The mesh is not closed"));
         QCOMPARE(bench.row(0), (QStringList{"Mesh", "1 m × 1 m", "4 m", "x"}));
         QVERIFY(!bench.shows("Refused"));
         QVERIFY(bench.importButton().isEnabled());

@@ -138,7 +138,7 @@ private slots:
         const ProjectAccess access = accessProject(m_path);
         QVERIFY(access.isReadOnly() && access.holder);
         const QString holder = holderText(*access.holder);
-        QVERIFY2(holder.startsWith("rubble, process 4711 of bob on render01, since "), qPrintable(holder));
+        QVERIFY2(holder.startsWith("rubble on \"render01\" (user bob, process 4711) since "), qPrintable(holder));
         QVERIFY(file.open(m_path, access));
         QVERIFY(file.isReadOnly() && file.readOnlyReason().contains(holder));
         edit(document);

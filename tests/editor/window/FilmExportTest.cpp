@@ -55,10 +55,10 @@ private slots:
             QCOMPARE(dialog.options().last, 90u);
             dialog.findChild<QLineEdit*>("film-path")->setText(m_folder->filePath("hit"));
             QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
-            QCOMPARE(summary(dialog), QString("46 frames, 1.5 s, of 1.5 s of simulation."));
+            QCOMPARE(summary(dialog), QString("46 frames: 1.5 s of film from 1.5 s of simulation."));
             setNumber(dialog, " frames per second", 60.0);
             setNumber(dialog, "×", 0.1);
-            QCOMPARE(summary(dialog), QString("901 frames, 15.0 s, of 1.5 s of simulation."));
+            QCOMPARE(summary(dialog), QString("901 frames: 15.0 s of film from 1.5 s of simulation."));
             setNumber(dialog, "×", 0.01);
             setNumber(dialog, " frames per second", 240.0);
             QVERIFY(summary(dialog).startsWith("The film would have 36,001 frames; at most 10,000 are possible."));

@@ -152,7 +152,7 @@ private slots:
         answer("Take Over and Restore");
         m_program->start({});
         QTRY_VERIFY(restored());
-        QVERIFY2(m_question.contains("process 4711 of bob on render01"), qPrintable(m_question));
+        QVERIFY2(m_question.contains("on \"render01\" (user bob, process 4711)"), qPrintable(m_question));
         QVERIFY(restored()->fileActions().save());
         QCOMPARE(heightIn(m_path), kBackupHeight);
         QVERIFY(backups().isEmpty());
@@ -221,7 +221,7 @@ private slots:
         answer("Take Over Lock");
         MainWindow* window = m_program->open(m_path);
         QVERIFY(window && !window->workspace().file().isReadOnly());
-        QVERIFY2(m_question.contains("process 4711 of bob on render01"), qPrintable(m_question));
+        QVERIFY2(m_question.contains("on \"render01\" (user bob, process 4711)"), qPrintable(m_question));
     }
     void foreignLockGivesAReadOnlyWindow() {
         writeForeignLock();
@@ -273,7 +273,7 @@ private slots:
         });
         QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
         QTRY_COMPARE(heightIn(copy), kEditedHeight);
-        QVERIFY(m_question.contains("wall.rubble was changed by another program"));
+        QVERIFY(m_question.contains("\"wall.rubble\" was changed by another program"));
         QTRY_COMPARE(window.workspace().file().path(), copy);
         QCOMPARE(heightIn(m_path), kOtherHeight);
     }
@@ -342,7 +342,7 @@ private slots:
         MainWindow& window = *editedWindow();
         answer("Keep Current Version");
         QVERIFY(QFile::remove(m_path));
-        QTRY_VERIFY(m_question.contains("wall.rubble was deleted by another program"));
+        QTRY_VERIFY(m_question.contains("\"wall.rubble\" was deleted by another program"));
         QTRY_VERIFY(!QApplication::activeModalWidget());
         QVERIFY(window.fileActions().save());
         QCOMPARE(heightIn(m_path), kEditedHeight);

@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(importFault(scene), "\"Bent\": " + shifted);
         const ImportOutcome cap = imported({}, scene, {.fallback = PrismFallback::TopCap});
         QVERIFY(cap.assets[0].usesFallback);
-        QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "Its top cap along z replaces it: " + shifted);
+        QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "The top cap along z is used instead. " + shifted);
         QCOMPARE(area(cap.project.assets[0].prism.outline), 3.0);
         const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
         QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
@@ -167,7 +167,7 @@ private slots:
         const Result<ImportOutcome> outcome =
             importedInto({}, sceneOf({objectOf("Mesh", touchingInProjection())}), "file", options, {});
         const RejectedObject& rejected = outcome->rejected.at(0);
-        QVERIFY(rejected.error.message.starts_with("\"Mesh\": Its silhouette cannot replace it: "));
+        QVERIFY(rejected.error.message.starts_with("\"Mesh\": Its silhouette cannot be used instead: "));
         QVERIFY((rejected.fallbacks == std::vector<WorkingFallback>{{PrismFallback::Silhouette, PrismAxis::X},
                                                                     {PrismFallback::TopCap, PrismAxis::Thinnest}}));
     }
@@ -184,7 +184,7 @@ private slots:
         QCOMPARE(
             importFault(sceneOf({objectOf("Roof", pyramid)}),
                         {.axis = PrismAxis::Y, .fallback = PrismFallback::TopCap}),
-            QString("\"Roof\": Its top cap cannot replace it: The mesh has no flat face at the end of the y axis."));
+            QString("\"Roof\": Its top cap cannot be used instead: The mesh has no flat face at the end of the y axis."));
     }
     void notesOfTheFileAreKept() {
         SourceScene scene = sceneOf({objectOf("Wall", wallMesh())});
