@@ -184,7 +184,8 @@ private slots:
         QCOMPARE(
             importFault(sceneOf({objectOf("Roof", pyramid)}),
                         {.axis = PrismAxis::Y, .fallback = PrismFallback::TopCap}),
-            QString("\"Roof\": Its top cap cannot be used instead: The mesh has no flat face at the end of the y axis."));
+            QString(
+                "\"Roof\": Its top cap cannot be used instead: The mesh has no flat face at the end of the y axis."));
     }
     void notesOfTheFileAreKept() {
         SourceScene scene = sceneOf({objectOf("Wall", wallMesh())});
