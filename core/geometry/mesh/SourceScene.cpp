@@ -92,7 +92,9 @@ constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4;
 SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size_t& triangleCount) {
     SourceObject object;
     object.name = reader.text();
-    object.hasUvs = reader.integer(1) != 0;
+    const auto hasUvs = reader.integer(1);
+    reader.check(hasUvs <= 1);
+    object.hasUvs = hasUvs == 1;
     object.points.resize(reader.count(kPointSize));
     for (Vec3& point : object.points) reader.read(point);
     const std::size_t triangles = reader.count(kTriangleSize);
