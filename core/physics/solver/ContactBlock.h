@@ -63,6 +63,9 @@ struct alignas(64) ContactBlock {
     FloatRow twist;                                        // N·m·s about the normal; kept between steps
 };
 
+/// The index of a pair of points, i < j, in ContactBlock::coupling.
+constexpr int couplingIndex(int i, int j) { return i == 0 ? j - 1 : i + j; }
+
 /// The poses of both bodies when the manifold was computed; manifold recycling compares them with the current ones.
 struct alignas(32) ReferenceBlock {
     QuatRow firstRotation, secondRotation;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/physics/solver/ContactLanes.h"
+#include "core/physics/solver/ImpactKernels.h"
 
 namespace rubble {
 
@@ -24,6 +24,8 @@ struct ImpulseKernels : ContactLanes<W> {
     using typename Lanes::NormalImpulse;
     using typename Lanes::Velocities;
 
+    // m: separations below it are rounding. In a step of 1/1000 s, impacts as far ahead are measured.
+    static constexpr float kTouching = 2e-5f;
     static constexpr int kRestitutionIterations = 8;  // per point; after one, a box that lands flat would rotate
 
     static void warmStart(std::span<ContactBlock> blocks, const SolverStep& step) {
@@ -56,6 +58,12 @@ struct ImpulseKernels : ContactLanes<W> {
         F leverage{};  // N·m·s: sum of impulse times lever, which limits twist at a friction of 1
     };
 
+    /// A point without contact and impulse is left to the next sub-step: slowing it down now would reduce the impact
+    /// measured by the next step.
+    [[gnu::always_inline]] static Masks<W> isIdle(F separation, F impulse) {
+        return (separation > all<W>(kTouching)) & (impulse <= F{});
+    }
+
     template <bool kWithBias>
     [[gnu::always_inline]] static Load applyNormalImpulses(ContactBlock& block, int part, int points,
                                                            const SolverStep& step, const Motions& from, Velocities& a,
@@ -78,17 +86,32 @@ struct ImpulseKernels : ContactLanes<W> {
             impulseScale = select<W>(fixed, all<W>(hard.impulseScale), all<W>(soft.impulseScale));
         }
         const F inverseSubStep = all<W>(1.0f / step.subStep);
-        F normalSpeed[4];
-        for (int i = 0; i < points; ++i)
-            normalSpeed[i] = speed + dot<W>(row(block.points[i].position, part), speedSlope);
+        F normalSpeed[4], separations[4];
+        for (int i = 0; i < points; ++i) {
+            const V position = row(block.points[i].position, part);
+            normalSpeed[i] = speed + dot<W>(position, speedSlope);
+            separations[i] =
+                row(block.points[i].separation, part) + separationChange + dot<W>(position, separationSlope);
+        }
+
+        F residuals[4]{};
+        for (int i = 0; i < points; ++i) {
+            const F impulse = row(block.points[i].impulse, part);
+            const F residual = normalSpeed[i] + greater<W>(separations[i], F{}) * inverseSubStep;
+            const auto pushes = ((impulse > F{}) | (residual < F{})) & (row(block.points[i].effectiveMass, part) > F{});
+            residuals[i] = select<W>(kWithBias ? pushes : pushes & ~isIdle(separations[i], impulse), residual, F{});
+        }
+        NormalImpulse impulses;
+        const Masks<W> isImpact = ImpactKernels<W>::impacts(residuals);
+        if (bitsOf<W>(isImpact) != 0) {
+            impulses = ImpactKernels<W>::solve(block, part, points, isImpact, residuals, normalSpeed);
+        }
 
         Load load;
-        NormalImpulse impulses;
         for (int i = 0; i < points; ++i) {
             PointRows& point = block.points[i];
-            const V position = row(point.position, part);
             const F mass = row(point.effectiveMass, part), before = row(point.impulse, part);
-            const F separation = row(point.separation, part) + separationChange + dot<W>(position, separationSlope);
+            const F separation = separations[i];
             F reduction;  // of the impulse
             if constexpr (kWithBias) {
                 const auto isApart = separation > F{};
@@ -97,16 +120,13 @@ struct ImpulseKernels : ContactLanes<W> {
                 reduction = mass * (select<W>(isApart, all<W>(1.0f), massScale) * normalSpeed[i] + bias) +
                             select<W>(isApart, F{}, impulseScale) * before;
             } else {
-                // A point without contact and impulse is left to the next sub-step: slowing it down now would reduce
-                // the impact measured by the next step.
-                const auto isIdle = (separation > F{}) & (before <= F{});
                 const F slowed = mass * (normalSpeed[i] + greater<W>(separation, F{}) * inverseSubStep);
-                reduction = select<W>(isIdle, F{}, slowed);
+                reduction = select<W>(isIdle(separation, before), F{}, slowed);
             }
             const F after = greater<W>(before - reduction, F{}), change = after - before;
             put(after, point.impulse, part);
             impulses.sum = impulses.sum + change;
-            impulses.moment = impulses.moment + position * change;
+            impulses.moment = impulses.moment + row(point.position, part) * change;
             for (int j = i + 1; j < points; ++j) {
                 normalSpeed[j] = normalSpeed[j] + row(block.coupling[couplingIndex(i, j)], part) * change;
             }
@@ -119,9 +139,6 @@ struct ImpulseKernels : ContactLanes<W> {
         apply(impulses, n, centreOffset, block, part, a, b);
         return load;
     }
-
-    /// The index of a pair of points in ContactBlock::coupling.
-    static constexpr int couplingIndex(int i, int j) { return i == 0 ? j - 1 : i + j; }
 
     [[gnu::always_inline]] static void applyFriction(ContactBlock& block, int part, const Load& load, Velocities& a,
                                                      Velocities& b) {
@@ -179,10 +196,37 @@ struct ImpulseKernels : ContactLanes<W> {
                 const int points = maxPointCount(block, part);
                 if (points == 0 || bitsOf<W>(restitution > F{}) == 0) continue;
                 Velocities a = velocities(block.first, part, step), b = velocities(block.second, part, step);
+                restoreTogether(block, part, points, restitution, step, a, b);
                 applyRestitution(block, part, points, restitution, step, a, b);
                 putVelocities(a, block.first, part, step);
                 putVelocities(b, block.second, part, step);
             }
+        }
+    }
+
+    /// Restores the speeds of all points that were hit together, where none of them would have to pull.
+    [[gnu::always_inline]] static void restoreTogether(ContactBlock& block, int part, int points, F restitution,
+                                                       const SolverStep& step, Velocities& a, Velocities& b) {
+        const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part);
+        const V spinA = cross<W>(n, a.angularVelocity), spinB = cross<W>(n, b.angularVelocity);
+        const F speed = dot<W>(n, b.linear - a.linear) + dot<W>(centreOffset, spinB);
+        F residuals[4]{}, speeds[4]{}, impulses[4]{};
+        for (int i = 0; i < points; ++i) {
+            const PointRows& point = block.points[i];
+            impulses[i] = row(point.impulse, part);
+            const F approach = row(point.approach, part);
+            // Points that only came near were not hit.
+            const auto isHit = (approach < all<W>(-step.restitutionSpeed)) & (row(point.stepImpulse, part) > F{}) &
+                               (restitution > F{});
+            speeds[i] = speed + dot<W>(row(point.position, part), spinB - spinA);
+            residuals[i] = select<W>(isHit, speeds[i] + restitution * approach, F{});
+        }
+        const auto isImpact = ImpactKernels<W>::impacts(residuals);
+        apply(ImpactKernels<W>::solve(block, part, points, isImpact, residuals, speeds), n, centreOffset, block, part,
+              a, b);
+        for (int i = 0; i < points; ++i) {
+            PointRows& point = block.points[i];
+            put(row(point.stepImpulse, part) + (row(point.impulse, part) - impulses[i]), point.stepImpulse, part);
         }
     }
 

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace rubble;
 
 namespace {
@@ -134,6 +136,35 @@ private slots:
         QVERIFY(hits[0].normal.y > 0.999);
         moved.world.removeBody(moved.bodies[1]);
         QCOMPARE(moved.world.events().ended.size(), std::size_t{1});
+    }
+    void flatBoxDroppedFlatEndsWhereItFell_data() {
+        QTest::addColumn<Vec3>("size");
+        QTest::newRow("cube") << Vec3(1.0);
+        QTest::newRow("small cube") << Vec3(0.1);
+        QTest::newRow("flat block") << Vec3(2.0, 0.5, 1.0);
+        QTest::newRow("post") << Vec3(0.3, 3.0, 0.3);
+        QTest::newRow("plate") << Vec3(4.0, 0.2, 3.0);
+    }
+    void flatBoxDroppedFlatEndsWhereItFell() {
+        QFETCH(Vec3, size);
+        constexpr double kMaxShift = 1e-3, kMaxRotation = 1e-3;  // m, rad: a post rests within the tolerance of contact
+        for (const double height : {3.0, 20.0}) {
+            for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
+                BodyScene scene;
+                test::addGround(scene, 20.0);
+                const std::uint32_t box = test::addShape(scene, {test::boxOf(size)});
+                test::addFreeBody(scene, "box", box, {.position = {0.0, height + size.y / 2.0, 0.0}});
+                SceneWorld moved = test::worldOf(scene);
+                test::simulate(moved.world, 5.0, 1.0 / rate);
+                const Pose pose = moved.world.state(moved.bodies[1]).pose;
+                const double shift = std::hypot(pose.position.x, pose.position.z);
+                const double rotation = 2.0 * std::hypot(pose.orientation.x, pose.orientation.y, pose.orientation.z);
+                qInfo("from %g m at %g Hz: %.4f mm, %.2g rad", height, rate, 1e3 * shift, rotation);
+                QVERIFY(shift < kMaxShift);
+                QVERIFY(rotation < kMaxRotation);
+                QVERIFY(moved.world.state(moved.bodies[1]).asleep);
+            }
+        }
     }
     void bodiesCanBeReplacedBetweenCollideAndSolve() {
         SceneWorld moved = test::worldOf(boxesAt({{0.0, 0.5, 0.0}, {0.0, 1.5, 0.0}, {0.0, 2.5, 0.0}}));
