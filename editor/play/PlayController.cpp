@@ -111,25 +111,18 @@ void PlayController::setToolSettings(const PlayToolSettings& tools) {
     emit toolSettingsChanged();
 }
 
-namespace {
-
-Throw scaled(Throw thrown, double charge) {
-    thrown.speed *= charge;
-    return thrown;
+ChargedThrow PlayController::charged(double charge) const {
+    return {m_toolSettings.projectile, m_toolSettings.isSpeedAutomatic, charge};
 }
 
-}  // namespace
-
 void PlayController::aim(const std::optional<Ray>& ray, double charge) {
-    std::optional<Throw> thrown;
-    if (ray) thrown = scaled(m_toolSettings.projectile, charge);
+    std::optional<ChargedThrow> thrown;
+    if (ray) thrown = charged(charge);
     post([thrown, ray](PlayEngine& engine) { engine.aim(thrown, ray.value_or(Ray{})); });
 }
 
 void PlayController::throwAlong(const Ray& ray, double charge) {
-    post([thrown = scaled(m_toolSettings.projectile, charge), ray](PlayEngine& engine) {
-        engine.throwAlong(thrown, ray);
-    });
+    post([thrown = charged(charge), ray](PlayEngine& engine) { engine.throwAlong(thrown, ray); });
 }
 
 void PlayController::hammerAlong(const Ray& ray) {

@@ -52,9 +52,9 @@ public:
     const PlayToolSettings& toolSettings() const { return m_toolSettings; }
     void setToolSettings(const PlayToolSettings& tools);
 
-    /// User input along rays from the eye. `charge` in (0, 1]: fraction of the throw's full speed.
-    void aim(const std::optional<Ray>& ray, double charge = 1.0);
-    void throwAlong(const Ray& ray, double charge);
+    /// User input along rays from the eye. `charge` in [0, 1]: 0 is a tapped throw, 1 one of kFullCharge times its speed.
+    void aim(const std::optional<Ray>& ray, double charge = 0.0);
+    void throwAlong(const Ray& ray, double charge = 0.0);
     void hammerAlong(const Ray& ray);
     void explosionAlong(const Ray& ray);
     void grabAlong(const Ray& ray);
@@ -101,6 +101,7 @@ private:
     void applyEdits();
     void setState(PlayState state);
     void post(PlayThread::Task task);
+    ChargedThrow charged(double charge) const;
     void applyDestruction(const PlayFrame& frame);
     void finish(const QString& sentence);
 

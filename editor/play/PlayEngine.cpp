@@ -1,5 +1,6 @@
 #include "editor/play/PlayEngine.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/play/analysis/Forecast.h"
 
 #include <algorithm>
@@ -142,9 +143,16 @@ void PlayEngine::fire(const std::string& name, const ShotAction& action) {
     m_update.shot = shot;
 }
 
-void PlayEngine::throwAlong(const Throw& thrown, const Ray& ray) {
-    fire("throw", rubble::throwAlong(session(), thrown, ray));
+/// The throw along a ray, with its speed.
+Throw PlayEngine::throwOf(const ChargedThrow& charged, const Ray& ray) const {
+    Throw thrown = charged.projectile;
+    if (charged.isSpeedAutomatic) thrown.speed = reachingSpeed(session(), thrown, ray);
+    thrown.speed *= 1.0 + charged.charge * (kFullCharge - 1.0);
+    thrown.speed = std::min(thrown.speed, rangeOf(ProjectNumber::ProjectileSpeed).max);
+    return rubble::throwAlong(session(), thrown, ray);
 }
+
+void PlayEngine::throwAlong(const ChargedThrow& thrown, const Ray& ray) { fire("throw", throwOf(thrown, ray)); }
 
 void PlayEngine::hammerAlong(double impulse, const Ray& ray) {
     if (const std::optional<Hammer> blow = rubble::hammerAlong(session(), impulse, ray)) fire("hammer", *blow);
@@ -170,7 +178,7 @@ void PlayEngine::release() {
     m_grabDistance.reset();
 }
 
-void PlayEngine::aim(std::optional<Throw> thrown, const Ray& ray) {
+void PlayEngine::aim(std::optional<ChargedThrow> thrown, const Ray& ray) {
     m_aim.reset();
     if (thrown) m_aim = Aim{*thrown, ray};
 }
@@ -184,7 +192,7 @@ void PlayEngine::setOverlays(const PlayOverlays& overlays) {
 void PlayEngine::forecast() {
     std::optional<std::vector<BodyForecast>> bodies;
     if (m_isForecast && m_aim) {
-        const Throw thrown = rubble::throwAlong(session(), m_aim->thrown, m_aim->ray);
+        const Throw thrown = throwOf(m_aim->thrown, m_aim->ray);
         if (Result<std::vector<BodyForecast>> forecast = breakForecast(session(), thrown))
             bodies = std::move(*forecast);
     }
@@ -200,9 +208,10 @@ PlayFrame PlayEngine::frame() {
                     .statistics = statisticsOf(session()),
                     .isHolding = m_grabDistance.has_value(),
                     .hasDestruction = hasDestruction()};
-    if (m_aim)
-        frame.trajectory =
-            trajectoryOf(session(), rubble::throwAlong(session(), m_aim->thrown, m_aim->ray), kTrajectorySeconds);
+    if (m_aim) {
+        frame.aimed = throwOf(m_aim->thrown, m_aim->ray);
+        frame.trajectory = trajectoryOf(session(), *frame.aimed, kTrajectorySeconds);
+    }
     return frame;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/play/session/Replay.h"
 #include "editor/play/PlayFrame.h"
+#include "editor/play/PlayToolSettings.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 namespace rubble {
@@ -37,7 +38,7 @@ public:
     void add(const PlayInput& input);
     void fire(const std::string& name, const ShotAction& action);
     /// Each acts on the first hit of a ray from the eye.
-    void throwAlong(const Throw& thrown, const Ray& ray);
+    void throwAlong(const ChargedThrow& thrown, const Ray& ray);
     void hammerAlong(double impulse, const Ray& ray);
     void explosionAlong(const Explosion& explosion, const Ray& ray);
     /// Grabs the body hit by the ray and drags it along with later rays, at the same distance.
@@ -45,7 +46,7 @@ public:
     void dragAlong(const Ray& ray);
     void release();
     /// Sets the throw whose trajectory and forecast are shown; nullopt shows none.
-    void aim(std::optional<Throw> thrown, const Ray& ray);
+    void aim(std::optional<ChargedThrow> thrown, const Ray& ray);
 
     /// Sets the overlays. Heat shows the break forecast of the aimed throw; without one, the recent impacts.
     void setOverlays(const PlayOverlays& overlays);
@@ -58,10 +59,11 @@ private:
     void recordStep();
     void report(DiagnosticCode code, std::string message);
     PlayFrame frame();
+    Throw throwOf(const ChargedThrow& charged, const Ray& ray) const;
     void forecast();
 
     struct Aim {
-        Throw thrown;
+        ChargedThrow thrown;
         Ray ray;
     };
 

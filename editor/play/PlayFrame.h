@@ -52,7 +52,8 @@ struct PlayFrame {
     double shownFrom = 0.0;    // clock time at which the interpolation from the previous frame starts, s
     double shownFor = 0.0;     // duration of the interpolation, s; 0: none
     PlayStatistics statistics;
-    std::optional<Trajectory> trajectory;  // of the throw being aimed
+    std::optional<Throw> aimed;            // the throw being aimed
+    std::optional<Trajectory> trajectory;  // its trajectory
     bool isHolding = false;                // a body is grabbed
     bool hasDestruction = true;            // bodies can break from here on
 };

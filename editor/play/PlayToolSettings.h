@@ -6,13 +6,23 @@ namespace rubble {
 
 /// The settings of the interactive tools of play.
 struct PlayToolSettings {
-    Throw projectile{.size = {0.6, 0.6, 0.6},
-                     .mass = 200.0,
-                     .speed = 22.0};  // its places say nothing; the speed is that of a full charge
-    double hammerImpulse = 5000.0;    // N·s
+    // Its places say nothing; the speed, of a tapped throw, counts only if it is not automatic.
+    Throw projectile{.size = {0.6, 0.6, 0.6}, .mass = 1500.0, .speed = 40.0};
+    bool isSpeedAutomatic = true;                           // see reachingSpeed()
+    double hammerImpulse = 5000.0;                          // N·s
     Explosion explosion{.impulse = 3000.0, .radius = 3.0};  // its place says nothing
     double grabForce = 20000.0;                             // N at most
     bool operator==(const PlayToolSettings&) const = default;
 };
+
+/// A throw as the user charges it.
+struct ChargedThrow {
+    Throw projectile;
+    bool isSpeedAutomatic = true;
+    double charge = 0.0;  // in [0, 1]: 0 is a tap
+    bool operator==(const ChargedThrow&) const = default;
+};
+
+inline constexpr double kFullCharge = 2.5;  // times the speed of a tap
 
 }  // namespace rubble

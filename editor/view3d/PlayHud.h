@@ -23,7 +23,7 @@ public:
         QString title;           // "Playing"
         QStringList statistics;
         QString hint;
-        std::optional<double> charge;  // in (0, 1], of a throw being charged
+        std::optional<double> charge;  // in [0, 1], of a throw being charged
         QString chargeText;
         bool hasHeat = false;     // shows the legend of the heat colours
         bool isForecast = false;  // heat is the forecast of the aimed throw

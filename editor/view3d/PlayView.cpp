@@ -114,10 +114,7 @@ PlayHud::Content PlayView::content() const {
     content.hasHeat = m_controller.overlays().hasHeat;
     content.isForecast = frame->trajectory.has_value();
     content.charge = m_tool.charge();
-    if (content.charge) {
-        content.chargeText =
-            tr("%1 m/s").arg(number(*content.charge * m_controller.toolSettings().projectile.speed, 1));
-    }
+    if (content.charge && frame->aimed) content.chargeText = tr("%1 m/s").arg(number(frame->aimed->speed, 1));
     if (!frame->trajectory) return content;
     for (const Vec3& position : frame->trajectory->points) {
         if (const std::optional<QPointF> point = m_viewport.pointOf(position)) content.trajectory.push_back(*point);

@@ -1,5 +1,7 @@
 #include "core/play/session/Aim.h"
 
+#include "core/play/breaking/MovingMass.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +10,41 @@ namespace {
 
 constexpr double kMaxDistance = 1000.0;    // m: farther hits are ignored
 constexpr double kDefaultDistance = 30.0;  // m: of the target without a hit
+constexpr double kReachingTime = 0.4;      // s, of the flight: short enough to see where it goes
+constexpr double kBreakMargin = 3.0;       // since most impacts are not central
+constexpr double kMinReachingSpeed = 1.0, kMaxReachingSpeed = 100.0;  // m/s
+
+/// The mass of a projectile, kg; 0 if its asset is not in the scene.
+double projectileMass(const PlayScene& scene, const Throw& thrown) {
+    if (thrown.kind != ProjectileKind::Asset) return thrown.mass;
+    const auto asset = scene.assets.find({thrown.asset});
+    if (asset == scene.assets.end()) return 0.0;
+    const Material* material = findMaterial(scene.project, findAsset(scene.project, thrown.asset)->material);
+    return asset->second->whole.shape->mass.volume * material->density;
+}
+
+/// The speed at which a central impact breaks a body, m/s; 0 if it does not break.
+double breakingSpeed(const Session& session, const PlayBody& body, double mass) {
+    const double threshold = session.thresholdOf(body);
+    if (!std::isfinite(threshold) || mass <= 0.0) return 0.0;
+    return threshold * (1.0 / mass + movingMass(session.world(), body.body).inverseMass);
+}
 
 }  // namespace
 
 std::optional<CastHit> firstHit(const World& world, const Ray& ray) {
     return world.castRay(ray.from, ray.at(kMaxDistance));
+}
+
+double reachingSpeed(const Session& session, const Throw& thrown, const Ray& ray) {
+    const std::optional<CastHit> hit = firstHit(session.world(), ray);
+    double speed = (hit ? glm::distance(ray.from, hit->point) : kDefaultDistance) / kReachingTime;
+    if (hit) {
+        const PlayBody& body = *session.body(static_cast<std::uint32_t>(session.world().tag(hit->body)));
+        const double mass = projectileMass(session.scene(), thrown);
+        speed = std::max(speed, kBreakMargin * breakingSpeed(session, body, mass));
+    }
+    return std::clamp(speed, kMinReachingSpeed, kMaxReachingSpeed);
 }
 
 Throw throwAlong(const Session& session, Throw thrown, const Ray& ray) {

@@ -5,6 +5,7 @@
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
 
@@ -18,12 +19,12 @@ struct Preset {
     double mass;  // kg
 };
 
-/// The size and mass of a kind: a concrete box, a steel ball, a wooden plank.
+/// The size and mass of a kind: a cast-iron box, a steel ball, a wooden plank.
 Preset presetOf(ProjectileKind kind) {
     switch (kind) {
         case ProjectileKind::Ball: return {kind, Vec3(0.4), 260.0};
         case ProjectileKind::Plank: return {kind, {0.25, 0.06, 2.5}, 25.0};
-        default: return {kind, Vec3(0.6), 200.0};
+        default: return {kind, Vec3(0.6), 1500.0};
     }
 }
 
@@ -73,9 +74,23 @@ void PlayToolsPanel::addThrow(Section& section) {
     }
     m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), tr("kg"), ProjectNumber::Mass,
                       [](PlayToolSettings& tools) -> double& { return tools.projectile.mass; });
-    addField(section, tr("Full speed"), tr("Speed after holding F for one second; a tap gives a fifth of it"),
-             tr("m/s"), ProjectNumber::ProjectileSpeed,
-             [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
+    addSpeed(section);
+}
+
+void PlayToolsPanel::addSpeed(Section& section) {
+    m_isSpeedAutomatic = new QCheckBox(tr("Automatic Speed"));
+    m_isSpeedAutomatic->setObjectName("automaticSpeed");
+    m_isSpeedAutomatic->setToolTip(tr("Throw so fast that a tap of F reaches the target quickly"));
+    m_isSpeedAutomatic->setStatusTip(m_isSpeedAutomatic->toolTip());
+    section.addWide(m_isSpeedAutomatic);
+    connect(m_isSpeedAutomatic, &QCheckBox::clicked, this, [this](bool isOn) {
+        PlayToolSettings tools = m_controller.toolSettings();
+        tools.isSpeedAutomatic = isOn;
+        m_controller.setToolSettings(tools);
+    });
+    m_speed = addField(section, tr("Speed"), tr("Speed of a tapped throw; holding F for a second gives 2.5 times it"),
+                       tr("m/s"), ProjectNumber::ProjectileSpeed,
+                       [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
 }
 
 NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint, const QString& unit,
@@ -140,6 +155,8 @@ void PlayToolsPanel::refresh() {
         m_throw->setRowVisible(field, !isAsset && !isDiameter);
     }
     m_throw->setRowVisible(m_mass, !isAsset);
+    m_isSpeedAutomatic->setChecked(tools.isSpeedAutomatic);
+    m_throw->setRowVisible(m_speed, !tools.isSpeedAutomatic);
 }
 
 }  // namespace rubble

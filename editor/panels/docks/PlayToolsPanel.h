@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 
 namespace rubble {
@@ -29,6 +30,7 @@ private:
     NumberField* addField(Section& section, const QString& label, const QString& hint, const QString& unit,
                           ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member);
     void addThrow(Section& section);
+    void addSpeed(Section& section);
     void applyKind(int index);
     void refreshAssets();
     void refresh();
@@ -44,6 +46,8 @@ private:
     QComboBox* m_kind;
     QList<NumberField*> m_sizes;
     NumberField* m_mass = nullptr;
+    QCheckBox* m_isSpeedAutomatic = nullptr;
+    NumberField* m_speed = nullptr;
     std::vector<Bound> m_fields;
     std::vector<std::pair<Id, std::string>> m_assets;  // that the box lists
 };

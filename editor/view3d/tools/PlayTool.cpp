@@ -11,7 +11,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMinCharge = 0.2;
+constexpr double kTapSeconds = 0.2;  // holding F longer charges the throw
 constexpr double kSecondsToFull = 1.0;
 
 bool isPlain(Qt::KeyboardModifiers modifiers) {
@@ -37,7 +37,7 @@ PlayTool::PlayTool(PlayController& controller, ViewportWidget& viewport)
 std::optional<double> PlayTool::charge() const {
     if (!m_chargingSince) return std::nullopt;
     const double held = m_controller.thread().now() - *m_chargingSince;
-    return std::clamp(kMinCharge + (1.0 - kMinCharge) * held / kSecondsToFull, kMinCharge, 1.0);
+    return std::clamp((held - kTapSeconds) / (kSecondsToFull - kTapSeconds), 0.0, 1.0);
 }
 
 Ray PlayTool::ray() const { return m_viewport.rayAt(m_pointer); }
@@ -45,7 +45,7 @@ Ray PlayTool::ray() const { return m_viewport.rayAt(m_pointer); }
 void PlayTool::updateAim() {
     if (!m_controller.isInPlay()) return;
     const bool isAiming = m_isPointing && !m_isGrabbing;
-    m_controller.aim(isAiming ? std::optional(ray()) : std::nullopt, charge().value_or(1.0));
+    m_controller.aim(isAiming ? std::optional(ray()) : std::nullopt, charge().value_or(0.0));
 }
 
 void PlayTool::enter(QPointF position) {

@@ -20,7 +20,7 @@ class PlayTool : public ViewportTool {
 public:
     PlayTool(PlayController& controller, ViewportWidget& viewport);
 
-    /// The charge of the throw being charged, in (0, 1].
+    /// The charge of the throw being charged, in [0, 1].
     std::optional<double> charge() const;
     /// Updates the aimed throw to the view and the charge.
     void updateAim();

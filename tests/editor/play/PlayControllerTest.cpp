@@ -19,6 +19,7 @@ const Ray kAtBlock{{0.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
 PlayToolSettings heavyBox() {
     PlayToolSettings tools;
     tools.projectile = {.size = Vec3(0.2), .mass = 3.0, .speed = 80.0};
+    tools.isSpeedAutomatic = false;
     return tools;
 }
 
@@ -75,7 +76,7 @@ private slots:
         stage.start();
         stage.advance(5);
         const std::size_t before = visibleBodies(stage);
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(1);
         QCOMPARE(visibleBodies(stage), before + 1);
         QVERIFY(stage.controller.lastShot().has_value());
@@ -85,7 +86,7 @@ private slots:
         stage.controller.setToolSettings(heavyBox());
         stage.start();
         const QSignalSpy told(&stage.controller, &PlayController::breaksChanged);
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(20);
         QVERIFY(!told.isEmpty());
         QCOMPARE(stage.controller.breaks().size(), 1u);
@@ -100,7 +101,7 @@ private slots:
         stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.controller.setDestruction(false);
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(30);
         QCOMPARE(stage.controller.breaks().size(), 0u);
         QVERIFY(stage.controller.frame()->statistics.cost.step == 30);
@@ -178,7 +179,7 @@ private slots:
         test::Stage stage;
         stage.controller.setToolSettings(heavyBox());
         stage.start();
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(40);
         const ContentHash broken = stage.hash();
         stage.controller.seek(0);
@@ -195,7 +196,7 @@ private slots:
         stage.controller.hammerAlong({{0.0, 9.0, 0.0}, {1.0, 0.0, 0.0}});  // misses
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 40u);
-        stage.controller.throwAlong({kAtBlock.from, {0.0, 1.0, 0.0}}, 1.0);
+        stage.controller.throwAlong({kAtBlock.from, {0.0, 1.0, 0.0}});
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 0u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
@@ -225,12 +226,12 @@ private slots:
         Asset asset = stage.document.project().assets[0];
         asset.threshold = 1e6;
         stage.document.push(modify("Change threshold", asset));
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(20);
         QVERIFY(stage.step() >= 25u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
         stage.document.undoStack().undo();
-        stage.controller.throwAlong(kAtBlock, 1.0);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(40);
         QVERIFY(!stage.controller.breaks().empty());
     }
@@ -286,7 +287,7 @@ private slots:
         stage.controller.setToolSettings(heavyBox());
         stage.start();
         stage.advance(3);
-        stage.controller.throwAlong(kAtBlock, 0.9);
+        stage.controller.throwAlong(kAtBlock);
         stage.advance(30);
         const ContentHash hash = stage.hash();
         const PlayScript script = stage.controller.script();
@@ -311,6 +312,17 @@ private slots:
         stage.controller.release();
         stage.advance(1);
         QVERIFY(!stage.controller.frame()->isHolding);
+    }
+    void holdingThrowsFaster() {
+        test::Stage stage;
+        stage.controller.setToolSettings(heavyBox());
+        stage.start();
+        for (const double charge : {0.0, 0.5, 1.0}) {
+            stage.controller.throwAlong(kAtBlock, charge);
+            stage.advance(1);
+            const Throw& thrown = std::get<Throw>(stage.controller.lastShot()->action);
+            QCOMPARE(thrown.speed, 80.0 * (1.0 + 1.5 * charge));
+        }
     }
     void aimingShowsTheTrajectory() {
         test::Stage stage;

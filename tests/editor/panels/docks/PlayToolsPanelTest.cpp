@@ -5,6 +5,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
 
+#include <QCheckBox>
 #include <QTest>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ private slots:
         };
         row("Width", ProjectNumber::ProjectileSize);
         row("Mass", ProjectNumber::Mass);
-        row("Full speed", ProjectNumber::ProjectileSpeed);
+        row("Speed", ProjectNumber::ProjectileSpeed);
         row("Radius", ProjectNumber::ExplosionRadius);
         row("Force", ProjectNumber::GrabForce);
     }
@@ -38,6 +39,16 @@ private slots:
         QCOMPARE((*field)->range().min, range.min);
         QCOMPARE((*field)->range().max, range.max);
         QCOMPARE((*field)->range().isMinExcluded, range.isMinExcluded);
+    }
+    void speedIsAutomaticUntilSwitchedOff() {
+        test::Stage stage;
+        const PlayToolsPanel panel(stage.document, stage.controller);
+        const auto fields = panel.findChildren<NumberField*>();
+        const auto speed = std::ranges::find(fields, QString("Speed"), &QWidget::accessibleName);
+        QVERIFY(speed != fields.end() && (*speed)->isHidden());
+        panel.findChild<QCheckBox*>("automaticSpeed")->click();
+        QVERIFY(!stage.controller.toolSettings().isSpeedAutomatic);
+        QVERIFY(!(*speed)->isHidden());
     }
 };
 
