@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <future>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace rubble {
@@ -44,11 +46,11 @@ void PlayController::stop() {
     m_queuedTasks.clear();
     m_scene.reset();
     m_frame.reset();
-    m_breaks.clear();
+    m_impacts.clear();
     m_costs.clear();
     m_lastShot.reset();
     setState(PlayState::Stopped);
-    emit breaksChanged();
+    emit impactsChanged();
 }
 
 void PlayController::finish(const QString& sentence) {
@@ -145,6 +147,21 @@ void PlayController::release() {
     post([](PlayEngine& engine) { engine.release(); });
 }
 
+void PlayController::showForecast(const Throw& thrown, std::vector<BodyForecast> bodies) {
+    post([thrown, bodies = std::move(bodies)](PlayEngine& engine) { engine.setForecast(thrown, bodies); });
+}
+
+std::vector<ImpactRecord> PlayController::breaksUntil(std::uint64_t step) const {
+    std::vector<ImpactRecord> breaks;
+    std::ranges::copy_if(m_impacts, std::back_inserter(breaks),
+                         [step](const ImpactRecord& one) { return one.isBreak() && one.step <= step; });
+    return breaks;
+}
+
+std::vector<ImpactRecord> PlayController::breaks() const {
+    return breaksUntil(std::numeric_limits<std::uint64_t>::max());
+}
+
 void PlayController::fire(const Shot& shot) {
     post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
 }
@@ -167,6 +184,10 @@ void PlayController::prepare(PlayScript script) {
     m_script = std::move(script);
     m_queuedTasks.clear();
     m_requestedDestruction.reset();
+    if (m_frame) {  // nothing is aimed in it any more
+        m_frame->aimed.reset();
+        m_frame->trajectory.reset();
+    }
     setState(PlayState::Preparing);
     m_isWaitingForBakes = true;
     startIfBaked();
@@ -193,7 +214,10 @@ void PlayController::applyEdits() {
     if (!isInPlay()) return;
     if (m_isWaitingForBakes) return startIfBaked();
     const std::optional<std::vector<PlayInput>> inputs = liveInputs(m_followedProject, m_document.project());
-    if (!inputs) return restart();
+    if (!inputs) {
+        emit statusMessage(tr("The simulation restarts with the change."));
+        return restart();
+    }
     m_followedProject = m_document.project();
     for (const PlayInput& input : *inputs) post([input](PlayEngine& engine) { engine.add(input); });
 }
@@ -215,26 +239,31 @@ void PlayController::applyUpdate() {
     if (!isInPlay() || !update.frame) return;
     if (m_state == PlayState::Preparing && !m_isWaitingForBakes) {
         m_scene = update.frame->played;
-        m_breaks.clear();
+        m_impacts.clear();
         m_costs.clear();
         m_lastShot.reset();
-        emit breaksChanged();
+        emit impactsChanged();
         setState(m_startsPlaying ? PlayState::Playing : PlayState::Paused);
     }
-    const bool haveBreaksChanged = !update.breaks.empty() || update.discardAfter;
+    const bool haveImpactsChanged = !update.impacts.empty() || update.discardAfter;
     if (update.discardAfter) {
-        std::erase_if(m_breaks, [&](const BreakRecord& one) { return one.step > *update.discardAfter; });
+        std::erase_if(m_impacts, [&](const ImpactRecord& one) { return one.step > *update.discardAfter; });
         std::erase_if(m_costs, [&](const StepCost& one) { return one.step > *update.discardAfter; });
     }
-    m_breaks.insert(m_breaks.end(), update.breaks.begin(), update.breaks.end());
+    m_impacts.insert(m_impacts.end(), update.impacts.begin(), update.impacts.end());
     m_costs.insert(m_costs.end(), update.costs.begin(), update.costs.end());
     if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
     if (update.shot) m_lastShot = update.shot;
     m_frame = std::move(update.frame);
     applyDestruction(*m_frame);
     for (const Diagnostic& one : update.diagnostics) emit statusMessage(QString::fromStdString(one.message));
-    if (haveBreaksChanged) emit breaksChanged();
+    if (haveImpactsChanged) emit impactsChanged();
     emit frameChanged();
+    if (update.order) emit forecastOrdered(update.order);
+    if (update.isReplayOver && m_state == PlayState::Playing) {
+        pause();
+        emit statusMessage(tr("The replay has ended. Resume to simulate on from here."));
+    }
 }
 
 }  // namespace rubble

@@ -60,6 +60,8 @@ public:
     void grabAlong(const Ray& ray);
     void dragAlong(const Ray& ray);
     void release();
+    /// Shows a forecast while its throw is aimed.
+    void showForecast(const Throw& thrown, std::vector<BodyForecast> bodies);
     /// Fires a shot of the project now.
     void fire(const Shot& shot);
 
@@ -67,7 +69,11 @@ public:
     const std::optional<PlayFrame>& frame() const { return m_frame; }
     /// The current position between the previous frame and the newest one, in [0, 1].
     double stepFraction() const;
-    const std::vector<BreakRecord>& breaks() const { return m_breaks; }
+    /// What was hit: what broke, and what withstood a tenth of its threshold or more; by ascending step.
+    const std::vector<ImpactRecord>& impacts() const { return m_impacts; }
+    /// Those that broke, up to a step.
+    std::vector<ImpactRecord> breaksUntil(std::uint64_t step) const;
+    std::vector<ImpactRecord> breaks() const;
     /// The costs of the last kShownCosts steps.
     const std::vector<StepCost>& costs() const { return m_costs; }
     const std::optional<ShotInput>& lastShot() const { return m_lastShot; }
@@ -88,7 +94,9 @@ signals:
     void stateChanged();
     /// A new frame is available.
     void frameChanged();
-    void breaksChanged();
+    void impactsChanged();
+    /// A forecast of the aimed throw is to be computed; showForecast() shows it.
+    void forecastOrdered(std::shared_ptr<const rubble::ForecastOrder> order);
     void toolSettingsChanged();
     /// Time scale, destruction or overlays changed.
     void settingsChanged();
@@ -122,7 +130,7 @@ private:
     PlayScript m_script;  // of the start
     std::shared_ptr<const PlayScene> m_scene;
     std::optional<PlayFrame> m_frame;
-    std::vector<BreakRecord> m_breaks;
+    std::vector<ImpactRecord> m_impacts;
     std::vector<StepCost> m_costs;
     std::optional<ShotInput> m_lastShot;
 };

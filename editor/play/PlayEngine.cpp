@@ -1,7 +1,6 @@
 #include "editor/play/PlayEngine.h"
 
 #include "core/asset/project/Ranges.h"
-#include "core/play/analysis/Forecast.h"
 
 #include <algorithm>
 #include <ranges>
@@ -10,6 +9,9 @@ namespace rubble {
 namespace {
 
 constexpr double kTrajectorySeconds = 4.0;
+constexpr double kForecastInterval = 0.25;  // s, between forecasts of the same throw while the scene moves
+constexpr double kListedRatio = 0.1;        // of the threshold: weaker impacts are not listed
+constexpr double kSameImpact = 0.25;        // s: a weaker impact this soon belongs to the one before
 
 StepCost costOf(const Session& session) {
     const StepTimes& times = session.world().times();
@@ -36,7 +38,7 @@ PlayStatistics statisticsOf(const Session& session) {
     return statistics;
 }
 
-BreakRecord recordOf(const Session& session, const PlayBreak& broken) {
+ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
     return {.step = broken.step,
             .name = session.nameOf(broken.body),
             .impact = broken.impact,
@@ -75,6 +77,7 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<con
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
     std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
     engine->m_startsWithDestruction = script.settings.hasDestruction;
+    engine->m_scriptSteps = script.steps;
     const Status started = engine->m_timeline.seek(script.begin, task, [&engine] { engine->recordStep(); });
     if (!started) return started.error();
     return engine;
@@ -115,12 +118,33 @@ void PlayEngine::recordStep() {
     if (step <= m_recordedSteps) return;
     m_recordedSteps = step;
     const PlayEvents& events = session().events();
-    for (const PlayBreak& broken : events.breaks) m_update.breaks.push_back(recordOf(session(), broken));
+    recordImpacts();
     m_update.diagnostics.insert(m_update.diagnostics.end(), events.diagnostics.begin(), events.diagnostics.end());
     m_update.costs.push_back(costOf(session()));
     if (step > m_hashes.size() || m_hashes[step - 1] == session().hash().low) return;
     report(DiagnosticCode::ReplayMismatch, "Step " + std::to_string(step) + " differs from the recording.");
     m_hashes.clear();
+}
+
+/// Records the breaks of the last step, and the impacts that bodies withstood.
+void PlayEngine::recordImpacts() {
+    const PlayEvents& events = session().events();
+    const std::uint64_t step = session().stepsDone(), same = stepOf(kSameImpact, session().stepLength());
+    for (const PlayBreak& broken : events.breaks) m_update.impacts.push_back(recordOf(session(), broken));
+    for (const PlayImpact& impact : events.impacts) {
+        const PlayBody* body = session().body(impact.body);
+        if (body == nullptr || impact.damage < kListedRatio * impact.threshold) continue;  // null: it broke
+        ImpactRecord record{.step = step,
+                            .name = session().nameOf(*body),
+                            .impact = impact.damage,
+                            .threshold = impact.threshold,
+                            .point = impact.point};
+        const auto last = m_lastImpacts.find(impact.body);
+        const bool isSame = last != m_lastImpacts.end() && step <= last->second.step + same;
+        if (isSame && record.impact <= last->second.impact) continue;
+        m_lastImpacts.insert_or_assign(impact.body, record);
+        m_update.impacts.push_back(std::move(record));
+    }
 }
 
 void PlayEngine::add(const PlayInput& input) {
@@ -131,10 +155,12 @@ void PlayEngine::add(const PlayInput& input) {
     if (m_recordedSteps > now) {  // the recorded future is void
         m_recordedSteps = now;
         m_update.discardAfter = now;
-        std::erase_if(m_update.breaks, [now](const BreakRecord& one) { return one.step > now; });
+        std::erase_if(m_update.impacts, [now](const ImpactRecord& one) { return one.step > now; });
+        std::erase_if(m_lastImpacts, [now](const auto& one) { return one.second.step > now; });
         std::erase_if(m_update.costs, [now](const StepCost& one) { return one.step > now; });
     }
     if (m_hashes.size() > now) m_hashes.resize(now);
+    m_scriptSteps = 0;
 }
 
 void PlayEngine::fire(const std::string& name, const ShotAction& action) {
@@ -184,40 +210,56 @@ void PlayEngine::aim(std::optional<ChargedThrow> thrown, const Ray& ray) {
 }
 
 void PlayEngine::setOverlays(const PlayOverlays& overlays) {
-    m_isForecast = overlays.hasHeat;
+    m_hasHeat = overlays.hasHeat;
     m_builder.setOverlays(overlays);
 }
 
-/// Updates the break forecast of the aimed throw.
-void PlayEngine::forecast() {
-    std::optional<std::vector<BodyForecast>> bodies;
-    if (m_isForecast && m_aim) {
-        const Throw thrown = throwOf(m_aim->thrown, m_aim->ray);
-        if (Result<std::vector<BodyForecast>> forecast = breakForecast(session(), thrown))
-            bodies = std::move(*forecast);
+/// Orders a forecast if the aimed throw has changed, or the scene since the last one. Another throw invalidates what is
+/// shown.
+void PlayEngine::orderForecast(const std::optional<Throw>& thrown) {
+    const std::optional<Throw> wanted = m_hasHeat ? thrown : std::nullopt;
+    const std::uint64_t step = session().stepsDone();
+    const bool isOther = wanted != m_forecastThrow || step < m_forecastStep;
+    if (isOther) {
+        m_builder.setForecast(std::nullopt);
+        m_hasForecast = false;
     }
-    m_builder.setForecast(std::move(bodies));
+    if (!isOther && step < m_forecastStep + stepOf(kForecastInterval, session().stepLength())) return;
+    m_forecastThrow = wanted;
+    m_forecastStep = step;
+    if (!wanted) return;
+    const SessionSettings settings{.dt = session().stepLength(), .sleeping = session().isSleeping()};
+    m_update.order =
+        std::make_shared<const ForecastOrder>(ForecastOrder{m_scene, settings, session().snapshot(), *wanted});
+}
+
+void PlayEngine::setForecast(const Throw& thrown, const std::vector<BodyForecast>& bodies) {
+    if (m_forecastThrow != thrown) return;
+    m_builder.setForecast(bodies);
+    m_hasForecast = true;
 }
 
 PlayFrame PlayEngine::frame() {
-    forecast();
+    std::optional<Throw> aimed;
+    if (m_aim) aimed = throwOf(m_aim->thrown, m_aim->ray);
+    orderForecast(aimed);
     PlayFrame frame{.played = m_scene,
                     .scene = m_builder.sceneOf(session()),
                     .step = session().stepsDone(),
                     .length = m_timeline.length(),
                     .statistics = statisticsOf(session()),
+                    .aimed = aimed,
+                    .hasForecast = m_hasForecast,
                     .isHolding = m_grabDistance.has_value(),
                     .hasDestruction = hasDestruction()};
-    if (m_aim) {
-        frame.aimed = throwOf(m_aim->thrown, m_aim->ray);
-        frame.trajectory = trajectoryOf(session(), *frame.aimed, kTrajectorySeconds);
-    }
+    if (aimed) frame.trajectory = trajectoryOf(session(), *aimed, kTrajectorySeconds);
     return frame;
 }
 
 PlayUpdate PlayEngine::takeUpdate() {
+    PlayFrame newest = frame();  // it may order a forecast
     PlayUpdate update = std::exchange(m_update, {});
-    update.frame = frame();
+    update.frame = std::move(newest);
     return update;
 }
 

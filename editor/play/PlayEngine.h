@@ -5,6 +5,8 @@
 #include "editor/play/PlayToolSettings.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
+#include <map>
+
 namespace rubble {
 
 /// The inputs of a session: none, or recorded ones.
@@ -48,8 +50,14 @@ public:
     /// Sets the throw whose trajectory and forecast are shown; nullopt shows none.
     void aim(std::optional<ChargedThrow> thrown, const Ray& ray);
 
-    /// Sets the overlays. Heat shows the break forecast of the aimed throw; without one, the recent impacts.
+    /// Sets the overlays. Heat shows the break forecast of the aimed throw; without one, the recent impacts. Updates
+    /// order the forecasts, see setForecast().
     void setOverlays(const PlayOverlays& overlays);
+    /// Shows a forecast, unless another throw is aimed by now.
+    void setForecast(const Throw& thrown, const std::vector<BodyForecast>& bodies);
+
+    /// Whether the last step of the script has just been played.
+    bool isAtScriptEnd() const { return m_scriptSteps > 0 && session().stepsDone() == m_scriptSteps; }
 
     /// Returns and clears the pending update, with the current frame.
     PlayUpdate takeUpdate();
@@ -60,7 +68,8 @@ private:
     void report(DiagnosticCode code, std::string message);
     PlayFrame frame();
     Throw throwOf(const ChargedThrow& charged, const Ray& ray) const;
-    void forecast();
+    void recordImpacts();
+    void orderForecast(const std::optional<Throw>& thrown);
 
     struct Aim {
         ChargedThrow thrown;
@@ -74,8 +83,13 @@ private:
     bool m_startsWithDestruction = true;
     std::uint64_t m_recordedSteps = 0;  // number of steps in updates so far
     std::optional<Aim> m_aim;
-    bool m_isForecast = false;             // the heat overlay shows the aimed throw
-    std::optional<double> m_grabDistance;  // from the eye, m; nothing: no body is grabbed
+    bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
+    std::optional<Throw> m_forecastThrow;  // of the newest order
+    std::uint64_t m_forecastStep = 0;      // of the newest order
+    bool m_hasForecast = false;            // the result of that throw is known
+    std::uint64_t m_scriptSteps = 0;       // 0: there is no script, or the user has acted on it
+    std::map<std::uint32_t, ImpactRecord> m_lastImpacts;  // by body: the last that it withstood
+    std::optional<double> m_grabDistance;                 // from the eye, m; nothing: no body is grabbed
     PlayUpdate m_update;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/play/analysis/Forecast.h"
 #include "core/play/session/Aim.h"
 #include "viewport/scene/RenderScene.h"
 
@@ -31,15 +32,16 @@ struct PlayStatistics {
     double energy = 0.0;  // J, kinetic and potential
 };
 
-/// A row of the list of breaks.
-struct BreakRecord {
+/// A row of the list of impacts: a body that broke, or one that was hit and stayed whole.
+struct ImpactRecord {
     std::uint64_t step = 0;
     std::string name;
     double impact = 0.0;     // N·s
     double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
-    std::uint32_t pieces = 0;
+    std::uint32_t pieces = 0;  // 0: it stayed whole
     double milliseconds = 0.0;
+    bool isBreak() const { return pieces > 0; }
     double ratio() const { return impact / threshold; }
 };
 
@@ -54,6 +56,7 @@ struct PlayFrame {
     PlayStatistics statistics;
     std::optional<Throw> aimed;            // the throw being aimed
     std::optional<Trajectory> trajectory;  // its trajectory
+    bool hasForecast = false;              // the heat overlay shows what it will do
     bool isHolding = false;                // a body is grabbed
     bool hasDestruction = true;            // bodies can break from here on
 };
@@ -62,10 +65,12 @@ struct PlayFrame {
 struct PlayUpdate {
     std::optional<PlayFrame> frame;             // the newest
     std::optional<std::uint64_t> discardAfter;  // the records of later steps are void; applied before the following
-    std::vector<BreakRecord> breaks;
+    std::vector<ImpactRecord> impacts;
     std::vector<StepCost> costs;  // of new steps
     std::vector<Diagnostic> diagnostics;
-    std::optional<ShotInput> shot;  // the last that was fired
+    std::optional<ShotInput> shot;               // the last that was fired
+    std::shared_ptr<const ForecastOrder> order;  // the newest forecast to compute
+    bool isReplayOver = false;                   // a script has ended
 };
 
 }  // namespace rubble

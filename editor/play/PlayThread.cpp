@@ -15,17 +15,19 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     if (newer.discardAfter) {
         const std::uint64_t last = *newer.discardAfter;
         update.discardAfter = std::min(update.discardAfter.value_or(last), last);
-        std::erase_if(update.breaks, [last](const BreakRecord& one) { return one.step > last; });
+        std::erase_if(update.impacts, [last](const ImpactRecord& one) { return one.step > last; });
         std::erase_if(update.costs, [last](const StepCost& one) { return one.step > last; });
     }
     const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
     };
-    append(update.breaks, newer.breaks);
+    append(update.impacts, newer.impacts);
     append(update.costs, newer.costs);
     append(update.diagnostics, newer.diagnostics);
     if (newer.frame) update.frame = std::move(newer.frame);
     if (newer.shot) update.shot = std::move(newer.shot);
+    if (newer.order) update.order = std::move(newer.order);
+    update.isReplayOver |= newer.isReplayOver;
 }
 
 }  // namespace
@@ -231,6 +233,9 @@ void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
     m_engine->step();
     lock.lock();
     m_due = std::max(m_due + interval(), nowLocked());
+    const bool isReplayOver = m_engine->isAtScriptEnd();
+    if (isReplayOver) m_isPlaying = false;
+    m_update.isReplayOver |= isReplayOver;
     publish(lock, interval());
 }
 

@@ -83,7 +83,7 @@ QStringList PlayView::statisticsLines() const {
     lines << tr("%1 ms per step · %2 fps").arg(number(statistics.cost.total(), 2)).arg(m_framesPerSecond);
     lines << tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep);
     lines << tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints);
-    const std::vector<BreakRecord>& breaks = m_controller.breaks();
+    const std::vector<ImpactRecord> breaks = m_controller.breaksUntil(frame.step);
     if (breaks.empty()) {
         lines << tr("no breaks");
     } else {
@@ -112,7 +112,7 @@ PlayHud::Content PlayView::content() const {
     if (!frame) return content;
     content.statistics = statisticsLines();
     content.hasHeat = m_controller.overlays().hasHeat;
-    content.isForecast = frame->trajectory.has_value();
+    content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();
     if (content.charge && frame->aimed) content.chargeText = tr("%1 m/s").arg(number(frame->aimed->speed, 1));
     if (!frame->trajectory) return content;

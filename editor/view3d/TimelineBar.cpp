@@ -34,7 +34,7 @@ TimelineBar::TimelineBar(PlayController& controller, QWidget* parent) : QWidget(
     setAccessibleDescription(tr("Arrow keys move by a step, with Shift by a second; Home and End go to the ends."));
     setStatusTip(tr("Drag to seek; input at an earlier step discards all later steps"));
     connect(&controller, &PlayController::frameChanged, this, qOverload<>(&QWidget::update));
-    connect(&controller, &PlayController::breaksChanged, this, qOverload<>(&QWidget::update));
+    connect(&controller, &PlayController::impactsChanged, this, qOverload<>(&QWidget::update));
 }
 
 QSize TimelineBar::sizeHint() const { return {300, std::max(26, fontMetrics().height() + 8)}; }
@@ -79,7 +79,7 @@ void TimelineBar::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(QPalette::Highlight));
     painter.drawRoundedRect(played, 3, 3);
     painter.setBrush(kBreak);
-    for (const BreakRecord& broken : m_controller.breaks()) {
+    for (const ImpactRecord& broken : m_controller.breaks()) {
         painter.drawRect(QRectF(positionOf(broken.step) - 1.0, (height() - kMarkHeight) / 2.0, 2.0, kMarkHeight));
     }
     painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::WindowText), 1.5));
@@ -115,7 +115,7 @@ bool TimelineBar::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const double dt = m_controller.thread().stepLength();
     QStringList lines{timeText(static_cast<double>(stepAt(help->pos().x())) * dt)};
-    for (const BreakRecord& broken : m_controller.breaks()) {
+    for (const ImpactRecord& broken : m_controller.breaks()) {
         if (std::abs(positionOf(broken.step) - help->pos().x()) <= kMarkTolerance && lines.size() < 8) {
             lines << tr("%1 broke at %2").arg(nameText(broken.name), timeText(static_cast<double>(broken.step) * dt));
         }

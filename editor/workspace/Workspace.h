@@ -2,6 +2,7 @@
 
 #include "editor/background/Baker.h"
 #include "editor/background/FilmExporter.h"
+#include "editor/background/ForecastRunner.h"
 #include "editor/background/PlayTestRunner.h"
 #include "editor/background/ProblemWatch.h"
 #include "editor/background/SwapAuditRunner.h"
@@ -44,6 +45,7 @@ private:
     ProblemWatch m_problems;
     Baker m_baker;
     PlayController m_play;
+    ForecastRunner m_forecasts;
     PlayTestRunner m_playTests;
     SwapAuditRunner m_swapAudits;
     FilmExporter m_films;

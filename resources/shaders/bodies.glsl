@@ -2,7 +2,7 @@
 uniform samplerBuffer poses;           // two texels per body: position and shrinkage, orientation (x, y, z, w)
 uniform samplerBuffer previousPoses;   // the same, one step earlier; read only if edges.w < 1
 uniform samplerBuffer explodeOffsets;  // one texel per body; read only if edges.z > 0
-uniform usamplerBuffer appearances;    // one texel per body: outside and inside colour (0xRRGGBB), marks, row of heat
+uniform usamplerBuffer appearances;    // one texel per body: outside and inside colour (0xRRGGBB), marks
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -25,10 +25,6 @@ layout(std140) uniform Frame {
     vec4 horizon;        // sRGB
     vec4 soil;           // sRGB
     vec4 viewport;        // width and height, pixels; w: device pixels per point
-    vec4 projectile;        // see HeatSource, as is the next
-    vec4 projectileGravity;
-    vec4 impactSpeeds;         // m/s; x: slower impacts do no damage; y: slower ones have no restitution
-    vec4 heatRamp[6];    // sRGB of 0, 1/4, 1/2, 3/4, 1 and of breaking bodies
     uvec4 hovered;       // x: index of the body under the pointer plus one; 0: none
 };
 

@@ -3,7 +3,6 @@ in vec3 sceneNormal;
 in vec2 placeAcross;
 flat in vec3 colour;
 flat in uint marks;
-flat in uint heat;
 out vec4 pixel;
 
 vec3 lit(vec3 albedo, vec3 n) {
@@ -17,7 +16,7 @@ vec3 lit(vec3 albedo, vec3 n) {
 
 void main() {
     vec3 normal = normalize(sceneNormal);
-    vec3 albedo = linearOf(surfaceColour(colour, heat, scenePoint, normal));
+    vec3 albedo = linearOf(colour);
     bool isSelected = (marks & 2u) != 0u, isHovered = (marks & 4u) != 0u;
     vec3 accentLinear = linearOf(accent.rgb);
     if (isSelected) albedo = mix(albedo, accentLinear, 0.45);

@@ -3,7 +3,6 @@ out vec3 sceneNormal;
 out vec2 placeAcross;
 flat out vec3 colour;  // sRGB
 flat out uint marks;
-flat out uint heat;
 
 vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u) / 255.0; }
 
@@ -15,6 +14,5 @@ void main() {
     placeAcross = across;
     colour = unpackedColour(side == 0u ? appearance.x : appearance.y);
     marks = appearance.z;
-    heat = appearance.w;
     gl_Position = (appearance.z & kHidden) != 0u ? kClipped : clipFromScene * vec4(scenePoint, 1.0);
 }

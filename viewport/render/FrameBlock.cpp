@@ -1,8 +1,6 @@
 #include "viewport/render/FrameBlock.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "core/physics/solver/SpeedThresholds.h"
-#include "viewport/scene/OverlayColours.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -38,17 +36,6 @@ glm::vec2 gridStep(const Camera& camera) {
     const double power = std::log10(kFineStep * camera.distance);
     const double whole = std::floor(power);
     return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
-}
-
-/// The heat colours at 0, 1/4, 1/2, 3/4, just below 1, and of breaking bodies; linear between these.
-std::array<glm::vec4, 6> heatRamp() {
-    constexpr double kBelowOne = 1.0 - 1e-9;
-    std::array<glm::vec4, 6> ramp;
-    for (std::size_t stop = 0; stop < ramp.size(); ++stop) {
-        const Colour colour = heatColour(stop < 4 ? 0.25 * static_cast<double>(stop) : stop == 4 ? kBelowOne : 1.0);
-        ramp[stop] = glm::vec4(colour.red, colour.green, colour.blue, 1.0);
-    }
-    return ramp;
 }
 
 }  // namespace
@@ -100,10 +87,6 @@ FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Bo
     frame.horizon = glm::vec4(environment.horizon, 1.0f);
     frame.soil = glm::vec4(environment.soil, 1.0f);
     frame.hovered.x = view.hovered ? *view.hovered + 1 : 0;
-    frame.projectile = scene.heatSource.from;
-    frame.projectileGravity = scene.heatSource.gravity;
-    frame.impactSpeeds = {kMinImpactSpeed, kMinRestitutionSpeed, 0.0f, 0.0f};
-    frame.heatRamp = heatRamp();
     frame.viewport = {view.size.width, view.size.height, 0.0f, scale};
     return frame;
 }

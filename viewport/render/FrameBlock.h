@@ -5,8 +5,6 @@
 
 #include <glm/mat4x4.hpp>
 
-#include <array>
-
 namespace rubble {
 
 /// The uniform block Frame of frame.glsl, where each field is documented.
@@ -15,8 +13,6 @@ struct FrameBlock {
     glm::vec4 eye, back, keyDirection, skyDirection, skyLight, groundLight;
     glm::vec4 backgroundTop, backgroundBottom, grid, ground, shaded, spacing, accent, edges;
     glm::vec4 right, up, depth, zenith, horizon, soil, viewport;
-    glm::vec4 projectile, projectileGravity, impactSpeeds;
-    std::array<glm::vec4, 6> heatRamp;
     glm::uvec4 hovered;
 };
 

@@ -87,7 +87,7 @@ void RenderPasses::drawBackground() {
 void RenderPasses::drawSolid() {
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
-    lit(scene.scene()->heats.empty() ? programs.solid : programs.heated).use();
+    lit(programs.solid).use();
     scene.draw(SceneBuffers::Part::Bodies);
     glDisable(GL_CULL_FACE);
 }

@@ -31,10 +31,7 @@ private:
 Result<RenderPrograms> compilePrograms() {
     ProgramCompiler compiler;
     RenderPrograms programs{
-        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                     {"shadow.glsl", "edge.glsl", "plain.glsl", "solid.frag"}),
-        .heated =
-            compiler.compileLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "heat.glsl", "solid.frag"}),
+        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "solid.frag"}),
         .groundShadow = compiler.compileLit({"ground_shadow.vert"}, {"shadow.glsl", "ground_shadow.frag"}),
         .wires = compiler.compile({"bodies.glsl", "solid.vert"}, {"edge.glsl", "wires.frag"}),
         .depth = compiler.compile({"bodies.glsl", "depth.vert"}, {"depth.frag"}),

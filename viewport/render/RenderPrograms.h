@@ -13,7 +13,7 @@ struct LitPrograms {
 
 /// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, heated, groundShadow;
+    LitPrograms solid, groundShadow;
     ShaderProgram wires, depth, pick, sky, grid, screenLines, sceneLines, dust, mean;
 };
 

@@ -10,8 +10,7 @@
 namespace rubble {
 namespace {
 
-static_assert(sizeof(RenderPose) == 32 && sizeof(BodyAppearance) == 16 && sizeof(SurfaceHeat) == 80,
-              "texels of buffer textures");
+static_assert(sizeof(RenderPose) == 32 && sizeof(BodyAppearance) == 16, "texels of buffer textures");
 
 template <class T>
 GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
@@ -45,8 +44,7 @@ SceneBuffers::SceneBuffers()
     : m_poses(TextureUnit::Poses, GL_RGBA32F),
       m_previousPoses(TextureUnit::PreviousPoses, GL_RGBA32F),
       m_explodeOffsets(TextureUnit::ExplodeOffsets, GL_RGBA32F),
-      m_appearances(TextureUnit::Appearances, GL_RGBA32UI),
-      m_heats(TextureUnit::Heats, GL_RGBA32F) {}
+      m_appearances(TextureUnit::Appearances, GL_RGBA32UI) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
     const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
@@ -98,12 +96,10 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     write(m_previousPoses, m_scene->previousPoses);
     write(m_explodeOffsets, m_scene->explodeOffsets);
     write(m_appearances, m_scene->appearances);
-    write(m_heats, m_scene->heats);
 }
 
 void SceneBuffers::draw(Part part) const {
-    for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances, &m_heats})
-        texels->bind();
+    for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances}) texels->bind();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];
         const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();

@@ -41,7 +41,7 @@ private:
     std::shared_ptr<const RenderScene> m_scene;
     std::vector<Geometry> m_geometries;
     std::vector<Batch> m_batches;
-    TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances, m_heats;
+    TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances;
     mutable RenderCounts m_counts;
 };
 

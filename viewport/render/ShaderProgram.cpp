@@ -20,8 +20,7 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"keyShadow", TextureUnit::KeyShadow},
                                  {"skyShadow", TextureUnit::SkyShadow},
                                  {"source", TextureUnit::Source},
-                                 {"depths", TextureUnit::Depths},
-                                 {"heats", TextureUnit::Heats}};
+                                 {"depths", TextureUnit::Depths}};
 
 /// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {

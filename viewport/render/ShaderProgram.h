@@ -49,8 +49,7 @@ enum class TextureUnit : std::uint32_t {
     KeyShadow,
     SkyShadow,
     Source,
-    Depths,
-    Heats
+    Depths
 };
 
 }  // namespace rubble

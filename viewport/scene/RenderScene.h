@@ -2,7 +2,6 @@
 
 #include "core/asset/project/Project.h"
 #include "viewport/scene/SceneGeometry.h"
-#include "viewport/scene/SurfaceHeat.h"
 
 #include <glm/vec4.hpp>
 
@@ -42,8 +41,8 @@ RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fra
 struct BodyAppearance {
     std::uint32_t outside = 0xcccccc;
     std::uint32_t inside = 0x999999;
-    std::uint32_t marks = 0;  // bits: kHidden, kSelected, kHovered
-    std::uint32_t heat = 0;   // its row in RenderScene::heats plus one; 0: one colour for the whole surface
+    std::uint32_t marks = 0;    // bits: kHidden, kSelected, kHovered
+    std::uint32_t padding = 0;  // to the size of a texel
 };
 inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
@@ -106,8 +105,6 @@ struct RenderScene {
     std::vector<SceneLine> lines;
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<DustPuff> puffs;
-    std::vector<SurfaceHeat> heats;  // of the bodies with a heat that varies over the surface
-    HeatSource heatSource;
     std::optional<SceneSummary> summary;  // cached; see summaryOf()
 };
 

@@ -73,13 +73,9 @@ void SessionSceneBuilder::setOverlays(const PlayOverlays& overlays) {
 
 void SessionSceneBuilder::setForecast(std::optional<std::vector<BodyForecast>> bodies) {
     m_forecast.reset();
-    m_surfaceForecasts.clear();
     if (!bodies) return;
-    m_surfaceForecasts = std::move(*bodies);
-    std::erase_if(m_surfaceForecasts, [](const BodyForecast& body) { return !std::isfinite(body.threshold); });
-    std::ranges::sort(m_surfaceForecasts, {}, &BodyForecast::body);
     m_forecast.emplace();
-    for (const BodyForecast& body : m_surfaceForecasts) m_forecast->push_back({body.body, body.largest});
+    for (const BodyForecast& body : *bodies) m_forecast->push_back({body.body, body.largest});
 }
 
 /// An empty batch for each asset of the scene.
@@ -122,10 +118,7 @@ std::uint32_t SessionSceneBuilder::sceneIndexOf(const PlayBody& body) const {
 
 /// Writes the bodies' poses; false if a body has no slot yet.
 bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene) const {
-    for (BodyAppearance& appearance : scene.appearances) {
-        appearance.marks = kHidden;
-        appearance.heat = 0;
-    }
+    for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
         const std::uint32_t slot = sceneIndexOf(body);
@@ -187,7 +180,6 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.lines.clear();
     scene.boxes.clear();
     scene.puffs.clear();
-    scene.heats.clear();
     addDust(scene, session);
     recordImpacts(session);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
@@ -203,19 +195,6 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
         scene.appearances[body.body].inside = m_layout.appearances[body.body].inside;
     }
     tintBodies(scene, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts);
-    if (m_overlays.hasHeat) addSurfaceHeats(tints, scene);
-}
-
-/// Adds rows for bodies that can break only, which keeps the many small pieces free.
-void SessionSceneBuilder::addSurfaceHeats(std::span<const BodyTint> bodies, RenderScene& scene) const {
-    if (m_surfaceForecasts.empty()) return;
-    scene.heatSource = heatSource(m_surfaceForecasts.front().projectile, scene.origin);
-    for (const BodyTint& body : bodies) {
-        const auto found = std::ranges::lower_bound(m_surfaceForecasts, body.number, {}, &BodyForecast::body);
-        if (found == m_surfaceForecasts.end() || found->body != body.number) continue;
-        scene.heats.push_back(surfaceHeat(*found, scene.origin));
-        scene.appearances[body.body].heat = static_cast<std::uint32_t>(scene.heats.size());
-    }
 }
 
 /// Copies the previous scene into the new layout: the bodies that have a slot in both.

@@ -35,7 +35,7 @@ public:
 
     /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
     void setOverlays(const PlayOverlays& overlays);
-    /// Sets what the heat overlay shows: a break forecast, varying over surfaces. Without one, the default, it shows
+    /// Sets what the heat overlay shows: a break forecast, by ascending body number. Without one, the default, it shows
     /// the recent impacts, fading within a second.
     void setForecast(std::optional<std::vector<BodyForecast>> bodies);
 
@@ -55,7 +55,6 @@ private:
     std::shared_ptr<RenderScene> posedScene(const Session& session);
     std::uint32_t sceneIndexOf(const PlayBody& body) const;
     bool writePoses(const Session& session, RenderScene& scene) const;
-    void addSurfaceHeats(std::span<const BodyTint> bodies, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
@@ -74,7 +73,6 @@ private:
     PlayOverlays m_overlays;
     double m_arrowScale = 1.0;
     std::optional<std::vector<BodyHeat>> m_forecast;  // by ascending body number
-    std::vector<BodyForecast> m_surfaceForecasts;     // likewise, only of bodies that may break
     std::vector<BodyHeat> m_impacts;                  // likewise
     std::vector<Model> m_models;                      // one per batch; the scene's assets first
     std::vector<Slots> m_slots;                       // one per origin

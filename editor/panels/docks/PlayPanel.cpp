@@ -24,20 +24,20 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     : QWidget(parent),
       m_controller(controller),
       m_graph(new StepGraph),
-      m_model(new BreakModel(this)),
+      m_model(new ImpactModel(this)),
       m_view(new QTreeView),
       m_summary(new QLabel) {
     m_view->setModel(m_model);
     m_view->setRootIsDecorated(false);
     m_view->setUniformRowHeights(true);
     m_view->setAlternatingRowColors(true);
-    m_view->setAccessibleName(tr("Breaks"));
-    m_view->setObjectName("breaks");
+    m_view->setAccessibleName(tr("Impacts"));
+    m_view->setObjectName("impacts");
     widenColumns();
     connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
-        const BreakRecord& broken = m_model->broken(index.row());
-        m_controller.seek(broken.step);
-        emit jumpRequested(broken.point);
+        const ImpactRecord& impact = m_model->impact(index.row());
+        m_controller.seek(impact.step);
+        emit jumpRequested(impact.point);
     });
     m_summary->setContentsMargins(6, 2, 6, 4);
     auto* list = new QWidget;
@@ -55,10 +55,10 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(parts);
-    connect(&controller, &PlayController::frameChanged, this, &PlayPanel::refreshGraph);
-    connect(&controller, &PlayController::breaksChanged, this, &PlayPanel::refreshBreaks);
-    connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshBreaks);
-    refreshBreaks();
+    connect(&controller, &PlayController::frameChanged, this, &PlayPanel::refreshFrame);
+    connect(&controller, &PlayController::impactsChanged, this, &PlayPanel::refreshImpacts);
+    connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshImpacts);
+    refreshImpacts();
 }
 
 /// Fits columns to their titles and to numbers of six digits; the names get the remaining width.
@@ -66,34 +66,41 @@ void PlayPanel::widenColumns() {
     QHeaderView& header = *m_view->header();
     header.setStretchLastSection(false);
     const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kPlayColumnMargin;
-    for (int column = 0; column < BreakModel::kColumns; ++column) {
+    for (int column = 0; column < ImpactModel::kColumns; ++column) {
         const int title =
             fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         header.resizeSection(column, std::max(least, title + kPlayColumnMargin));
     }
-    header.setSectionResizeMode(BreakModel::kName, QHeaderView::Stretch);
+    header.setSectionResizeMode(ImpactModel::kName, QHeaderView::Stretch);
 }
 
-void PlayPanel::refreshGraph() {
+void PlayPanel::refreshFrame() {
+    refreshSummary();
     if (m_lastPaint.isValid() && m_lastPaint.elapsed() < kPaintMilliseconds) return;
     m_lastPaint.start();
     m_graph->setCosts(m_controller.costs(), PlayController::kShownCosts);
 }
 
-void PlayPanel::refreshBreaks() {
+void PlayPanel::refreshImpacts() {
     const bool isAtEnd = m_view->verticalScrollBar()->value() == m_view->verticalScrollBar()->maximum();
-    m_model->setBreaks(m_controller.breaks(), m_controller.thread().stepLength());
+    m_model->setImpacts(m_controller.impacts(), m_controller.thread().stepLength());
     if (isAtEnd) m_view->scrollToBottom();
+    refreshSummary();
+}
+
+/// Counts what has broken up to the displayed step.
+void PlayPanel::refreshSummary() {
     if (!m_controller.isInPlay()) {
         m_summary->setText(tr("The simulation is stopped."));
         m_graph->setCosts({}, PlayController::kShownCosts);
-    } else if (m_controller.breaks().empty()) {
-        m_summary->setText(tr("Nothing has broken."));
-    } else {
-        std::uint64_t fragments = 0;
-        for (const BreakRecord& broken : m_controller.breaks()) fragments += broken.pieces;
-        m_summary->setText(tr("Breaks: %L1 · Fragments: %L2").arg(m_controller.breaks().size()).arg(fragments));
+        return;
     }
+    const std::optional<PlayFrame>& frame = m_controller.frame();
+    const std::vector<ImpactRecord> breaks = m_controller.breaksUntil(frame ? frame->step : 0);
+    std::uint64_t fragments = 0;
+    for (const ImpactRecord& broken : breaks) fragments += broken.pieces;
+    m_summary->setText(breaks.empty() ? tr("Nothing has broken.")
+                                      : tr("Breaks: %L1 · Fragments: %L2").arg(breaks.size()).arg(fragments));
 }
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/panels/models/BreakModel.h"
+#include "editor/panels/models/ImpactModel.h"
 #include "editor/play/PlayController.h"
 
 #include <QElapsedTimer>
@@ -13,7 +13,7 @@ namespace rubble {
 
 class StepGraph;
 
-/// The dock with statistics of the simulation: the time per step, and a list of breaks. Activating a break emits
+/// The dock with statistics of the simulation: the time per step, and a list of impacts. Activating one emits
 /// jumpRequested().
 class PlayPanel : public QWidget {
     Q_OBJECT
@@ -21,17 +21,18 @@ public:
     explicit PlayPanel(PlayController& controller, QWidget* parent = nullptr);
 
 signals:
-    /// The user asks to see a break at this position.
+    /// The user asks to see an impact at this position.
     void jumpRequested(const rubble::Vec3& position);
 
 private:
     void widenColumns();
-    void refreshGraph();
-    void refreshBreaks();
+    void refreshFrame();
+    void refreshImpacts();
+    void refreshSummary();
 
     PlayController& m_controller;
     StepGraph* m_graph;
-    BreakModel* m_model;
+    ImpactModel* m_model;
     QTreeView* m_view;
     QLabel* m_summary;
     QElapsedTimer m_lastPaint;

@@ -57,8 +57,7 @@ void PlayTool::enter(QPointF position) {
 }
 
 void PlayTool::leave() {
-    if (!m_controller.isInPlay()) return;
-    m_isPointing = false;
+    m_isPointing = false;  // also for the next run
     updateAim();
 }
 

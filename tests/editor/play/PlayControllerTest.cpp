@@ -85,12 +85,12 @@ private slots:
         test::Stage stage;
         stage.controller.setToolSettings(heavyBox());
         stage.start();
-        const QSignalSpy told(&stage.controller, &PlayController::breaksChanged);
+        const QSignalSpy told(&stage.controller, &PlayController::impactsChanged);
         stage.controller.throwAlong(kAtBlock);
         stage.advance(20);
         QVERIFY(!told.isEmpty());
         QCOMPARE(stage.controller.breaks().size(), 1u);
-        const BreakRecord& broken = stage.controller.breaks().front();
+        const ImpactRecord broken = stage.controller.breaks().front();
         QCOMPARE(broken.name, "block");
         QCOMPARE(broken.threshold, 100.0);
         QVERIFY(broken.ratio() > 1.0 && broken.pieces == 5);
@@ -323,6 +323,95 @@ private slots:
             const Throw& thrown = std::get<Throw>(stage.controller.lastShot()->action);
             QCOMPARE(thrown.speed, 80.0 * (1.0 + 1.5 * charge));
         }
+    }
+    void impactsThatBreakNothingAreListed() {
+        Project project = test::floatingBlock();
+        project.assets[0].threshold = 600.0;
+        test::Stage stage(project);
+        stage.controller.setToolSettings(heavyBox());  // 240 N·s
+        stage.start();
+        stage.controller.throwAlong(kAtBlock);
+        stage.advance(20);
+        QVERIFY(stage.controller.breaks().empty());
+        QCOMPARE(stage.controller.impacts().size(), 1u);
+        const ImpactRecord& impact = stage.controller.impacts().front();
+        QVERIFY(!impact.isBreak() && impact.name == "block");
+        QVERIFY(impact.ratio() > 0.38 && impact.ratio() < 0.41);
+    }
+    void breaksAreCountedUpToAStep() {
+        test::Stage stage;
+        stage.controller.setToolSettings(heavyBox());
+        stage.start();
+        stage.controller.throwAlong(kAtBlock);
+        stage.advance(20);
+        const std::uint64_t step = stage.controller.breaks().front().step;
+        QCOMPARE(stage.controller.breaksUntil(step - 1).size(), 0u);
+        QCOMPARE(stage.controller.breaksUntil(step).size(), 1u);
+    }
+    void replaysPauseAtTheirEndAndResume() {
+        test::Stage stage;
+        stage.start();
+        stage.advance(5);
+        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
+        stage.controller.replay(stage.controller.script());
+        stage.settle();
+        stage.advance(9);
+        QCOMPARE(stage.step(), 5u);
+        QCOMPARE(stage.controller.state(), PlayState::Paused);
+        QCOMPARE(messages.size(), 1);
+        stage.controller.play();
+        stage.advance(2);
+        QVERIFY(stage.step() > 5u);
+    }
+    void restartingEditsSaySo() {
+        test::Stage stage;
+        stage.start();
+        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
+        Instance moved = stage.document.project().instances[0];
+        moved.pose.position.x += 1.0;
+        stage.document.push(modify("Move it", moved));
+        QCOMPARE(messages.size(), 1);
+        QVERIFY(messages[0][0].toString().contains("restarts"));
+    }
+    void restartForgetsTheAim() {
+        test::Stage stage;
+        stage.start();
+        stage.controller.aim(kAtBlock);
+        stage.advance(1);
+        QVERIFY(stage.controller.frame()->trajectory);
+        stage.controller.reset();
+        QVERIFY(!stage.controller.frame()->trajectory && !stage.controller.frame()->aimed);
+        stage.settle();
+        QVERIFY(!stage.controller.frame()->trajectory);
+    }
+    void heatOrdersAForecastOfEachThrow() {
+        test::Stage stage;
+        stage.controller.setToolSettings(heavyBox());
+        stage.start();
+        stage.controller.pause();
+        stage.settle();
+        QSignalSpy orders(&stage.controller, &PlayController::forecastOrdered);
+        stage.controller.aim(kAtBlock);
+        stage.settle();
+        QCOMPARE(orders.size(), 0);  // not shown
+        stage.controller.setOverlays({.hasHeat = true});
+        stage.settle();
+        QCOMPARE(orders.size(), 1);
+        stage.controller.aim(kAtBlock);
+        stage.settle();
+        QCOMPARE(orders.size(), 1);  // the same throw
+        const auto order = orders[0][0].value<std::shared_ptr<const ForecastOrder>>();
+        QVERIFY(!stage.controller.frame()->hasForecast);
+        stage.controller.showForecast(order->thrown, {{.body = 1, .largest = 2.0}});
+        stage.settle();
+        QVERIFY(stage.controller.frame()->hasForecast);
+        stage.controller.aim(Ray{{0.1, 5.0, 4.0}, {0.0, 0.0, -1.0}});
+        stage.settle();
+        QCOMPARE(orders.size(), 2);
+        QVERIFY(!stage.controller.frame()->hasForecast);
+        stage.controller.showForecast(order->thrown, {{.body = 1, .largest = 2.0}});  // too late
+        stage.settle();
+        QVERIFY(!stage.controller.frame()->hasForecast);
     }
     void aimingShowsTheTrajectory() {
         test::Stage stage;

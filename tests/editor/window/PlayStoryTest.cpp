@@ -60,7 +60,7 @@ private slots:
         advance(90);
         QVERIFY(!play().breaks().empty());
         QVERIFY(play().breaks().front().ratio() >= 1.0);
-        QTRY_COMPARE(breaks().model()->rowCount(), static_cast<int>(play().breaks().size()));
+        QTRY_COMPARE(impacts().model()->rowCount(), static_cast<int>(play().impacts().size()));
         const QImage now = picture();
         QVERIFY(test::meanDifference(m_unbroken.copy(around()), now.copy(around())) > 3.0);
         m_hash = hash();
@@ -78,13 +78,13 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
         QCOMPARE(hash(), m_hash);
     }
-    void enterInTheListSeeksToABreak() {
-        const QModelIndex first = breaks().model()->index(0, 0);
-        breaks().scrollTo(first);
-        QTest::mouseClick(breaks().viewport(), Qt::LeftButton, {}, breaks().visualRect(first).center());
-        QTest::keyClick(&breaks(), Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().breaks().front().step, kPatience);
-        QVERIFY(glm::distance(viewport().camera().target, play().breaks().front().point) < 0.1);
+    void enterInTheListSeeksToAnImpact() {
+        const QModelIndex first = impacts().model()->index(0, 0);
+        impacts().scrollTo(first);
+        QTest::mouseClick(impacts().viewport(), Qt::LeftButton, {}, impacts().visualRect(first).center());
+        QTest::keyClick(&impacts(), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().impacts().front().step, kPatience);
+        QVERIFY(glm::distance(viewport().camera().target, play().impacts().front().point) < 0.1);
         QTest::keyClick(&timeline(), Qt::Key_End);
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
     }
@@ -150,7 +150,7 @@ private:
     QString hint() { return window().findChild<QLabel*>("hint")->text(); }
     PlayController& play() { return window().workspace().play(); }
     TimelineBar& timeline() { return *window().findChild<TimelineBar*>("timeline"); }
-    QTreeView& breaks() { return *window().findChild<QTreeView*>("breaks"); }
+    QTreeView& impacts() { return *window().findChild<QTreeView*>("impacts"); }
     QPoint target() { return viewport().pointOf(kBesideTheDoor)->toPoint(); }
     QRect around() { return QRect(target() - QPoint(40, 40), QSize(80, 80)); }
     void advance(int steps) {

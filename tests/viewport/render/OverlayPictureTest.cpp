@@ -1,7 +1,6 @@
-// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, heat, scale bar.
+// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, scale bar.
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/StarterProject.h"
-#include "core/play/analysis/Forecast.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
@@ -90,35 +89,6 @@ private slots:
         QVERIFY(puffAt(1.0f) > 8.0);
         QVERIFY(puffAt(-1.0f) < 0.01);
         QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades at the wall
-    }
-    void heatVariesOverTheSurface() {
-        RenderScene scene = centredWall(), heated = scene;
-        const Vec3 middle = boundsOf(scene).centre();
-        BodyForecast forecast{.threshold = 120.0,
-                              .projectile = {.mass = 10.0, .from = middle + Vec3(0.0, 0.0, 4.0), .speed = 8.0}};
-        forecast.mass.inverseMass = 1.0 / 500.0;
-        forecast.mass.inverseInertia = Mat3(6.0 / 500.0);
-        forecast.mass.centre = middle;
-        heated.heatSource = heatSource(forecast.projectile, heated.origin);
-        heated.heats = {surfaceHeat(forecast, heated.origin)};
-        for (BodyAppearance& look : heated.appearances) look.heat = 1;
-        const QImage seen = picture(heated);
-        const Camera camera = framing({}, boundsOf(scene), kPictureSize);
-        std::set<QRgb> colours;
-        for (const Vec3& away : {Vec3(0.1, 0.15, 0.25), Vec3(0.4, -0.3, 0.25), Vec3(-0.44, 0.42, 0.25)}) {
-            const std::uint32_t flat = packed(heatColour(forecast.at(middle + away, {0.0, 0.0, 1.0})));
-            for (BodyAppearance& look : scene.appearances) look.outside = flat;
-            const Vec2 pixel = pixelOf(camera, middle + away, kPictureSize).value();
-            const auto colourIn = [&](const QImage& image) {
-                return image.pixelColor(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
-            };
-            const QColor expected = colourIn(picture(scene)), told = colourIn(seen);
-            QVERIFY2(std::abs(expected.red() - told.red()) <= 4 && std::abs(expected.green() - told.green()) <= 4 &&
-                         std::abs(expected.blue() - told.blue()) <= 4,
-                     qPrintable(expected.name() + ' ' + told.name()));
-            colours.insert(told.rgb());
-        }
-        QCOMPARE(colours.size(), std::size_t{3});  // the centre yields least, so the impact is largest
     }
     void outdoorSceneHasHorizonAndScaleBar() {
         RenderScene scene = centredWall();

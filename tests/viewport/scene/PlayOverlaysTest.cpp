@@ -128,7 +128,7 @@ private slots:
         QVERIFY(hottest > 0.05 && hottest < 1.0);
         for (int k = 0; k < 120; ++k) shown.step(1);
         QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
-        shown.builder.setForecast(std::vector<BodyForecast>{{.body = 1, .threshold = 100.0, .largest = 1.2}});
+        shown.builder.setForecast(std::vector<BodyForecast>{{.body = 1, .largest = 1.2}});
         shown.step(1);
         QCOMPARE(shown.lookOf(1).outside, packed(heatColour(1.0)));
         shown.builder.setForecast(std::nullopt);

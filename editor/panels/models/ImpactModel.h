@@ -6,18 +6,18 @@
 
 namespace rubble {
 
-/// The breaks of a play session as a table, in order of time.
-class BreakModel : public QAbstractTableModel {
+/// The impacts of a play session as a table, in order of time: what broke, and what stayed whole.
+class ImpactModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { kTime, kName, kRatio, kImpact, kThreshold, kPieces, kCost, kColumns };
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Shows these breaks; `stepLength` in s. Breaks that only follow those shown are inserted without a reset of the
-    /// model.
-    void setBreaks(const std::vector<BreakRecord>& breaks, double stepLength);
-    const BreakRecord& broken(int row) const { return m_breaks[static_cast<std::size_t>(row)]; }
+    /// Shows these impacts; `stepLength` in s. Impacts that only follow those shown are inserted without a reset of
+    /// the model.
+    void setImpacts(const std::vector<ImpactRecord>& impacts, double stepLength);
+    const ImpactRecord& impact(int row) const { return m_impacts[static_cast<std::size_t>(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -25,9 +25,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QVariant text(const BreakRecord& broken, int column) const;
+    QVariant text(const ImpactRecord& record, int column) const;
 
-    std::vector<BreakRecord> m_breaks;
+    std::vector<ImpactRecord> m_impacts;
     double m_stepLength = 1.0 / 60.0;
 };
 
