@@ -54,6 +54,9 @@ void ViewportCanvas::initializeGL() {
     m_samples = 0;
 }
 
+/// The samples have the former size.
+void ViewportCanvas::resizeGL(int /*width*/, int /*height*/) { m_samples = 0; }
+
 void ViewportCanvas::setScene(std::shared_ptr<const RenderScene> scene) {
     m_scene = std::move(scene);
     if (m_renderer) {

@@ -52,6 +52,7 @@ ViewportWidget::ViewportWidget(QWidget* parent)
     } else {
         m_canvas = new ViewportCanvas(this);
         layout->addWidget(m_canvas);
+        connect(m_canvas, &QOpenGLWidget::frameSwapped, this, &ViewportWidget::drawn);
         // Queued: it is emitted while the canvas is being shown.
         connect(m_canvas, &ViewportCanvas::failed, this, &ViewportWidget::showError, Qt::QueuedConnection);
     }

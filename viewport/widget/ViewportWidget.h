@@ -88,6 +88,8 @@ signals:
     void hovered(const std::optional<rubble::PickId>& pick);
     /// The camera's goal changed.
     void cameraChanged();
+    /// A frame was drawn and shown.
+    void drawn();
 
 protected:
     bool event(QEvent* event) override;

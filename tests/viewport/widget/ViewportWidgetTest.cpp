@@ -236,6 +236,18 @@ private slots:
         QCOMPARE(frames.count(), 0);
         QVERIFY(viewport->grab().toImage() != before);
     }
+    void resizedViewIsDrawnAnew() {
+        const auto viewport = shownWall();
+        viewport->resize(160, 120);
+        viewport->setProgressiveRendering(ProgressiveRendering::Always);
+        auto* timer = viewport->findChild<QOpenGLWidget*>()->findChild<QTimer*>();
+        QTRY_VERIFY(timer->isActive());
+        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), 60000);
+        viewport->resize(200, 120);
+        const QImage resized = viewport->grab().toImage();
+        viewport->setProgressiveRendering(ProgressiveRendering::Never);
+        QCOMPARE(resized, viewport->grab().toImage());
+    }
     void survivesAMoveToAnotherWindow() {
         auto viewport = shownWall();
         QWidget other;
