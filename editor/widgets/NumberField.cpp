@@ -11,9 +11,9 @@ namespace rubble {
 
 namespace {
 
-constexpr int kShownDigits = 5;                // significant, without focus
-constexpr qint64 kMaxPauseMilliseconds = 700;  // between steps of one group
-constexpr int kStepDigits = 12;                // significant, of sums of steps: 0.1 + 0.2 is 0.3
+constexpr int kShownDigits = 5;                 // significant, without focus
+constexpr qint64 kMaxPauseMilliseconds = 3000;  // between steps of one group: clicks with a look at the result
+constexpr int kStepDigits = 12;                 // significant, of sums of steps: 0.1 + 0.2 is 0.3
 
 constexpr int kCursorWidth = 6;  // pixels, with the line edit's margins
 
@@ -104,6 +104,13 @@ QString NumberField::rangeSentence() const {
     return tr("Enter a number from %1 to %2.").arg(text(m_range.min), text(m_range.max));
 }
 
+QString NumberField::refusalOf(const QString& text) const {
+    const QString example = locale().toString(12.5);
+    if (m_format.unit.isEmpty()) return tr("\"%1\" is not a number. Enter a number such as %2.").arg(text, example);
+    return tr("\"%1\" is not a number with a known unit. Enter a number such as %2.")
+        .arg(text, withUnit(example, m_format));
+}
+
 void NumberField::refuse(const QString& sentence) {
     QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence, this);
     emit refused(sentence);
@@ -115,7 +122,7 @@ bool NumberField::commit() {
     if (m_isMixed && text.trimmed().isEmpty()) return true;
     const std::optional<double> typed = parseNumber(text, m_format, locale());
     if (!typed) {
-        refuse(tr("\"%1\" is not a number. Enter a number such as %2.").arg(text.trimmed(), locale().toString(12.5)));
+        refuse(refusalOf(text.trimmed()));
         return false;
     }
     if (!m_range.contains(*typed)) {
@@ -164,7 +171,10 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            if (commit()) showValue();
+            if (commit()) {
+                showValue();
+                event->ignore();  // a dialog accepts
+            }
             lineEdit()->selectAll();
             return;
         case Qt::Key_Escape:
@@ -214,6 +224,15 @@ QSize NumberField::sizeFor(const QString& number) const {
 
 QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.000")); }
 QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("000.00")); }
+
+bool commitFields(const QWidget& dialog) {
+    for (NumberField* field : dialog.findChildren<NumberField*>()) {
+        if (field->commit()) continue;
+        field->setFocus();
+        return false;
+    }
+    return true;
+}
 
 }  // namespace rubble
 

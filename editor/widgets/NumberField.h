@@ -89,6 +89,7 @@ private:
     void refuse(const QString& sentence);
     void enter(double value);
     QString rangeSentence() const;
+    QString refusalOf(const QString& text) const;
 
     double m_value = 0.0;
     bool m_isMixed = false;
@@ -97,5 +98,8 @@ private:
     QString m_hint;
     StepSequence m_steps;
 };
+
+/// Applies the typed texts of all fields in a dialog. Returns false if one is refused, which then has the focus.
+bool commitFields(const QWidget& dialog);
 
 }  // namespace rubble

@@ -5,7 +5,9 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace rubble {
@@ -92,6 +94,26 @@ std::vector<NumberFormat> alternatives(const NumberFormat& format) {
     return {format};
 }
 
+/// The metres of an inch or a foot at the end of a text, as in 3', 3 ft, 2" or 2 in, which is removed; nothing if there
+/// is none.
+std::optional<double> removeImperialUnit(QString& text) {
+    constexpr double kInch = 0.0254, kFoot = 0.3048;  // m
+    const std::pair<QString, double> units[] = {{"''", kInch}, {"\"", kInch}, {QChar(0x2033), kInch},
+                                                {"in", kInch}, {"'", kFoot},  {QChar(0x2032), kFoot},
+                                                {"ft", kFoot}};
+    for (const auto& [unit, metres] : units) {
+        if (!text.endsWith(unit)) continue;
+        text = text.chopped(unit.size()).trimmed();
+        return metres;
+    }
+    return std::nullopt;
+}
+
+bool isLength(const NumberFormat& format) {
+    return std::ranges::any_of(std::array{LengthUnit::Metre, LengthUnit::Centimetre, LengthUnit::Millimetre},
+                               [&](LengthUnit unit) { return Units{unit}.lengths() == format; });
+}
+
 /// Removes the unit from the end of a text. Returns the unit's exponent.
 int removeUnit(QString& text, const NumberFormat& format) {
     for (const NumberFormat& other : alternatives(format)) {
@@ -121,6 +143,12 @@ std::optional<double> parseNumber(const QString& text, const NumberFormat& forma
     static const QRegularExpression kNumber(
         QRegularExpression::anchoredPattern("([+-]?(?:\\d+\\.?\\d*|\\.\\d+))(?:[eE]([+-]?\\d{1,4}))?"));
     QString number = text.trimmed();
+    if (isLength(format)) {
+        if (const std::optional<double> metres = removeImperialUnit(number)) {
+            const std::optional<double> count = parseNumber(number, {}, locale);
+            return count ? std::optional(*count * *metres) : std::nullopt;
+        }
+    }
     const int exponent = removeUnit(number, format);
     const QRegularExpressionMatch match = kNumber.match(delocalised(number, locale));
     if (!match.hasMatch()) return std::nullopt;

@@ -18,9 +18,9 @@ QString roundedText(double value, const NumberFormat& format, const QLocale& loc
 /// A text with the format's unit appended.
 QString withUnit(const QString& number, const NumberFormat& format);
 
-/// Reads a number in the locale's digits, with or without the unit. Lengths may have any unit of length: "12 mm" where
-/// metres are shown. Returns nothing if it is not a finite number; thousands separators are rejected, since one
-/// locale's separator is the decimal sign of another.
+/// Reads a number in the locale's digits, with or without the unit. Lengths may have any unit of length: "12 mm", "3'"
+/// or "2 in" where metres are shown. Returns nothing if it is not a finite number; thousands separators are rejected,
+/// since one locale's separator is the decimal sign of another.
 std::optional<double> parseNumber(const QString& text, const NumberFormat& format, const QLocale& locale);
 
 }  // namespace rubble

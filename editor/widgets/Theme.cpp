@@ -9,11 +9,9 @@ namespace rubble {
 
 namespace {
 
-constexpr QRgb kAccent = 0xffd97706;  // of the selection and of links: an orange that is readable on light and dark
-
-/// The colours from which a palette is made.
+/// The colours from which a palette is made. Texts have a contrast of at least 4.5 : 1 to what is behind them.
 struct PaletteColours {
-    QColor window, base, alternateBase, button, text, fadedText, line;
+    QColor window, base, alternateBase, button, text, fadedText, line, highlight, highlightedText, link;
 };
 
 QPalette paletteOf(const PaletteColours& colours) {
@@ -31,10 +29,10 @@ QPalette paletteOf(const PaletteColours& colours) {
     palette.setColor(QPalette::PlaceholderText, colours.fadedText);
     palette.setColor(QPalette::BrightText, Qt::white);
     palette.setColor(QPalette::Mid, colours.line);
-    palette.setColor(QPalette::Highlight, QColor(kAccent));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Highlight, colours.highlight);
+    palette.setColor(QPalette::HighlightedText, colours.highlightedText);
     palette.setColor(QPalette::Disabled, QPalette::Highlight, colours.line);
-    palette.setColor(QPalette::Link, QColor(kAccent));
+    palette.setColor(QPalette::Link, colours.link);
     return palette;
 }
 
@@ -66,7 +64,10 @@ QPalette lightPalette() {
                       .button = "#e9e7e4",
                       .text = "#232323",
                       .fadedText = "#8b8883",
-                      .line = "#c4c0ba"});
+                      .line = "#c4c0ba",
+                      .highlight = "#b45309",
+                      .highlightedText = "#ffffff",
+                      .link = "#9a4507"});
 }
 
 QPalette darkPalette() {
@@ -76,18 +77,29 @@ QPalette darkPalette() {
                       .button = "#393a3e",
                       .text = "#e4e2de",
                       .fadedText = "#85847f",
-                      .line = "#4d4e53"});
+                      .line = "#4d4e53",
+                      .highlight = "#d97706",
+                      .highlightedText = "#18191b",
+                      .link = "#f0a04b"});
 }
 
 bool isDark(const QPalette& palette) {
     return palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
 }
 
+QPalette paletteOf(ColourScheme scheme, const QPalette& desktop, const QPalette& ofStyle) {
+    if (scheme == ColourScheme::Light) return lightPalette();
+    if (scheme == ColourScheme::Dark) return darkPalette();
+    const bool isOfDesktop = desktop != ofStyle;
+    if (isOfDesktop) return QPalette();
+    return isDark(desktop) ? darkPalette() : lightPalette();
+}
+
 void applyTheme(ColourScheme scheme) {
-    static const bool isDesktopDark = isDark(QApplication::palette());  // read before the first setPalette()
-    QApplication::setStyle(new Style);
-    const bool wantsDark = scheme == ColourScheme::Dark || (scheme == ColourScheme::System && isDesktopDark);
-    QApplication::setPalette(wantsDark ? darkPalette() : lightPalette());
+    auto* style = new Style;
+    QApplication::setStyle(style);
+    QApplication::setPalette(QPalette());  // shows that of the desktop
+    QApplication::setPalette(paletteOf(scheme, QApplication::palette(), style->standardPalette()));
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "editor/widgets/SliderField.h"
 #include "tests/support/TestProgram.h"
 
+#include <QDialog>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -88,6 +89,12 @@ private slots:
         QCOMPARE(parseNumber(" 7cm", kMetres, QLocale::c()).value(), 0.07);
         QCOMPARE(parseNumber("2 m", kCentimetres, QLocale::c()).value(), 2.0);
         QCOMPARE(parseNumber("5 kg", {"kg", 0}, QLocale::c()).value(), 5.0);
+        QCOMPARE(parseNumber("3'", kMetres, QLocale::c()).value(), 3 * 0.3048);
+        QCOMPARE(parseNumber("3 ft", kCentimetres, QLocale::c()).value(), 3 * 0.3048);
+        QCOMPARE(parseNumber("-2.5\"", kMetres, QLocale::c()).value(), -2.5 * 0.0254);
+        QCOMPARE(parseNumber("2 in", kMetres, QLocale::c()).value(), 2 * 0.0254);
+        QVERIFY(!parseNumber("3' 2", kMetres, QLocale::c()));
+        QVERIFY(!parseNumber("3'", {"kg", 0}, QLocale::c()));
         QVERIFY(!parseNumber("5 kg", kMetres, QLocale::c()));
         QVERIFY(!parseNumber("5 m", {"kg", 0}, QLocale::c()));
     }
@@ -148,6 +155,27 @@ private slots:
         window.field.setRange(FieldRange::whole(1, 10));
         window.type("2.5");
         QCOMPARE(window.refusals.last()[0], "Enter a whole number from 1 to 10.");
+    }
+    void unknownUnitIsRefusedWithAMessage() {
+        Window window;
+        window.field.setFormat(kMetres);
+        window.type("8 furlongs");
+        QCOMPARE(window.refusals.last()[0],
+                 "\"8 furlongs\" is not a number with a known unit. Enter a number such as 12.5\u00a0m.");
+        QCOMPARE(window.edits.count(), 0);
+    }
+    void dialogStaysOpenWhileATextIsRefused() {
+        QDialog dialog;
+        auto* field = new NumberField(&dialog);
+        field->setFormat(kMetres);
+        QVERIFY(commitFields(dialog));
+        field->findChild<QLineEdit*>()->setText("8 furlongs");
+        field->findChild<QLineEdit*>()->setModified(true);
+        QVERIFY(!commitFields(dialog));
+        field->findChild<QLineEdit*>()->setText("8mm");
+        field->findChild<QLineEdit*>()->setModified(true);
+        QVERIFY(commitFields(dialog));
+        QCOMPARE(field->value(), 0.008);
     }
     void escapeDiscardsTyping() {
         Window window;
