@@ -5,6 +5,7 @@
 #include "editor/canvas/painting/CanvasView.h"
 #include "editor/canvas/painting/MovedCells.h"
 #include "editor/document/FragmentSelection.h"
+#include "editor/widgets/Units.h"
 
 #include <QPainter>
 
@@ -22,6 +23,7 @@ struct CanvasContents {
     std::shared_ptr<const MovedPart> moved;          // changed since; null if nothing did
     std::vector<std::array<Vec2, 2>> surroundings;   // edges around the entered fragment, m
     CanvasOverlays overlays;
+    Units units;                   // of the legend and of labels
     DrawablePattern::Range range;  // of overlays.colouring
     FragmentSelection hidden;
     double density = 0.0;               // kg/m^3

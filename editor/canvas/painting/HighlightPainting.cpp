@@ -123,12 +123,13 @@ void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32
     painter.drawPath(pathOfPiece(pattern, piece, view));
 }
 
-void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, QPointF beside,
+void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF beside,
                         const CanvasView& view, const CanvasColours& colours) {
+    const DrawablePattern& pattern = *contents.pattern;
     const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
     const QStringList lines = {
         HighlightPaintingTexts::tr("Fragment %1").arg(nameText(pattern.fragmentId(piece))),
-        localizedQuantity(QuantityKind::Area, pattern.area(piece)),
+        localizedQuantity(QuantityKind::Area, pattern.area(piece), contents.units),
         HighlightPaintingTexts::tr("%Ln neighbour(s)", nullptr, neighbours),
         HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
     };

@@ -17,7 +17,7 @@ void paintSelection(QPainter& painter, const Selection& selection, const CanvasV
 void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view,
                   const CanvasColours& colours);
 /// Paints a label with the fragment's name and properties beside a point in pixels.
-void paintFragmentLabel(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, QPointF beside,
+void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF beside,
                         const CanvasView& view, const CanvasColours& colours);
 
 /// Paints the Delaunay triangle at a point (m) and its circumcircle, which contains no other seed; no circle if the

@@ -55,8 +55,8 @@ QString scaleTitle(CellColouring colouring) {
 
 QString scaleText(CellColouring colouring, double value, const CanvasContents& contents) {
     switch (colouring) {
-        case CellColouring::Area: return localizedQuantity(QuantityKind::Area, value);
-        case CellColouring::Volume: return localizedQuantity(QuantityKind::Volume, value);
+        case CellColouring::Area: return localizedQuantity(QuantityKind::Area, value, contents.units);
+        case CellColouring::Volume: return localizedQuantity(QuantityKind::Volume, value, contents.units);
         case CellColouring::Mass: return localizedQuantity(QuantityKind::Mass, contents.density * value);
         case CellColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, contents.threshold * value);
         case CellColouring::Neighbours:

@@ -1,8 +1,9 @@
 #include "editor/canvas/painting/RulerPainting.h"
 
 #include "editor/canvas/painting/GridPainting.h"
+#include "editor/widgets/NumberText.h"
 
-#include <QLocale>
+#include <QFontInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +14,24 @@ namespace {
 
 constexpr double kMinLabelStep = 64.0;  // pixels
 constexpr double kTicksPerLabel = 5.0;
-constexpr double kTickEnd = 4.0;        // of long ticks, pixels across a ruler
-constexpr double kTextBaseline = 13.0;  // pixels across a ruler
-constexpr double kLabelOffset = 3.0;    // pixels between a tick and its label
+constexpr double kTickEnd = 4.0;      // of long ticks, pixels across a ruler
+constexpr double kTextTop = 6.0;      // of capitals, pixels across a ruler
+constexpr double kFontSize = 0.77;    // of the window's
+constexpr int kMaxFontSize = 16;      // pixels, with room for capitals and ticks
+constexpr double kLabelOffset = 3.0;  // pixels between a tick and its label
 
-QString lengthText(double metres, double step) {
-    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    return QLocale().toString(metres == 0.0 ? 0.0 : metres, 'f', decimals);
+QString lengthText(double metres, double step, const NumberFormat& format) {
+    const double scale = std::pow(10.0, format.exponent);
+    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step * scale) + 1e-9)));
+    return QLocale().toString(metres == 0.0 ? 0.0 : metres * scale, 'f', decimals);
 }
+
+double baseline(const QPainter& painter) { return kTextTop + painter.fontMetrics().capHeight(); }
 
 void paintTop(QPainter& painter, const RulerTick& tick) {
     painter.drawLine(QPointF(tick.at, tick.isLabelled ? kTickEnd : kRulerWidth - 5.0),
                      QPointF(tick.at, kRulerWidth - 1.0));
-    painter.drawText(QPointF(tick.from, kTextBaseline), tick.label);
+    painter.drawText(QPointF(tick.from, baseline(painter)), tick.label);
 }
 
 /// Labels are rotated to run upwards.
@@ -34,7 +40,7 @@ void paintLeft(QPainter& painter, const RulerTick& tick) {
                      QPointF(kRulerWidth - 1.0, tick.at));
     if (tick.label.isEmpty()) return;
     painter.save();
-    painter.translate(kTextBaseline, tick.to);
+    painter.translate(baseline(painter), tick.to);
     painter.rotate(-90.0);
     painter.drawText(QPointF(0.0, 0.0), tick.label);
     painter.restore();
@@ -42,7 +48,8 @@ void paintLeft(QPainter& painter, const RulerTick& tick) {
 
 }  // namespace
 
-std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const QFontMetrics& metrics) {
+std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const NumberFormat& format,
+                                  const QFontMetrics& metrics) {
     const bool isTop = ruler == Ruler::Top;
     const double labelStep = roundStep(kMinLabelStep / view.scale), step = labelStep / kTicksPerLabel;
     const double end = isTop ? view.size.width() : view.size.height();
@@ -54,7 +61,7 @@ std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const QFo
         tick.at = onPixel(isTop ? pixels.x() : pixels.y());
         tick.isLabelled = std::fmod(k, kTicksPerLabel) == 0.0;
         if (!tick.isLabelled) return;
-        tick.label = lengthText(k / kTicksPerLabel * labelStep, labelStep);
+        tick.label = lengthText(k / kTicksPerLabel * labelStep, labelStep, format);
         const double length = metrics.horizontalAdvance(tick.label);
         tick.from = isTop ? tick.at + kLabelOffset : tick.at - kLabelOffset - length;
         tick.to = tick.from + length;
@@ -63,23 +70,28 @@ std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const QFo
     return ticks;
 }
 
-void paintRulers(QPainter& painter, const CanvasView& view, const CanvasColours& colours, QPointF pointer) {
+QFont rulerFont(const QFont& font) {
+    QFont smaller = font;
+    smaller.setPixelSize(std::clamp(qRound(kFontSize * QFontInfo(font).pixelSize()), 1, kMaxFontSize));
+    return smaller;
+}
+
+void paintRulers(QPainter& painter, const CanvasView& view, const NumberFormat& format, const CanvasColours& colours,
+                 QPointF pointer) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
     const double width = view.size.width(), height = view.size.height();
-    QFont font = painter.font();
-    font.setPixelSize(10);
-    painter.setFont(font);
+    painter.setFont(rulerFont(painter.font()));
     painter.setPen(colours.label);
     painter.setClipRect(QRectF(kRulerWidth, 0.0, width, kRulerWidth));
     painter.fillRect(QRectF(0.0, 0.0, width, kRulerWidth), colours.panel);
-    for (const RulerTick& tick : rulerTicks(Ruler::Top, view, painter.fontMetrics())) paintTop(painter, tick);
+    for (const RulerTick& tick : rulerTicks(Ruler::Top, view, format, painter.fontMetrics())) paintTop(painter, tick);
     painter.setClipRect(QRectF(0.0, kRulerWidth, kRulerWidth, height));
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, height), colours.panel);
-    for (const RulerTick& tick : rulerTicks(Ruler::Left, view, painter.fontMetrics())) paintLeft(painter, tick);
+    for (const RulerTick& tick : rulerTicks(Ruler::Left, view, format, painter.fontMetrics())) paintLeft(painter, tick);
     painter.setClipping(false);
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), colours.panel);
-    painter.drawText(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), Qt::AlignCenter, QStringLiteral("m"));
+    painter.drawText(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), Qt::AlignCenter, format.unit);
     painter.setPen(colours.panelEdge);
     painter.drawLine(QPointF(0.0, kRulerWidth - 0.5), QPointF(width, kRulerWidth - 0.5));
     painter.drawLine(QPointF(kRulerWidth - 0.5, 0.0), QPointF(kRulerWidth - 0.5, height));

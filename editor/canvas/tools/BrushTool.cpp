@@ -4,8 +4,6 @@
 #include "core/fracture/sampling/DensityArea.h"
 #include "editor/commands/ProjectEdits.h"
 
-#include <QImage>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +20,21 @@ constexpr int kMaxAlpha = 150;  // of the image over the cells, of 255
 
 /// The grey value of the highest density; erasing, of the lowest.
 double valueOf(DenseWhere dense, bool isErasing) { return (dense == DenseWhere::Bright) != isErasing ? 1.0 : 0.0; }
+
+/// The density of an image as the opacity of a colour.
+QImage overlayOf(const GreyImage& image, DenseWhere dense, const QColor& colour) {
+    QImage overlay(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_ARGB32_Premultiplied);
+    const QRgb opaque = colour.rgb();
+    for (int row = 0; row < overlay.height(); ++row) {
+        auto* pixels = reinterpret_cast<QRgb*>(overlay.scanLine(row));
+        for (int column = 0; column < overlay.width(); ++column) {
+            const Vec2 point((column + 0.5) / overlay.width(), 1.0 - (row + 0.5) / overlay.height());
+            const int alpha = static_cast<int>(kMaxAlpha * densityAt(image, dense, point));
+            pixels[column] = qPremultiply(qRgba(qRed(opaque), qGreen(opaque), qBlue(opaque), alpha));
+        }
+    }
+    return overlay;
+}
 
 }  // namespace
 
@@ -77,7 +90,7 @@ void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
     if (PatternLayer* target = findLayer(pattern, m_painting->layer)) {
         std::get<DensityImage>(target->parameters).image = std::move(picture);
         edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
-        m_state.document.push(std::move(edit));
+        m_state.push(std::move(edit));
     }
     emit changed();
 }
@@ -127,7 +140,7 @@ bool BrushTool::cancel() {
     if (!m_painting) return false;
     const Painting painting = *std::exchange(m_painting, std::nullopt);
     if (m_state.asset() && m_state.asset()->id == painting.before.id) {
-        m_state.document.push(modify(tr("Paint Density"), painting.before, painting.mergeKey));
+        m_state.push(modify(tr("Paint Density"), painting.before, painting.mergeKey));
     }
     emit changed();
     return true;
@@ -142,20 +155,14 @@ void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) co
     const PatternLayer* target = layer();
     const auto* density = target ? &std::get<DensityImage>(target->parameters) : nullptr;
     if (!density || !density->image) return;
-    const GreyImage& picture = *density->image;
-    QImage overlay(static_cast<int>(picture.width), static_cast<int>(picture.height), QImage::Format_ARGB32);
-    for (int row = 0; row < overlay.height(); ++row) {
-        for (int column = 0; column < overlay.width(); ++column) {
-            const Vec2 point((column + 0.5) / overlay.width(), 1.0 - (row + 0.5) / overlay.height());
-            QColor colour = colours.fault;
-            colour.setAlpha(static_cast<int>(kMaxAlpha * densityAt(picture, density->dense, point)));
-            overlay.setPixelColor(column, row, colour);
-        }
+    if (density->image != m_overlay.image || density->dense != m_overlay.dense || colours.fault != m_overlay.colour) {
+        m_overlay = {density->image, density->dense, colours.fault,
+                     overlayOf(*density->image, density->dense, colours.fault)};
     }
     const Box2 box = boundsOf(m_state.displayedAsset()->prism.outline.outer);
     const QRectF area(m_state.view.pixels({box.min.x, box.max.y}), m_state.view.pixels({box.max.x, box.min.y}));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(area, overlay);
+    painter.drawImage(area, m_overlay.picture);
 }
 
 void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {

@@ -4,6 +4,9 @@
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/ImageBrush.h"
 
+#include <QImage>
+
+#include <memory>
 #include <optional>
 
 namespace rubble {
@@ -41,6 +44,13 @@ private:
         quint64 mergeKey = 0;
         Id newId = 0;  // of a layer that the tool added; 0: none
     };
+    /// The density over the cells, as painted last.
+    struct Overlay {
+        std::shared_ptr<const GreyImage> image;  // null: nothing was painted yet
+        DenseWhere dense = DenseWhere::Dark;
+        QColor colour;
+        QImage picture;
+    };
     /// The layer that is painted; null if there is none yet.
     const PatternLayer* layer() const;
     void paintTo(const CanvasPointer& pointer);
@@ -52,6 +62,7 @@ private:
     bool m_isErasing = false;
     std::optional<Painting> m_painting;
     std::optional<CanvasPointer> m_pointer;
+    mutable Overlay m_overlay;  // a cache
 };
 
 }  // namespace rubble

@@ -4,6 +4,10 @@
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
 
+#include <QScopedValueRollback>
+
+#include <utility>
+
 namespace rubble {
 
 namespace {
@@ -24,6 +28,11 @@ std::optional<Vec2> directionOf(int key) {
 }  // namespace
 
 Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.enteredFragment()); }
+
+bool CanvasState::push(Edit edit) {
+    const QScopedValueRollback pushing(isPushing, true);
+    return document.push(std::move(edit));
+}
 
 std::optional<FragmentPath> CanvasState::fracturedFragmentAt(Vec2 point) const {
     const std::uint32_t piece = pattern ? pattern->pieceAt(point) : kNone;

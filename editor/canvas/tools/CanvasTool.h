@@ -6,6 +6,7 @@
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
+#include "editor/widgets/Units.h"
 
 #include <QKeyEvent>
 #include <QMenu>
@@ -24,7 +25,9 @@ struct CanvasState {
     CanvasView view;
     std::shared_ptr<const DrawablePattern> pattern;  // the last baked one; may be null
     std::shared_ptr<const Asset> fragment;           // the entered one, see fragmentAsAsset(); null if not known
+    Units units;                                     // of displayed quantities
     bool isSnapping = false;
+    bool isPushing = false;  // an edit of a tool is being applied
 
     /// The active asset; null if there is none.
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
@@ -32,6 +35,8 @@ struct CanvasState {
     /// The asset whose prism and pattern are shown: the active one, or the entered fragment as an asset. Null if there
     /// is none.
     const Asset* displayedAsset() const { return isInFragment() ? fragment.get() : asset(); }
+    /// Pushes an edit of a tool; other edits end a drag.
+    bool push(Edit edit);
     /// The displayed pattern within `copy`, a copy of the active asset that is being changed.
     Pattern& patternIn(Asset& copy) const;
     /// The fractured fragment at a point, which can be entered; none if there is none.
@@ -67,7 +72,7 @@ public:
     virtual bool overridesShortcut(int /*key*/) const { return false; }
     /// Cancels the current drag or drawing and restores the state before; false if there is none.
     virtual bool cancel() = 0;
-    /// Ends the current drag without a change: its starting state is outdated by an undo or redo.
+    /// Ends the current drag without a change: its starting state is outdated by an undo, a redo or another edit.
     virtual void endDrag() {}
 
     virtual void paint(QPainter& painter, const CanvasColours& colours) const = 0;

@@ -189,7 +189,7 @@ void CrackLineTool::add(std::vector<Vec2> points) {
     m_selected = LinePoint{layer->id, index, points.size() - 1};
     lines.push_back({index, std::move(points)});
     edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
-    m_state.document.push(std::move(edit));
+    m_state.push(std::move(edit));
 }
 
 void CrackLineTool::dragTo(Vec2 position) {
@@ -203,8 +203,7 @@ void CrackLineTool::dragTo(Vec2 position) {
     if (isClosed && from == line.points.back()) line.points.back() = position;
     if (isClosed && from == line.points.front()) line.points.front() = position;
     const auto same = std::ranges::adjacent_find(line.points);
-    if (same == line.points.end())
-        m_state.document.push(modify(tr("Move Crack Point"), std::move(asset), m_drag->mergeKey));
+    if (same == line.points.end()) m_state.push(modify(tr("Move Crack Point"), std::move(asset), m_drag->mergeKey));
 }
 
 void CrackLineTool::deleteSelectedPoint() {
@@ -218,7 +217,7 @@ void CrackLineTool::deleteSelectedPoint() {
     line->points.erase(repeated.begin(), repeated.end());
     if (line->points.size() < 2) return deleteSelectedLine();
     m_selected.reset();
-    m_state.document.push(modify(tr("Delete Crack Point"), std::move(asset)));
+    m_state.push(modify(tr("Delete Crack Point"), std::move(asset)));
 }
 
 void CrackLineTool::deleteSelectedLine() {
@@ -230,7 +229,7 @@ void CrackLineTool::deleteSelectedLine() {
         return;
     m_selected.reset();
     m_hovered.reset();
-    m_state.document.push(modify(tr("Delete Crack"), std::move(asset)));
+    m_state.push(modify(tr("Delete Crack"), std::move(asset)));
 }
 
 bool CrackLineTool::key(const QKeyEvent& event) {
@@ -261,7 +260,7 @@ bool CrackLineTool::key(const QKeyEvent& event) {
 bool CrackLineTool::cancel() {
     if (!isDrawing() && !m_drag) return false;
     if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id)
-        m_state.document.push(modify(tr("Move Crack Point"), m_drag->before, m_drag->mergeKey));
+        m_state.push(modify(tr("Move Crack Point"), m_drag->before, m_drag->mergeKey));
     endDrag();
     m_draft.clear();
     emit changed();

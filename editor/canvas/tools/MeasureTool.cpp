@@ -81,13 +81,11 @@ void MeasureTool::paint(QPainter& painter, const CanvasColours& colours) const {
         painter.drawLine(from - across, from + across);
         painter.drawLine(to - across, to + across);
     }
-    paintLabel(
-        painter, to,
-        {localizedQuantity(QuantityKind::Length, length),
-         tr("x %1   y %2")
-             .arg(localizedQuantity(QuantityKind::Length, along.x), localizedQuantity(QuantityKind::Length, along.y)),
-         tr("angle %1°").arg(QLocale().toString(angle, 'f', 1))},
-        colours, colours.measure, m_state.view);
+    const auto text = [this](double metres) { return localizedQuantity(QuantityKind::Length, metres, m_state.units); };
+    paintLabel(painter, to,
+               {text(length), tr("x %1   y %2").arg(text(along.x), text(along.y)),
+                tr("angle %1°").arg(QLocale().toString(angle, 'f', 1))},
+               colours, colours.measure, m_state.view);
 }
 
 QString MeasureTool::hint() const {

@@ -147,7 +147,7 @@ bool OutlineTool::pushOutline(const QString& text, Polygon outline, quint64 merg
     }
     Asset asset = *editableAsset();
     asset.prism.outline = withCanonicalWinding(std::move(outline));
-    return m_state.document.push(modify(text, std::move(asset), mergeKey));
+    return m_state.push(modify(text, std::move(asset), mergeKey));
 }
 
 void OutlineTool::release(const CanvasPointer& pointer) {
@@ -222,7 +222,7 @@ void OutlineTool::closeDraft() {
         if (!faults.empty()) return emit statusMessage(QString::fromStdString(faults[0].message));
         Addition addition = addAsset(m_state.document.project(), tr("shape").toStdString(),
                                      {withCanonicalWinding(outline), kDefaultDepth});
-        if (!m_state.document.push(std::move(addition.edit))) return;
+        if (!m_state.push(std::move(addition.edit))) return;
         m_draft.reset();
         m_state.selection.setAsset(addition.id);
     } else if (pushOutline(m_drawing == Drawing::Hole ? tr("Add Hole") : tr("Draw Outline"), outline)) {
@@ -234,7 +234,7 @@ void OutlineTool::closeDraft() {
 bool OutlineTool::cancel() {
     if (!m_drag && !m_draft) return false;
     if (m_drag && editableAsset() && editableAsset()->id == m_drag->before.id) {
-        m_state.document.push(modify(tr("Move Point"), m_drag->before, m_drag->mergeKey));
+        m_state.push(modify(tr("Move Point"), m_drag->before, m_drag->mergeKey));
     }
     m_drag.reset();
     m_draft.reset();

@@ -118,14 +118,14 @@ void ParameterHandles::push(const Drag& drag, Vec2 position) {
     if (PatternLayer* layer = findLayer(m_state.patternIn(asset), drag.handle.layer)) {
         drag.handle.parameter->write(layer->parameters, valueAt(drag.handle, position));
     }
-    m_state.document.push(modify(stepText(drag.handle), std::move(asset), drag.mergeKey));
+    m_state.push(modify(stepText(drag.handle), std::move(asset), drag.mergeKey));
 }
 
 bool ParameterHandles::cancel() {
     if (!m_drag) return false;
     const Drag drag = *std::exchange(m_drag, std::nullopt);
     if (m_state.asset() && m_state.asset()->id == drag.before.id)
-        m_state.document.push(modify(stepText(drag.handle), drag.before, drag.mergeKey));
+        m_state.push(modify(stepText(drag.handle), drag.before, drag.mergeKey));
     return true;
 }
 

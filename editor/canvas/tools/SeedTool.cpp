@@ -115,7 +115,7 @@ void SeedTool::dragBy(Vec2 by) {
         Pattern& pattern = m_state.patternIn(asset);
         for (const auto& [id, from] : m_drag->from) moveSeed(pattern, id, from + by);
     }
-    m_state.document.push(modify(moveText(m_drag->from.size()), std::move(asset), m_drag->mergeKey));
+    m_state.push(modify(moveText(m_drag->from.size()), std::move(asset), m_drag->mergeKey));
 }
 
 void SeedTool::release(const CanvasPointer& pointer) {
@@ -162,7 +162,7 @@ void SeedTool::doubleClick(const CanvasPointer& pointer) {
 void SeedTool::undoPlacement(const PlacedSeed& placed) {
     Edit edit = modify(tr("Place Seed"), placed.before, placed.mergeKey);
     edit.nextId = placed.nextId;
-    m_state.document.push(std::move(edit));
+    m_state.push(std::move(edit));
 }
 
 bool SeedTool::hasOnlyCuts() const {
@@ -197,7 +197,7 @@ void SeedTool::place(Vec2 position, quint64 mergeKey) {
     }
     placeSeed(*layer, position);
     edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
-    m_state.document.push(std::move(edit));
+    m_state.push(std::move(edit));
 }
 
 bool SeedTool::cancel() {
@@ -250,7 +250,7 @@ void SeedTool::nudge(Vec2 by, bool isRepeated) {
     if (positions.empty()) return;
     Pattern& pattern = m_state.patternIn(asset);
     for (const auto& [id, from] : positions) moveSeed(pattern, id, from + by);
-    m_state.document.push(modify(moveText(positions.size()), std::move(asset), nudgeMergeKey(isRepeated)));
+    m_state.push(modify(moveText(positions.size()), std::move(asset), nudgeMergeKey(isRepeated)));
 }
 
 void SeedTool::selectNext(int by) {
@@ -269,14 +269,14 @@ void SeedTool::deleteSelected() {
     Edit edit = deleteSeeds(*m_state.asset(), m_state.selection.enteredFragment(), seeds);
     cancel();
     m_state.selection.setSeeds({});
-    m_state.document.push(std::move(edit));
+    m_state.push(std::move(edit));
 }
 
 void SeedTool::restoreSelected() {
     const Selection::Seeds seeds = selectedSeeds();
     if (!m_state.displayedAsset() || seeds.empty()) return;
     Edit edit = restoreSeeds(*m_state.asset(), m_state.selection.enteredFragment(), seeds);
-    if (!edit.isEmpty()) m_state.document.push(std::move(edit));
+    if (!edit.isEmpty()) m_state.push(std::move(edit));
 }
 
 Selection::Seeds SeedTool::selectedSeeds() const {
@@ -317,6 +317,7 @@ Qt::CursorShape SeedTool::cursor() const {
 }
 
 QString SeedTool::hint() const {
+    if (!m_state.displayedAsset()) return {};
     if (m_handles.isHovered() && !m_handles.isDragging()) return tr("%1: drag to move").arg(m_handles.text());
     if (m_drag || m_handles.isDragging()) return tr("Release to finish · Shift: no snapping · Esc: cancel");
     if (hasOnlyCuts()) {

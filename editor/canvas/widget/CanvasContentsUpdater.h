@@ -19,6 +19,7 @@ public:
     void invalidateAll() { m_backingStore.invalidateAll(); }
 
     void setOverlays(const CanvasOverlays& overlays);
+    void setUnits(const Units& units) { m_contents.units = units; }
     /// The changes since an earlier state of the whole asset; null shows none.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
 

@@ -109,6 +109,12 @@ void PatternCanvas::setOverlays(const CanvasOverlays& overlays) {
     emit overlaysChanged();
 }
 
+void PatternCanvas::setUnits(const Units& units) {
+    m_state.units = units;
+    m_updater.setUnits(units);
+    update();
+}
+
 void PatternCanvas::setView(const CanvasView& view) {
     m_isFitted = false;
     m_state.view = view;
@@ -157,7 +163,7 @@ QString PatternCanvas::hint() const { return m_tool->hint(); }
 void PatternCanvas::applyChanges(const Changes& changes) {
     const bool isOfAsset = changes.touches(Part::Asset, m_state.selection.asset());
     if (isOfAsset) refreshFragment();
-    if (changes.isUndoOrRedo) m_tool->endDrag();
+    if (changes.isUndoOrRedo || (isOfAsset && !m_state.isPushing)) m_tool->endDrag();
     m_updater.refreshMaterial();
     update();
     if (!isOfAsset) return;
@@ -232,13 +238,14 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
     if (contents().overlays.hasLegend) paintLegend(painter, m_state.view, contents(), m_colours);
     m_tool->paint(painter, m_colours);  // above the legend, so that no error message is hidden
     if (showsFragmentLabel()) {
-        paintFragmentLabel(painter, *contents().pattern, m_hovered, m_pointer->pixels, m_state.view, m_colours);
+        paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, m_state.view, m_colours);
     }
     if (const QString message = placeholderMessage(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
         paintMessage(painter, message, m_state.view, m_colours,
                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
     }
-    paintRulers(painter, m_state.view, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
+    paintRulers(painter, m_state.view, m_state.units.lengths(), m_colours,
+                m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
 }
 
 void PatternCanvas::paintHighlights(QPainter& painter) const {
@@ -328,6 +335,7 @@ void PatternCanvas::changeEvent(QEvent* event) {
 void PatternCanvas::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_isSpaceHeld)) {
         m_panFrom = event->position();
+        m_panButton = event->button();
         return updateTool();
     }
     if (event->button() != Qt::LeftButton) return;
@@ -336,6 +344,7 @@ void PatternCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void PatternCanvas::mouseMoveEvent(QMouseEvent* event) {
+    endMissedRelease(*event);
     if (m_panFrom) {
         setView(panned(m_state.view, event->position() - *m_panFrom));
         m_panFrom = event->position();
@@ -345,18 +354,29 @@ void PatternCanvas::mouseMoveEvent(QMouseEvent* event) {
     setPointer(pointerAt(event->position(), event->modifiers()));
 }
 
+/// Ends what a button began whose release went elsewhere, to a dialog for example.
+void PatternCanvas::endMissedRelease(const QMouseEvent& event) {
+    if (m_panFrom && !event.buttons().testFlag(m_panButton)) m_panFrom.reset();
+    if (m_isPressed && !event.buttons().testFlag(Qt::LeftButton))
+        release(pointerAt(event.position(), event.modifiers()));
+}
+
 void PatternCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_panFrom && event->button() != Qt::RightButton) {
+    if (m_panFrom && event->button() == m_panButton) {
         m_panFrom.reset();
         return updateTool();
     }
-    if (event->button() != Qt::LeftButton) return;
+    if (event->button() == Qt::LeftButton) release(pointerAt(event->position(), event->modifiers()));
+}
+
+void PatternCanvas::release(const CanvasPointer& pointer) {
     m_isPressed = false;
-    m_tool->release(pointerAt(event->position(), event->modifiers()));
+    m_tool->release(pointer);
 }
 
 void PatternCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_isSpaceHeld) return mousePressEvent(event);
+    m_isPressed = true;
     m_tool->doubleClick(pointerAt(event->position(), event->modifiers()));
 }
 
@@ -414,7 +434,9 @@ void PatternCanvas::addFragmentNavigation(QMenu& menu, const std::optional<Fragm
     }
 }
 
+/// There is no menu during a drag: it would take the release of the button.
 void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
+    if (m_isPressed) return;
     QMenu menu(this);
     const CanvasPointer pointer = pointerAt(event->pos(), event->modifiers());
     m_tool->fillMenu(menu, pointer);

@@ -36,6 +36,8 @@ public:
     void setOverlays(const CanvasOverlays& overlays);
     bool isSnapping() const { return m_state.isSnapping; }
     void setSnapping(bool isSnapping) { m_state.isSnapping = isSnapping; }
+    /// The units of the rulers and of displayed quantities.
+    void setUnits(const Units& units);
     const CanvasView& view() const { return m_state.view; }
     void setView(const CanvasView& view);
     /// Fits the whole outline into the view; resizing keeps it fitted until the user moves the view.
@@ -96,6 +98,8 @@ private:
     void refreshFragment();
     void reportOwnPattern(const Changes& changes);
     void updateTool();
+    void release(const CanvasPointer& pointer);
+    void endMissedRelease(const QMouseEvent& event);
     void addFragmentNavigation(QMenu& menu, const std::optional<FragmentPath>& fractured);
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void setPointer(const CanvasPointer& pointer);
@@ -131,6 +135,7 @@ private:
     std::optional<CanvasPointer> m_pointer;
     std::uint32_t m_hovered = kNone;  // piece
     std::optional<QPointF> m_panFrom;
+    Qt::MouseButton m_panButton = Qt::NoButton;
     bool m_isSpaceHeld = false;
     bool m_isPressed = false;  // the left button, passed to the tool
 };

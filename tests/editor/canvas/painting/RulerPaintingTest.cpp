@@ -18,8 +18,10 @@ QFontMetrics letters() {
     return QFontMetrics(font);
 }
 
-std::vector<RulerTick> labelled(Ruler ruler, const CanvasView& view) {
-    std::vector<RulerTick> ticks = rulerTicks(ruler, view, letters());
+const NumberFormat kMetres = Units().lengths();
+
+std::vector<RulerTick> labelled(Ruler ruler, const CanvasView& view, const NumberFormat& format = kMetres) {
+    std::vector<RulerTick> ticks = rulerTicks(ruler, view, format, letters());
     std::erase_if(ticks, [](const RulerTick& tick) { return tick.label.isEmpty(); });
     return ticks;
 }
@@ -49,7 +51,7 @@ private slots:
         QCOMPARE(labelled(Ruler::Top, wide())[3].at, 400.5);
         QCOMPARE(labelled(Ruler::Left, wide())[3].at, 300.5);
         QVERIFY(labelled(Ruler::Left, wide())[4].at < 300.0);  // y is up
-        QCOMPARE(rulerTicks(Ruler::Top, wide(), letters()).size(), std::size_t{41});
+        QCOMPARE(rulerTicks(Ruler::Top, wide(), kMetres, letters()).size(), std::size_t{41});
     }
     void ticksFollowZoomsAndPans() {
         CanvasView view = wide();
@@ -92,12 +94,28 @@ private slots:
         QLocale::setDefault(QLocale(QLocale::German));
         QCOMPARE(labelled(Ruler::Top, wide())[4].label, QString("0,5"));
     }
+    void labelsUseTheUnit() {
+        const NumberFormat millimetres = Units{LengthUnit::Millimetre}.lengths();
+        QCOMPARE(labelled(Ruler::Top, wide(), millimetres)[4].label, QString("500"));
+        CanvasView near = wide();
+        near.scale = 2e6;
+        QCOMPARE(labelled(Ruler::Top, near, millimetres)[5].label, QString("0.10"));  // every 0.05 mm: 100 pixels
+    }
+    void fontFollowsTheWindow() {
+        QFont font;
+        font.setPixelSize(13);
+        QCOMPARE(rulerFont(font).pixelSize(), 10);
+        font.setPixelSize(18);
+        QCOMPARE(rulerFont(font).pixelSize(), 14);
+        font.setPixelSize(60);
+        QVERIFY(rulerFont(font).pixelSize() < kRulerWidth);
+    }
     void rulersShowUnitAndTicks() {
         const CanvasColours colours = canvasColours(QPalette());
         QImage picture(800, 600, QImage::Format_RGB32);
         picture.fill(Qt::white);
         QPainter painter(&picture);
-        paintRulers(painter, wide(), colours, {-10.0, -10.0});
+        paintRulers(painter, wide(), kMetres, colours, {-10.0, -10.0});
         painter.end();
         const QRgb panel = colours.panel.rgb();
         int letters = 0;
@@ -105,7 +123,7 @@ private slots:
             for (int x = 2; x < 20; ++x) letters += picture.pixel(x, y) != panel;
         }
         QVERIFY(letters > 5);
-        for (const RulerTick& tick : rulerTicks(Ruler::Top, wide(), ::letters())) {
+        for (const RulerTick& tick : rulerTicks(Ruler::Top, wide(), kMetres, ::letters())) {
             const int x = static_cast<int>(tick.at);
             if (x < 23 || x > 799) continue;
             QVERIFY(picture.pixel(x, 18) != panel);

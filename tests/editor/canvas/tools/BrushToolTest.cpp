@@ -45,6 +45,17 @@ private slots:
         bench.drag({0.1, 0.75}, {0.9, 0.75}, Qt::ShiftModifier);
         QVERIFY(std::ranges::all_of(bench.picture()->grey, [](std::uint16_t grey) { return grey == 255; }));
     }
+    void otherEditEndsAStroke() {
+        BrushBench bench(DensityImage{.count = 50});
+        bench.press({0.1, 0.75});
+        bench.moveTo({0.3, 0.75});
+        Asset asset = bench.asset();
+        asset.name = "renamed";
+        bench.document.push(modify("Rename", asset));
+        bench.moveTo({0.9, 0.75});
+        bench.release({0.9, 0.75});
+        QCOMPARE(bench.asset().name, std::string("renamed"));
+    }
     void addsALayerIfThereIsNone() {
         BrushBench bench(PlacedSeeds{});
         bench.drag({0.2, 0.2}, {0.4, 0.2});

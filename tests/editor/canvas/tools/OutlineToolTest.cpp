@@ -36,6 +36,17 @@ private slots:
         bench.document.undoStack().undo();
         QVERIFY(bench.outline() == unitSquare());
     }
+    void otherEditEndsADrag() {
+        OutlineBench bench;
+        bench.press({1.0, 1.0});
+        bench.moveTo({1.1, 1.1});
+        Asset asset = bench.asset();
+        asset.name = "renamed";
+        bench.document.push(modify("Rename", asset));
+        bench.moveTo({1.2, 1.2});
+        bench.release({1.2, 1.2});
+        QCOMPARE(bench.asset().name, std::string("renamed"));
+    }
     void edgeDragMovesBothPoints() {
         OutlineBench bench;
         bench.canvas.setSnapping(true);

@@ -88,6 +88,19 @@ private slots:
         QVERIFY(bench.document.project() == before);
         QVERIFY(bench.document.undoStack().canRedo());
     }
+    void otherEditEndsADrag() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.press({0.25, 0.25});
+        bench.moveTo({0.4, 0.35});
+        Asset asset = bench.asset();
+        asset.name = "renamed";
+        bench.document.push(modify("Rename", asset));
+        const Project before = bench.document.project();
+        bench.moveTo({0.5, 0.5});
+        bench.release({0.5, 0.5});
+        QVERIFY(bench.document.project() == before);
+        QCOMPARE(bench.asset().name, std::string("renamed"));
+    }
     void escapeCancelsADrag() {
         CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 5}));
         const Vec2 seed = bench.seedAt(2);

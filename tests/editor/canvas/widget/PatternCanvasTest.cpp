@@ -3,8 +3,11 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Canvas.h"
 
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 using namespace rubble;
@@ -44,6 +47,13 @@ double differingFraction(const QImage& a, const QImage& b) {
         }
     }
     return static_cast<double>(different) / (a.width() * a.height());
+}
+
+/// Moves the pointer while no button is held.
+void moveWithoutButton(CanvasBench& bench, Vec2 at) {
+    const QPointF position(bench.pixels(at));
+    QMouseEvent event(QEvent::MouseMove, position, bench.canvas.mapToGlobal(position), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&bench.canvas, &event);
 }
 
 /// The image after a full repaint.
@@ -98,6 +108,60 @@ private slots:
             QVERIFY(std::abs(by.x + 40.0) < 1e-9 && std::abs(by.y + 20.0) < 1e-9);
         }
         QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void dragEndsWithItsOwnButton() {
+        CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
+        const Vec2 seed = bench.seedAt(0);
+        bench.press(seed);
+        bench.moveTo(seed + Vec2(0.1, 0.0));
+        QTest::mousePress(&bench.canvas, Qt::MiddleButton, {}, bench.pixels(seed));
+        QTest::mouseRelease(&bench.canvas, Qt::LeftButton, {}, bench.pixels(seed));
+        QTest::mouseRelease(&bench.canvas, Qt::MiddleButton, {}, bench.pixels(seed));
+        bench.settle();
+        const Project before = bench.document.project();
+        moveWithoutButton(bench, seed + Vec2(0.3, 0.2));
+        QVERIFY(bench.document.project() == before);
+    }
+    void missedReleaseEndsADrag() {
+        CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
+        const Vec2 seed = bench.seedAt(0);
+        bench.press(seed);
+        bench.moveTo(seed + Vec2(0.1, 0.0));
+        const Project before = bench.document.project();
+        moveWithoutButton(bench, seed + Vec2(0.3, 0.2));
+        QVERIFY(bench.document.project() == before);
+    }
+    void noMenuOpensDuringADrag() {
+        CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
+        bench.press(bench.seedAt(0));
+        bool wasOpened = false;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, [&] {
+            QWidget* menu = QApplication::activePopupWidget();
+            wasOpened = wasOpened || menu;
+            if (menu) menu->close();
+        });
+        watch.start(0);
+        const QPoint at = bench.pixels(bench.seedAt(0));
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, bench.canvas.mapToGlobal(at));
+        QCoreApplication::sendEvent(&bench.canvas, &event);
+        QVERIFY(!wasOpened);
+    }
+    void tabMovesTheFocus() {
+        QWidget window;
+        auto* rows = new QVBoxLayout(&window);
+        Document document(projectOf(unitSquare(), twoSeeds()));
+        Selection selection;
+        Bakes bakes;
+        auto* canvas = new PatternCanvas(document, selection, bakes);
+        auto* next = new QLineEdit;
+        rows->addWidget(canvas);
+        rows->addWidget(next);
+        window.show();
+        QApplication::setActiveWindow(&window);
+        canvas->setFocus();
+        QTest::keyClick(canvas, Qt::Key_Tab);
+        QVERIFY(next->hasFocus());
     }
     void cellHasTheFragmentColour() {
         CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
