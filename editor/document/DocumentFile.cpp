@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kWatchDelay{100};
 constexpr std::chrono::seconds kPollInterval{1};
+constexpr std::chrono::milliseconds kClockPrecision{2000};  // of the coarsest file systems
 
 /// The hash of a file, none if it does not exist.
 ///
@@ -147,6 +148,7 @@ void DocumentFile::setFile(const BackupOrigin& origin, const ProjectAccess& acce
     m_path = origin.path;
     m_access = access;
     m_base = m_seen = origin.hash;
+    m_seenVersion = {};
     watch();
     emit pathChanged(m_path);
     emit originChanged(origin);
@@ -164,7 +166,22 @@ void DocumentFile::watch() {
     }
 }
 
+DocumentFile::Version DocumentFile::versionOf(const QString& path) {
+    const QFileInfo file(path);
+    if (!file.exists()) return {};
+    return {file.size(), file.lastModified(), file.metadataChangeTime()};
+}
+
+/// Whether the file is certainly the one that was compared last: a change within the precision of the file system's
+/// clock may not be seen. It is read only otherwise, since any change in its folder is a reason to ask.
+bool DocumentFile::isKnownVersion() const {
+    const Version version = versionOf(m_path);
+    const bool isOld = version.changed.msecsTo(QDateTime::currentDateTime()) > kClockPrecision.count();
+    return m_seen && isOld && version == m_seenVersion;
+}
+
 DiskState DocumentFile::diskState() {
+    m_seenVersion = versionOf(m_path);
     const Result<std::optional<ContentHash>> onDisk = hashOnDisk(m_path);
     if (!onDisk) return DiskState::Unreadable;
     m_seen = *onDisk;
@@ -174,6 +191,7 @@ DiskState DocumentFile::diskState() {
 
 void DocumentFile::checkForChange() {
     if (!m_watcher.files().contains(m_path) && QFileInfo::exists(m_path)) m_watcher.addPath(m_path);
+    if (isKnownVersion()) return;
     const std::optional<ContentHash> seen = m_seen;
     const DiskState state = diskState();
     if (state != DiskState::Unchanged && state != DiskState::Unreadable && m_seen != seen) emit changedOnDisk();

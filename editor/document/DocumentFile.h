@@ -5,6 +5,7 @@
 #include "editor/document/Document.h"
 #include "editor/document/ProjectAccess.h"
 
+#include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QTimer>
 
@@ -84,6 +85,7 @@ private:
     Status write(const QString& path);
     void watch();
     void checkForChange();
+    bool isKnownVersion() const;
 
     Document& m_document;
     QString m_path;
@@ -92,6 +94,14 @@ private:
     QTimer m_watchDelay;                // other programs remove and write in several steps
     QTimer m_poll;                      // of a path that Qt cannot watch
     std::optional<ContentHash> m_base;  // of the file that was loaded or saved last; none: there was no file
+    /// What changes when a file is written or replaced.
+    struct Version {
+        qint64 size = -1;  // -1: there is no file
+        QDateTime written, changed;
+        bool operator==(const Version&) const = default;
+    };
+    static Version versionOf(const QString& path);
+    Version m_seenVersion;              // of m_seen
     std::optional<ContentHash> m_seen;  // of the file when it was last compared; none: there was no file
 };
 

@@ -9,6 +9,7 @@
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -27,6 +28,13 @@ void setBytes(const QString& path, const QByteArray& bytes) {
 }
 
 /// Deletes the first instance.
+/// The bytes that the process has read so far.
+qint64 bytesRead() {
+    QFile file("/proc/self/io");
+    if (!file.open(QIODevice::ReadOnly)) return 0;
+    return file.readLine().mid(QByteArray("rchar: ").size()).trimmed().toLongLong();
+}
+
 void edit(Document& document) {
     document.push({.text = "Delete", .swaps = {Swap<Instance>{document.project().instances[0].id, std::nullopt}}});
 }
@@ -229,6 +237,22 @@ private slots:
         edit(document);
         QVERIFY(file.save());
         QVERIFY(file.diskState() == DiskState::Unchanged);
+    }
+    void changeOfAnotherFileReadsNothing() {
+        constexpr qint64 kPadding = 8 << 20;
+        setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())) + QByteArray(kPadding, ' '));
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        QVERIFY(file.diskState() == DiskState::Unchanged);
+        const auto age = [this] {
+            return QFileInfo(m_path).metadataChangeTime().msecsTo(QDateTime::currentDateTime());
+        };
+        QTRY_VERIFY(age() > 2000);  // older than the clock of any file system is coarse
+        const qint64 before = bytesRead();
+        setBytes(m_path + ".other", "a");
+        QTest::qWait(500);  // longer than the delay after which the file would be compared
+        QVERIFY(bytesRead() - before < kPadding);
     }
     void restoredBackupIsUnsaved() {
         Document document(starterProject());
