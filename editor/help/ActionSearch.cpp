@@ -5,9 +5,11 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QTimer>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,16 @@ Match matchOf(const QString& word, const QAction* action) {
     return tip.contains(word, Qt::CaseInsensitive) ? kInTip : kNone;
 }
 
+constexpr QChar kPathSeparator(0x25b8);  // ▸
+
+/// The order of matching actions.
+struct Rank {
+    bool isDisabled = false;
+    int score = 0;  // the sum of the words' matches
+    qsizetype depth = 0;
+    auto operator<=>(const Rank&) const = default;
+};
+
 }  // namespace
 
 QString pathOf(const QAction* action) {
@@ -52,20 +64,23 @@ QString pathOf(const QAction* action) {
 
 QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& actions) {
     const QStringList words = query.split(' ', Qt::SkipEmptyParts);
-    std::vector<std::pair<int, QAction*>> found;  // with the sum of its words' matches
+    std::vector<std::pair<Rank, QAction*>> found;
     for (QAction* action : actions) {
-        int score = 0;
-        bool isMatch = action->isEnabled();
+        // Commands before what a submenu lists, such as docks; those that can be triggered before all others.
+        const qsizetype depth = pathOf(action).count(kPathSeparator);
+        Rank rank{!action->isEnabled(), 0, depth};
+        int& score = rank.score;
+        bool isMatch = true;
         for (const QString& word : words) {
             const Match match = matchOf(word, action);
             score += match;
             isMatch = isMatch && match != kNone;
         }
-        if (isMatch) found.emplace_back(score, action);
+        if (isMatch) found.emplace_back(rank, action);
     }
-    std::ranges::stable_sort(found, {}, &std::pair<int, QAction*>::first);
+    std::ranges::stable_sort(found, {}, &std::pair<Rank, QAction*>::first);
     QList<QAction*> sorted;
-    for (const auto& [score, action] : found) sorted.append(action);
+    for (const auto& [rank, action] : found) sorted.append(action);
     return sorted;
 }
 
@@ -116,6 +131,10 @@ void ActionSearch::filter(const QString& query) {
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? path : path + "    " + keys, m_list);
         item->setToolTip(action->statusTip());
+        if (!action->isEnabled()) {
+            item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+            item->setText(tr("%1    not available now").arg(path));
+        }
     }
     m_list->setCurrentRow(0);
 }
@@ -124,6 +143,10 @@ void ActionSearch::triggerCurrent() {
     const int row = m_list->currentRow();
     if (row < 0) return;
     QAction* action = m_found[row];
+    if (action && !action->isEnabled()) {
+        return QToolTip::showText(m_list->mapToGlobal(m_list->visualItemRect(m_list->currentItem()).bottomLeft()),
+                                  tr("Not available now: %1").arg(action->statusTip()), m_list);
+    }
     accept();
     if (!action) return;
     QTimer::singleShot(0, action, &QAction::trigger);  // after the popup has closed and the window has the focus

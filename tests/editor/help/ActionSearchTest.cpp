@@ -31,10 +31,27 @@ private slots:
         QCOMPARE(found("asset")[0], "Du&plicate Asset");
     }
     void emptyQueryMatchesAllActions() { QCOMPARE(found("").size(), 5); }
-    void disabledActionsAreLeftOut() {
-        m_actions.back()->setEnabled(false);
-        QVERIFY(!found("sca").contains("Scatter A&gain"));
-        m_actions.back()->setEnabled(true);
+    void disabledActionsComeLastAndAreNotTriggered() {
+        QAction* last = m_actions.back();
+        last->setEnabled(false);
+        QCOMPARE(found("sca").last(), "Scatter A&gain");
+        QWidget window;
+        ActionSearch search({last}, &window);
+        bool isTriggered = false;
+        connect(last, &QAction::triggered, &search, [&] { isTriggered = true; });
+        search.show();
+        QTest::keyClick(search.findChild<QLineEdit*>(), Qt::Key_Return);
+        QTest::qWait(10);
+        QVERIFY(search.isVisible() && !isTriggered);
+        QVERIFY(search.findChild<QListWidget*>()->item(0)->text().contains("not available now"));
+        last->setEnabled(true);
+    }
+    void commandsComeBeforeEntriesOfSubmenus() {
+        QMenu view("&View"), play("&Play");
+        QMenu* docks = view.addMenu("&Docks");
+        QAction* dock = docks->addAction("Play");
+        QAction* start = play.addAction("&Play");
+        QCOMPARE(matchingActions("pla", {dock, start}), (QList<QAction*>{start, dock}));
     }
     void actionsMayBeRemovedMeanwhile() {
         QWidget window;
