@@ -52,7 +52,8 @@ public:
     const PlayToolSettings& toolSettings() const { return m_toolSettings; }
     void setToolSettings(const PlayToolSettings& tools);
 
-    /// User input along rays from the eye. `charge` in [0, 1]: 0 is a tapped throw, 1 one of kFullCharge times its speed.
+    /// User input along rays from the eye. `charge` in [0, 1]: 0 is a tapped throw, 1 one of kFullCharge times its
+    /// speed.
     void aim(const std::optional<Ray>& ray, double charge = 0.0);
     void throwAlong(const Ray& ray, double charge = 0.0);
     void hammerAlong(const Ray& ray);

@@ -11,8 +11,8 @@
 
 namespace rubble {
 
-/// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a script.
-/// Slow steps make play fall behind; it does not catch up. Tasks run between steps, in order, asynchronously.
+/// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a
+/// script. Slow steps make play fall behind; it does not catch up. Tasks run between steps, in order, asynchronously.
 class PlayThread : public QObject {
     Q_OBJECT
 public:

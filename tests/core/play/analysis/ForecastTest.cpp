@@ -98,7 +98,8 @@ private slots:
         QCOMPARE(refined.back()[0].largest, result->at(0).largest);
     }
     /// Aims at the house from ten eyes with three projectiles, thrown up to a fifth of a second after the forecast, and
-    /// watched for twice as long. The forecast in closed form was wrong in 63 of 120 aims. RUBBLE_LONG: 500 aims, else 30.
+    /// watched for twice as long. The forecast in closed form was wrong in 63 of 120 aims. RUBBLE_LONG: 500 aims, else
+    /// 30.
     void simulationKeepsThePromises() {
         constexpr std::uint64_t kSeed = 7;
         const int aims = std::getenv("RUBBLE_LONG") != nullptr ? 500 : 30;
