@@ -39,10 +39,12 @@ AssetActions::AssetActions(Views& views)
                     &AssetActions::addPolygon);
     m_draw = add({"shape-draw", tr("&Draw Outline…"), tr("Draw the outline of a new prism point by point")},
                  &AssetActions::drawOutline);
+    QAction* hole = add({"hole-add", tr("Draw &Hole"), tr("Draw a hole in the outline of the active asset")},
+                        &AssetActions::drawHole);
     m_menu->addSeparator();
     QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
     for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind);
-    m_needAsset = layers->actions();
+    m_needAsset = layers->actions() + QList{hole};
     m_needAsset +=
         {add({"layer-mesh", tr("Add &Seeds from Mesh…"), tr("Add a layer with a seed at each vertex of a mesh file")},
              &AssetActions::addSeedsFromMesh),
@@ -66,20 +68,21 @@ AssetActions::AssetActions(Views& views)
 
 void AssetActions::addRectangle() {
     ShapeDialog dialog(tr("Add Rectangle"), {{tr("&Width:"), 1.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
-                       &m_views.window());
+                       m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
     addPrism(tr("wall"), rectangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
 }
 
 void AssetActions::addTriangle() {
     ShapeDialog dialog(tr("Add Triangle"), {{tr("&Base:"), 2.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
-                       &m_views.window());
+                       m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
     addPrism(tr("gable"), isoscelesTriangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
 }
 
 void AssetActions::addPolygon() {
-    ShapeDialog dialog(tr("Add Polygon"), {{tr("D&iameter:"), 1.0}, {tr("&Depth:"), 1.0}}, &m_views.window());
+    ShapeDialog dialog(tr("Add Polygon"), {{tr("D&iameter:"), 1.0}, {tr("&Depth:"), 1.0}}, m_views.units(),
+                       &m_views.window());
     dialog.addCorners(8);
     if (dialog.exec() != QDialog::Accepted) return;
     addPrism(tr("column"), regularPolygonOutline(dialog.corners(), dialog.length(0)), dialog.length(1));
@@ -89,6 +92,8 @@ void AssetActions::drawOutline() {
     m_views.showProject();
     m_views.drawNewOutline();
 }
+
+void AssetActions::drawHole() { m_views.drawHole(); }
 
 void AssetActions::addPrism(const QString& name, const Polygon& outline, double depth) {
     m_views.showProject();

@@ -31,6 +31,7 @@ private:
     void addTriangle();
     void addPolygon();
     void drawOutline();
+    void drawHole();
     void addPrism(const QString& name, const Polygon& outline, double depth);
     void addLayerAction(QMenu& menu, const PatternKind& kind);
     void addSeedsFromMesh();

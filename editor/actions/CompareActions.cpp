@@ -47,6 +47,7 @@ CompareActions::CompareActions(Views& views)
     connect(m_panel, &ChangesPanel::jumpRequested, this, &CompareActions::reveal);
     connect(&views.canvas(), &PatternCanvas::comparisonDismissed, this, &CompareActions::end);
     connect(&m_comparison, &StateComparison::changed, this, &CompareActions::updateCanvas);
+    connect(&views, &Views::layoutRestored, m_dock, &QDockWidget::hide);  // what it compared is not saved
     connect(&m_comparison, &StateComparison::statusMessage, &views, &Views::showStatus);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &CompareActions::updateEnabled);
     connect(&m_workspace.selection(), &Selection::assetChanged, this, &CompareActions::updateEnabled);

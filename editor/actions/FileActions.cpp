@@ -16,10 +16,15 @@
 #include "editor/workspace/RecentFiles.h"
 #include "editor/workspace/Workspace.h"
 
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QUrl>
 
 namespace rubble {
 
@@ -49,14 +54,15 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     m_export = add({"file-export", tr("&Export…"), tr("Export packs and meshes for engines and other programs"),
                     QKeySequence("Ctrl+Shift+E")},
                    &FileActions::exportWithDialog);
-    add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
-         QKeySequence("Ctrl+E")},
-        &FileActions::exportAgain);
+    m_exportAgain = add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
+                         QKeySequence("Ctrl+E")},
+                        &FileActions::exportAgain);
     m_menu->addSeparator();
     add({"file-close", tr("&Close Window"), tr("Close this window"), QKeySequence::Close}, &FileActions::closeWindow);
     add({"file-quit", tr("&Quit"), tr("Close all windows and quit"), QKeySequence("Ctrl+Q")},
         &FileActions::quitRequested);
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &FileActions::updateEnabled);
+    connect(&m_workspace.document(), &Document::changed, this, &FileActions::updateEnabled);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &FileActions::updateEnabled);
     connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &FileActions::askAboutChangeOnDisk);
     updateEnabled();
@@ -66,11 +72,19 @@ QList<QAction*> FileActions::toolbarActions() const { return {m_new, m_open, m_s
 
 void FileActions::updateEnabled() {
     m_revert->setEnabled(!m_workspace.file().path().isEmpty() && m_workspace.document().isModified());
+    for (QAction* action : {m_export, m_exportAgain}) action->setEnabled(!m_workspace.project().assets.empty());
+}
+
+/// The folder of the project, or of the project used last.
+QString FileActions::folder() const {
+    if (!m_workspace.file().path().isEmpty()) return QFileInfo(m_workspace.file().path()).path();
+    const QStringList recent = m_recentFiles.paths();
+    if (!recent.isEmpty()) return QFileInfo(recent.front()).path();
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
 void FileActions::openWithDialog() {
-    const QString folder = QFileInfo(m_workspace.file().path()).path();
-    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Project"), folder, projectFilter());
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Project"), folder(), projectFilter());
     if (!path.isEmpty()) openFile(path);
 }
 
@@ -129,7 +143,7 @@ bool FileActions::saveOverChange() {
 
 bool FileActions::saveAs() {
     DocumentFile& file = m_workspace.file();
-    QFileDialog dialog(&m_views.window(), tr("Save Project"), QFileInfo(file.path()).path(), projectFilter());
+    QFileDialog dialog(&m_views.window(), tr("Save Project"), folder(), projectFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
     dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : QFileInfo(file.path()).fileName());
@@ -219,7 +233,7 @@ bool FileActions::confirmClose() {
 }
 
 void FileActions::importWithDialog() {
-    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Import Mesh"), {}, meshFilter());
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Import Mesh"), folder(), meshFilter());
     if (!path.isEmpty()) importMesh(path);
 }
 
@@ -231,12 +245,17 @@ void FileActions::importMesh(const QString& path) {
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
     if (!m_workspace.document().push(dialog.edit())) return;
     m_workspace.selection().setAsset(dialog.firstAsset());
+    m_views.frameAsset();
     m_views.showStatus(tr("Imported %1.").arg(fileNameText(path)));
 }
 
 void FileActions::exportWithDialog() {
     ExportDialog dialog(m_workspace, &m_views.window());
-    if (dialog.exec() == QDialog::Accepted) exportWith(dialog.options());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const ExportOptions options = dialog.options();
+    if (const ExportSummary summary = exportWith(options); summary.isExported) {
+        showExported(summary.sentence, options.folder);
+    }
 }
 
 void FileActions::exportAgain() {
@@ -246,8 +265,23 @@ void FileActions::exportAgain() {
     exportWith(*last);
 }
 
-void FileActions::exportWith(const ExportOptions& options) {
-    m_views.showStatus(exportProject(m_workspace, options, m_views.messages(), &m_views.window()));
+ExportSummary FileActions::exportWith(const ExportOptions& options) {
+    const ExportSummary summary = exportProject(m_workspace, options, m_views.messages(), &m_views.window());
+    m_views.showStatus(summary.sentence);
+    return summary;
+}
+
+/// Says what was written, without blocking the window, and offers to open the folder.
+void FileActions::showExported(const QString& sentence, const QString& folder) {
+    auto* box =
+        new QMessageBox(QMessageBox::Information, tr("Export"), sentence, QMessageBox::Close, &m_views.window());
+    box->setObjectName("exported");
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    const QPushButton* open = box->addButton(tr("&Open Folder"), QMessageBox::ActionRole);
+    connect(open, &QPushButton::clicked, box, [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    box->show();
 }
 
 void FileActions::closeWindow() { m_views.window().close(); }

@@ -56,7 +56,9 @@ private:
     void importWithDialog();
     void exportWithDialog();
     void exportAgain();
-    void exportWith(const ExportOptions& options);
+    void showExported(const QString& sentence, const QString& folder);
+    QString folder() const;
+    ExportSummary exportWith(const ExportOptions& options);
     void closeWindow();
     void fillRecent();
     void updateEnabled();
@@ -73,6 +75,7 @@ private:
     QAction* m_revert = nullptr;
     QAction* m_import = nullptr;
     QAction* m_export = nullptr;
+    QAction* m_exportAgain = nullptr;
     bool m_isAskingAboutDisk = false;
     bool m_hasChangedMeanwhile = false;  // the file, while the user is asked about it
 };

@@ -37,7 +37,7 @@ InstanceActions::InstanceActions(Views& views)
     QAction* remove =
         addEdit({"instance-delete", tr("De&lete"), tr("Delete the selected instances"), QKeySequence("Delete")},
                 removeInstances);
-    remove->setShortcuts({QKeySequence("Delete"), QKeySequence("X")});
+    remove->setShortcut(QKeySequence("Delete"));
     addContextMenus();
     scene().viewport().installEventFilter(this);
     connect(&m_workspace.selection(), &Selection::instancesChanged, this, &InstanceActions::updateEnabled);
@@ -213,14 +213,14 @@ void InstanceActions::duplicate() {
 }
 
 void InstanceActions::arrayInGrid() {
-    GridArrayDialog dialog(sizeOf(m_workspace.project(), selected()), &m_views.window());
+    GridArrayDialog dialog(sizeOf(m_workspace.project(), selected()), m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
     addArray(tr("Grid Array"), rubble::arrayInGrid(m_workspace.project(), selected(), dialog.array()),
              dialog.haveVariants());
 }
 
 void InstanceActions::arrayInRing() {
-    RingArrayDialog dialog(&m_views.window());
+    RingArrayDialog dialog(m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
     addArray(tr("Radial Array"), rubble::arrayInRing(m_workspace.project(), selected(), dialog.array()),
              dialog.haveVariants());

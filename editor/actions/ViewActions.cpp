@@ -158,9 +158,8 @@ void ViewActions::addLayout() {
         return action;
     };
     QAction* toggle =
-        add({"view-docks", tr("To&ggle Docks"), tr("Hide all docks, or show them again"), QKeySequence("Tab")});
+        add({"view-docks", tr("To&ggle Docks"), tr("Hide all docks, or show them again"), QKeySequence("Alt+0")});
     connect(toggle, &QAction::triggered, &m_views.docks(), &DockLayout::toggle);
-    m_views.limitShortcutToViews(*toggle);  // elsewhere, Tab moves the focus
     QAction* reset = add({"view-reset-layout", tr("&Reset Layout"), tr("Restore the default layout")});
     connect(reset, &QAction::triggered, &m_views, &Views::resetLayout);
     QAction* full = add({"view-full-screen", tr("F&ull Screen"), tr("Toggle full screen"), QKeySequence("F11")});

@@ -1,11 +1,9 @@
 #include "editor/dialogs/ArrayDialogs.h"
 
-#include "core/asset/bake/PrismHulls.h"
-#include "core/geometry/mesh/TriangleMesh.h"
+#include "editor/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QSpinBox>
@@ -36,7 +34,8 @@ ArrayDialog::ArrayDialog(const QString& title, QWidget* parent)
     layout->addLayout(m_form);
     layout->addWidget(m_variants);
     layout->addWidget(buttons);
-    copy->setDefault(true);  // after the button was added to the dialog
+    copy->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
+    copy->setDefault(true);              // after the button was added to the dialog
     setMinimumWidth(kMinArrayDialogWidth);
 }
 
@@ -50,23 +49,26 @@ QSpinBox* ArrayDialog::addCount(const QString& label, int value) {
     return box;
 }
 
-QDoubleSpinBox* ArrayDialog::addNumber(const QString& label, const QString& unit, double value) {
-    auto* box = new QDoubleSpinBox;
-    box->setRange(-kMaxDistance, kMaxDistance);
-    box->setDecimals(3);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setSuffix(unit);
-    box->setValue(value);
-    m_form->addRow(label, box);
-    return box;
+NumberField* ArrayDialog::addNumber(const QString& label, const NumberFormat& format, double value) {
+    auto* field = new NumberField;
+    field->setRange({.min = -kMaxDistance, .max = kMaxDistance});
+    field->setFormat(format);
+    field->setValue(value);
+    m_form->addRow(label, field);
+    return field;
 }
 
-GridArrayDialog::GridArrayDialog(Vec3 steps, QWidget* parent) : ArrayDialog(tr("Grid Array"), parent) {
+void ArrayDialog::accept() {
+    if (commitFields(*this)) QDialog::accept();
+}
+
+GridArrayDialog::GridArrayDialog(Vec3 steps, const Units& units, QWidget* parent)
+    : ArrayDialog(tr("Grid Array"), parent) {
     const QStringList axes{tr("x"), tr("y"), tr("z")};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const QString& name = axes[static_cast<int>(axis)];
         m_counts[axis] = addCount(tr("Count along %1:").arg(name), axis == 0 ? 3 : 1);
-        m_steps[axis] = addNumber(tr("Spacing along %1:").arg(name), tr(" m"), steps[static_cast<int>(axis)]);
+        m_steps[axis] = addNumber(tr("Spacing along %1:").arg(name), units.lengths(), steps[static_cast<int>(axis)]);
     }
     m_counts[0]->selectAll();
     m_counts[0]->setFocus();
@@ -81,11 +83,11 @@ GridArray GridArrayDialog::array() const {
     return array;
 }
 
-RingArrayDialog::RingArrayDialog(QWidget* parent) : ArrayDialog(tr("Radial Array"), parent) {
+RingArrayDialog::RingArrayDialog(const Units& units, QWidget* parent) : ArrayDialog(tr("Radial Array"), parent) {
     m_count = addCount(tr("&Count:"), kDefaultRingCount);
-    m_x = addNumber(tr("Axis at &x:"), tr(" m"), 0.0);
-    m_z = addNumber(tr("Axis at &z:"), tr(" m"), 0.0);
-    m_degrees = addNumber(tr("&Angle between copies:"), QStringLiteral("°"), 360.0 / kDefaultRingCount);
+    m_x = addNumber(tr("Axis at &x:"), units.lengths(), 0.0);
+    m_z = addNumber(tr("Axis at &z:"), units.lengths(), 0.0);
+    m_degrees = addNumber(tr("&Angle between copies:"), {QStringLiteral("°"), 0}, 360.0 / kDefaultRingCount);
     connect(m_count, &QSpinBox::valueChanged, this, [this](int count) { m_degrees->setValue(360.0 / count); });
     m_count->selectAll();
     m_count->setFocus();
@@ -96,18 +98,7 @@ RingArray RingArrayDialog::array() const {
 }
 
 Vec3 sizeOf(const Project& project, std::span<const Id> instances) {
-    const AssetHulls hulls = assetHulls(project);
-    Box3 box;
-    for (const Id id : instances) {
-        const Instance& instance = *findInstance(project, id);
-        const auto found = hulls.find(instance.asset);
-        if (found == hulls.end()) continue;
-        for (const Polytope& hull : found->second) {
-            for (const Vec3& vertex : hull.vertices) {
-                box.include(instance.pose.position + instance.pose.orientation * vertex);
-            }
-        }
-    }
+    const Box3 box = boundsOf(project, instances);
     return box.isEmpty() ? Vec3(1.0) : box.max - box.min;
 }
 

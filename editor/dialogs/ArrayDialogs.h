@@ -1,15 +1,17 @@
 #pragma once
 
 #include "editor/commands/InstanceEdits.h"
+#include "editor/widgets/Units.h"
 
 #include <QDialog>
 
 class QCheckBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QSpinBox;
 
 namespace rubble {
+
+class NumberField;
 
 /// The base of the array dialogs, with the option to give each copy its own variant.
 class ArrayDialog : public QDialog {
@@ -17,10 +19,12 @@ class ArrayDialog : public QDialog {
 public:
     ArrayDialog(const QString& title, QWidget* parent);
     bool haveVariants() const;
+    /// Stays open while a field's text is refused.
+    void accept() override;
 
 protected:
     QSpinBox* addCount(const QString& label, int value);
-    QDoubleSpinBox* addNumber(const QString& label, const QString& unit, double value);
+    NumberField* addNumber(const QString& label, const NumberFormat& format, double value);
 
 private:
     QFormLayout* m_form;
@@ -31,25 +35,25 @@ class GridArrayDialog : public ArrayDialog {
     Q_OBJECT
 public:
     /// `steps`: the initial distances between copies, m.
-    GridArrayDialog(Vec3 steps, QWidget* parent);
+    GridArrayDialog(Vec3 steps, const Units& units, QWidget* parent);
     GridArray array() const;
 
 private:
     std::array<QSpinBox*, 3> m_counts{};
-    std::array<QDoubleSpinBox*, 3> m_steps{};
+    std::array<NumberField*, 3> m_steps{};
 };
 
 class RingArrayDialog : public ArrayDialog {
     Q_OBJECT
 public:
-    explicit RingArrayDialog(QWidget* parent);
+    RingArrayDialog(const Units& units, QWidget* parent);
     RingArray array() const;
 
 private:
     QSpinBox* m_count;
-    QDoubleSpinBox* m_x;
-    QDoubleSpinBox* m_z;
-    QDoubleSpinBox* m_degrees;
+    NumberField* m_x;
+    NumberField* m_z;
+    NumberField* m_degrees;
 };
 
 /// Returns the extent of the instances' common bounding box, m: copies at these distances stand side by side.

@@ -19,6 +19,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -41,6 +42,7 @@ constexpr int kDefaultStep = 60;    // one second after the start
 constexpr int kDefaultSpread = 15;  // per cent
 constexpr int kMaxSpread = 90;      // per cent
 constexpr int kNumberRole = Qt::UserRole;
+constexpr std::chrono::milliseconds kRefreshDelay{400};  // after the last edit of a drag
 
 QPushButton* createButton(const char* icon, const QString& text, const QString& tip) {
     auto* button = new QPushButton(iconNamed(icon), text);
@@ -130,7 +132,17 @@ void ContactSheetWindow::connectSignals() {
     connect(&m_generator, &ContactSheetGenerator::failed, this, &ContactSheetWindow::showMessage);
     connect(&m_generator, &ContactSheetGenerator::progressed, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
-    connect(&m_workspace.document(), &Document::changed, this, &ContactSheetWindow::updateDocument);
+    connect(&m_workspace.document(), &Document::changed, this, [this](const Changes& changes) {
+        updateDocument();
+        const bool isOfSheet =
+            changes.touches(Part::Asset, m_asset) || changes.touches(Part::Material) || changes.touches(Part::Shot);
+        if (isOfSheet && !m_isApplying) m_refresh.start();
+    });
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(kRefreshDelay);
+    connect(&m_refresh, &QTimer::timeout, this, [this] {
+        if (asset()) generate();
+    });
 }
 
 QWidget* ContactSheetWindow::createSettings() {
@@ -304,6 +316,7 @@ void ContactSheetWindow::apply() {
     changed.levels = variant.levels;
     changed.leaves = variant.leaves;
     changed.edits = variant.edits;
+    const QScopedValueRollback applying(m_isApplying, true);  // the variants stay to be compared
     if (m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed))))
         showMessage(tr("Applied the variant to the asset."));
 }
@@ -336,6 +349,7 @@ void ContactSheetWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void ContactSheetWindow::closeEvent(QCloseEvent* event) {
+    m_refresh.stop();
     m_generator.cancel();
     event->accept();
 }

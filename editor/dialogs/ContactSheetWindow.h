@@ -2,6 +2,7 @@
 
 #include "editor/background/ContactSheetGenerator.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -68,6 +69,8 @@ private:
     std::vector<LockedSeed> m_locked;  // in all variants
     std::uint64_t m_randomSeed = 1;
     std::size_t m_count = 0;  // of variants being generated
+    QTimer m_refresh;         // after a change of the asset
+    bool m_isApplying = false;
     VariationTree* m_variations;
     QSpinBox* m_variants;
     QSpinBox* m_spread;

@@ -1,6 +1,6 @@
 #include "editor/dialogs/ImportDialog.h"
 
-#include "editor/commands/ProjectEdits.h"
+#include "editor/commands/InstanceEdits.h"
 #include "editor/dialogs/ImportView.h"
 #include "editor/dialogs/MeshReading.h"
 #include "editor/dialogs/OutlinePreview.h"
@@ -62,6 +62,16 @@ QString fallbackText(const WorkingFallback& working, PrismAxis selected) {
     const QString axis = QStringLiteral("XYZ").at(static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X));
     return (isSilhouette ? ImportDialog::tr("Use Silhouette Along %1") : ImportDialog::tr("Use Top Face Along %1"))
         .arg(axis);
+}
+
+/// Moves what is imported beside the scene where it would stand in it.
+void moveImported(const Project& before, ImportOutcome& outcome) {
+    std::vector<Id> added;
+    for (const Instance& instance : outcome.project.instances) {
+        if (std::ranges::find(before.instances, instance.id, &Instance::id) == before.instances.end())
+            added.push_back(instance.id);
+    }
+    moveBesideOthers(outcome.project, added);
 }
 
 QLabel* createNotes() {
@@ -245,6 +255,7 @@ void ImportDialog::search() {
         [scene = m_scene, project = m_project, name = toPath(m_path).stem().string(), options = options(),
          unit = fileUnit(), needsModel = m_isModelOutdated](const TaskContext& task) {
             Found found{{}, importedInto(project, *scene, name, options, task)};
+            if (found.outcome) moveImported(project, *found.outcome);
             if (needsModel && !task.isCancelled()) found.model = sourceModel(*scene, unit, options.up);
             return found;
         },

@@ -10,6 +10,8 @@
 #include <QCryptographicHash>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
@@ -112,7 +114,7 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     return options;
 }
 
-QString exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
+ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
     store(settingsGroup(workspace.file().path()), options);
     const Project project = workspace.project();
     const std::vector<Id> assets = assetsToExport(options, project);
@@ -128,15 +130,15 @@ QString exportProject(Workspace& workspace, const ExportOptions& options, Messag
     if (outcome) {
         const QString sentence = summary(*outcome, options.folder, messages, parent);
         messages.add({.text = sentence});
-        return sentence;
+        return {sentence, std::ranges::any_of(*outcome, [](const AssetExport& one) { return one.status.hasValue(); })};
     }
     if (outcome.error().code == ErrorCode::Cancelled) {
-        return ExportTexts::tr("Export cancelled. No incomplete files were left.");
+        return {ExportTexts::tr("Export cancelled. No incomplete files were left."), false};
     }
     const QString sentence = QString::fromStdString(outcome.error().message);
     messages.add({.severity = Severity::Error, .text = sentence});
     showError(parent, sentence);
-    return sentence;
+    return {sentence, false};
 }
 
 }  // namespace rubble

@@ -19,8 +19,14 @@ struct ExportOptions {
 /// exported. Assets that no longer exist are left out.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
 
-/// Exports the project with a progress dialog and stores the options as its last ones. Returns a sentence for the
-/// status bar; errors are shown in a message box, and everything is added to `messages`.
-QString exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent);
+/// What an export did, as a sentence.
+struct ExportSummary {
+    QString sentence;
+    bool isExported = false;  // at least one asset was exported or had been before
+};
+
+/// Exports the project with a progress dialog and stores the options as its last ones. Errors are shown in a message
+/// box, and everything is added to `messages`.
+ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent);
 
 }  // namespace rubble

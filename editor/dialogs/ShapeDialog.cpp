@@ -1,7 +1,8 @@
 #include "editor/dialogs/ShapeDialog.h"
 
+#include "editor/widgets/NumberField.h"
+
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QSpinBox>
@@ -18,18 +19,16 @@ constexpr int kMinShapeDialogWidth = 320;  // pixels, so that the title fits
 
 }  // namespace
 
-ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWidget* parent)
+ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, const Units& units, QWidget* parent)
     : QDialog(parent), m_form(new QFormLayout) {
     setWindowTitle(title);
     for (const Length& length : lengths) {
-        auto* box = new QDoubleSpinBox;
-        box->setRange(kMinLength, kMaxLength);
-        box->setDecimals(3);
-        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        box->setSuffix(tr(" m"));
-        box->setValue(length.value);
-        m_form->addRow(length.label, box);
-        m_lengths.append(box);
+        auto* field = new NumberField;
+        field->setRange({.min = kMinLength, .max = kMaxLength});
+        field->setFormat(units.lengths());
+        field->setValue(length.value);
+        m_form->addRow(length.label, field);
+        m_lengths.append(field);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     QPushButton* add = buttons->addButton(tr("Add"), QDialogButtonBox::AcceptRole);
@@ -38,7 +37,8 @@ ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, QWi
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(m_form);
     layout->addWidget(buttons);
-    add->setDefault(true);  // after the button was added to the dialog
+    add->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
+    add->setDefault(true);              // after the button was added to the dialog
     setMinimumWidth(kMinShapeDialogWidth);
     m_lengths.front()->selectAll();
     m_lengths.front()->setFocus();
@@ -52,6 +52,10 @@ void ShapeDialog::addCorners(int value) {
     setTabOrder(m_corners, m_lengths.front());
     m_corners->selectAll();
     m_corners->setFocus();
+}
+
+void ShapeDialog::accept() {
+    if (commitFields(*this)) QDialog::accept();
 }
 
 double ShapeDialog::length(int index) const { return m_lengths[index]->value(); }

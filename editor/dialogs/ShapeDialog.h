@@ -1,12 +1,15 @@
 #pragma once
 
+#include "editor/widgets/Units.h"
+
 #include <QDialog>
 
-class QDoubleSpinBox;
 class QFormLayout;
 class QSpinBox;
 
 namespace rubble {
+
+class NumberField;
 
 /// Asks for the lengths of a new shape.
 class ShapeDialog : public QDialog {
@@ -16,7 +19,7 @@ public:
         QString label;
         double value = 1.0;  // m, at first
     };
-    ShapeDialog(const QString& title, const QList<Length>& lengths, QWidget* parent);
+    ShapeDialog(const QString& title, const QList<Length>& lengths, const Units& units, QWidget* parent);
 
     /// Adds a field for the number of corners.
     void addCorners(int value);
@@ -24,9 +27,12 @@ public:
     double length(int index) const;
     int corners() const;
 
+    /// Stays open while a field's text is refused.
+    void accept() override;
+
 private:
     QFormLayout* m_form;
-    QList<QDoubleSpinBox*> m_lengths;
+    QList<NumberField*> m_lengths;
     QSpinBox* m_corners = nullptr;
 };
 

@@ -53,7 +53,9 @@ void PlayController::stop() {
     emit impactsChanged();
 }
 
+/// The signal is queued: meanwhile the simulation may have been started again.
 void PlayController::finish(const QString& sentence) {
+    if (m_isWaitingForBakes || m_thread.isStarted()) return;
     stop();
     emit statusMessage(sentence);
 }

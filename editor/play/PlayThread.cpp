@@ -69,6 +69,11 @@ void PlayThread::stop() {
     restartWith(nullptr);
 }
 
+bool PlayThread::isStarted() const {
+    const std::lock_guard lock(m_mutex);
+    return m_isStarted;
+}
+
 void PlayThread::post(Task task) {
     const std::lock_guard lock(m_mutex);
     if (!m_isStarted) return;

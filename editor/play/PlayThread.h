@@ -27,6 +27,8 @@ public:
     void start(EngineFactory factory);
     /// Destroys the engine.
     void stop();
+    /// Whether there is an engine, or one is being created.
+    bool isStarted() const;
     /// Queues a task; ignored without an engine.
     void post(Task task);
     /// Seeks to a step; replaces a pending seek.

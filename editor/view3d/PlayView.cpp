@@ -35,6 +35,7 @@ PlayView::PlayView(PlayController& controller, ViewportWidget& viewport)
         if (!m_timer.isActive()) refresh();
     });
     connect(&viewport, &ViewportWidget::cameraChanged, this, [this] { m_hud->setContent(content()); });
+    connect(&viewport, &ViewportWidget::drawn, this, [this] { ++m_counted; });
 }
 
 void PlayView::updateState() {
@@ -54,7 +55,7 @@ void PlayView::refresh() {
     showFrame();
     m_viewport.setStepFraction(m_controller.stepFraction());
     if (m_tool.charge()) m_tool.updateAim();
-    countFrame();
+    updateFrameRate();
     m_hud->setContent(content());
 }
 
@@ -65,8 +66,7 @@ void PlayView::showFrame() {
     m_viewport.setScene(frame->scene);
 }
 
-void PlayView::countFrame() {
-    ++m_counted;
+void PlayView::updateFrameRate() {
     const double passed = m_controller.thread().now() - m_countedSince;
     if (passed < 0.5) return;
     m_framesPerSecond = static_cast<int>(std::lround(m_counted / passed));

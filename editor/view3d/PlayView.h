@@ -27,7 +27,7 @@ private:
     void showFrame();
     PlayHud::Content content() const;
     QStringList statisticsLines() const;
-    void countFrame();
+    void updateFrameRate();
 
     PlayController& m_controller;
     ViewportWidget& m_viewport;
@@ -36,7 +36,7 @@ private:
     QTimer m_timer;
     const RenderScene* m_shown = nullptr;
     double m_countedSince = 0.0;  // s
-    int m_counted = 0;            // frames since
+    int m_counted = 0;            // frames drawn since
     int m_framesPerSecond = 0;
 };
 

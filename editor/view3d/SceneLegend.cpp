@@ -33,9 +33,9 @@ QString titleOf(SceneColouring colouring) {
     return {};
 }
 
-QString valueText(SceneColouring colouring, double value) {
+QString valueText(SceneColouring colouring, double value, const Units& units) {
     switch (colouring) {
-        case SceneColouring::Volume: return localizedQuantity(QuantityKind::Volume, value);
+        case SceneColouring::Volume: return localizedQuantity(QuantityKind::Volume, value, units);
         case SceneColouring::Mass: return localizedQuantity(QuantityKind::Mass, value);
         case SceneColouring::Aspect: return QLocale().toString(value, 'f', 1);
         case SceneColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, value);
@@ -51,15 +51,21 @@ void SceneLegend::setContent(const Content& content) {
     emit changed();
 }
 
+void SceneLegend::setUnits(const Units& units) {
+    m_units = units;
+    emit changed();
+}
+
 QStringList SceneLegend::texts() const {
     QStringList texts;
     if (m_content.range) {
         const auto& [least, most] = *m_content.range;
-        texts = {titleOf(m_content.colouring), valueText(m_content.colouring, least)};
-        if (most > least) texts.append(valueText(m_content.colouring, most));
+        texts = {titleOf(m_content.colouring), valueText(m_content.colouring, least, m_units)};
+        if (most > least) texts.append(valueText(m_content.colouring, most, m_units));
     }
     if (m_content.largestBondArea > 0.0)
-        texts.append(tr("Contact area up to %1").arg(localizedQuantity(QuantityKind::Area, m_content.largestBondArea)));
+        texts.append(
+            tr("Contact area up to %1").arg(localizedQuantity(QuantityKind::Area, m_content.largestBondArea, m_units)));
     return texts;
 }
 

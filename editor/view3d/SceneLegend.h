@@ -22,6 +22,8 @@ public:
         bool operator==(const Content&) const = default;
     };
     void setContent(const Content& content);
+    /// The units of volumes and areas.
+    void setUnits(const Units& units);
     /// Its texts: the title, the values at both ends, and the area of the widest bond line.
     QStringList texts() const;
 
@@ -32,6 +34,7 @@ private:
     QSize plateSize(const QFontMetrics& lines) const;
 
     Content m_content;
+    Units m_units;
 };
 
 }  // namespace rubble

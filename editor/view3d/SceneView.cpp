@@ -91,8 +91,10 @@ void SceneView::frameSelected() {
 void SceneView::frameFragments() {
     update();
     const Box3 selected = boundsOf(m_viewport->scene(), kSelected);
+    if (selected.isEmpty()) return;
     const Vec3 around = kFragmentMargin * (selected.max - selected.min);
-    if (!selected.isEmpty()) m_viewport->frame({selected.min - around, selected.max + around});
+    const Box3 all = boundsOf(m_viewport->scene());  // there is no context beyond
+    m_viewport->frame({glm::max(selected.min - around, all.min), glm::min(selected.max + around, all.max)});
 }
 
 void SceneView::setEditable(bool isEditable) {
@@ -105,7 +107,13 @@ void SceneView::updateEditing() {
     m_placementTool->setOn(isEditable());
 }
 
-void SceneView::applyPreferences(const Preferences& preferences) { rubble::applyPreferences(*m_viewport, preferences); }
+void SceneView::applyPreferences(const Preferences& preferences) {
+    rubble::applyPreferences(*m_viewport, preferences);
+    const Units units{preferences.unit};
+    m_transformTool->setUnits(units);
+    m_measureTool->setUnits(units);
+    m_legend->setUnits(units);
+}
 
 void SceneView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) applyTheme(*m_viewport);

@@ -92,7 +92,7 @@ void DockLayout::hideAll() {
 
 void DockLayout::toggle() {
     QList<QDockWidget*> visible;
-    for (QDockWidget* dock : m_docks) {
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
         if (!dock->isHidden()) visible.append(dock);
     }
     for (QDockWidget* dock : visible.isEmpty() ? m_toggled : visible) dock->setHidden(!visible.isEmpty());

@@ -4,6 +4,7 @@
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/commands/InstanceEdits.h"
+#include "editor/document/EnteredFragment.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/FragmentTable.h"
 #include "editor/panels/docks/HistoryPanel.h"
@@ -19,17 +20,27 @@
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
+#include "editor/widgets/NumberText.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QSettings>
 #include <QSplitter>
+#include <QTextEdit>
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <set>
 
@@ -38,7 +49,15 @@ namespace rubble {
 namespace {
 
 constexpr const char* kCollapsedKey = "window/folded";  // sections of the inspector
+constexpr int kPositionDecimals = 3;                    // of metres
 constexpr double kBreakMargin = 1.5;                    // m shown around a break in each direction
+
+bool takesText(const QWidget* widget) {
+    const auto* box = qobject_cast<const QComboBox*>(widget);
+    return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+           qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+           (box && box->isEditable());
+}
 
 }  // namespace
 
@@ -58,9 +77,27 @@ Views::Views(Workspace& workspace, QMainWindow& window)
     m_panes->setChildrenCollapsible(false);
     addDocks();
     connectViews();
+    for (QWidget* view : {static_cast<QWidget*>(m_canvas), static_cast<QWidget*>(&m_scene->viewport())}) {
+        view->installEventFilter(this);
+    }
     new OverlapWatch(workspace.document(), m_messages, this);
     m_docks.reset();
     m_docks.hideAll();
+}
+
+bool Views::eventFilter(QObject* watched, QEvent* event) {
+    const bool isPlainMove =
+        event->type() == QEvent::MouseMove && static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton;
+    if (isPlainMove) focusUnderPointer(*static_cast<QWidget*>(watched));
+    return QObject::eventFilter(watched, event);
+}
+
+/// Gives the focus to the view in which the pointer moves, so that keys go where the user looks; not while a text is
+/// typed elsewhere or instances follow the pointer.
+void Views::focusUnderPointer(QWidget& view) const {
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused == &view || !view.isActiveWindow() || takesText(focused)) return;
+    if (!m_scene->transformTool().isDragging()) view.setFocus(Qt::MouseFocusReason);
 }
 
 QWidget& Views::panes() { return *m_panes; }
@@ -73,8 +110,12 @@ void Views::connectViews() {
     connect(&m_scene->placementTool(), &PlacementTool::statusMessage, this, &Views::statusMessage);
     connect(&m_scene->placementTool(), &PlacementTool::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointerMoved, this, [this](double x, double y) {
-        const QLocale locale;
-        emit positionChanged(tr("%1, %2 m").arg(locale.toString(x, 'f', 3), locale.toString(y, 'f', 3)));
+        const NumberFormat format = m_units.lengths();
+        const auto text = [&](double metres) {
+            return QLocale().toString(std::pow(10.0, format.exponent) * metres, 'f',
+                                      std::max(0, kPositionDecimals - format.exponent));
+        };
+        emit positionChanged(withUnit(tr("%1, %2").arg(text(x), text(y)), format));
     });
     connect(m_canvas, &PatternCanvas::pointerLeft, this, [this] { emit positionChanged({}); });
     connect(&m_workspace.bakes(), &Bakes::changed, this, &Views::updateBakeMessages);
@@ -93,17 +134,21 @@ void Views::addDocks() {
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
     auto* tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
     auto* strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
-    connect(&document, &Document::refused, this, &Views::statusMessage);
-    connect(m_tree, &ProjectTree::refused, this, &Views::statusMessage);
-    connect(m_inspector, &Inspector::refused, this, &Views::statusMessage);
-    connect(m_playTools, &PlayToolsPanel::refused, this, &Views::statusMessage);
-    connect(tests, &PlayTestPanel::refused, this, &Views::statusMessage);
-    connect(strength, &StrengthPanel::refused, this, &Views::statusMessage);
+    connect(&document, &Document::refused, this, &Views::showRefusal);
+    connect(m_tree, &ProjectTree::refused, this, &Views::showRefusal);
+    connect(m_inspector, &Inspector::refused, this, &Views::showRefusal);
+    connect(m_playTools, &PlayToolsPanel::refused, this, &Views::showRefusal);
+    connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
+    connect(strength, &StrengthPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
     connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
     connect(play, &PlayPanel::jumpRequested, this, [this](const Vec3& place) {
         m_scene->viewport().frame({place - Vec3(kBreakMargin), place + Vec3(kBreakMargin)});
         m_scene->viewport().setFocus();
+    });
+    connect(m_fragments, &FragmentTable::frameRequested, this, [this] {
+        m_canvas->frameSelected();
+        m_scene->frameFragments();
     });
     m_docks.add(DockId::Project, tr("Project"), m_tree);
     m_docks.add(DockId::Inspector, tr("Inspector"), m_inspector);
@@ -126,6 +171,12 @@ void Views::addProblemDock() {
             [dock](int count) { dock->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%L1)").arg(count)); });
     connect(m_problems, &ProblemPanel::statusMessage, this, &Views::statusMessage);
     connect(m_problems, &ProblemPanel::jumpRequested, this, qOverload<const Diagnostic&>(&Views::reveal));
+}
+
+/// Shows in the status bar and in Messages, where it stays, why an edit was refused.
+void Views::showRefusal(const QString& sentence) {
+    m_messages.add({.severity = Severity::Warning, .text = sentence});
+    emit statusMessage(sentence);
 }
 
 void Views::updateBakeMessages(Id asset) {
@@ -153,6 +204,7 @@ void Views::showProject() {
     m_inspector->setCollapsedSections(QSettings().value(kCollapsedKey).toStringList());
     emit projectShown();
     if (!m_docks.restore()) resetLayout();
+    emit layoutRestored();
     frameAsset();
 }
 
@@ -197,14 +249,25 @@ void Views::frameAsset() {
 }
 
 void Views::drawNewOutline() {
-    m_canvas->show();
-    m_canvas->setFocus();
-    m_canvas->setTool(CanvasToolKind::Outline);
+    showOutlineTool();
     m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
 }
 
+void Views::drawHole() {
+    exitToFragment(m_workspace.selection(), {});
+    showOutlineTool();
+    m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::Hole);
+}
+
+void Views::showOutlineTool() {
+    m_canvas->show();
+    m_canvas->setFocus();
+    m_canvas->setTool(CanvasToolKind::Outline);
+}
+
 void Views::applyPreferences(const Preferences& preferences) {
-    const Units units{preferences.unit};
+    const Units units = m_units = {preferences.unit};
+    m_canvas->setUnits(units);
     m_tree->setUnits(units);
     m_inspector->setUnits(units);
     m_fragments->setUnits(units);

@@ -43,6 +43,8 @@ public:
     SceneView& scene() { return *m_scene; }
     Messages& messages() { return m_messages; }
     DockLayout& docks() { return m_docks; }
+    /// The preferred units.
+    const Units& units() const { return m_units; }
 
     /// Replaces the start page by the views, if that has not happened yet.
     void showProject();
@@ -62,6 +64,8 @@ public:
     void frameAsset();
     /// Starts drawing the outline of a new asset in the canvas.
     void drawNewOutline();
+    /// Starts drawing a hole of the active asset in the canvas.
+    void drawHole();
     void applyPreferences(const Preferences& preferences);
 
     /// Adds actions on the selected instances to the project tree's context menu.
@@ -80,17 +84,25 @@ public:
 signals:
     /// The start page gave way to the views.
     void projectShown();
+    /// The docks are as they were when the program ended last, or in the default layout.
+    void layoutRestored();
     /// What the active tool can do, for the status bar.
     void hintChanged(const QString& hint);
     /// The pointer's position on the canvas, as text; empty: it is elsewhere.
     void positionChanged(const QString& position);
     void statusMessage(const QString& sentence);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void addDocks();
     void addProblemDock();
     void connectViews();
     void updateBakeMessages(Id asset);
+    void showOutlineTool();
+    void focusUnderPointer(QWidget& view) const;
+    void showRefusal(const QString& sentence);
     void updatePlayState();
     void reveal(const Message& message);
     void reveal(const Diagnostic& problem);
@@ -109,6 +121,7 @@ private:
     PlayToolsPanel* m_playTools = nullptr;
     ProblemPanel* m_problems = nullptr;
     QMenu* m_fragmentMenu;
+    Units m_units;
     bool m_isProjectShown = false;
     bool m_isPlaying = false;
     bool m_wasCanvasVisible = true;  // before the simulation started

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/commands/Renaming.h"
 #include "editor/document/Document.h"
 #include "editor/widgets/FormControls.h"
 
@@ -93,6 +94,7 @@ typename Form<Value>::Push pushOf(Document& document) {
             const Id id = value.id;
             edit.swaps.push_back(Swap<Value>{id, std::move(value)});
         }
+        renameNamesakes(document.project(), edit);
         document.push(std::move(edit));
     };
 }

@@ -13,6 +13,7 @@
 #include "editor/actions/SelectActions.h"
 #include "editor/actions/ViewActions.h"
 #include "editor/dialogs/FileFilters.h"
+#include "editor/document/FragmentSelection.h"
 #include "editor/document/ShownText.h"
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
@@ -26,11 +27,15 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <algorithm>
+#include <utility>
 
 namespace rubble {
 
@@ -184,6 +189,7 @@ void MainWindow::restoreWindow() {
     setMinimumSize(kMinimumSize);
     resize(kDefaultSize);
     restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
+    resize(size().boundedTo(screen()->availableSize()));
 }
 
 void MainWindow::connectWorkspace() {
@@ -209,7 +215,21 @@ void MainWindow::showProject() {
 
 void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }
 
+/// Shrinks and moves the window so that it lies on the screen with its frame, which is known once it is active.
+void MainWindow::fitToScreen() {
+    if (isMaximized() || isFullScreen()) return;
+    const QRect available = screen()->availableGeometry();
+    const QSize frame = frameGeometry().size() - size();
+    resize(size().boundedTo(available.size() - frame));
+    QRect outer = frameGeometry();
+    outer.moveRight(std::min(outer.right(), available.right()));
+    outer.moveBottom(std::min(outer.bottom(), available.bottom()));
+    outer.moveTopLeft({std::max(outer.left(), available.left()), std::max(outer.top(), available.top())});
+    if (outer.topLeft() != frameGeometry().topLeft()) move(outer.topLeft());
+}
+
 bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::WindowActivate && !std::exchange(m_isFitted, true)) fitToScreen();
     if (event->type() == QEvent::WindowBlocked) m_isBlocked = true;
     if (event->type() == QEvent::WindowUnblocked) m_isBlocked = false;
     return QMainWindow::event(event);
@@ -281,9 +301,8 @@ void MainWindow::updateCounts() {
         tr("%Ln seed(s)", nullptr, static_cast<int>(pattern->seeds.positions.size())),
         tr("%Ln fragment(s)", nullptr, static_cast<int>(baked->bake->fragmentCount())),
     };
-    if (!selection.seeds().empty()) {
-        counts.append(tr("%L1 selected").arg(selection.seeds().size()));
-    }
+    const FragmentSet selected = fragmentsOf(selection.fragments(), *baked->bake);
+    if (const auto count = std::ranges::count(selected, true); count > 0) counts.append(tr("%L1 selected").arg(count));
     m_counts->setText(counts.join(" · "));
 }
 

@@ -57,6 +57,7 @@ private:
     void addToolBars();
     void addStatusBar();
     void restoreWindow();
+    void fitToScreen();
     void connectWorkspace();
     void showProject();
     void updateToolButtonStyle();
@@ -81,6 +82,7 @@ private:
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
     int m_labelledWidth = 0;              // pixels that all toolbars need with texts
     bool m_isBlocked = false;             // by a dialog or a task
+    bool m_isFitted = false;              // to the screen
     QLabel* m_hint = nullptr;
     QLabel* m_position = nullptr;
     QLabel* m_counts = nullptr;

@@ -105,7 +105,8 @@ MainWindow* Program::open(const QString& path, MainWindow* from) {
     if (!access) return nullptr;
     MainWindow* window = windowFor(from);
     if (const Status opened = window->workspace().file().open(path, *access); !opened) {
-        showError(window, opened.error());
+        discardUnlessShown(window);
+        showError(from, opened.error());
         return nullptr;
     }
     m_recentFiles.add(window->workspace().file().path());
@@ -116,20 +117,22 @@ MainWindow* Program::open(const QString& path, MainWindow* from) {
 /// Shows the project of a window, and why it is read-only if it is.
 void Program::showOpened(MainWindow& window) {
     window.views().showProject();
+    window.show();
     const DocumentFile& file = window.workspace().file();
     if (file.isReadOnly()) window.views().showStatus(file.readOnlyReason());
 }
 
 MainWindow* Program::openCopy(const QString& path, MainWindow* from) {
-    MainWindow* window = windowFor(from);
     std::vector<Diagnostic> notes;
     Result<Project> project = orOutOfMemory("opening the project", [&] { return loadProject(toPath(path), &notes); });
     if (!project) {
-        showError(window, project.error());
+        showError(from, project.error());
         return nullptr;
     }
+    MainWindow* window = windowFor(from);
     window->workspace().document().replace(std::move(*project));
     window->views().showProject();
+    window->show();
     window->views().addNotes(notes);
     return window;
 }
@@ -179,7 +182,10 @@ void Program::restoreBackup(const Backup& backup) {
     const Result<DocumentFile::Faults> restored = isFree   ? file.restoreHere(backup)
                                                   : access ? file.restore(backup, *access)
                                                            : file.restoreWithoutFile(backup);
-    if (!restored) return showError(window, restored.error());
+    if (!restored) {
+        discardUnlessShown(window);
+        return showError(QApplication::activeWindow(), restored.error());
+    }
     window->workspace().autosave().adopt(backup);
     showOpened(*window);
     showFaults(*window, *restored);
@@ -194,13 +200,22 @@ void Program::showFaults(MainWindow& window, const DocumentFile::Faults& faults)
         tr("Values of the restored project are out of range. Change them as the messages say, then save."));
 }
 
+/// Closes the other windows, such as the manual, after those with projects.
 void Program::quit() {
     for (MainWindow* window : windows()) {
         if (!window->close()) return;
     }
+    QApplication::closeAllWindows();
 }
 
-MainWindow* Program::windowFor(MainWindow* from) { return from && from->isPristine() ? from : showStartPage(); }
+/// A window for a project: `from` if it shows the start page, otherwise a new one, which is not shown yet.
+MainWindow* Program::windowFor(MainWindow* from) {
+    return from && from->isPristine() ? from : createWindow(emptyProject());
+}
+
+void Program::discardUnlessShown(MainWindow* window) {
+    if (!window->isVisible()) delete window;
+}
 
 MainWindow* Program::windowWith(const QString& path) const {
     const std::filesystem::path lock = lockPathOf(toPath(path));

@@ -44,6 +44,7 @@ private:
     void showOpened(MainWindow& window);
     void showFaults(MainWindow& window, const DocumentFile::Faults& faults);
     MainWindow* windowFor(MainWindow* from);
+    static void discardUnlessShown(MainWindow* window);
     MainWindow* windowWith(const QString& path) const;
     MainWindow* pristineWindow() const;
     QList<MainWindow*> windows() const;

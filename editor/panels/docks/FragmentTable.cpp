@@ -50,6 +50,12 @@ QItemSelection rowRanges(const std::vector<bool>& isMarked, const QAbstractItemM
     return ranges;
 }
 
+/// The key that frames the selection, as in the 3D view; without it, the table would jump to a name.
+bool isFrameKey(const QEvent& event) {
+    if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride) return false;
+    return static_cast<const QKeyEvent&>(event).keyCombination() == QKeyCombination(Qt::Key_F);
+}
+
 }  // namespace
 
 FragmentTable::FragmentTable(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
@@ -158,6 +164,7 @@ void FragmentTable::setFragmentActions(const QList<QAction*>& visibility, const 
 void FragmentTable::connectAll() {
     connect(m_histogram, &VolumeHistogram::rangeSelected, this, &FragmentTable::selectRange);
     connect(m_filter, &QLineEdit::textChanged, this, &FragmentTable::applyFilter);
+    connect(m_view, &QTableView::doubleClicked, this, &FragmentTable::frameRequested);
     connect(m_view, &QTableView::customContextMenuRequested, this, &FragmentTable::showMenu);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { applyViewSelection(); });
     connect(m_listed, &FragmentProxyModel::modelAboutToBeReset, this, &FragmentTable::saveScrollPosition);
@@ -208,6 +215,11 @@ void FragmentTable::showMenu(const QPoint& position) {
 
 /// Handles the table's shortcuts before those of the window and the keys of the menu bar.
 bool FragmentTable::eventFilter(QObject* watched, QEvent* event) {
+    if (isFrameKey(*event)) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress) emit frameRequested();
+        return true;
+    }
     return handleShortcut(m_visibilityActions + QList{m_invert}, *event) || QWidget::eventFilter(watched, event);
 }
 

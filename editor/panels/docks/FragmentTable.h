@@ -41,6 +41,10 @@ public:
     /// Selects the listed fragments that are not selected, and deselects all others.
     void invertSelection();
 
+signals:
+    /// The selected fragments are to be framed.
+    void frameRequested();
+
 protected:
     void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -22,6 +22,18 @@ namespace {
 
 constexpr Vec3 kCopyOffset{0.5, 0.0, 0.5};  // m, from an instance to its copy
 
+/// A tree in which a slow second click renames a row only if it is the one selected; otherwise a click selects.
+class RenamingTreeView : public QTreeView {
+public:
+    using QTreeView::QTreeView;
+
+protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override {
+        const bool isAmongSeveral = trigger == SelectedClicked && selectionModel()->selectedIndexes().size() > 1;
+        return !isAmongSeveral && QTreeView::edit(index, trigger, event);
+    }
+};
+
 const QKeySequence kRenameKey(Qt::Key_F2);
 const QKeySequence kDuplicateKey(Qt::CTRL | Qt::Key_D);
 const QKeySequence kDeleteKey(Qt::Key_Delete);
@@ -33,7 +45,7 @@ ProjectTree::ProjectTree(Document& document, Selection& selection, QWidget* pare
       m_document(document),
       m_selection(selection),
       m_model(new ProjectModel(document, this)),
-      m_view(new QTreeView(this)) {
+      m_view(new RenamingTreeView(this)) {
     m_view->setModel(m_model);
     m_view->setHeaderHidden(true);
     m_view->setFrameShape(QFrame::NoFrame);
@@ -202,7 +214,7 @@ void ProjectTree::showSelection() {
     m_view->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
     if (first.isValid()) {
         m_view->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
-        m_view->scrollTo(first);
+        if (m_view->isVisible()) m_view->scrollTo(first);  // a hidden tree has no size yet
     }
 }
 

@@ -4,6 +4,7 @@
 #include "editor/widgets/Icon.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,14 @@ QIcon iconOf(Severity severity) {
         case Severity::Error: return iconNamed("message-error");
     }
     return {};
+}
+
+/// The time with seconds in the user's locale, without the time zone.
+QString timeText(const QTime& time) {
+    static const QRegularExpression zone(R"(\s*(?<!')\(?\bt{1,4}\b\)?(?!')\s*)");
+    const QLocale locale;
+    QString format = locale.timeFormat(QLocale::LongFormat);
+    return locale.toString(time, format.replace(zone, QStringLiteral(" ")).trimmed());
 }
 
 }  // namespace
@@ -46,7 +55,7 @@ QVariant MessagesModel::data(const QModelIndex& index, int role) const {
     }
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
-        case kTime: return QLocale().toString(shown.time.time(), QLocale::LongFormat).section(' ', 0, 0);
+        case kTime: return timeText(shown.time.time());
         case kAsset: {
             const Asset* asset = findAsset(m_document.project(), shown.asset);
             return asset ? nameText(asset->name) : QString();

@@ -52,7 +52,6 @@ void PlayTool::enter(QPointF position) {
     if (!m_controller.isInPlay()) return;
     m_pointer = position;
     m_isPointing = true;
-    m_viewport.setFocus();  // for its keys
     updateAim();
 }
 

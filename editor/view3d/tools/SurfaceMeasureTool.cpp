@@ -22,8 +22,6 @@ constexpr double kCorner = 6.0;
 constexpr int kMeasureLabelOffset = 16;
 constexpr int kMeasureMargin = 6;
 
-QString lengthText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
-
 void paintLine(QPainter& painter, QPointF from, QPointF to) {
     for (const auto& [colour, width] : {std::pair(kMeasureUnderline, 4.5), std::pair(kMeasureLine, 2.0)}) {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
@@ -96,6 +94,10 @@ void SurfaceMeasureTool::setOn(bool isOn) {
     emit changed();
     emit onChanged(isOn);
     emitHint();
+}
+
+QString SurfaceMeasureTool::lengthText(double metres) const {
+    return localizedQuantity(QuantityKind::Length, metres, m_units);
 }
 
 std::optional<double> SurfaceMeasureTool::distance() const {

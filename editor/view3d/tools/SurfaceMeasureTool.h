@@ -16,6 +16,8 @@ class SurfaceMeasureTool : public ViewportTool {
 public:
     explicit SurfaceMeasureTool(ViewportWidget& viewport);
 
+    /// The units of distances.
+    void setUnits(const Units& units) { m_units = units; }
     bool isOn() const { return m_isOn; }
     /// Switching it off clears the measurement.
     void setOn(bool isOn);
@@ -50,6 +52,7 @@ private:
     void updatePointed(QPointF pixel);
     void setPoint();
     void emitHint();
+    QString lengthText(double metres) const;
 
     ViewportWidget& m_viewport;
     bool m_isOn = false;
@@ -57,6 +60,7 @@ private:
     std::optional<Point> m_to;
     std::optional<Point> m_pointed;
     QPointF m_pointer;
+    Units m_units;
 };
 
 }  // namespace rubble

@@ -4,6 +4,8 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/ShownText.h"
 #include "editor/view3d/tools/GizmoPainting.h"
+#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/NumberText.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QLocale>
@@ -28,13 +30,15 @@ QString signedText(double value, int decimals) {
 }
 
 /// The displacement along the axes that the handle can change: "x +0.300  z −1.200 m".
-QString lengthsText(GizmoHandle handle, Vec3 moved) {
+QString lengthsText(GizmoHandle handle, Vec3 moved, const NumberFormat& format) {
     QStringList parts;
+    const double scale = std::pow(10.0, format.exponent);
+    const int decimals = std::max(0, kDecimals - format.exponent);
     for (int axis = 0; axis < 3; ++axis) {
         const bool isHeld = axisOf(handle) && isPlaneHandle(handle) == (axis == *axisOf(handle));
-        if (!isHeld) parts.append(axisName(axis) + ' ' + signedText(moved[axis], kDecimals));
+        if (!isHeld) parts.append(axisName(axis) + ' ' + signedText(scale * moved[axis], decimals));
     }
-    return parts.join("  ") + " m";
+    return withUnit(parts.join("  "), format);
 }
 
 Quat rotationAbout(int axis, double angle) {
@@ -143,9 +147,12 @@ void TransformTool::start(GizmoHandle handle, QPointF pointer) {
     for (const Id id : m_drag->instances) m_drag->poses.push_back(findInstance(m_workspace.project(), id)->pose);
     m_label.clear();
     emit hintChanged(isRotationHandle(handle)
-                         ? tr("X, Y, Z: rotate about this axis · Ctrl: snap to 15° · Esc: cancel")
+                         ? tr("X, Y, Z: rotate about this axis · Ctrl: snap to 15° · Type an angle, then Enter · "
+                              "Esc: cancel")
                          : tr("X, Y, Z: move along this axis, with Shift in the plane perpendicular to it · "
-                              "Ctrl: snap to 0.1 m · Shift: place on the face under the pointer · Esc: cancel"));
+                              "Ctrl: snap to %1 · Shift: place on the face under the pointer · "
+                              "Type a distance, then Enter · Esc: cancel")
+                               .arg(localizedQuantity(QuantityKind::Length, kStep, m_units)));
     emit changed();
 }
 
@@ -160,8 +167,10 @@ void TransformTool::push(const QString& text, const std::vector<Pose>& poses) {
     m_workspace.document().push(rubble::moveInstances(text, project, m_drag->instances, poses, m_drag->mergeKey));
 }
 
+/// A typed number holds against the pointer.
 void TransformTool::followPointer(QPointF pointer, Qt::KeyboardModifiers modifiers) {
     m_pointer = pointer;
+    if (!m_drag->typed.isEmpty()) return applyTyped();
     isRotationHandle(m_drag->handle) ? rotateInstances(modifiers) : moveInstances(modifiers);
     emit changed();
 }
@@ -174,9 +183,13 @@ void TransformTool::moveInstances(Qt::KeyboardModifiers modifiers) {
     for (int axis = 0; axis < 3 && modifiers.testFlag(Qt::ControlModifier); ++axis) {
         (*moved)[axis] = snapped((*moved)[axis], kStep);
     }
+    showMoved(*moved);
+}
+
+void TransformTool::showMoved(Vec3 moved) {
     std::vector<Pose> poses = m_drag->poses;
-    for (Pose& pose : poses) pose.position += *moved;
-    m_label = lengthsText(m_drag->handle, *moved);
+    for (Pose& pose : poses) pose.position += moved;
+    m_label = lengthsText(m_drag->handle, moved, m_units.lengths());
     push(tr("Move"), poses);
 }
 
@@ -203,6 +216,10 @@ void TransformTool::rotateInstances(Qt::KeyboardModifiers modifiers) {
     m_drag->lastAngle = *angle;
     double degrees = qRadiansToDegrees(m_drag->angle);
     if (modifiers.testFlag(Qt::ControlModifier)) degrees = snapped(degrees, kStepDegrees);
+    showRotated(degrees);
+}
+
+void TransformTool::showRotated(double degrees) {
     const int axis = *axisOf(m_drag->handle);
     const Quat rotation = rotationAbout(axis, qDegreesToRadians(degrees));
     std::vector<Pose> poses = m_drag->poses;
@@ -271,9 +288,45 @@ bool TransformTool::release(const QMouseEvent& event) {
     return true;
 }
 
+/// Adds a key to the typed number, or removes its last character. False for other keys.
+bool TransformTool::typeNumber(const QKeyEvent& event) {
+    QString& typed = m_drag->typed;
+    const QChar letter = event.text().isEmpty() ? QChar() : event.text().front();
+    const bool isSign = letter == '-' && typed.isEmpty();
+    if (event.key() == Qt::Key_Backspace) {
+        typed.chop(1);
+    } else if (letter.isDigit() || letter == '.' || QString(letter) == QLocale().decimalPoint() || isSign) {
+        typed += letter == '.' ? QLocale().decimalPoint() : QString(letter);
+    } else {
+        return false;
+    }
+    typed.isEmpty() ? followPointer(m_pointer, {}) : applyTyped();
+    emit changed();
+    return true;
+}
+
+/// Moves along the constrained axis, or else along x, or rotates by the typed number; a sign alone is 0.
+void TransformTool::applyTyped() {
+    const bool isRotation = isRotationHandle(m_drag->handle);
+    const NumberFormat format = isRotation ? NumberFormat{QStringLiteral("°"), 0} : m_units.lengths();
+    const double value = parseNumber(m_drag->typed, format, QLocale()).value_or(0.0);
+    if (isRotation) {
+        showRotated(value);
+    } else {
+        const bool isAlongAxis = axisOf(m_drag->handle) && !isPlaneHandle(m_drag->handle);
+        if (!isAlongAxis) m_drag->handle = GizmoHandle::MoveX;
+        Vec3 moved(0.0);
+        moved[*axisOf(m_drag->handle)] = value;
+        showMoved(moved);
+    }
+    const QString name = axisName(*axisOf(m_drag->handle));
+    m_label = name + ' ' + withUnit(m_drag->typed, format);
+}
+
 /// During a drag all keys are consumed.
 bool TransformTool::keyPress(const QKeyEvent& event) {
     if (!m_drag) return false;
+    if (typeNumber(event)) return true;
     const bool isPlane = event.modifiers().testFlag(Qt::ShiftModifier);
     const auto handle = constrainedHandle(event.key(), isPlane, isRotationHandle(m_drag->handle));
     if (handle) constrain(*handle, event.modifiers());

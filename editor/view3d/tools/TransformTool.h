@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/placement/InstancePlacement.h"
+#include "editor/widgets/Units.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/Gizmo.h"
 #include "viewport/widget/ViewportTool.h"
@@ -15,7 +16,8 @@ class ViewportWidget;
 /// Moves and rotates the selected instances in the 3D view: by the handles of a gizmo, or after startMove() and
 /// startRotation() by the pointer alone until a click. X, Y and Z constrain to an axis, with Shift to the plane
 /// perpendicular to it; Ctrl snaps to steps; Shift, while one instance is moved freely, places it on the face under the
-/// pointer; Escape and the right button cancel. A drag is one undo step. Locked and hidden instances stay.
+/// pointer; a typed number is the distance along the axis, or the angle; Escape and the right button cancel. A drag is
+/// one undo step. Locked and hidden instances stay.
 class TransformTool : public ViewportTool {
     Q_OBJECT
 public:
@@ -26,6 +28,8 @@ public:
 
     /// While it is off, it is not shown and ignores input.
     void setOn(bool isOn);
+    /// The units of distances, shown and typed.
+    void setUnits(const Units& units) { m_units = units; }
     GizmoMode mode() const { return m_mode; }
     void setMode(GizmoMode mode);
     /// Starts moving or rotating the selected instances with the pointer.
@@ -63,6 +67,7 @@ private:
         std::vector<Pose> poses;  // at its start
         quint64 mergeKey = 0;
         AssetHulls hulls;
+        QString typed;  // a number, as typed so far; empty: the pointer counts
     };
 
     std::optional<Vec3> centre() const;
@@ -73,6 +78,10 @@ private:
     void rotateInstances(Qt::KeyboardModifiers modifiers);
     bool placeOnFace();
     void push(const QString& text, const std::vector<Pose>& poses);
+    void showMoved(Vec3 moved);
+    void showRotated(double degrees);
+    bool typeNumber(const QKeyEvent& event);
+    void applyTyped();
     void constrain(GizmoHandle handle, Qt::KeyboardModifiers modifiers);
     void finish();
 
@@ -83,6 +92,7 @@ private:
     QPointF m_pointer;
     std::optional<GizmoHandle> m_hovered;
     QString m_label;
+    Units m_units;
     std::optional<Drag> m_drag;
 };
 

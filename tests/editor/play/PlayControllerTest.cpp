@@ -212,6 +212,12 @@ private slots:
         QVERIFY(stage.controller.isPlaying());
         QCOMPARE(stage.step(), 0u);
     }
+    void failureOfAnEarlierStartIsIgnored() {
+        test::Stage stage;
+        stage.start();
+        emit stage.controller.thread().failed("The earlier start failed.");
+        QVERIFY(stage.controller.isPlaying());
+    }
     void noScriptWithoutSession() {
         test::Stage stage;
         QVERIFY(stage.controller.script().inputs.empty());

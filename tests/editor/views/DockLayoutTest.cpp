@@ -49,6 +49,15 @@ private slots:
         QVERIFY(behind.contains(&bench.docks.dock(DockId::Tests)));
         QCOMPARE(bench.window.dockWidgetArea(&bench.docks.dock(DockId::History)), Qt::LeftDockWidgetArea);
     }
+    void toggleHidesAlsoOtherDocks() {
+        DockBench bench;
+        QDockWidget other("Changes", &bench.window);
+        bench.window.addDockWidget(Qt::RightDockWidgetArea, &other);
+        bench.docks.toggle();
+        QVERIFY(other.isHidden());
+        bench.docks.toggle();
+        QVERIFY(!other.isHidden());
+    }
     void toggleHidesAllAndShowsThemAgain() {
         DockBench bench;
         bench.docks.dock(DockId::History).hide();

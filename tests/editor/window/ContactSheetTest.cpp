@@ -22,6 +22,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -140,6 +141,15 @@ private slots:
             const auto held = std::ranges::find(overrides, seed.id.index, &SeedOverride::index);
             QVERIFY(held != overrides.end() && held->position == seed.position);
         }
+    }
+    void editOfTheAssetRefreshesTheSheet() {
+        QSignalSpy changes(&sheet()->generator(), &ContactSheetGenerator::changed);
+        stack().undo();
+        QTRY_VERIFY(changes.count() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        QCOMPARE(sheet()->list().count(), 12);
+        stack().redo();
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
     }
     void escapeClosesTheSheet() {
         QPointer<ContactSheetWindow> open = sheet();

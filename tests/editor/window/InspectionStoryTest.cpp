@@ -70,6 +70,18 @@ private slots:
         QCOMPARE(text(), m_before);  // visibility is not saved
         QCOMPARE(stack().count(), 0);
     }
+    void tableFramesTheSelection() {
+        auto& table = *window().findChild<FragmentTable*>();
+        window().views().frameAsset();
+        const double scale = canvas().view().scale, distance = viewport().camera().distance;
+        selection().setSeeds({{3, 1}});
+        QTest::keyClick(&table.view(), Qt::Key_F);
+        QVERIFY(canvas().view().scale > scale);
+        selection().setSeeds({{3, 0}, {3, 1}, {3, 2}, {3, 3}});
+        QTest::keyClick(&table.view(), Qt::Key_F);
+        if (hasView()) QVERIFY(viewport().camera().distance < 1.01 * distance);  // not farther than all of it
+        window().views().frameAsset();
+    }
     void tableHidesAndShowsByTheSameActions() {
         auto& table = *window().findChild<FragmentTable*>();
         selection().setSeeds({{3, 1}});

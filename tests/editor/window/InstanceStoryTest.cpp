@@ -2,15 +2,16 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/dialogs/ArrayDialogs.h"
 #include "editor/document/DraggedAsset.h"
+#include "editor/panels/docks/ProjectTree.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/TransformTool.h"
+#include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QSpinBox>
 
@@ -100,6 +101,48 @@ private slots:
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, at + QPoint(50, 10));
         QVERIFY(!gizmo().isDragging());
         QCOMPARE(stack().count(), 1);
+    }
+    void typedNumberIsTheDistanceAlongTheAxis() {
+        const QPoint at = viewport().rect().center();
+        moveTo(at);
+        QTest::keyClick(&viewport(), Qt::Key_G);
+        QTest::keyClick(&viewport(), Qt::Key_X);
+        QTest::keyClicks(&viewport(), "-1.255");
+        QTest::keyClick(&viewport(), Qt::Key_Backspace);
+        moveTo(at + QPoint(50, 10));
+        QVERIFY(glm::distance(placeOf(11), Vec3(2.0 - 1.25, 0.0, 0.0)) < 1e-12);
+        QTest::keyClick(&viewport(), Qt::Key_Return);
+        QVERIFY(!gizmo().isDragging());
+        QCOMPARE(stack().count(), 1);
+        gizmo().setUnits({LengthUnit::Centimetre});
+        QTest::keyClick(&viewport(), Qt::Key_G);
+        QTest::keyClicks(&viewport(), "25");  // along x
+        QTest::keyClick(&viewport(), Qt::Key_Return);
+        QVERIFY(glm::distance(placeOf(11), Vec3(1.0, 0.0, 0.0)) < 1e-12);
+        gizmo().setUnits({});
+        QTest::keyClick(&viewport(), Qt::Key_R);
+        QTest::keyClicks(&viewport(), "90");
+        QTest::keyClick(&viewport(), Qt::Key_Return);
+        QVERIFY(std::abs(findInstance(project(), 11)->pose.orientation.y - std::sqrt(0.5)) < 1e-12);
+    }
+    void keysGoToTheViewUnderThePointer() {
+        auto* tree = window().findChild<ProjectTree*>();
+        tree->view().setFocus();
+        moveTo(viewport().rect().center() + QPoint(3, 3));
+        QVERIFY(viewport().hasFocus());
+        moveTo(canvas(), canvas().rect().center());
+        QVERIFY(canvas().hasFocus());
+        auto* field = window().findChild<NumberField*>();
+        field->window()->activateWindow();
+        for (NumberField* each : window().findChildren<NumberField*>()) field = each->isVisible() ? each : field;
+        field->setFocus();
+        QVERIFY(field->hasFocus());
+        moveTo(viewport().rect().center() + QPoint(7, 3));
+        QVERIFY(field->hasFocus());  // what is typed stays in the field
+    }
+    void xDeletesNothing() {
+        QTest::keyClick(&viewport(), Qt::Key_X);
+        QCOMPARE(text(), m_before);
     }
     void lockedAndHiddenInstancesAreNotMoved() {
         QTest::keyClick(&viewport(), Qt::Key_L);
@@ -200,7 +243,7 @@ private slots:
             QCOMPARE(counts.size(), 3);
             counts[0]->setValue(2);
             counts[2]->setValue(3);
-            dialog.findChildren<QDoubleSpinBox*>()[2]->setValue(1.5);
+            dialog.findChildren<NumberField*>()[2]->setValue(1.5);
             QTest::keyClick(&dialog, Qt::Key_Return);
         });
         action("instance-grid-array")->trigger();

@@ -5,6 +5,7 @@
 #include "editor/actions/CompareActions.h"
 #include "editor/actions/FileActions.h"
 #include "editor/document/FilePath.h"
+#include "editor/help/ManualWindow.h"
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
@@ -13,6 +14,7 @@
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileLimits.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QFile>
@@ -263,6 +265,51 @@ private slots:
         QVERIFY(windows().isEmpty());
     }
 
+    void unreadableFileOpensNoWindow() {
+        QFile file(m_path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{");
+        file.close();
+        bool isShownOverWindow = true;
+        test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
+            isShownOverWindow = !windows().isEmpty();
+            press(box, "OK");
+        });
+        QVERIFY(!m_program->open(m_path));
+        QVERIFY(!isShownOverWindow && windows().isEmpty());
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) { press(box, "OK"); });
+        QVERIFY(!m_program->openCopy(m_path));
+        QVERIFY(windows().isEmpty());
+    }
+    void quittingClosesTheManual() {
+        MainWindow* window = m_program->showStartPage();
+        window->findChild<QAction*>("help-manual")->trigger();
+        const auto isManualOpen = [] {
+            return std::ranges::any_of(QApplication::topLevelWidgets(), [](const QWidget* widget) {
+                return widget->isVisible() && qobject_cast<const ManualWindow*>(widget);
+            });
+        };
+        QVERIFY(isManualOpen());
+        m_program->quit();
+        QVERIFY(!isManualOpen());
+    }
+    void oneDialogForAllChangesOnDisk() {
+        editedWindow();
+        int questions = 0;
+        test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
+            for (const double height : {6.0, 7.0}) {
+                QVERIFY(saveProject(toPath(m_path), projectWithGround(height)));
+                QTest::qWait(300);  // longer than the delay after which the file is compared
+                for (const QWidget* widget : QApplication::topLevelWidgets())
+                    questions += widget->isVisible() && qobject_cast<const QMessageBox*>(widget);
+            }
+            answer("Keep Current Version");
+            press(box, "Keep Current Version");
+        });
+        QVERIFY(saveProject(toPath(m_path), projectWithGround(kOtherHeight)));
+        QTRY_COMPARE(questions, 2);  // one each time
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+    }
     void changeOnDiskKeepsTheEdits() {
         MainWindow& window = *editedWindow();
         const QString copy = m_folder->filePath("copy.rubble");

@@ -105,6 +105,34 @@ private slots:
         desk.click(Kind::Scene, 0);
         QCOMPARE(desk.selection.subject(), Part::Scene);
     }
+    void clickOnOneOfSeveralSelectsIt() {
+        ProjectTreeDesk desk;
+        desk.click(Kind::Instance, 20);
+        desk.click(Kind::Instance, 21, Qt::ControlModifier);
+        desk.click(Kind::Instance, 20);
+        QCOMPARE(desk.selection.instances(), (std::set<Id>{20}));
+        QTest::qWait(QApplication::doubleClickInterval() + 100);
+        QVERIFY(!desk.view.viewport()->findChild<QLineEdit*>());
+    }
+    void slowSecondClickRenames() {
+        ProjectTreeDesk desk;
+        desk.click(Kind::Instance, 20);
+        QTest::qWait(QApplication::doubleClickInterval() + 100);
+        desk.click(Kind::Instance, 20);
+        QTRY_VERIFY(desk.view.viewport()->findChild<QLineEdit*>());
+    }
+    void firstRowsAreInViewAtFirst() {
+        Document document(fullProject());
+        Selection selection;
+        selection.prune(document.project());
+        ProjectTree tree(document, selection);
+        tree.resize(300, 120);
+        emit selection.assetChanged(selection.asset());
+        tree.resize(300, 600);
+        tree.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&tree));
+        QCOMPARE(tree.view().indexAt({2, 2}), tree.view().model()->index(0, 0));
+    }
     void clickedIconsToggleFlagsWithoutSelecting() {
         Project project = fullProject();
         for (Instance& instance : project.instances) instance.isHidden = instance.isLocked = false;
