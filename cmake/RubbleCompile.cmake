@@ -42,7 +42,8 @@ if(RUBBLE_SANITIZE)
   endif()
 endif()
 if(RUBBLE_SANITIZE_THREADS)
-  target_compile_options(rubble_compile INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  # A fence in the standard library, which ThreadSanitizer does not know.
+  target_compile_options(rubble_compile INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
   target_link_options(rubble_compile INTERFACE -fsanitize=thread)
 endif()
 # Where the programs take their memory from: docs/adr/0023. Not the tests, whose sanitizers and counts of memory in use

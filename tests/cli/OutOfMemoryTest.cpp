@@ -52,6 +52,9 @@ private slots:
                  QStringList{"wall.rubble"});
     }
     void tooLargeProjectsAreRefusedAtOnce() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("AddressSanitizer reserves terabytes of address space.");
+#endif
         QTemporaryDir place;
         Project project = boxProject(UniformScatter{.count = 2});
         for (Id layer = 50; layer < 79; ++layer) {

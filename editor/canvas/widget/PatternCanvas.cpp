@@ -29,6 +29,7 @@ constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;   // of QWheelEvent::angleDelta()
 constexpr double kSelectionMargin = 0.75;  // around the selection, of its size
 constexpr double kMinFramedSize = 0.02;    // the smallest framed size, of the outline's
+constexpr double kMaxMargin = 0.15;        // around the framed selection, relative to the asset
 constexpr int kBreadcrumbGap = 8;          // pixels between rulers and breadcrumb
 
 }  // namespace
@@ -145,9 +146,9 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
         if (seed != kNone) include(box, shown->boxOf(seed));
     }
     if (box.min.x > box.max.x) return fit();
-    // Keeps the size positive for a single point, and some context around it.
-    const double least = kMinFramedSize * boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
-    const Vec2 around(std::max(kSelectionMargin * box.diagonal(), least));
+    // Keeps the size positive for a single point, and some context around it, but shows no more than the asset.
+    const double whole = boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
+    const Vec2 around(std::clamp(kSelectionMargin * box.diagonal(), kMinFramedSize * whole, kMaxMargin * whole));
     setView(fitted(m_state.view, {box.min - around, box.max + around}, kFitMargin));
 }
 

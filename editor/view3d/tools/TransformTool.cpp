@@ -167,7 +167,7 @@ void TransformTool::push(const QString& text, const std::vector<Pose>& poses) {
     m_workspace.document().push(rubble::moveInstances(text, project, m_drag->instances, poses, m_drag->mergeKey));
 }
 
-/// A typed number holds against the pointer.
+/// A entered number holds against the pointer.
 void TransformTool::followPointer(QPointF pointer, Qt::KeyboardModifiers modifiers) {
     m_pointer = pointer;
     if (!m_drag->typed.isEmpty()) return applyTyped();
@@ -288,7 +288,7 @@ bool TransformTool::release(const QMouseEvent& event) {
     return true;
 }
 
-/// Adds a key to the typed number, or removes its last character. False for other keys.
+/// Adds a key to the entered number, or removes its last character. False for other keys.
 bool TransformTool::typeNumber(const QKeyEvent& event) {
     QString& typed = m_drag->typed;
     const QChar letter = event.text().isEmpty() ? QChar() : event.text().front();
@@ -305,7 +305,7 @@ bool TransformTool::typeNumber(const QKeyEvent& event) {
     return true;
 }
 
-/// Moves along the constrained axis, or else along x, or rotates by the typed number; a sign alone is 0.
+/// Moves along the constrained axis, or else along x, or rotates by the entered number; a sign alone is 0.
 void TransformTool::applyTyped() {
     const bool isRotation = isRotationHandle(m_drag->handle);
     const NumberFormat format = isRotation ? NumberFormat{QStringLiteral("°"), 0} : m_units.lengths();

@@ -16,7 +16,7 @@ class ViewportWidget;
 /// Moves and rotates the selected instances in the 3D view: by the handles of a gizmo, or after startMove() and
 /// startRotation() by the pointer alone until a click. X, Y and Z constrain to an axis, with Shift to the plane
 /// perpendicular to it; Ctrl snaps to steps; Shift, while one instance is moved freely, places it on the face under the
-/// pointer; a typed number is the distance along the axis, or the angle; Escape and the right button cancel. A drag is
+/// pointer; numbers typed are the distance along the axis, or the angle; Escape and the right button cancel. A drag is
 /// one undo step. Locked and hidden instances stay.
 class TransformTool : public ViewportTool {
     Q_OBJECT

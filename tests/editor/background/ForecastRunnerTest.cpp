@@ -7,7 +7,6 @@
 #include <QTest>
 
 using namespace rubble;
-using test::kPatience;
 
 namespace {
 

@@ -53,6 +53,7 @@ private slots:
         DockBench bench;
         QDockWidget other("Changes", &bench.window);
         bench.window.addDockWidget(Qt::RightDockWidgetArea, &other);
+        other.show();
         bench.docks.toggle();
         QVERIFY(other.isHidden());
         bench.docks.toggle();

@@ -130,11 +130,13 @@ private slots:
         tree->view().setFocus();
         moveTo(viewport().rect().center() + QPoint(3, 3));
         QVERIFY(viewport().hasFocus());
-        moveTo(canvas(), canvas().rect().center());
+        EditorStory::moveTo(canvas(), canvas().rect().center());
         QVERIFY(canvas().hasFocus());
         auto* field = window().findChild<NumberField*>();
         field->window()->activateWindow();
-        for (NumberField* each : window().findChildren<NumberField*>()) field = each->isVisible() ? each : field;
+        for (NumberField* each : window().findChildren<NumberField*>()) {
+            if (each->isVisible() && each->isEnabled()) field = each;
+        }
         field->setFocus();
         QVERIFY(field->hasFocus());
         moveTo(viewport().rect().center() + QPoint(7, 3));

@@ -110,11 +110,15 @@ private slots:
         QCOMPARE(hash(), m_hash);
     }
     void higherThresholdPreventsTheBreak() {
+        QCOMPARE(play().state(), PlayState::Paused);  // at the end of the replay
         QTest::keyClick(&viewport(), Qt::Key_R);
+        play().play();
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying() && play().frame()->step == 0, kPatience);
-        Asset wall = project().assets[0];
-        wall.threshold = 1e7;
-        window().workspace().document().push(modify("Set Threshold", wall));
+        const std::vector<Asset> assets = project().assets;
+        for (Asset asset : assets) {
+            asset.threshold = 1e7;
+            window().workspace().document().push(modify("Set Threshold", asset));
+        }
         viewport().frameAll();
         QTest::qWait(400);
         QTest::mouseMove(&viewport(), target() + QPoint(30, 20));  // it was at the target before
@@ -125,7 +129,7 @@ private slots:
         advance(90);
         QVERIFY(play().lastShot().has_value());
         QVERIFY(play().breaks().empty());
-        stack().undo();
+        for (std::size_t k = 0; k < assets.size(); ++k) stack().undo();
         QVERIFY(play().isPlaying());
     }
     void lastThrowIsAddedToTheShots() {

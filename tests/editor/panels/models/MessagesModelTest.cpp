@@ -44,7 +44,7 @@ private:
         Messages messages;
         messages.add({.text = "text", .time = QDateTime({2026, 1, 2}, {15, 4, 59}, Qt::UTC)});
         const MessagesModel model(messages, document);
-        return model.data(model.index(0, MessagesModel::kTime)).toString();
+        return model.data(model.index(0, MessagesModel::kTime), Qt::DisplayRole).toString();
     }
 };
 
