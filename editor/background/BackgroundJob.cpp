@@ -1,5 +1,6 @@
 #include "editor/background/BackgroundJob.h"
 
+#include "core/base/HappensBefore.h"
 #include "core/base/Parallel.h"
 
 #include <QPromise>
@@ -19,6 +20,7 @@ constexpr const char* kDoing = "working in the background";
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
     m_thread.setMaxThreadCount(1);
     connect(&m_watcher, &QFutureWatcherBase::resultReadyAt, this, [this](int index) {
+        receivedFrom(this);
         if (m_isRunning) m_watcher.resultAt(index)();
     });
     connect(&m_watcher, &QFutureWatcherBase::progressValueChanged, this, [this](int value) {
@@ -30,6 +32,7 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
 BackgroundJob::~BackgroundJob() {
     m_cancel.cancel();
     m_thread.waitForDone();
+    receivedFrom(this);
 }
 
 void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> work) {
@@ -46,17 +49,25 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     task.progress = [promise](double fraction) {
         promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
     };
+    handedOver(&m_thread);
     m_thread.start([this, promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
+        receivedFrom(&m_thread);
+        const Post post = [&](Call call) {
+            handedOver(this);
+            promise->addResult(std::move(call));
+        };
         const Status ended = orOutOfMemory(kDoing, [&]() -> Status {
-            if (!task.isCancelled()) *delivery = work(task, [&](Call call) { promise->addResult(std::move(call)); });
+            if (!task.isCancelled()) *delivery = work(task, post);
             return success();
         });
         if (!ended) *delivery = [this] { emit failed(QString::fromStdString(outOfMemory(kDoing).message)); };
+        handedOver(this);
         promise->finish();
     });
 }
 
 void BackgroundJob::finish() {
+    receivedFrom(this);
     if (!m_isRunning) return;
     m_isRunning = false;
     if (const Call deliver = std::exchange(*m_delivery, {})) deliver();
