@@ -4,6 +4,7 @@
 #include "core/base/Parallel.h"
 
 #include <QPromise>
+#include <QRunnable>
 
 #include <cmath>
 #include <utility>
@@ -49,21 +50,23 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     task.progress = [promise](double fraction) {
         promise->setProgressValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
     };
-    handedOver(&m_thread);
-    m_thread.start([this, promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
-        receivedFrom(&m_thread);
-        const Post post = [&](Call call) {
+    QRunnable* runnable =
+        QRunnable::create([this, promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
+            receivedFrom(&kDoing);
+            const Post post = [&](Call call) {
+                handedOver(this);
+                promise->addResult(std::move(call));
+            };
+            const Status ended = orOutOfMemory(kDoing, [&]() -> Status {
+                if (!task.isCancelled()) *delivery = work(task, post);
+                return success();
+            });
+            if (!ended) *delivery = [this] { emit failed(QString::fromStdString(outOfMemory(kDoing).message)); };
             handedOver(this);
-            promise->addResult(std::move(call));
-        };
-        const Status ended = orOutOfMemory(kDoing, [&]() -> Status {
-            if (!task.isCancelled()) *delivery = work(task, post);
-            return success();
+            promise->finish();
         });
-        if (!ended) *delivery = [this] { emit failed(QString::fromStdString(outOfMemory(kDoing).message)); };
-        handedOver(this);
-        promise->finish();
-    });
+    handedOver(&kDoing);
+    m_thread.start(runnable);
 }
 
 void BackgroundJob::finish() {
