@@ -21,8 +21,6 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QStandardPaths>
 #include <QUrl>
 
@@ -254,7 +252,8 @@ void FileActions::exportWithDialog() {
     if (dialog.exec() != QDialog::Accepted) return;
     const ExportOptions options = dialog.options();
     if (const ExportSummary summary = exportWith(options); summary.isExported) {
-        showExported(summary.sentence, options.folder);
+        offer(&m_views.window(), summary.sentence, tr("&Open Folder"),
+              [folder = options.folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
     }
 }
 
@@ -269,19 +268,6 @@ ExportSummary FileActions::exportWith(const ExportOptions& options) {
     const ExportSummary summary = exportProject(m_workspace, options, m_views.messages(), &m_views.window());
     m_views.showStatus(summary.sentence);
     return summary;
-}
-
-/// Says what was written, without blocking the window, and offers to open the folder.
-void FileActions::showExported(const QString& sentence, const QString& folder) {
-    auto* box =
-        new QMessageBox(QMessageBox::Information, tr("Export"), sentence, QMessageBox::Close, &m_views.window());
-    box->setObjectName("exported");
-    box->setTextFormat(Qt::PlainText);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    const QPushButton* open = box->addButton(tr("&Open Folder"), QMessageBox::ActionRole);
-    connect(open, &QPushButton::clicked, box, [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-    box->show();
 }
 
 void FileActions::closeWindow() { m_views.window().close(); }

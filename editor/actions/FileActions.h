@@ -56,7 +56,6 @@ private:
     void importWithDialog();
     void exportWithDialog();
     void exportAgain();
-    void showExported(const QString& sentence, const QString& folder);
     QString folder() const;
     ExportSummary exportWith(const ExportOptions& options);
     void closeWindow();

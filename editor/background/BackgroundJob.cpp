@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kProgressSteps = 1000;
 constexpr const char* kDoing = "working in the background";
+constexpr char kStarts = 0;  // handed over from the job to its thread
 
 }  // namespace
 
@@ -52,7 +53,7 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     };
     QRunnable* runnable =
         QRunnable::create([this, promise, task = std::move(task), work = std::move(work), delivery = m_delivery] {
-            receivedFrom(&kDoing);
+            receivedFrom(&kStarts);
             const Post post = [&](Call call) {
                 handedOver(this);
                 promise->addResult(std::move(call));
@@ -65,7 +66,7 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
             handedOver(this);
             promise->finish();
         });
-    handedOver(&kDoing);
+    handedOver(&kStarts);
     m_thread.start(runnable);
 }
 

@@ -87,7 +87,7 @@ RingArrayDialog::RingArrayDialog(const Units& units, QWidget* parent) : ArrayDia
     m_count = addCount(tr("&Count:"), kDefaultRingCount);
     m_x = addNumber(tr("Axis at &x:"), units.lengths(), 0.0);
     m_z = addNumber(tr("Axis at &z:"), units.lengths(), 0.0);
-    m_degrees = addNumber(tr("&Angle between copies:"), {QStringLiteral("°"), 0}, 360.0 / kDefaultRingCount);
+    m_degrees = addNumber(tr("&Angle between copies:"), Units::angles(), 360.0 / kDefaultRingCount);
     connect(m_count, &QSpinBox::valueChanged, this, [this](int count) { m_degrees->setValue(360.0 / count); });
     m_count->selectAll();
     m_count->setFocus();

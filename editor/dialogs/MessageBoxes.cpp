@@ -48,4 +48,15 @@ bool confirmLoss(QWidget* parent, const QString& text, const QString& action, co
                         .defaultAnswer = 1}) == 0;
 }
 
+void offer(QWidget* parent, const QString& text, const QString& action, std::function<void()> perform) {
+    auto* box = new QMessageBox(QMessageBox::Information, QApplication::applicationDisplayName(), text,
+                                QMessageBox::Close, parent);
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    const QPushButton* button = box->addButton(action, QMessageBox::ActionRole);
+    QObject::connect(button, &QPushButton::clicked, box, std::move(perform));
+    box->show();
+}
+
 }  // namespace rubble

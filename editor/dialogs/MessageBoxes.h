@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <vector>
 
 namespace rubble {
@@ -33,5 +34,8 @@ std::size_t ask(QWidget* parent, const Question& question);
 
 /// Asks before data is lost; returns whether the user pressed the button named `action`. Enter presses `reject`.
 bool confirmLoss(QWidget* parent, const QString& text, const QString& action, const QString& reject);
+
+/// Says what was done, without blocking the window, and offers to do `action` with it: "Open Folder".
+void offer(QWidget* parent, const QString& text, const QString& action, std::function<void()> perform);
 
 }  // namespace rubble

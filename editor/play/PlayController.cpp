@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <future>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace rubble {
@@ -153,15 +152,11 @@ void PlayController::showForecast(const Throw& thrown, std::vector<BodyForecast>
     post([thrown, bodies = std::move(bodies)](PlayEngine& engine) { engine.setForecast(thrown, bodies); });
 }
 
-std::vector<ImpactRecord> PlayController::breaksUntil(std::uint64_t step) const {
+std::vector<ImpactRecord> PlayController::breaks(std::uint64_t last) const {
     std::vector<ImpactRecord> breaks;
     std::ranges::copy_if(m_impacts, std::back_inserter(breaks),
-                         [step](const ImpactRecord& one) { return one.isBreak() && one.step <= step; });
+                         [last](const ImpactRecord& one) { return one.isBreak() && one.step <= last; });
     return breaks;
-}
-
-std::vector<ImpactRecord> PlayController::breaks() const {
-    return breaksUntil(std::numeric_limits<std::uint64_t>::max());
 }
 
 void PlayController::fire(const Shot& shot) {

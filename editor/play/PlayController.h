@@ -5,6 +5,8 @@
 #include "editor/play/PlayThread.h"
 #include "editor/play/PlayToolSettings.h"
 
+#include <limits>
+
 namespace rubble {
 
 enum class PlayState {
@@ -73,8 +75,7 @@ public:
     /// What was hit: what broke, and what withstood a tenth of its threshold or more; by ascending step.
     const std::vector<ImpactRecord>& impacts() const { return m_impacts; }
     /// Those that broke, up to a step.
-    std::vector<ImpactRecord> breaksUntil(std::uint64_t step) const;
-    std::vector<ImpactRecord> breaks() const;
+    std::vector<ImpactRecord> breaks(std::uint64_t last = std::numeric_limits<std::uint64_t>::max()) const;
     /// The costs of the last kShownCosts steps.
     const std::vector<StepCost>& costs() const { return m_costs; }
     const std::optional<ShotInput>& lastShot() const { return m_lastShot; }

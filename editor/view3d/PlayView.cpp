@@ -83,7 +83,7 @@ QStringList PlayView::statisticsLines() const {
     lines << tr("%1 ms per step · %2 fps").arg(number(statistics.cost.total(), 2)).arg(m_framesPerSecond);
     lines << tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep);
     lines << tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints);
-    const std::vector<ImpactRecord> breaks = m_controller.breaksUntil(frame.step);
+    const std::vector<ImpactRecord> breaks = m_controller.breaks(frame.step);
     if (breaks.empty()) {
         lines << tr("no breaks");
     } else {
@@ -106,7 +106,7 @@ PlayHud::Content PlayView::content() const {
         content.title += tr(" at %1×").arg(QLocale().toString(m_controller.timeScale()));
     if (!m_controller.hasDestruction()) content.title += tr(" · destruction off");
     content.hint =
-        tr("F: throw, hold to charge · H: hammer · X: explosion · Drag: grab · P: pause · .: step · R: reset · "
+        tr("F: throw, hold to charge · H: hammer · X: blast · Drag: grab · P: pause · Period: step · R: reset · "
            "Esc: stop");
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;

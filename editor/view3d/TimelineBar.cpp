@@ -79,7 +79,8 @@ void TimelineBar::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(QPalette::Highlight));
     painter.drawRoundedRect(played, 3, 3);
     painter.setBrush(kBreak);
-    for (const ImpactRecord& broken : m_controller.breaks()) {
+    for (const ImpactRecord& broken : m_controller.impacts()) {
+        if (!broken.isBreak()) continue;
         painter.drawRect(QRectF(positionOf(broken.step) - 1.0, (height() - kMarkHeight) / 2.0, 2.0, kMarkHeight));
     }
     painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::WindowText), 1.5));
@@ -115,7 +116,8 @@ bool TimelineBar::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const double dt = m_controller.thread().stepLength();
     QStringList lines{timeText(static_cast<double>(stepAt(help->pos().x())) * dt)};
-    for (const ImpactRecord& broken : m_controller.breaks()) {
+    for (const ImpactRecord& broken : m_controller.impacts()) {
+        if (!broken.isBreak()) continue;
         if (std::abs(positionOf(broken.step) - help->pos().x()) <= kMarkTolerance && lines.size() < 8) {
             lines << tr("%1 broke at %2").arg(nameText(broken.name), timeText(static_cast<double>(broken.step) * dt));
         }

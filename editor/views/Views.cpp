@@ -111,10 +111,7 @@ void Views::connectViews() {
     connect(&m_scene->placementTool(), &PlacementTool::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointerMoved, this, [this](double x, double y) {
         const NumberFormat format = m_units.lengths();
-        const auto text = [&](double metres) {
-            return QLocale().toString(std::pow(10.0, format.exponent) * metres, 'f',
-                                      std::max(0, kPositionDecimals - format.exponent));
-        };
+        const auto text = [&](double metres) { return fixedText(metres, kPositionDecimals, format); };
         emit positionChanged(withUnit(tr("%1, %2").arg(text(x), text(y)), format));
     });
     connect(m_canvas, &PatternCanvas::pointerLeft, this, [this] { emit positionChanged({}); });

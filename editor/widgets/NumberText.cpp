@@ -134,9 +134,13 @@ QString roundedText(double value, const NumberFormat& format, const QLocale& loc
     return localised(QString::fromStdString(roundedNumber(value * std::pow(10.0, format.exponent))), locale);
 }
 
+QString fixedText(double value, int decimals, const NumberFormat& format, const QLocale& locale) {
+    return locale.toString(value * std::pow(10.0, format.exponent), 'f', std::max(0, decimals - format.exponent));
+}
+
 QString withUnit(const QString& number, const NumberFormat& format) {
     if (format.unit.isEmpty()) return number;
-    return format.unit == QStringLiteral("°") ? number + format.unit : number + QChar(QChar::Nbsp) + format.unit;
+    return format == Units::angles() ? number + format.unit : number + QChar(QChar::Nbsp) + format.unit;
 }
 
 std::optional<double> parseNumber(const QString& text, const NumberFormat& format, const QLocale& locale) {

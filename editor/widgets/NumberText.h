@@ -15,6 +15,9 @@ namespace rubble {
 QString exactText(double value, const NumberFormat& format, const QLocale& locale);
 /// The number as roundedNumber() gives it, without the unit.
 QString roundedText(double value, const NumberFormat& format, const QLocale& locale = {});
+/// The number with as many digits as `decimals` gives it in the base unit, without the unit: 0.125 m with 3 is "0.125",
+/// or "125" in millimetres.
+QString fixedText(double value, int decimals, const NumberFormat& format, const QLocale& locale = {});
 /// A text with the format's unit appended.
 QString withUnit(const QString& number, const NumberFormat& format);
 

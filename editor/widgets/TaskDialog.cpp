@@ -40,13 +40,15 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
     connect(this, &QProgressDialog::canceled, this, [this, cancel = context.cancel] {
         cancel.cancel();
         setLabelText(tr("Cancelling…"));
-        appear();
-        show();  // until the task has cleaned up
+        appear();  // until the task has cleaned up
     });
     // A dialog that is shown off the screen blocks its parent like any other.
     setAttribute(Qt::WA_DontShowOnScreen);
     show();
-    QTimer::singleShot(kMinimumDuration, this, &TaskDialog::appear);
+    QTimer delay;
+    delay.setSingleShot(true);
+    connect(&delay, &QTimer::timeout, this, &TaskDialog::appear);
+    delay.start(kMinimumDuration);
     QEventLoop loop;
     const std::unique_ptr<QThread> thread(QThread::create([&] { task(context); }));
     connect(thread.get(), &QThread::finished, &loop, &QEventLoop::quit);
@@ -57,9 +59,10 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
 }
 
 void TaskDialog::appear() {
-    if (isHidden() || !testAttribute(Qt::WA_DontShowOnScreen)) return;
-    hide();
-    setAttribute(Qt::WA_DontShowOnScreen, false);
+    if (testAttribute(Qt::WA_DontShowOnScreen)) {
+        hide();
+        setAttribute(Qt::WA_DontShowOnScreen, false);
+    }
     show();
 }
 

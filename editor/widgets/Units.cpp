@@ -25,6 +25,8 @@ QString nameOf(LengthUnit unit) {
 
 }  // namespace
 
+NumberFormat Units::angles() { return {QStringLiteral("°"), 0}; }
+
 NumberFormat Units::lengths() const { return {nameOf(length), exponentOf(length)}; }
 NumberFormat Units::areas() const { return {nameOf(length) + QStringLiteral("²"), 2 * exponentOf(length)}; }
 NumberFormat Units::volumes() const { return {nameOf(length) + QStringLiteral("³"), 3 * exponentOf(length)}; }

@@ -21,6 +21,7 @@ struct Units {
     NumberFormat lengths() const;
     NumberFormat areas() const;
     NumberFormat volumes() const;
+    static NumberFormat angles();  // degrees
     bool operator==(const Units&) const = default;
 };
 

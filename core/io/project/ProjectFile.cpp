@@ -2,6 +2,7 @@
 
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/geometry/polygon/OutlineCleaning.h"
@@ -120,6 +121,12 @@ void cleanOutline(Asset& asset, std::vector<Diagnostic>& notes) {
         static_cast<double>(count)));
 }
 
+bool isCleaned(const Asset& asset, const std::vector<Diagnostic>& notes) {
+    return std::ranges::any_of(notes, [&](const Diagnostic& note) { return note.place.asset == asset.id; });
+}
+
+bool hasFaultyPrism(const Asset& asset) { return prismRangeFault({}, asset.prism) || !validated(asset.prism); }
+
 }  // namespace
 
 std::string projectText(const Project& project) {
@@ -147,8 +154,9 @@ Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* 
     std::vector<Diagnostic> found;
     for (Asset& asset : project->assets) cleanOutline(asset, found);
     if (std::optional<std::string> fault = verifyProject(*project)) {
-        const bool isAboutPoints = fault->find("point") != std::string::npos;
-        if (!found.empty() && isAboutPoints) *fault += " Points are counted without those that repeat others.";
+        const auto isFaulty = [&](const Asset& asset) { return isCleaned(asset, found) && hasFaultyPrism(asset); };
+        if (std::ranges::any_of(project->assets, isFaulty))
+            *fault += " Points are counted without those that repeat others.";
         return Error{ErrorCode::BadInput, *fault};
     }
     if (notes) *notes = std::move(found);

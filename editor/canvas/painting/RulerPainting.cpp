@@ -21,9 +21,8 @@ constexpr int kMaxFontSize = 16;      // pixels, with room for capitals and tick
 constexpr double kLabelOffset = 3.0;  // pixels between a tick and its label
 
 QString lengthText(double metres, double step, const NumberFormat& format) {
-    const double scale = std::pow(10.0, format.exponent);
-    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step * scale) + 1e-9)));
-    return QLocale().toString(metres == 0.0 ? 0.0 : metres * scale, 'f', decimals);
+    const int decimals = static_cast<int>(-std::floor(std::log10(step) + 1e-9));
+    return fixedText(metres == 0.0 ? 0.0 : metres, decimals, format);
 }
 
 double baseline(const QPainter& painter) { return kTextTop + painter.fontMetrics().capHeight(); }

@@ -50,12 +50,6 @@ QItemSelection rowRanges(const std::vector<bool>& isMarked, const QAbstractItemM
     return ranges;
 }
 
-/// The key that frames the selection, as in the 3D view; without it, the table would jump to a name.
-bool isFrameKey(const QEvent& event) {
-    if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride) return false;
-    return static_cast<const QKeyEvent&>(event).keyCombination() == QKeyCombination(Qt::Key_F);
-}
-
 }  // namespace
 
 FragmentTable::FragmentTable(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
@@ -143,6 +137,10 @@ void FragmentTable::buildActions() {
     m_invert->setObjectName("table-invert");
     m_invert->setShortcutContext(Qt::WidgetShortcut);
     connect(m_invert, &QAction::triggered, this, &FragmentTable::invertSelection);
+    m_frame = makeAction(this, {"view-frame", tr("&Frame Selected"), tr("Frame the selected fragments"), Qt::Key_F});
+    m_frame->setObjectName("table-frame");
+    m_frame->setShortcutContext(Qt::WidgetShortcut);
+    connect(m_frame, &QAction::triggered, this, &FragmentTable::frameRequested);
     m_view->installEventFilter(this);
 }
 
@@ -208,6 +206,7 @@ void FragmentTable::showMenu(const QPoint& position) {
     menu.addAction(m_show);
     menu.addSeparator();
     menu.addAction(m_invert);
+    menu.addAction(m_frame);
     menu.addSeparator();
     menu.addActions(m_fragmentActions);
     menu.exec(m_view->viewport()->mapToGlobal(position));
@@ -215,12 +214,8 @@ void FragmentTable::showMenu(const QPoint& position) {
 
 /// Handles the table's shortcuts before those of the window and the keys of the menu bar.
 bool FragmentTable::eventFilter(QObject* watched, QEvent* event) {
-    if (isFrameKey(*event)) {
-        event->accept();
-        if (event->type() == QEvent::KeyPress) emit frameRequested();
-        return true;
-    }
-    return handleShortcut(m_visibilityActions + QList{m_invert}, *event) || QWidget::eventFilter(watched, event);
+    return handleShortcut(m_visibilityActions + QList{m_frame, m_invert}, *event) ||
+           QWidget::eventFilter(watched, event);
 }
 
 void FragmentTable::showEvent(QShowEvent* event) {

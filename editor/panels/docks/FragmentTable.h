@@ -93,6 +93,7 @@ private:
     QLabel* m_totals;
     QAction* m_show = nullptr;
     QAction* m_invert = nullptr;
+    QAction* m_frame = nullptr;
     QList<QAction*> m_visibilityActions;
     QList<QAction*> m_fragmentActions;
 

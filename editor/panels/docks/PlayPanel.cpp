@@ -96,7 +96,7 @@ void PlayPanel::refreshSummary() {
         return;
     }
     const std::optional<PlayFrame>& frame = m_controller.frame();
-    const std::vector<ImpactRecord> breaks = m_controller.breaksUntil(frame ? frame->step : 0);
+    const std::vector<ImpactRecord> breaks = m_controller.breaks(frame ? frame->step : 0);
     std::uint64_t fragments = 0;
     for (const ImpactRecord& broken : breaks) fragments += broken.pieces;
     m_summary->setText(breaks.empty() ? tr("Nothing has broken.")

@@ -99,7 +99,7 @@ void InstancePage::buildTransform(Section& section) {
     for (int axis = 0; axis < 3; ++axis) {
         auto* field = section.addRow(tr("Rotation %1").arg(axes[axis]), new NumberField,
                                      tr("Rotation about the world axes, first x, then y, then z"));
-        field->setFormat({QStringLiteral("°"), 0});
+        field->setFormat(Units::angles());
         field->setRange({.min = -36'000.0, .max = 36'000.0, .step = 1.0});
         m_form.bind(
             field, tr("Rotate"), [this, axis](const Instance& instance) { return degreesOf(instance)[axis]; },

@@ -85,7 +85,7 @@ void LayerSection::addParameter(const LayerParameter& parameter) {
 template <class Control, class Read, class Write>
 void LayerSection::bindNumber(Control* control, Quantity quantity, const QString& step, Read read, Write write) {
     m_form.bind(control, step, read, write);
-    if (quantity == Quantity::Angle) control->setFormat({QStringLiteral("°"), 0});
+    if (quantity == Quantity::Angle) control->setFormat(Units::angles());
     if (quantity == Quantity::Length) {
         m_unitSetters.push_back([control](const Units& units) { control->setFormat(units.lengths()); });
     }

@@ -24,19 +24,16 @@ constexpr int kDegreeDecimals = 1;
 
 QString axisName(int axis) { return QString(QChar('x' + axis)); }
 
-QString signedText(double value, int decimals) {
-    return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
-           QLocale().toString(std::abs(value), 'f', decimals);
+QString signedText(double value, int decimals, const NumberFormat& format) {
+    return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + fixedText(std::abs(value), decimals, format);
 }
 
 /// The displacement along the axes that the handle can change: "x +0.300  z −1.200 m".
 QString lengthsText(GizmoHandle handle, Vec3 moved, const NumberFormat& format) {
     QStringList parts;
-    const double scale = std::pow(10.0, format.exponent);
-    const int decimals = std::max(0, kDecimals - format.exponent);
     for (int axis = 0; axis < 3; ++axis) {
         const bool isHeld = axisOf(handle) && isPlaneHandle(handle) == (axis == *axisOf(handle));
-        if (!isHeld) parts.append(axisName(axis) + ' ' + signedText(scale * moved[axis], decimals));
+        if (!isHeld) parts.append(axisName(axis) + ' ' + signedText(moved[axis], kDecimals, format));
     }
     return withUnit(parts.join("  "), format);
 }
@@ -167,7 +164,7 @@ void TransformTool::push(const QString& text, const std::vector<Pose>& poses) {
     m_workspace.document().push(rubble::moveInstances(text, project, m_drag->instances, poses, m_drag->mergeKey));
 }
 
-/// A entered number holds against the pointer.
+/// An entered number holds against the pointer.
 void TransformTool::followPointer(QPointF pointer, Qt::KeyboardModifiers modifiers) {
     m_pointer = pointer;
     if (!m_drag->typed.isEmpty()) return applyTyped();
@@ -227,7 +224,7 @@ void TransformTool::showRotated(double degrees) {
         pose.position = m_drag->view.centre + rotation * (pose.position - m_drag->view.centre);
         pose.orientation = glm::normalize(rotation * pose.orientation);
     }
-    m_label = axisName(axis) + ' ' + signedText(degrees, kDegreeDecimals) + QStringLiteral("°");
+    m_label = axisName(axis) + ' ' + withUnit(signedText(degrees, kDegreeDecimals, Units::angles()), Units::angles());
     push(tr("Rotate"), poses);
 }
 
@@ -308,7 +305,7 @@ bool TransformTool::typeNumber(const QKeyEvent& event) {
 /// Moves along the constrained axis, or else along x, or rotates by the entered number; a sign alone is 0.
 void TransformTool::applyTyped() {
     const bool isRotation = isRotationHandle(m_drag->handle);
-    const NumberFormat format = isRotation ? NumberFormat{QStringLiteral("°"), 0} : m_units.lengths();
+    const NumberFormat format = isRotation ? Units::angles() : m_units.lengths();
     const double value = parseNumber(m_drag->typed, format, QLocale()).value_or(0.0);
     if (isRotation) {
         showRotated(value);

@@ -22,7 +22,7 @@ the editor must offer what was not saved, and nothing older than the interval of
 it ends after N events, and must leave nothing behind. Exits with 1 if a promise is broken, and with 77 where the kernel
 lacks Landlock. Needs a display.
 
-  --session N        Begin with this session: the one that was found
+  --session N        Begin with session N, to repeat a finding
   --project FILE     The project (default: one of the examples)
   --folder FOLDER    Keep the files and journals of the sessions there
 )";

@@ -34,6 +34,19 @@ private slots:
         answer(shown, Qt::Key_Return);
         QVERIFY(!confirmLoss(nullptr, "Discard all changes?", "Discard", "Cancel"));
     }
+    void offerDoesNotBlock() {
+        QWidget window;
+        int opened = 0;
+        offer(&window, "Exported 2 assets.", "Open Folder", [&] { ++opened; });
+        auto* box = window.findChild<QMessageBox*>();
+        QVERIFY(box && !QApplication::activeModalWidget());
+        QCOMPARE(box->text(), QString("Exported 2 assets."));
+        for (QAbstractButton* button : box->buttons()) {
+            if (button->text() == "Open Folder") button->click();
+        }
+        QCOMPARE(opened, 1);
+        QTRY_VERIFY(!window.findChild<QMessageBox*>());
+    }
 
 private:
     static Question saveQuestion() {

@@ -351,8 +351,8 @@ private slots:
         stage.controller.throwAlong(kAtBlock);
         stage.advance(20);
         const std::uint64_t step = stage.controller.breaks().front().step;
-        QCOMPARE(stage.controller.breaksUntil(step - 1).size(), 0u);
-        QCOMPARE(stage.controller.breaksUntil(step).size(), 1u);
+        QCOMPARE(stage.controller.breaks(step - 1).size(), 0u);
+        QCOMPARE(stage.controller.breaks(step).size(), 1u);
     }
     void replaysPauseAtTheirEndAndResume() {
         test::Stage stage;

@@ -48,6 +48,13 @@ struct CanvasBench {
     Vec2 seedAt(std::size_t seed) const { return canvas.displayedPattern()->seeds().positions[seed]; }
     SeedId seedId(std::size_t seed) const { return canvas.displayedPattern()->seeds().ids[seed]; }
 
+    /// An edit that is not of the canvas.
+    void renameAsset(const std::string& name) {
+        Asset renamed = asset();
+        renamed.name = name;
+        document.push(modify("Rename", std::move(renamed)));
+    }
+
     void click(Vec2 at, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mouseMove(&canvas, pixels(at));
         QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, pixels(at));

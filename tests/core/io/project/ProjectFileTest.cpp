@@ -420,6 +420,9 @@ private slots:
         json["assets"][1]["prism"]["outline"] = {{0, 0}, {0, 0}, {1, 1}, {1, 0}, {0, 1}};
         const std::string fault = projectFault(json.dump());
         QVERIFY2(fault.ends_with(" Points are counted without those that repeat others."), fault.c_str());
+        json["assets"][1]["prism"]["outline"] = {{0, 0}, {0, 0}, {1, 0}, {0, 1}};
+        json["materials"][0]["density"] = -5;
+        QVERIFY2(!projectFault(json.dump()).ends_with("repeat others."), projectFault(json.dump()).c_str());
         json["assets"][1]["prism"]["outline"] = {{0, 0}, {1, 1}, {0, 0}, {0, 0}};
         QVERIFY(!projectFault(json.dump()).empty());
     }

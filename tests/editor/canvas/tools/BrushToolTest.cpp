@@ -49,9 +49,7 @@ private slots:
         BrushBench bench(DensityImage{.count = 50});
         bench.press({0.1, 0.75});
         bench.moveTo({0.3, 0.75});
-        Asset asset = bench.asset();
-        asset.name = "renamed";
-        bench.document.push(modify("Rename", asset));
+        bench.renameAsset("renamed");
         bench.moveTo({0.9, 0.75});
         bench.release({0.9, 0.75});
         QCOMPARE(bench.asset().name, std::string("renamed"));

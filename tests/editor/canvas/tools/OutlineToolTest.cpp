@@ -40,9 +40,7 @@ private slots:
         OutlineBench bench;
         bench.press({1.0, 1.0});
         bench.moveTo({1.1, 1.1});
-        Asset asset = bench.asset();
-        asset.name = "renamed";
-        bench.document.push(modify("Rename", asset));
+        bench.renameAsset("renamed");
         bench.moveTo({1.2, 1.2});
         bench.release({1.2, 1.2});
         QCOMPARE(bench.asset().name, std::string("renamed"));

@@ -92,9 +92,7 @@ private slots:
         CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
         bench.press({0.25, 0.25});
         bench.moveTo({0.4, 0.35});
-        Asset asset = bench.asset();
-        asset.name = "renamed";
-        bench.document.push(modify("Rename", asset));
+        bench.renameAsset("renamed");
         const Project before = bench.document.project();
         bench.moveTo({0.5, 0.5});
         bench.release({0.5, 0.5});
