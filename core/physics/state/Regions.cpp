@@ -47,10 +47,10 @@ void Regions::partition(const WorldState& state, std::span<std::uint32_t> bodies
 
 void Regions::assignBodies(const WorldState& state, int threads) {
     const std::size_t count = std::min<std::size_t>(threads, kMaxRegions);
-    if (count != m_bodies.size()) m_callsSinceSort = kSortInterval;  // sort at once
-    m_bodies.resize(count);
+    if (count != m_count) m_callsSinceSort = kSortInterval;  // sort at once
+    m_count = count;
+    clearLists(m_bodies, count);
     m_firstBlocks.resize(ContactColours::kLists);
-    for (std::vector<std::uint32_t>& bodies : m_bodies) bodies.clear();
     if (count == 1) {
         m_bodies[0] = state.awake;
         return;

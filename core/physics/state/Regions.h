@@ -11,6 +11,14 @@
 
 namespace rubble {
 
+/// Empties the lists, and adds some if there are fewer than `count`. Lists are never removed, so that they keep their
+/// memory through steps on fewer threads.
+template <class T>
+void clearLists(std::vector<std::vector<T>>& lists, std::size_t count) {
+    if (lists.size() < count) lists.resize(count);
+    for (std::vector<T>& list : lists) list.clear();
+}
+
 /// Concatenates the lists of all regions into the first and sorts it.
 inline std::vector<std::uint32_t>& mergeSorted(std::vector<std::vector<std::uint32_t>>& byRegion) {
     for (std::size_t region = 1; region < byRegion.size(); ++region) {
@@ -30,7 +38,7 @@ public:
     /// Sorts the contacts of each colour by region, from time to time.
     void sortContacts(WorldState& state, ThreadPool& threads);
 
-    std::size_t count() const { return m_bodies.size(); }
+    std::size_t count() const { return m_count; }
     /// The awake bodies of a region, ascending.
     std::span<const std::uint32_t> bodies(std::size_t region) const { return m_bodies[region]; }
     /// Calls work(region) for each region, in parallel.
@@ -66,9 +74,10 @@ private:
     void partition(const WorldState& state, std::span<std::uint32_t> bodies, int axis, std::size_t first,
                    std::size_t cells);
 
-    std::vector<std::vector<std::uint32_t>> m_bodies = std::vector<std::vector<std::uint32_t>>(1);
-    std::vector<std::uint16_t> m_cellOf;  // by body; region r has the cells [kCells * r, kCells * (r + 1))
-    std::vector<std::uint32_t> m_order;   // the awake dynamic bodies, in the order of their cells
+    std::size_t m_count = 1;
+    std::vector<std::vector<std::uint32_t>> m_bodies;  // by region, and empty lists behind them
+    std::vector<std::uint16_t> m_cellOf;               // by body; region r has the cells [kCells * r, kCells * (r + 1))
+    std::vector<std::uint32_t> m_order;                // the awake dynamic bodies, in the order of their cells
     std::vector<std::array<std::uint32_t, kMaxRegions>> m_firstBlocks;  // by list and region, as of the last sort
     int m_callsSincePartition = 0;
     int m_callsSinceSort = 0;

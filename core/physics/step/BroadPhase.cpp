@@ -42,10 +42,9 @@ void markMoved(PairScratch& scratch, std::uint32_t body) {
 
 /// Predicts how far awake bodies can move, and lists those that may leave their boxes.
 void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt) {
-    scratch.leaving.resize(regions.count());
+    clearLists(scratch.leaving, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         std::vector<std::uint32_t>& leaving = scratch.leaving[region];
-        leaving.clear();
         for (std::uint32_t body : regions.bodies(region)) {
             state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
             if (state.predictedTravel[body] > state.bodies[body].boxValidUntil) leaving.push_back(body);

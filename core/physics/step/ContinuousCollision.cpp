@@ -51,9 +51,8 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
 
 void clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regions,
                      std::vector<std::vector<std::uint32_t>>& byRegion) {
-    byRegion.resize(regions.count());
+    clearLists(byRegion, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
-        byRegion[region].clear();
         for (std::uint32_t number : regions.bodies(region)) {
             const Body& body = state.bodies[number];
             const float limit = kFastFraction * body.shape->minWidth;

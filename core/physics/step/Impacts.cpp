@@ -169,9 +169,8 @@ std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step)
 
 void findHits(const WorldState& state, ThreadPool& threads, const Regions& regions,
               std::vector<std::vector<HitEvent>>& byRegion, std::vector<HitEvent>& hits) {
-    byRegion.resize(regions.count());
+    clearLists(byRegion, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
-        byRegion[region].clear();
         visitContacts(state, regions, region, [&](const ContactBlock& block, std::size_t lane) {
             if (const std::optional<HitEvent> hit = hitOf(state, block, lane)) byRegion[region].push_back(*hit);
         });

@@ -99,9 +99,8 @@ void collideAndStore(WorldState& state, std::uint32_t number, std::vector<Contac
 /// Collides contacts whose manifold is outdated, each on the thread of its region.
 void collideStale(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
                   const SolverKernels& kernels, const SolverStep& step) {
-    scratch.stale.resize(regions.count());
+    clearLists(scratch.stale, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
-        scratch.stale[region].clear();
         for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
             const ContactColours::List& list = state.colours.lists()[number];
             const std::span blocks = regions.part(number, std::span(list.blocks), region);
@@ -124,9 +123,8 @@ void collideSeparated(WorldState& state, ThreadPool& threads, const Regions& reg
                       float dt, bool newOnly) {
     const std::size_t chunks =
         regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinContactsPerChunk);
-    scratch.separated.resize(chunks);
+    clearLists(scratch.separated, chunks);
     threads.forEachChunk(state.separated.size(), chunks, [&](IndexRange range, std::size_t chunk) {
-        scratch.separated[chunk].clear();
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const SeparatedContact& contact = state.separated[i];
             const float travel = state.predictedTravel[contact.bodies[0]] + state.predictedTravel[contact.bodies[1]];

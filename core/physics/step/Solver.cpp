@@ -73,8 +73,8 @@ public:
     Stages(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
            const SolverStep& step, SolveScratch& scratch)
         : m_state(state), m_threads(threads), m_regions(regions), m_kernels(kernels), m_step(step), m_scratch(scratch) {
-        m_scratch.fastRotating.resize(m_regions.count());
-        m_scratch.slowRotating.resize(m_regions.count());
+        clearLists(m_scratch.fastRotating, m_regions.count());
+        clearLists(m_scratch.slowRotating, m_regions.count());
         m_regions.forEach(threads, [&](std::size_t region) { classifyBodies(region); });
         planSubStep();
         m_scratch.restitution.clear();
@@ -88,8 +88,6 @@ public:
 
 private:
     void classifyBodies(std::size_t region) const {
-        m_scratch.fastRotating[region].clear();
-        m_scratch.slowRotating[region].clear();
         for (std::uint32_t body : m_regions.bodies(region)) {
             (isFastRotating(m_state, body, m_step.dt) ? m_scratch.fastRotating : m_scratch.slowRotating)[region]
                 .push_back(body);

@@ -125,11 +125,12 @@ private slots:
         QFETCH(int, threads);
         SceneWorld moved = test::worldOf(test::heapScene(600), {.sleeping = sleeping, .threads = threads});
         test::simulate(moved.world, 10.0);
+        constexpr int kSteps = 320;  // among them some in which the world tries fewer and more threads
         // A worker of the thread library takes memory of its own when it first gets work, which on a busy machine
         // may be late.
-        long least = allocationsOf(moved.world, 120);
+        long least = allocationsOf(moved.world, kSteps);
         for (int turn = 1; turn < threads + 2 && least > 0; ++turn) {
-            least = std::min(least, allocationsOf(moved.world, 120));
+            least = std::min(least, allocationsOf(moved.world, kSteps));
         }
         QCOMPARE(least, 0L);
     }
