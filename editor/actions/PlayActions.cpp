@@ -3,6 +3,7 @@
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
 #include "editor/actions/FilmActions.h"
+#include "editor/actions/TimelineActions.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
@@ -69,7 +70,10 @@ void PlayActions::addRun() {
     m_reset = makeAction(this, {"play-reset", tr("&Reset\tR"), tr("Restart the simulation from the beginning")});
     connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
-    m_menu->addActions({m_step, m_reset});
+    auto* timeline = new TimelineActions(m_views, m_step);
+    m_stepBack = timeline->stepBack();
+    m_menu->addActions({m_step, m_stepBack, m_reset});
+    m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));
 }
 
 void PlayActions::addSpeeds() {

@@ -31,6 +31,7 @@ void PlayController::play() {
         return restart();
     }
     m_startsPlaying = true;
+    m_soughtStep.reset();
     if (m_state == PlayState::Paused) setState(PlayState::Playing);
 }
 
@@ -76,6 +77,7 @@ void PlayController::post(PlayThread::Task task) {
 
 void PlayController::stepOnce() {
     if (!isInPlay()) return;
+    if (m_soughtStep) return seekBy(1);
     pause();
     post([](PlayEngine& engine) { engine.step(); });
 }
@@ -83,7 +85,47 @@ void PlayController::stepOnce() {
 void PlayController::seek(std::uint64_t step) {
     if (!hasSession()) return;
     pause();
-    m_thread.seek(step);
+    m_soughtStep = std::min(step, m_frame->length);
+    m_thread.seek(*m_soughtStep);
+}
+
+void PlayController::seekBy(std::int64_t steps) {
+    if (!hasSession()) return;
+    const auto from = static_cast<std::int64_t>(m_soughtStep.value_or(m_frame->step));
+    seek(static_cast<std::uint64_t>(std::max<std::int64_t>(from + steps, 0)));
+}
+
+/// Seeks first: unlike the jumps of the loop, a seek can be cancelled.
+void PlayController::loopAround(std::uint64_t step) {
+    if (!hasSession()) return;
+    const PlayLoop loop = rubble::loopAround(step, m_thread.stepLength());
+    m_thread.post([loop](PlayEngine& engine) { engine.setLoop(loop); });
+    seek(loop.first);
+    play();
+}
+
+void PlayController::endLoop() {
+    post([](PlayEngine& engine) { engine.setLoop(std::nullopt); });
+}
+
+void PlayController::toggleLoop() {
+    if (!hasSession()) return;
+    if (m_frame->loop) return endLoop();
+    const std::vector<ImpactRecord> all = breaks();
+    const auto distance = [this](const ImpactRecord& one) {
+        return std::max(one.step, m_frame->step) - std::min(one.step, m_frame->step);
+    };
+    const auto nearest = std::ranges::min_element(all, {}, distance);
+    if (nearest != all.end()) return loopAround(nearest->step);
+    emit statusMessage(tr("Nothing has broken yet that could be played again."));
+    emit frameChanged();  // for the switch, which shows a loop
+}
+
+void PlayController::switchTo(std::uint32_t branch) {
+    if (!hasSession()) return;
+    pause();
+    m_soughtStep.reset();
+    m_thread.post([branch](PlayEngine& engine) { engine.switchTo(branch); });
 }
 
 void PlayController::setTimeScale(double scale) {
@@ -181,6 +223,7 @@ void PlayController::prepare(PlayScript script) {
     m_script = std::move(script);
     m_queuedTasks.clear();
     m_requestedDestruction.reset();
+    m_soughtStep.reset();
     if (m_frame) {  // nothing is aimed in it any more
         m_frame->aimed.reset();
         m_frame->trajectory.reset();
@@ -252,8 +295,10 @@ void PlayController::applyUpdate() {
     if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
     if (update.shot) m_lastShot = update.shot;
     m_frame = std::move(update.frame);
+    if (m_soughtStep == m_frame->step) m_soughtStep.reset();
     applyDestruction(*m_frame);
     for (const Diagnostic& one : update.diagnostics) emit statusMessage(QString::fromStdString(one.message));
+    if (update.isBranchKept) emit statusMessage(tr("The former future is kept as a branch of the timeline."));
     if (haveImpactsChanged) emit impactsChanged();
     emit frameChanged();
     if (update.order) emit forecastOrdered(update.order);

@@ -39,8 +39,19 @@ public:
     void reset();
     /// Pauses and plays one step.
     void stepOnce();
+    /// Pauses at the step before.
+    void stepBack() { seekBy(-1); }
     /// Pauses at a step of the timeline.
     void seek(std::uint64_t step);
+    /// Pauses that many steps later, within the timeline; counts from a seek that is under way.
+    void seekBy(std::int64_t steps);
+    /// Plays from half a second before a step until a second after it, again and again.
+    void loopAround(std::uint64_t step);
+    void endLoop();
+    /// Ends the loop, or loops around the break that is nearest to the displayed step.
+    void toggleLoop();
+    /// Pauses, returns to a branch of the timeline, and keeps the current course as another one.
+    void switchTo(std::uint32_t branch);
     /// Plays a script on the current document; paused if its `begin` is not 0.
     void replay(PlayScript script);
 
@@ -125,6 +136,7 @@ private:
     double m_timeScale = 1.0;
     bool m_hasDestruction = true;
     std::optional<bool> m_requestedDestruction;  // not in a frame yet
+    std::optional<std::uint64_t> m_soughtStep;   // likewise
     PlayOverlays m_overlays;
     PlayToolSettings m_toolSettings;
     Project m_followedProject;  // whose edits are applied so far

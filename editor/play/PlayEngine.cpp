@@ -3,15 +3,16 @@
 #include "core/asset/project/Ranges.h"
 
 #include <algorithm>
+#include <iterator>
 #include <ranges>
 
 namespace rubble {
 namespace {
 
 constexpr double kTrajectorySeconds = 4.0;
+constexpr double kLoopBefore = 0.5;         // s
+constexpr double kLoopAfter = 1.0;          // s
 constexpr double kForecastInterval = 0.25;  // s, between forecasts of the same throw while the scene moves
-constexpr double kListedRatio = 0.1;        // of the threshold: weaker impacts are not listed
-constexpr double kSameImpact = 0.25;        // s: a weaker impact this soon belongs to the one before
 
 StepCost costOf(const Session& session) {
     const StepTimes& times = session.world().times();
@@ -38,17 +39,11 @@ PlayStatistics statisticsOf(const Session& session) {
     return statistics;
 }
 
-ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
-    return {.step = broken.step,
-            .name = session.nameOf(broken.body),
-            .impact = broken.impact,
-            .threshold = broken.threshold,
-            .point = broken.point,
-            .pieces = broken.pieces,
-            .milliseconds = broken.milliseconds};
-}
-
 }  // namespace
+
+PlayLoop loopAround(std::uint64_t step, double dt) {
+    return {step - std::min(step, stepOf(kLoopBefore, dt)), step + stepOf(kLoopAfter, dt)};
+}
 
 PlayScript scriptOf(const Replay& replay) {
     PlayScript script{
@@ -101,6 +96,21 @@ void PlayEngine::step() {
     recordStep();
 }
 
+bool PlayEngine::advance() {
+    const std::uint64_t now = session().stepsDone();
+    if (m_loop && (now < m_loop->first || now >= m_loop->last)) {
+        seek(m_loop->first, {});
+        return false;
+    }
+    step();
+    return true;
+}
+
+void PlayEngine::setLoop(std::optional<PlayLoop> loop) {
+    m_loop = loop;
+    if (m_loop && m_scriptSteps > 0) m_loop->last = std::min(m_loop->last, m_scriptSteps);
+}
+
 void PlayEngine::seek(std::uint64_t step, const TaskContext& task) {
     const Status gone = m_timeline.seek(step, task, [this] { recordStep(); });
     if (!gone && gone.error().code != ErrorCode::Cancelled) {
@@ -115,56 +125,69 @@ void PlayEngine::report(DiagnosticCode code, std::string message) {
 /// Records a step that is played for the first time.
 void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
-    if (step <= m_recordedSteps) return;
-    m_recordedSteps = step;
-    const PlayEvents& events = session().events();
-    recordImpacts();
-    m_update.diagnostics.insert(m_update.diagnostics.end(), events.diagnostics.begin(), events.diagnostics.end());
+    if (step <= m_log.steps()) return;
+    std::ranges::copy(m_log.record(session()), std::back_inserter(m_update.impacts));
+    std::ranges::copy(session().events().diagnostics, std::back_inserter(m_update.diagnostics));
     m_update.costs.push_back(costOf(session()));
     if (step > m_hashes.size() || m_hashes[step - 1] == session().hash().low) return;
     report(DiagnosticCode::ReplayMismatch, "Step " + std::to_string(step) + " differs from the recording.");
     m_hashes.clear();
 }
 
-/// Records the breaks of the last step, and the impacts that bodies withstood.
-void PlayEngine::recordImpacts() {
-    const PlayEvents& events = session().events();
-    const std::uint64_t step = session().stepsDone(), same = stepOf(kSameImpact, session().stepLength());
-    for (const PlayBreak& broken : events.breaks) m_update.impacts.push_back(recordOf(session(), broken));
-    for (const PlayImpact& impact : events.impacts) {
-        const PlayBody* body = session().body(impact.body);
-        if (body == nullptr || impact.damage < kListedRatio * impact.threshold) continue;  // null: it broke
-        ImpactRecord record{.step = step,
-                            .name = session().nameOf(*body),
-                            .impact = impact.damage,
-                            .threshold = impact.threshold,
-                            .point = impact.point};
-        const auto last = m_lastImpacts.find(impact.body);
-        const bool isSame = last != m_lastImpacts.end() && step <= last->second.step + same;
-        if (isSame && record.impact <= last->second.impact) continue;
-        m_lastImpacts.insert_or_assign(impact.body, record);
-        m_update.impacts.push_back(std::move(record));
-    }
+void PlayEngine::discardRecordsAfter(std::uint64_t step) {
+    m_log.discardAfter(step);
+    m_update.discardAfter = std::min(m_update.discardAfter.value_or(step), step);
+    std::erase_if(m_update.impacts, [step](const ImpactRecord& one) { return one.step > step; });
+    std::erase_if(m_update.costs, [step](const StepCost& one) { return one.step > step; });
 }
 
 void PlayEngine::add(const PlayInput& input) {
     const std::uint64_t now = session().stepsDone();
+    const std::uint32_t course = m_timeline.currentId();
     if (const Status added = m_timeline.add(input); !added) {
         return report(DiagnosticCode::UnappliedInput, added.error().message);
     }
-    if (m_recordedSteps > now) {  // the recorded future is void
-        m_recordedSteps = now;
-        m_update.discardAfter = now;
-        std::erase_if(m_update.impacts, [now](const ImpactRecord& one) { return one.step > now; });
-        std::erase_if(m_lastImpacts, [now](const auto& one) { return one.second.step > now; });
-        std::erase_if(m_update.costs, [now](const StepCost& one) { return one.step > now; });
+    if (m_timeline.currentId() != course) {
+        m_branchLogs[course] = m_log;
+        std::erase_if(m_branchLogs, [this](const auto& one) {  // of branches that were dropped
+            return std::ranges::find(m_timeline.branches(), one.first, &TimelineBranch::id) ==
+                   m_timeline.branches().end();
+        });
+        m_update.isBranchKept = true;
     }
+    if (m_log.steps() > now) discardRecordsAfter(now);
     if (m_hashes.size() > now) m_hashes.resize(now);
     m_scriptSteps = 0;
 }
 
+void PlayEngine::switchTo(std::uint32_t branch) {
+    const std::uint32_t course = m_timeline.currentId();
+    if (const Status switched = m_timeline.switchTo(branch); !switched) {
+        return report(DiagnosticCode::UnappliedInput, switched.error().message);
+    }
+    const std::uint64_t fork = session().stepsDone();
+    m_branchLogs[course] = m_log;
+    discardRecordsAfter(fork);
+    m_log = m_branchLogs.extract(branch).mapped();
+    std::ranges::copy_if(m_log.impacts(), std::back_inserter(m_update.impacts),
+                         [fork](const ImpactRecord& one) { return one.step > fork; });
+    if (m_hashes.size() > fork) m_hashes.resize(fork);
+    m_scriptSteps = 0;
+    m_loop.reset();
+    m_grabDistance.reset();
+}
+
+std::vector<PlayBranch> PlayEngine::branches() const {
+    std::vector<PlayBranch> branches;
+    for (const TimelineBranch& one : m_timeline.branches()) {
+        branches.push_back({one.id, m_timeline.forkOf(one), one.length, m_branchLogs.at(one.id).breaks()});
+    }
+    return branches;
+}
+
 void PlayEngine::fire(const std::string& name, const ShotAction& action) {
     const ShotInput shot{name, action};
+    m_loop.reset();
     add(shot);
     m_update.shot = shot;
 }
@@ -251,7 +274,9 @@ PlayFrame PlayEngine::frame() {
                     .aimed = aimed,
                     .hasForecast = m_hasForecast,
                     .isHolding = m_grabDistance.has_value(),
-                    .hasDestruction = hasDestruction()};
+                    .hasDestruction = hasDestruction(),
+                    .loop = m_loop,
+                    .branches = branches()};
     if (aimed) frame.trajectory = trajectoryOf(session(), *aimed, kTrajectorySeconds);
     return frame;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/play/session/Replay.h"
-#include "editor/play/PlayFrame.h"
+#include "editor/play/ImpactLog.h"
 #include "editor/play/PlayToolSettings.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
@@ -21,6 +21,9 @@ PlayScript scriptOf(const Replay& replay);
 /// The shots of a play-test for its duration, displayed from step `begin` on.
 PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin);
 
+/// From half a second before a step until a second after it; `dt` is the length of a step, s.
+PlayLoop loopAround(std::uint64_t step, double dt);
+
 /// An interactive session: applies user input and collects updates for display. It counts steps, independently of
 /// wall-clock time. Not thread-safe.
 class PlayEngine {
@@ -35,6 +38,12 @@ public:
     bool hasDestruction() const;
 
     void step();
+    /// Plays the next step, or jumps from the end of the loop to its start. Returns whether it was a step.
+    bool advance();
+    /// Sets or ends the loop, which a shot ends, too. It ends with the script at the latest.
+    void setLoop(std::optional<PlayLoop> loop);
+    /// Exchanges the current course with a branch and goes to their fork.
+    void switchTo(std::uint32_t branch);
     void seek(std::uint64_t step, const TaskContext& task);
     /// An invalid input becomes a diagnostic.
     void add(const PlayInput& input);
@@ -57,7 +66,7 @@ public:
     void setForecast(const Throw& thrown, const std::vector<BodyForecast>& bodies);
 
     /// Whether the last step of the script has just been played.
-    bool isAtScriptEnd() const { return m_scriptSteps > 0 && session().stepsDone() == m_scriptSteps; }
+    bool isAtScriptEnd() const { return !m_loop && m_scriptSteps > 0 && session().stepsDone() == m_scriptSteps; }
 
     /// Returns and clears the pending update, with the current frame.
     PlayUpdate takeUpdate();
@@ -68,7 +77,8 @@ private:
     void report(DiagnosticCode code, std::string message);
     PlayFrame frame();
     Throw throwOf(const ChargedThrow& charged, const Ray& ray) const;
-    void recordImpacts();
+    void discardRecordsAfter(std::uint64_t step);
+    std::vector<PlayBranch> branches() const;
     void orderForecast(const std::optional<Throw>& thrown);
 
     struct Aim {
@@ -81,15 +91,16 @@ private:
     SessionSceneBuilder m_builder;
     std::vector<std::uint64_t> m_hashes;  // of the script
     bool m_startsWithDestruction = true;
-    std::uint64_t m_recordedSteps = 0;  // number of steps in updates so far
+    ImpactLog m_log;                                  // of the current course
+    std::map<std::uint32_t, ImpactLog> m_branchLogs;  // by branch
+    std::optional<PlayLoop> m_loop;
     std::optional<Aim> m_aim;
     bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
     std::optional<Throw> m_forecastThrow;  // of the newest order
     std::uint64_t m_forecastStep = 0;      // of the newest order
     bool m_hasForecast = false;            // the result of that throw is known
     std::uint64_t m_scriptSteps = 0;       // 0: there is no script, or the user has acted on it
-    std::map<std::uint32_t, ImpactRecord> m_lastImpacts;  // by body: the last that it withstood
-    std::optional<double> m_grabDistance;                 // from the eye, m; nothing: no body is grabbed
+    std::optional<double> m_grabDistance;  // from the eye, m; nothing: no body is grabbed
     PlayUpdate m_update;
 };
 

@@ -45,6 +45,22 @@ struct ImpactRecord {
     double ratio() const { return impact / threshold; }
 };
 
+/// A former course of the simulation that can be returned to.
+struct PlayBranch {
+    std::uint32_t id = 0;
+    std::uint64_t fork = 0;    // the last step that it shares with the current course
+    std::uint64_t length = 0;  // steps
+    std::size_t breaks = 0;
+    bool operator==(const PlayBranch&) const = default;
+};
+
+/// The steps that are played again and again: after the last comes the first.
+struct PlayLoop {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+    bool operator==(const PlayLoop&) const = default;
+};
+
 /// The state after a step as it is displayed.
 struct PlayFrame {
     std::shared_ptr<const PlayScene> played;
@@ -59,6 +75,8 @@ struct PlayFrame {
     bool hasForecast = false;              // the heat overlay shows what it will do
     bool isHolding = false;                // a body is grabbed
     bool hasDestruction = true;            // bodies can break from here on
+    std::optional<PlayLoop> loop;
+    std::vector<PlayBranch> branches;  // oldest first
 };
 
 /// The events since the previous update, in order.
@@ -71,6 +89,7 @@ struct PlayUpdate {
     std::optional<ShotInput> shot;               // the last that was fired
     std::shared_ptr<const ForecastOrder> order;  // the newest forecast to compute
     bool isReplayOver = false;                   // a script has ended
+    bool isBranchKept = false;                   // an input in the past has made the former future a branch
 };
 
 }  // namespace rubble

@@ -28,6 +28,7 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     if (newer.shot) update.shot = std::move(newer.shot);
     if (newer.order) update.order = std::move(newer.order);
     update.isReplayOver |= newer.isReplayOver;
+    update.isBranchKept |= newer.isBranchKept;
 }
 
 }  // namespace
@@ -235,13 +236,13 @@ void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
 
 void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
-    m_engine->step();
+    const bool isStep = m_engine->advance();
     lock.lock();
     m_due = std::max(m_due + interval(), nowLocked());
     const bool isReplayOver = m_engine->isAtScriptEnd();
     if (isReplayOver) m_isPlaying = false;
     m_update.isReplayOver |= isReplayOver;
-    publish(lock, interval());
+    publish(lock, isStep ? interval() : 0.0);
 }
 
 void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {

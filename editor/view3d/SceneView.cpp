@@ -4,7 +4,7 @@
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneLegend.h"
 #include "editor/view3d/ScenePicker.h"
-#include "editor/view3d/TimelineBar.h"
+#include "editor/view3d/TimelinePanel.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
@@ -44,7 +44,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_playView(new PlayView(workspace.play(), *m_viewport)),
       m_measureTool(new SurfaceMeasureTool(*m_viewport)),
       m_picker(new ScenePicker(workspace, *m_viewport)),
-      m_timeline(new TimelineBar(workspace.play())) {
+      m_timeline(new TimelinePanel(workspace.play())) {
     setFocusProxy(m_viewport);
     m_viewport->setTools({m_measureTool, &m_playView->tool(), m_placementTool, m_transformTool});
     m_viewport->setOverlayItems({m_transformTool, m_placementTool, m_legend, &m_playView->hud(), m_measureTool});

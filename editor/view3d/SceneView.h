@@ -19,6 +19,7 @@ class PlayView;
 class SceneLegend;
 class ScenePicker;
 class SurfaceMeasureTool;
+class TimelinePanel;
 class ViewportWidget;
 
 /// The 3D view of a workspace with its toolbar, tools, overlay and timeline: shows the scene of the current bakes, or
@@ -45,6 +46,8 @@ public:
     void applyPreferences(const Preferences& preferences);
     /// Shows the session while in play.
     PlayView& playView() { return *m_playView; }
+    /// Visible while in play.
+    TimelinePanel& timeline() { return *m_timeline; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -78,7 +81,7 @@ private:
     SurfaceMeasureTool* m_measureTool;
     QAction* m_measureAction = nullptr;
     ScenePicker* m_picker;
-    QWidget* m_timeline;
+    TimelinePanel* m_timeline;
     QList<QWidget*> m_editControls;  // controls of the toolbar that are disabled in play
 };
 

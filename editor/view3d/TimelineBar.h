@@ -1,13 +1,18 @@
 #pragma once
 
+#include "editor/view3d/TimelineSpan.h"
+
 #include <QWidget>
+
+#include <cstdint>
+#include <optional>
 
 namespace rubble {
 
 class PlayController;
 
-/// The timeline of a session: dragging seeks, breaks are marked. Arrow keys move by a step, with Shift by a second;
-/// Home and End go to the ends.
+/// The timeline of a session: dragging seeks, the wheel zooms, breaks, the loop and forks of branches are marked. Arrow
+/// keys move by a step, with Shift by a second; Home and End go to the ends.
 class TimelineBar : public QWidget {
     Q_OBJECT
 public:
@@ -16,20 +21,40 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
+    const TimelineSpan& span() const { return m_span; }
+    /// Zooms about the displayed time, or the middle if that is not visible.
+    void zoomIn();
+    void zoomOut();
+    /// Shows the whole timeline.
+    void fit();
+    /// Where a step is, in pixels from the left.
+    double positionOf(double step) const;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
+    void refreshFrame();
+    void zoom(double step, double factor);
     QRectF track() const;
-    double positionOf(std::uint64_t step) const;
-    std::uint64_t stepAt(double x) const;
+    double stepAt(double x) const;
+    std::optional<std::uint64_t> breakAt(double x) const;
     void seekTo(double x);
+    void paintTrack(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintTicks(QPainter& painter) const;
 
     PlayController& m_controller;
+    TimelineSpan m_span;
+    std::uint64_t m_step = 0;   // that is displayed
+    double m_pannedFrom = 0.0;  // pixels, while the middle button is held
 };
 
 }  // namespace rubble

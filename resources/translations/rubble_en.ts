@@ -310,6 +310,26 @@
     </message>
 </context>
 <context>
+    <name>rubble::TimelineActions</name>
+    <message numerus="yes">
+        <source>%Ln break(s)</source>
+        <translation>
+            <numerusform>%Ln break</numerusform>
+            <numerusform>%Ln breaks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::TimelineBar</name>
+    <message numerus="yes">
+        <source>%Ln branch(es) from here</source>
+        <translation>
+            <numerusform>%Ln branch from here</numerusform>
+            <numerusform>%Ln branches from here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::VolumeHistogram</name>
     <message numerus="yes">
         <source>%Ln fragment(s) from %1 to %2</source>

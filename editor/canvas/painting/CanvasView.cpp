@@ -1,7 +1,6 @@
 #include "editor/canvas/painting/CanvasView.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubble {
 
@@ -47,14 +46,6 @@ CanvasView fitted(CanvasView view, const Box2& box, double margin) {
     view.scale = std::clamp(scale, kMinScale, kMaxScale);
     view.centre = box.min + extent / 2.0;
     return view;
-}
-
-double roundStep(double minimum) {
-    const double power = std::pow(10.0, std::floor(std::log10(minimum)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= minimum * (1.0 - 1e-12)) return factor * power;
-    }
-    return 10.0 * power;
 }
 
 }  // namespace rubble

@@ -27,7 +27,4 @@ CanvasView panned(CanvasView view, QPointF pixels);
 /// Fits a box into the view, with a margin in pixels. An empty box changes nothing.
 CanvasView fitted(CanvasView view, const Box2& box, double margin);
 
-/// The smallest number that is 1, 2 or 5 times a power of ten and at least `minimum` (> 0).
-double roundStep(double minimum);
-
 }  // namespace rubble

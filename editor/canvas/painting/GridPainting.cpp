@@ -1,5 +1,7 @@
 #include "editor/canvas/painting/GridPainting.h"
 
+#include "editor/widgets/RoundStep.h"
+
 #include <cmath>
 
 namespace rubble {

@@ -2,6 +2,7 @@
 
 #include "editor/canvas/painting/GridPainting.h"
 #include "editor/widgets/NumberText.h"
+#include "editor/widgets/RoundStep.h"
 
 #include <QFontInfo>
 

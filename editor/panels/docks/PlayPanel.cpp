@@ -2,6 +2,7 @@
 
 #include "editor/panels/docks/StepGraph.h"
 
+#include <QAction>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
@@ -39,6 +40,7 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
         m_controller.seek(impact.step);
         emit jumpRequested(impact.point);
     });
+    addContextMenu();
     m_summary->setContentsMargins(6, 2, 6, 4);
     auto* list = new QWidget;
     auto* listRows = new QVBoxLayout(list);
@@ -59,6 +61,20 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     connect(&controller, &PlayController::impactsChanged, this, &PlayPanel::refreshImpacts);
     connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshImpacts);
     refreshImpacts();
+}
+
+void PlayPanel::addContextMenu() {
+    auto* loop = new QAction(tr("Loop Around This Impact"), m_view);
+    loop->setStatusTip(tr("Play half a second before and a second after this impact again and again"));
+    connect(loop, &QAction::triggered, this, [this] {
+        const QModelIndex index = m_view->currentIndex();
+        if (!index.isValid()) return;
+        const ImpactRecord& impact = m_model->impact(index.row());
+        emit jumpRequested(impact.point);
+        m_controller.loopAround(impact.step);
+    });
+    m_view->addAction(loop);
+    m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 /// Fits columns to their titles and to numbers of six digits; the names get the remaining width.

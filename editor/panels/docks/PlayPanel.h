@@ -25,6 +25,7 @@ signals:
     void jumpRequested(const rubble::Vec3& position);
 
 private:
+    void addContextMenu();
     void widenColumns();
     void refreshFrame();
     void refreshImpacts();

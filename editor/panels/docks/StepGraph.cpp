@@ -1,12 +1,13 @@
 #include "editor/panels/docks/StepGraph.h"
 
+#include "editor/widgets/RoundStep.h"
+
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace rubble {
 
@@ -33,15 +34,6 @@ constexpr int kLegendColumns = 2;
 
 QString milliseconds(double value) { return StepGraph::tr("%1 ms").arg(QLocale().toString(value, 'f', 2)); }
 
-/// The smallest of 1, 2 or 5 times a power of ten that is at least `value`.
-double roundedUp(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= value) return factor * power;
-    }
-    return 10.0 * power;
-}
-
 }  // namespace
 
 StepGraph::StepGraph(QWidget* parent) : QWidget(parent) {
@@ -59,7 +51,7 @@ void StepGraph::setCosts(const std::vector<StepCost>& costs, std::size_t capacit
 double StepGraph::highest() const {
     double highest = kMinHeight;
     for (const StepCost& cost : m_costs) highest = std::max(highest, cost.total());
-    return roundedUp(highest);
+    return roundStep(highest);
 }
 
 void StepGraph::paintEvent(QPaintEvent*) {

@@ -72,6 +72,8 @@ bool PlayTool::overridesShortcut(const QKeyEvent& event) const {
         case Qt::Key_X:
         case Qt::Key_P:
         case Qt::Key_Period:
+        case Qt::Key_Comma:
+        case Qt::Key_L:
         case Qt::Key_R:
         case Qt::Key_Escape: return true;
         default: return false;
@@ -82,6 +84,7 @@ bool PlayTool::overridesShortcut(const QKeyEvent& event) const {
 bool PlayTool::keyPress(const QKeyEvent& event) {
     if (!overridesShortcut(event)) return false;
     if (event.key() == Qt::Key_Period) m_controller.stepOnce();
+    if (event.key() == Qt::Key_Comma) m_controller.stepBack();
     if (event.isAutoRepeat()) return true;
     switch (event.key()) {
         case Qt::Key_F:
@@ -94,6 +97,7 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
             if (m_isPointing) m_controller.explosionAlong(ray());
             break;
         case Qt::Key_P: m_controller.isPlaying() ? m_controller.pause() : m_controller.play(); break;
+        case Qt::Key_L: m_controller.toggleLoop(); break;
         case Qt::Key_R: m_controller.reset(); break;
         case Qt::Key_Escape:
             if (!cancel()) m_controller.stop();

@@ -13,8 +13,8 @@ class PlayController;
 class ViewportWidget;
 
 /// The tool of play: F throws at the pointer, harder if it is held; H hits with a hammer, X sets off an explosion,
-/// dragging with the left button grabs a body; P, . and R pause, step and reset; Escape stops. Inactive unless the
-/// controller is in play.
+/// dragging with the left button grabs a body; P, the period, the comma, L and R pause, step, step back, loop and
+/// reset; Escape stops. Inactive unless the controller is in play.
 class PlayTool : public ViewportTool {
     Q_OBJECT
 public:

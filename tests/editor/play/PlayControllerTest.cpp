@@ -14,15 +14,6 @@ namespace {
 
 constexpr double kStep = test::Stage::kStep;
 
-const Ray kAtBlock{{0.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
-
-PlayToolSettings heavyBox() {
-    PlayToolSettings tools;
-    tools.projectile = {.size = Vec3(0.2), .mass = 3.0, .speed = 80.0};
-    tools.isSpeedAutomatic = false;
-    return tools;
-}
-
 }  // namespace
 
 class PlayControllerTest : public QObject {
@@ -76,17 +67,17 @@ private slots:
         stage.start();
         stage.advance(5);
         const std::size_t before = visibleBodies(stage);
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(1);
         QCOMPARE(visibleBodies(stage), before + 1);
         QVERIFY(stage.controller.lastShot().has_value());
     }
     void reportsBreaks() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         const QSignalSpy told(&stage.controller, &PlayController::impactsChanged);
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         QVERIFY(!told.isEmpty());
         QCOMPARE(stage.controller.breaks().size(), 1u);
@@ -98,10 +89,10 @@ private slots:
     }
     void nothingBreaksWithDestructionOff() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         stage.controller.setDestruction(false);
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(30);
         QCOMPARE(stage.controller.breaks().size(), 0u);
         QVERIFY(stage.controller.frame()->statistics.cost.step == 30);
@@ -177,9 +168,9 @@ private slots:
     }
     void inputAfterSeekingBackDiscardsTheFuture() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(40);
         const ContentHash broken = stage.hash();
         stage.controller.seek(0);
@@ -196,7 +187,7 @@ private slots:
         stage.controller.hammerAlong({{0.0, 9.0, 0.0}, {1.0, 0.0, 0.0}});  // misses
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 40u);
-        stage.controller.throwAlong({kAtBlock.from, {0.0, 1.0, 0.0}});
+        stage.controller.throwAlong({test::kAtBlock.from, {0.0, 1.0, 0.0}});
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 0u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
@@ -226,18 +217,18 @@ private slots:
     }
     void thresholdEditsApplyLiveAndCanBeUndone() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         stage.advance(5);
         Asset asset = stage.document.project().assets[0];
         asset.threshold = 1e6;
         stage.document.push(modify("Change threshold", asset));
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         QVERIFY(stage.step() >= 25u);
         QCOMPARE(stage.controller.breaks().size(), 0u);
         stage.document.undoStack().undo();
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(40);
         QVERIFY(!stage.controller.breaks().empty());
     }
@@ -290,10 +281,10 @@ private slots:
     }
     void replaysARecordedScript() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         stage.advance(3);
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(30);
         const ContentHash hash = stage.hash();
         const PlayScript script = stage.controller.script();
@@ -309,10 +300,10 @@ private slots:
     void grabbedBodyFollowsTheRay() {
         test::Stage stage;
         stage.start();
-        stage.controller.grabAlong(kAtBlock);
+        stage.controller.grabAlong(test::kAtBlock);
         stage.advance(1);
         QVERIFY(stage.controller.frame()->isHolding);
-        stage.controller.dragAlong({kAtBlock.from + Vec3(1.0, 0.0, 0.0), kAtBlock.direction});
+        stage.controller.dragAlong({test::kAtBlock.from + Vec3(1.0, 0.0, 0.0), test::kAtBlock.direction});
         stage.advance(90);
         QVERIFY(heightlessPlace(stage).x > 0.8);
         stage.controller.release();
@@ -321,10 +312,10 @@ private slots:
     }
     void holdingThrowsFaster() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         for (const double charge : {0.0, 0.5, 1.0}) {
-            stage.controller.throwAlong(kAtBlock, charge);
+            stage.controller.throwAlong(test::kAtBlock, charge);
             stage.advance(1);
             const Throw& thrown = std::get<Throw>(stage.controller.lastShot()->action);
             QCOMPARE(thrown.speed, 80.0 * (1.0 + 1.5 * charge));
@@ -334,9 +325,9 @@ private slots:
         Project project = test::floatingBlock();
         project.assets[0].threshold = 600.0;
         test::Stage stage(project);
-        stage.controller.setToolSettings(heavyBox());  // 240 N·s
+        stage.controller.setToolSettings(test::heavyBox());  // 240 N·s
         stage.start();
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         QVERIFY(stage.controller.breaks().empty());
         QCOMPARE(stage.controller.impacts().size(), 1u);
@@ -346,9 +337,9 @@ private slots:
     }
     void breaksAreCountedUpToAStep() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
-        stage.controller.throwAlong(kAtBlock);
+        stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         const std::uint64_t step = stage.controller.breaks().front().step;
         QCOMPARE(stage.controller.breaks(step - 1).size(), 0u);
@@ -382,7 +373,7 @@ private slots:
     void restartForgetsTheAim() {
         test::Stage stage;
         stage.start();
-        stage.controller.aim(kAtBlock);
+        stage.controller.aim(test::kAtBlock);
         stage.advance(1);
         QVERIFY(stage.controller.frame()->trajectory);
         stage.controller.reset();
@@ -392,18 +383,18 @@ private slots:
     }
     void heatOrdersAForecastOfEachThrow() {
         test::Stage stage;
-        stage.controller.setToolSettings(heavyBox());
+        stage.controller.setToolSettings(test::heavyBox());
         stage.start();
         stage.controller.pause();
         stage.settle();
         QSignalSpy orders(&stage.controller, &PlayController::forecastOrdered);
-        stage.controller.aim(kAtBlock);
+        stage.controller.aim(test::kAtBlock);
         stage.settle();
         QCOMPARE(orders.size(), 0);  // not shown
         stage.controller.setOverlays({.hasHeat = true});
         stage.settle();
         QCOMPARE(orders.size(), 1);
-        stage.controller.aim(kAtBlock);
+        stage.controller.aim(test::kAtBlock);
         stage.settle();
         QCOMPARE(orders.size(), 1);  // the same throw
         const auto order = orders[0][0].value<std::shared_ptr<const ForecastOrder>>();
@@ -423,7 +414,7 @@ private slots:
         test::Stage stage;
         stage.start();
         stage.controller.pause();
-        stage.controller.aim(kAtBlock, 0.5);
+        stage.controller.aim(test::kAtBlock, 0.5);
         stage.settle();
         const std::optional<Trajectory>& flight = stage.controller.frame()->trajectory;
         QVERIFY(flight && flight->hit);

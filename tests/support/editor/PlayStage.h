@@ -6,6 +6,17 @@
 
 namespace rubble::test {
 
+/// A ray at the block of floatingBlock(), from above.
+inline const Ray kAtBlock{{0.0, 5.0, 4.0}, {0.0, 0.0, -1.0}};
+
+/// Tools whose throw breaks that block.
+inline PlayToolSettings heavyBox() {
+    PlayToolSettings tools;
+    tools.projectile = {.size = Vec3(0.2), .mass = 3.0, .speed = 80.0};
+    tools.isSpeedAutomatic = false;
+    return tools;
+}
+
 /// A document in play, with a clock that the test advances.
 class Stage {
 public:

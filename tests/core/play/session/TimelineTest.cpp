@@ -62,7 +62,7 @@ private slots:
         QCOMPARE(scrubbed.inputs(), straight.inputs());
         QVERIFY(scrubbed.isAtEnd());
     }
-    void inputInThePastDiscardsTheFuture() {
+    void inputInThePastStartsAnotherCourse() {
         Timeline timeline = timelineOf(test::floatingBlock());
         play(timeline, 100);
         QVERIFY(timeline.add(throwIt(30.0)).hasValue());
@@ -78,6 +78,76 @@ private slots:
         QVERIFY(other.add(throwIt(40.0)).hasValue());
         play(other, 40);
         QCOMPARE(timeline.session().hash(), other.session().hash());
+    }
+    void switchingToABranchRestoresItsFuture() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 50);
+        QVERIFY(timeline.add(throwIt(30.0)).hasValue());
+        play(timeline, 100);
+        const ContentHash first = timeline.session().hash();
+        seek(timeline, 70);
+        QVERIFY(timeline.add(throwIt(40.0)).hasValue());
+        play(timeline, 60);
+        const ContentHash second = timeline.session().hash();
+        seek(timeline, 20);
+        QVERIFY(timeline.add(throwIt(50.0)).hasValue());
+        QCOMPARE(timeline.branches().size(), std::size_t{2});
+        QCOMPARE(timeline.branches()[0].length, 150u);
+        QCOMPARE(timeline.forkOf(timeline.branches()[0]), 20u);
+        const std::uint32_t third = timeline.currentId();
+
+        QVERIFY(timeline.switchTo(timeline.branches()[0].id).hasValue());
+        QCOMPARE(timeline.session().stepsDone(), 20u);
+        QCOMPARE(timeline.length(), 150u);
+        seek(timeline, 150);
+        QCOMPARE(timeline.session().hash(), first);
+        QCOMPARE(timeline.forkOf(timeline.branches()[0]), 70u);  // of the second
+
+        QVERIFY(timeline.switchTo(timeline.branches()[0].id).hasValue());
+        QCOMPARE(timeline.session().stepsDone(), 70u);
+        seek(timeline, 130);
+        QCOMPARE(timeline.session().hash(), second);
+        QCOMPARE(timeline.branches().front().id, third);
+        QCOMPARE(timeline.switchTo(99).error().code, ErrorCode::BadInput);
+        QCOMPARE(timeline.length(), 130u);
+    }
+    void switchingDropsAPendingInput() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 40);
+        const ContentHash hash = timeline.session().hash();
+        seek(timeline, 10);
+        QVERIFY(timeline.add(throwIt(80.0)).hasValue());  // not applied yet
+        QVERIFY(timeline.switchTo(timeline.branches().front().id).hasValue());
+        seek(timeline, 40);
+        QCOMPARE(timeline.session().hash(), hash);
+    }
+    void numberOfBranchesIsBounded() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        for (int k = 0; k < 20; ++k) {
+            play(timeline, 2);
+            seek(timeline, timeline.session().stepsDone() - 1);
+            QVERIFY(timeline.add(throwIt(20.0 + k)).hasValue());
+        }
+        QCOMPARE(timeline.branches().size(), kMaxBranches);
+        QCOMPARE(timeline.branches().front().id, 8u);  // the oldest are dropped
+    }
+    /// Long ago, where the snapshots are some 500 steps apart.
+    void steppingBackReplaysFewSteps() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        play(timeline, 12000);
+        int played = 0;
+        const auto count = [&] { ++played; };
+        QVERIFY(timeline.seek(3000, {}, count).hasValue());
+        played = 0;
+        for (std::uint64_t step = 2999; step >= 2950; --step) QVERIFY(timeline.seek(step, {}, count).hasValue());
+        QVERIFY2(played <= 50 * 10, qPrintable(QString::number(played)));
+        for (int k = 0; k < 20; ++k) {  // around a break, again and again
+            QVERIFY(timeline.seek(2950, {}, count).hasValue());
+            played = 0;
+            QVERIFY(timeline.seek(3000, {}, count).hasValue());
+            QVERIFY(timeline.seek(2950, {}, count).hasValue());
+            QVERIFY2(played <= 50 + 10, qPrintable(QString::number(played)));
+        }
     }
     void rejectedInputDiscardsNothing() {
         Timeline timeline = timelineOf(test::floatingBlock());

@@ -39,11 +39,6 @@ private slots:
         QCOMPARE(view.scale, 150.0);  // 300 pixels for 2 m; the height would allow 200
         QVERIFY(fitted(kView, Box2{}, 50.0) == kView);
     }
-    void roundStepsAreOneTwoOrFive() {
-        for (const auto& [minimum, step] : {std::pair(0.03, 0.05), {0.1, 0.1}, {1.1, 2.0}, {2.0, 2.0}, {6.0, 10.0}}) {
-            QVERIFY(std::abs(roundStep(minimum) - step) < 1e-12);
-        }
-    }
 };
 
 RUBBLE_TEST(CanvasViewTest)

@@ -1,0 +1,79 @@
+#include "editor/actions/TimelineActions.h"
+
+#include "editor/view3d/SceneView.h"
+#include "editor/view3d/TimelineBar.h"
+#include "editor/view3d/TimelinePanel.h"
+#include "editor/views/Views.h"
+#include "editor/widgets/Action.h"
+#include "editor/widgets/Icon.h"
+#include "editor/workspace/Workspace.h"
+
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace rubble {
+
+TimelineActions::TimelineActions(Views& views, QAction* step)
+    : QObject(&views.window()),
+      m_views(views),
+      m_menu(new QMenu(tr("T&imeline"), &views.window())),
+      m_branches(new QMenu(tr("&Branches"), &views.window())),
+      m_stepBack(makeAction(this, {"play-step-back", tr("Step &Back\t,"), tr("Go one step back")})),
+      m_loop(makeAction(this, {"play-loop", tr("&Loop Around Break\tL"),
+                               tr("Play half a second before and a second after a break again and again")})) {
+    TimelineBar& bar = views.scene().timeline().bar();
+    QAction* in = makeAction(this, {"timeline-zoom-in", tr("Zoom &In"), tr("Zoom in on the displayed time")});
+    QAction* out = makeAction(this, {"timeline-zoom-out", tr("Zoom &Out"), tr("Zoom out of the timeline")});
+    QAction* fit = makeAction(this, {"timeline-fit", tr("Show &All"), tr("Show the whole timeline")});
+    connect(in, &QAction::triggered, &bar, &TimelineBar::zoomIn);
+    connect(out, &QAction::triggered, &bar, &TimelineBar::zoomOut);
+    connect(fit, &QAction::triggered, &bar, &TimelineBar::fit);
+    connect(m_stepBack, &QAction::triggered, &controller(), &PlayController::stepBack);
+    connect(m_loop, &QAction::triggered, &controller(), &PlayController::toggleLoop);
+    m_loop->setCheckable(true);
+    m_menu->addActions({m_loop, in, out, fit});
+    m_menu->addMenu(m_branches);
+    m_branches->setIcon(iconNamed("timeline-branches"));
+    m_branches->setToolTipsVisible(true);
+    m_branches->menuAction()->setToolTip(tr("Return to what happened before something was thrown in the past"));
+    views.scene().timeline().addButtons({m_stepBack, step, m_loop}, {out, in, fit}, m_branches);
+    connect(m_branches, &QMenu::aboutToShow, this, &TimelineActions::fillBranches);
+    connect(&controller(), &PlayController::frameChanged, this, &TimelineActions::refreshFrame);
+    connect(&controller(), &PlayController::stateChanged, this, &TimelineActions::refreshFrame);
+    refreshFrame();
+}
+
+PlayController& TimelineActions::controller() const { return m_views.workspace().play(); }
+
+void TimelineActions::refreshFrame() {
+    const auto& frame = controller().frame();
+    const bool isShown = controller().hasSession() && frame;
+    m_menu->setEnabled(isShown);
+    m_stepBack->setEnabled(isShown && frame->step > 0);
+    m_loop->setChecked(isShown && frame->loop);
+    const qsizetype branches = isShown ? static_cast<qsizetype>(frame->branches.size()) : 0;
+    m_branches->setTitle(branches > 0 ? tr("&Branches (%L1)").arg(branches) : tr("&Branches"));
+    m_branches->setEnabled(branches > 0);
+}
+
+void TimelineActions::fillBranches() {
+    m_branches->clear();
+    if (!controller().frame()) return;
+    const double dt = controller().thread().stepLength();
+    const auto seconds = [dt](std::uint64_t step) {
+        return QLocale().toString(static_cast<double>(step) * dt, 'f', 2);
+    };
+    for (const PlayBranch& branch : controller().frame()->branches) {
+        const QString breaks = tr("%Ln break(s)", nullptr, static_cast<int>(branch.breaks));
+        QAction* action =
+            m_branches->addAction(tr("%1 s to %2 s: %3").arg(seconds(branch.fork), seconds(branch.length), breaks));
+        action->setToolTip(tr("Return to this branch, where it leaves the current course"));
+        action->setStatusTip(action->toolTip());
+        connect(action, &QAction::triggered, &controller(), [this, id = branch.id] { controller().switchTo(id); });
+    }
+}
+
+}  // namespace rubble
+
+#include "moc_TimelineActions.cpp"

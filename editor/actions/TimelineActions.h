@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace rubble {
+
+class PlayController;
+class Views;
+
+/// The Timeline submenu of the Play menu, and the buttons of the timeline: steps, the loop around a break, zoom, and
+/// branches to return to.
+class TimelineActions : public QObject {
+    Q_OBJECT
+public:
+    /// `step` is the action that plays the next step.
+    TimelineActions(Views& views, QAction* step);
+
+    QMenu* menu() const { return m_menu; }
+    QAction* stepBack() const { return m_stepBack; }
+
+private:
+    void refreshFrame();
+    void fillBranches();
+    PlayController& controller() const;
+
+    Views& m_views;
+    QMenu* m_menu;
+    QMenu* m_branches;
+    QAction* m_stepBack;
+    QAction* m_loop;
+};
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#include "editor/play/ImpactLog.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+constexpr double kListedRatio = 0.1;  // of the threshold: weaker impacts are not listed
+constexpr double kSameImpact = 0.25;  // s: a weaker impact this soon belongs to the one before
+
+ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
+    return {.step = broken.step,
+            .name = session.nameOf(broken.body),
+            .impact = broken.impact,
+            .threshold = broken.threshold,
+            .point = broken.point,
+            .pieces = broken.pieces,
+            .milliseconds = broken.milliseconds};
+}
+
+}  // namespace
+
+std::size_t ImpactLog::breaks() const {
+    return static_cast<std::size_t>(std::ranges::count_if(m_impacts, &ImpactRecord::isBreak));
+}
+
+std::span<const ImpactRecord> ImpactLog::record(const Session& session) {
+    m_steps = session.stepsDone();
+    const std::size_t before = m_impacts.size();
+    for (const PlayBreak& broken : session.events().breaks) m_impacts.push_back(recordOf(session, broken));
+    for (const PlayImpact& impact : session.events().impacts) addWithstood(session, impact);
+    return std::span(m_impacts).subspan(before);
+}
+
+void ImpactLog::addWithstood(const Session& session, const PlayImpact& impact) {
+    const PlayBody* body = session.body(impact.body);
+    if (body == nullptr || impact.damage < kListedRatio * impact.threshold) return;  // null: it broke
+    ImpactRecord record{.step = m_steps,
+                        .name = session.nameOf(*body),
+                        .impact = impact.damage,
+                        .threshold = impact.threshold,
+                        .point = impact.point};
+    const auto last = m_lastWithstood.find(impact.body);
+    const bool isSame =
+        last != m_lastWithstood.end() && m_steps <= last->second.step + stepOf(kSameImpact, session.stepLength());
+    if (isSame && record.impact <= last->second.impact) return;
+    m_lastWithstood.insert_or_assign(impact.body, record);
+    m_impacts.push_back(std::move(record));
+}
+
+void ImpactLog::discardAfter(std::uint64_t step) {
+    m_steps = std::min(m_steps, step);
+    std::erase_if(m_impacts, [step](const ImpactRecord& one) { return one.step > step; });
+    std::erase_if(m_lastWithstood, [step](const auto& one) { return one.second.step > step; });
+}
+
+}  // namespace rubble

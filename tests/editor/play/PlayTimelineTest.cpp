@@ -1,0 +1,123 @@
+// Tests editor/play/PlayController.cpp and editor/play/PlayEngine.cpp.
+#include "editor/play/PlayController.h"
+
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/PlayStage.h"
+
+#include <QSignalSpy>
+
+using namespace rubble;
+
+/// Going back, loops and branches.
+class PlayTimelineTest : public QObject {
+    Q_OBJECT
+private slots:
+    void stepsBackAndForth() {
+        test::Stage stage;
+        stage.start();
+        stage.advance(40);
+        for (int k = 0; k < 3; ++k) stage.controller.stepBack();  // before the first is carried out
+        stage.settle();
+        QCOMPARE(stage.step(), 37u);
+        QCOMPARE(stage.controller.state(), PlayState::Paused);
+        stage.controller.stepBack();
+        stage.controller.stepOnce();
+        stage.controller.stepOnce();
+        stage.settle();
+        QCOMPARE(stage.step(), 38u);
+        stage.controller.seekBy(-1000);
+        stage.settle();
+        QCOMPARE(stage.step(), 0u);
+        stage.controller.seekBy(1000);
+        stage.settle();
+        QCOMPARE(stage.step(), 40u);
+        stage.controller.stepOnce();
+        stage.settle();
+        QCOMPARE(stage.step(), 41u);
+    }
+    void loopsAroundABreak() {
+        test::Stage stage;
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.advance(50);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(250);
+        const std::uint64_t broken = stage.controller.breaks().front().step;
+        stage.controller.loopAround(broken);
+        stage.settle();
+        QCOMPARE(stage.step(), broken - 30);
+        QVERIFY(stage.controller.isPlaying());
+        QCOMPARE(stage.controller.frame()->loop.value(), (PlayLoop{broken - 30, broken + 60}));
+        stage.advance(90);
+        QCOMPARE(stage.step(), broken + 60);
+        stage.advance(1);
+        QCOMPARE(stage.step(), broken - 30);
+        stage.advance(91 + 5);
+        QCOMPARE(stage.step(), broken - 25);
+        QCOMPARE(stage.controller.breaks().size(), 1u);  // each time the same one
+        QCOMPARE(stage.controller.breaks(stage.step()).size(), 0u);
+        stage.controller.endLoop();
+        stage.advance(120);
+        QCOMPARE(stage.step(), broken + 95);
+        QVERIFY(!stage.controller.frame()->loop);
+    }
+    void loopOfAReplayEndsWithIt() {
+        test::Stage stage;
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(30);
+        stage.controller.replay(stage.controller.script());
+        stage.settle();
+        stage.controller.loopAround(10);
+        stage.settle();
+        stage.advance(31);
+        QVERIFY(stage.controller.isPlaying());
+        QCOMPARE(stage.step(), 0u);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(100);
+        QVERIFY(!stage.controller.frame()->loop);  // the throw ended it
+        QCOMPARE(stage.step(), 100u);
+    }
+    void throwInThePastKeepsABranch() {
+        test::Stage stage;
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.advance(10);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(40);
+        const ContentHash hash = stage.hash();
+        const std::vector<ImpactRecord> impacts = stage.controller.impacts();
+        QVERIFY(stage.controller.frame()->branches.empty());
+        stage.controller.seek(5);
+        stage.settle();
+        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
+        PlayToolSettings light = test::heavyBox();
+        light.projectile.mass = 0.1;
+        stage.controller.setToolSettings(light);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.controller.play();
+        stage.advance(60);
+        QCOMPARE(messages.size(), 1);
+        QCOMPARE(stage.controller.breaks().size(), 0u);
+        const std::vector<PlayBranch> branches = stage.controller.frame()->branches;
+        QCOMPARE(branches.size(), 1u);
+        QCOMPARE(branches[0], (PlayBranch{.id = branches[0].id, .fork = 5, .length = 50, .breaks = 1}));
+
+        stage.controller.switchTo(branches[0].id);
+        stage.settle();
+        QCOMPARE(stage.controller.state(), PlayState::Paused);
+        QCOMPARE(stage.step(), 5u);
+        QCOMPARE(stage.controller.frame()->length, 50u);
+        QCOMPARE(stage.controller.frame()->branches[0].length, 65u);
+        QCOMPARE(stage.controller.impacts().size(), impacts.size());
+        QCOMPARE(stage.controller.breaks().front().step, impacts.front().step);
+        stage.controller.seek(50);
+        stage.settle();
+        QCOMPARE(stage.hash(), hash);
+        QCOMPARE(stage.controller.impacts().size(), impacts.size());  // not recorded twice
+    }
+};
+
+RUBBLE_TEST_WITH(PlayTimelineTest, QCoreApplication)
+#include "PlayTimelineTest.moc"
