@@ -71,8 +71,7 @@ void PlayActions::addRun() {
     connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
     auto* timeline = new TimelineActions(m_views, m_step);
-    m_stepBack = timeline->stepBack();
-    m_menu->addActions({m_step, m_stepBack, m_reset});
+    m_menu->addActions({m_step, timeline->stepBack(), m_reset});
     m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));
 }
 

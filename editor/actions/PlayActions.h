@@ -20,7 +20,7 @@ public:
     PlayActions(Views& views, FilmActions& film);
 
     QMenu* menu() const { return m_menu; }
-    QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_stepBack, m_step, m_reset}; }
+    QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
 
 private:
     void addRun();
@@ -45,7 +45,6 @@ private:
     QAction* m_play = nullptr;
     QAction* m_pause = nullptr;
     QAction* m_step = nullptr;
-    QAction* m_stepBack = nullptr;
     QAction* m_reset = nullptr;
     QAction* m_destruction = nullptr;
     QAction* m_saveShot = nullptr;

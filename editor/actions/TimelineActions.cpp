@@ -49,12 +49,12 @@ PlayController& TimelineActions::controller() const { return m_views.workspace()
 void TimelineActions::refreshFrame() {
     const auto& frame = controller().frame();
     const bool isShown = controller().hasSession() && frame;
-    m_menu->setEnabled(isShown);
+    m_menu->menuAction()->setEnabled(isShown);
     m_stepBack->setEnabled(isShown && frame->step > 0);
     m_loop->setChecked(isShown && frame->loop);
     const qsizetype branches = isShown ? static_cast<qsizetype>(frame->branches.size()) : 0;
     m_branches->setTitle(branches > 0 ? tr("&Branches (%L1)").arg(branches) : tr("&Branches"));
-    m_branches->setEnabled(branches > 0);
+    m_branches->menuAction()->setEnabled(branches > 0);
 }
 
 void TimelineActions::fillBranches() {

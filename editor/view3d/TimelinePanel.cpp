@@ -13,12 +13,34 @@ namespace {
 
 constexpr QSize kTimelineIcon{16, 16};
 
-QToolButton* timelineButton(QAction* action) {
+QToolButton* timelineButton() {
     auto* button = new QToolButton;
-    button->setDefaultAction(action);
     button->setIconSize(kTimelineIcon);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+QToolButton* timelineButton(QAction* action) {
+    QToolButton* button = timelineButton();
+    button->setDefaultAction(action);
+    return button;
+}
+
+/// A button that opens a menu and looks as its action does, which cannot be a button's default action.
+QToolButton* timelineButton(QMenu* menu) {
+    QToolButton* button = timelineButton();
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const auto refresh = [button, action = menu->menuAction()] {
+        button->setIcon(action->icon());
+        button->setText(action->iconText());
+        button->setToolTip(action->toolTip());
+        button->setEnabled(action->isEnabled());
+    };
+    QObject::connect(menu->menuAction(), &QAction::changed, button, refresh);
+    refresh();
     return button;
 }
 
@@ -35,11 +57,8 @@ void TimelinePanel::addButtons(const QList<QAction*>& left, const QList<QAction*
     int place = 0;
     for (QAction* action : left) m_row->insertWidget(place++, timelineButton(action));
     for (QAction* action : right) m_row->addWidget(timelineButton(action));
-    QToolButton* button = timelineButton(branches->menuAction());
+    QToolButton* button = timelineButton(branches);
     button->setObjectName("timeline-branches");
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setMenu(branches);
-    button->setPopupMode(QToolButton::InstantPopup);
     m_row->addWidget(button);
 }
 

@@ -10,7 +10,9 @@
 #include "tests/support/files/FileBytes.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QProcess>
+#include <QToolButton>
 #include <QTreeView>
 
 using namespace rubble;
@@ -74,6 +76,22 @@ private slots:
         QTRY_COMPARE(play().frame()->step, 1u);
         QTest::mouseClick(&timeline(), Qt::LeftButton, {}, timeline().rect().center());
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps / 2, kPatience);
+        QTest::keyClick(&timeline(), Qt::Key_End);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+        QCOMPARE(hash(), m_hash);
+    }
+    void throwInThePastCanBeTakenBack() {
+        auto* button = window().findChild<QToolButton*>("timeline-branches");
+        QVERIFY(!button->isEnabled());
+        QTest::keyClick(&timeline(), Qt::Key_Home);
+        QTRY_COMPARE(play().frame()->step, 0u);
+        QTest::keyClick(&viewport(), Qt::Key_H);
+        QTRY_COMPARE(button->text(), QString("Branches (1)"));
+        emit button->menu()->aboutToShow();
+        QVERIFY2(button->menu()->actions().front()->text().startsWith("0.00 s to "),
+                 qPrintable(button->menu()->actions().front()->text()));
+        button->menu()->actions().front()->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->length, m_steps, kPatience);
         QTest::keyClick(&timeline(), Qt::Key_End);
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
         QCOMPARE(hash(), m_hash);
