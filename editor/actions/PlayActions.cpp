@@ -27,6 +27,7 @@ namespace rubble {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0};
+constexpr int kStepRates[] = {30, 60, 120, 240};  // Hz
 
 QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
@@ -41,6 +42,7 @@ PlayActions::PlayActions(Views& views, FilmActions& film)
     addRun();
     m_menu->addSeparator();
     addSpeeds();
+    addTimeSteps();
     addOverlays();
     m_menu->addSeparator();
     addShots();
@@ -85,6 +87,28 @@ void PlayActions::addSpeeds() {
         action->setStatusTip(tr("Set the playback speed"));
         m_speeds->addAction(action);
         connect(action, &QAction::triggered, this, [this, speed] { controller().setTimeScale(speed); });
+    }
+}
+
+/// Shorter steps follow fast motion more closely, and cost time in proportion.
+void PlayActions::addTimeSteps() {
+    QMenu* menu = m_menu->addMenu(iconNamed("play-step"), tr("&Time Step"));
+    menu->setToolTipsVisible(true);
+    m_timeSteps = new QActionGroup(this);
+    for (const int rate : kStepRates) {
+        QAction* action = menu->addAction(tr("%L1 Hz").arg(rate));
+        action->setCheckable(true);
+        action->setData(1.0 / rate);
+        const QString cost = QLocale().toString(rate / 60.0);
+        const QString tip = rate == 60 ? tr("Simulate 60 steps a second, as play-tests and the command line do")
+                                       : tr("Simulate %L1 steps a second, at %2 times the computing time of 60 Hz; "
+                                            "restarts the simulation")
+                                             .arg(rate)
+                                             .arg(cost);
+        action->setToolTip(tip);
+        action->setStatusTip(tip);
+        m_timeSteps->addAction(action);
+        connect(action, &QAction::triggered, this, [this, rate] { controller().setTimeStep(1.0 / rate); });
     }
     m_destruction = makeAction(this, {"play-destruction", tr("D&estruction"), tr("Allow bodies to break")});
     m_destruction->setCheckable(true);
@@ -209,6 +233,9 @@ void PlayActions::updateState() {
     m_destruction->setChecked(controller().hasDestruction());
     for (QAction* action : m_speeds->actions()) {
         action->setChecked(action->data().toDouble() == controller().timeScale());
+    }
+    for (QAction* action : m_timeSteps->actions()) {
+        action->setChecked(action->data().toDouble() == controller().timeStep());
     }
     updateRecorded();
 }

@@ -25,6 +25,7 @@ public:
 private:
     void addRun();
     void addSpeeds();
+    void addTimeSteps();
     void addOverlays();
     void addShots();
     void addReplays();
@@ -51,6 +52,7 @@ private:
     QAction* m_saveReplay = nullptr;
     QMenu* m_shots = nullptr;
     QActionGroup* m_speeds = nullptr;
+    QActionGroup* m_timeSteps = nullptr;
 };
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "editor/play/PlayController.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/base/Parallel.h"
 #include "core/play/scene/LiveInputs.h"
 
@@ -135,6 +136,16 @@ void PlayController::setTimeScale(double scale) {
     emit settingsChanged();
 }
 
+void PlayController::setTimeStep(double seconds) {
+    const NumberRange& range = rangeOf(ProjectNumber::StepLength);
+    if (m_timeStep == seconds || !range.contains(seconds)) return;
+    m_timeStep = seconds;
+    emit settingsChanged();
+    if (!isInPlay()) return;
+    emit statusMessage(tr("The simulation restarts with the new time step."));
+    restart();
+}
+
 void PlayController::setDestruction(bool isOn) {
     if (m_hasDestruction == isOn) return;
     m_hasDestruction = isOn;
@@ -216,7 +227,7 @@ PlayScript PlayController::script() {
 }
 
 void PlayController::restart() {
-    prepare({.settings = {.hasDestruction = m_hasDestruction, .threads = availableProcessors()}});
+    prepare({.settings = {.dt = m_timeStep, .hasDestruction = m_hasDestruction, .threads = availableProcessors()}});
 }
 
 void PlayController::prepare(PlayScript script) {

@@ -57,6 +57,9 @@ public:
 
     double timeScale() const { return m_timeScale; }
     void setTimeScale(double scale);
+    /// The simulated duration of a step, s, of simulations that are not replays. A change restarts the simulation.
+    double timeStep() const { return m_timeStep; }
+    void setTimeStep(double seconds);
     /// Whether bodies can break, at the displayed step: replays and seeking may switch it.
     bool hasDestruction() const { return m_hasDestruction; }
     void setDestruction(bool isOn);
@@ -111,7 +114,7 @@ signals:
     /// A forecast of the aimed throw is to be computed; showForecast() shows it.
     void forecastOrdered(std::shared_ptr<const rubble::ForecastOrder> order);
     void toolSettingsChanged();
-    /// Time scale, destruction or overlays changed.
+    /// Time scale, time step, destruction or overlays changed.
     void settingsChanged();
     void statusMessage(const QString& sentence);
 
@@ -134,6 +137,7 @@ private:
     bool m_isWaitingForBakes = false;
     std::vector<PlayThread::Task> m_queuedTasks;  // until the assets are baked
     double m_timeScale = 1.0;
+    double m_timeStep = SessionSettings().dt;
     bool m_hasDestruction = true;
     std::optional<bool> m_requestedDestruction;  // not in a frame yet
     std::optional<std::uint64_t> m_soughtStep;   // likewise

@@ -79,6 +79,23 @@ private slots:
         QVERIFY(!stage.controller.frame()->loop);  // the throw ended it
         QCOMPARE(stage.step(), 100u);
     }
+    void anotherTimeStepRestarts() {
+        test::Stage stage;
+        stage.start();
+        stage.advance(10);
+        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
+        stage.controller.setTimeStep(1.0 / 120.0);
+        QCOMPARE(messages.size(), 1);
+        stage.settle();
+        QCOMPARE(stage.step(), 0u);
+        QCOMPARE(stage.controller.thread().stepLength(), 1.0 / 120.0);
+        for (int k = 0; k < 10; ++k) stage.controller.thread().advance(1.0 / 120.0);
+        stage.controller.applyUpdate();
+        QCOMPARE(stage.step(), 10u);
+        QCOMPARE(stage.controller.script().settings.dt, 1.0 / 120.0);
+        stage.controller.setTimeStep(0.2);  // out of range
+        QCOMPARE(stage.controller.timeStep(), 1.0 / 120.0);
+    }
     void throwInThePastKeepsABranch() {
         test::Stage stage;
         stage.controller.setToolSettings(test::heavyBox());
