@@ -17,19 +17,11 @@ vec3 lit(vec3 albedo, vec3 n) {
 void main() {
     vec3 normal = normalize(sceneNormal);
     vec3 albedo = linearOf(colour);
-    bool isSelected = (marks & 2u) != 0u, isHovered = (marks & 4u) != 0u;
-    vec3 accentLinear = linearOf(accent.rgb);
-    if (isSelected) albedo = mix(albedo, accentLinear, 0.45);
-    if (isHovered) albedo = mix(albedo, vec3(1.0), 0.25);
+    if ((marks & 4u) != 0u) albedo = mix(albedo, vec3(1.0), 0.25);  // under the pointer
     vec3 shaded = lit(albedo, normal);
 
     float pixels = pixelsToEdge(placeAcross);
     float fade = smoothstep(2.0, 12.0, pixelsAcross(placeAcross));
     float cover = lineCover(pixels, edges.x) * edges.y * fade;
-    vec3 line = shaded * 0.22;
-    if (isSelected || isHovered) {
-        cover = lineCover(pixels, edges.x * (isSelected ? 2.6 : 1.8)) * max(fade, 0.5);
-        line = isSelected ? accentLinear : mix(accentLinear, vec3(1.0), 0.35);
-    }
-    pixel = vec4(srgbOf(mix(shaded, line, cover)), 1.0);
+    pixel = vec4(srgbOf(mix(shaded, shaded * 0.22, cover)), 1.0);
 }

@@ -13,7 +13,6 @@ struct EdgePass {
     glm::vec4 line{0.0f};
     glm::vec4 fill{0.0f};
     float width = 1.0f;
-    std::uint32_t onlyMarks = 0;
     std::uint32_t depthFunction = GL_LEQUAL;  // GL_ALWAYS: not occluded
     SceneBuffers::Part part = SceneBuffers::Part::Bodies;
 };
@@ -102,7 +101,6 @@ void RenderPasses::drawEdges(const EdgePass& pass) {
     programs.wires.set("lineColour", pass.line);
     programs.wires.set("fillColour", pass.fill);
     programs.wires.set("lineWidth", pass.width * frame.viewport.w);
-    programs.wires.set("onlyMarks", pass.onlyMarks);
     scene.draw(pass.part);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_BLEND);
@@ -173,8 +171,7 @@ void RenderPasses::drawSceneLines() {
 void RenderPasses::drawDust(const RenderView& view) {
     if (puffs.count() == 0) return;
     solidDepths.copyBound(view.size);
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Depths));
-    glBindTexture(GL_TEXTURE_2D, solidDepths.texture());
+    solidDepths.bind();
     glEnable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);  // the shader compares with the copy
     glEnable(GL_DEPTH_CLAMP);
@@ -183,6 +180,12 @@ void RenderPasses::drawDust(const RenderView& view) {
     glDisable(GL_DEPTH_CLAMP);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
+}
+
+void RenderPasses::drawOutlines(const RenderView& view) {
+    Box3 outlined = summary.selected;
+    if (view.hovered) outlined.include(boundsOfBody(*scene.scene(), *view.hovered));
+    if (!outlined.isEmpty()) outlines.draw(scene, view, outlined);
 }
 
 void RenderPasses::drawAxes(const RenderView& view) {
@@ -231,15 +234,9 @@ void RenderPasses::drawImage(const RenderView& view) {
         drawWireframe(view);
     drawGround(view);
     drawHulls(view);
-    if (summary.hasSelected && isSolid) {
-        drawEdges({.line = withOpacity(frame.accent, 0.45f),
-                   .fill = withOpacity(frame.accent, 0.06f),
-                   .width = 1.2f,
-                   .onlyMarks = kSelected,
-                   .depthFunction = GL_GREATER});
-    }
     drawSceneLines();
     if (isSolid) drawDust(view);
+    drawOutlines(view);
     drawAxes(view);
 }
 

@@ -3,6 +3,7 @@
 #include "viewport/render/AxesIndicator.h"
 #include "viewport/render/FrameBlock.h"
 #include "viewport/render/InstanceBuffer.h"
+#include "viewport/render/OutlinePass.h"
 #include "viewport/render/RenderPrograms.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
@@ -25,7 +26,8 @@ struct EdgePass;
 
 /// The passes that make up an image; they draw to the bound framebuffer.
 struct RenderPasses {
-    explicit RenderPasses(RenderPrograms made) : programs(std::move(made)) {}
+    RenderPasses(RenderPrograms made, OutlinePass outlinePass)
+        : programs(std::move(made)), outlines(std::move(outlinePass)) {}
 
     void setScene(std::shared_ptr<const RenderScene> made);
     void setFrame(const FrameBlock& block);
@@ -40,6 +42,7 @@ struct RenderPasses {
     void drawGround(const RenderView& view);
     void drawSceneLines();
     void drawDust(const RenderView& view);
+    void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);
     void drawScreenLines(const std::vector<ScreenLine>& lines);
     void drawBodies(const RenderView& view, const PixelBox& part);
@@ -47,6 +50,7 @@ struct RenderPasses {
     void drawScaled(const RenderTarget& source, float weight) const;
 
     RenderPrograms programs;
+    OutlinePass outlines;
     SceneBuffers scene;
     InstanceBuffer sceneLines{4, 4, 4, 4};
     InstanceBuffer sceneBoxes{4, 4, 4, 4};

@@ -1,5 +1,7 @@
 #include "viewport/render/RenderTarget.h"
 
+#include "viewport/render/ShaderProgram.h"
+
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -79,6 +81,11 @@ void DepthCopy::copyBound(ImageSize size) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
     glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+void DepthCopy::bind() const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Depths));
+    glBindTexture(GL_TEXTURE_2D, m_depths.id());
 }
 
 void copyColours(std::uint32_t from, std::uint32_t to, ImageSize size) {

@@ -33,7 +33,8 @@ class DepthCopy {
 public:
     /// Copies the depths of the bound framebuffer of a size, which stays bound.
     void copyBound(ImageSize size);
-    std::uint32_t texture() const { return m_depths.id(); }
+    /// Binds the texture to TextureUnit::Depths.
+    void bind() const;
 
 private:
     ImageSize m_size{0, 0};

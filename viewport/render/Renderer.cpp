@@ -39,7 +39,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     }
     Result<RenderPrograms> programs = compilePrograms();
     if (!programs) return programs.error();
-    return std::unique_ptr<Renderer>(new Renderer(std::make_unique<State>(std::move(*programs))));
+    Result<OutlinePass> outlines = OutlinePass::create();
+    if (!outlines) return outlines.error();
+    return std::unique_ptr<Renderer>(
+        new Renderer(std::make_unique<State>(std::move(*programs), std::move(*outlines))));
 }
 
 Renderer::Renderer(std::unique_ptr<State> state) : m_state(std::move(state)) {}

@@ -20,7 +20,8 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"keyShadow", TextureUnit::KeyShadow},
                                  {"skyShadow", TextureUnit::SkyShadow},
                                  {"source", TextureUnit::Source},
-                                 {"depths", TextureUnit::Depths}};
+                                 {"depths", TextureUnit::Depths},
+                                 {"mask", TextureUnit::Mask}};
 
 /// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {

@@ -49,7 +49,8 @@ enum class TextureUnit : std::uint32_t {
     KeyShadow,
     SkyShadow,
     Source,
-    Depths
+    Depths,
+    Mask
 };
 
 }  // namespace rubble

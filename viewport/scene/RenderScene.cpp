@@ -5,17 +5,22 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace rubble {
 namespace {
 
-/// Whether one of the sorted ids matches a body.
-bool isMarked(const std::vector<PickId>& sorted, const PickId& body) {
-    const auto has = [&](Id instance, std::uint32_t fragment) {
+/// Whether one of the sorted ids is that fragment of a body's instance, or of all instances of its asset.
+bool hasFragment(const std::vector<PickId>& sorted, const PickId& body, std::uint32_t fragment) {
+    const auto has = [&](Id instance) {
         return std::ranges::binary_search(sorted, PickId{body.asset, instance, fragment});
     };
-    return !sorted.empty() &&
-           (has(body.instance, body.fragment) || has(0, body.fragment) || has(body.instance, kNone) || has(0, kNone));
+    return !sorted.empty() && (has(body.instance) || has(0));
+}
+
+/// Whether one of the sorted ids matches a body.
+bool isMarked(const std::vector<PickId>& sorted, const PickId& body) {
+    return hasFragment(sorted, body, body.fragment) || hasFragment(sorted, body, kNone);
 }
 
 /// The bounding box of a body's local box at a pose.
@@ -28,6 +33,15 @@ Box3 placed(const Box3& box, const RenderPose& pose) {
     const Vec3 extent =
         half.x * glm::abs(rotation[0]) + half.y * glm::abs(rotation[1]) + half.z * glm::abs(rotation[2]);
     return {centre - extent, centre + extent};
+}
+
+/// Extends bounds by a visible body with a local box.
+void includeBody(Box3& bounds, const RenderScene& scene, std::uint32_t body, const Box3& local,
+                 std::span<const RenderPose> poses) {
+    if ((scene.appearances[body].marks & kHidden) != 0) return;
+    const Box3 box = placed(local, poses[body]);
+    const Vec3 moved = scene.origin + explodeOffset(scene, body);
+    bounds.include(Box3{box.min + moved, box.max + moved});
 }
 
 }  // namespace
@@ -60,8 +74,14 @@ void setMarks(RenderScene& scene, const SceneMarks& marks) {
     SceneMarks sorted = marks;
     scene.summary.reset();
     for (std::vector<PickId>* ids : {&sorted.hidden, &sorted.selected, &sorted.hovered}) std::ranges::sort(*ids);
+    std::size_t first = 0;  // body of the instance
     for (std::size_t body = 0; body < scene.picks.size(); ++body) {
         const PickId& pick = scene.picks[body];
+        if (std::tie(pick.asset, pick.instance) != std::tie(scene.picks[first].asset, scene.picks[first].instance)) {
+            first = body;
+        }
+        const std::size_t outlined = hasFragment(sorted.selected, pick, kNone) ? first : body;
+        scene.appearances[body].outline = static_cast<std::uint32_t>(outlined + 1);
         scene.appearances[body].marks = (isMarked(sorted.hidden, pick) ? kHidden : 0) |
                                         (isMarked(sorted.selected, pick) ? kSelected : 0) |
                                         (isMarked(sorted.hovered, pick) ? kHovered : 0);
@@ -73,11 +93,9 @@ Box3 boundsAt(const RenderScene& scene, std::span<const RenderPose> poses, std::
     for (const SceneBatch& batch : scene.batches) {
         for (const std::uint32_t first : batch.firstBodies) {
             for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
-                const std::uint32_t body = first + piece, has = scene.appearances[body].marks;
-                if ((has & kHidden) != 0 || (marks != 0 && (has & marks) == 0)) continue;
-                const Box3 box = placed(batch.geometry->boxes[piece], poses[body]);
-                const Vec3 moved = scene.origin + explodeOffset(scene, body);
-                bounds.include(Box3{box.min + moved, box.max + moved});
+                const std::uint32_t body = first + piece;
+                if (marks != 0 && (scene.appearances[body].marks & marks) == 0) continue;
+                includeBody(bounds, scene, body, batch.geometry->boxes[piece], poses);
             }
         }
     }
@@ -91,10 +109,22 @@ Box3 boundsOf(const RenderScene& scene, std::uint32_t marks) {
     return bounds;
 }
 
+Box3 boundsOfBody(const RenderScene& scene, std::uint32_t body) {
+    Box3 bounds;
+    for (const SceneBatch& batch : scene.batches) {
+        for (const std::uint32_t first : batch.firstBodies) {
+            if (body < first || body - first >= batch.geometry->pieceCount()) continue;
+            const Box3& box = batch.geometry->boxes[body - first];
+            includeBody(bounds, scene, body, box, scene.poses);
+            if (!scene.previousPoses.empty()) includeBody(bounds, scene, body, box, scene.previousPoses);
+        }
+    }
+    return bounds;
+}
+
 SceneSummary summaryOf(const RenderScene& scene) {
     if (scene.summary) return *scene.summary;
-    const auto isSelected = [](const BodyAppearance& look) { return (look.marks & kSelected) != 0; };
-    return {boundsOf(scene), std::ranges::any_of(scene.appearances, isSelected)};
+    return {boundsOf(scene), boundsOf(scene, kSelected)};
 }
 
 }  // namespace rubble

@@ -37,12 +37,12 @@ RenderPose renderPose(const Pose& pose, Vec3 origin);
 /// Interpolates two poses: `fraction` 0 gives `from`, 1 gives `to`. Rotates the shorter way, as the shaders do.
 RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fraction);
 
-/// Colours and marks of a body. Colours are sRGB, 0xRRGGBB.
+/// Colours, marks and outline of a body. Colours are sRGB, 0xRRGGBB.
 struct BodyAppearance {
     std::uint32_t outside = 0xcccccc;
     std::uint32_t inside = 0x999999;
     std::uint32_t marks = 0;    // bits: kHidden, kSelected, kHovered
-    std::uint32_t padding = 0;  // to the size of a texel
+    std::uint32_t outline = 0;  // of selected bodies: those with the same number share an outline
 };
 inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
@@ -82,8 +82,8 @@ struct ValueRange {
 
 /// Properties of a scene as a whole.
 struct SceneSummary {
-    Box3 bounds;  // see boundsOf()
-    bool hasSelected = false;
+    Box3 bounds;    // see boundsOf()
+    Box3 selected;  // of the selected bodies
 };
 
 /// Everything that is drawn, as a value, without the camera. Geometry is large and shared between scenes; the rest is a
@@ -114,7 +114,8 @@ RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFract
 /// The displacement of a body in the exploded view, m.
 Vec3 explodeOffset(const RenderScene& scene, std::uint32_t body);
 
-/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it.
+/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it. The bodies
+/// of an instance that is selected as a whole share an outline; other selected bodies have their own.
 struct SceneMarks {
     std::vector<PickId> hidden;
     std::vector<PickId> selected;
@@ -127,6 +128,10 @@ void setMarks(RenderScene& scene, const SceneMarks& marks);
 Box3 boundsOf(const RenderScene& scene, std::uint32_t marks = 0);
 /// The same, with the bodies at the given poses.
 Box3 boundsAt(const RenderScene& scene, std::span<const RenderPose> poses, std::uint32_t marks = 0);
+
+/// The bounding box of one body, in the world, as exploded, at its current and previous poses; empty if it is hidden.
+/// Linear in instances.
+Box3 boundsOfBody(const RenderScene& scene, std::uint32_t body);
 
 /// The cached summary; computed in time linear in bodies if there is none.
 SceneSummary summaryOf(const RenderScene& scene);

@@ -1,0 +1,32 @@
+// Draws a line where the numbers of the outline mask change.
+uniform usampler2D mask;
+uniform float lineWidth;  // pixels, on each side of an outline
+out vec4 pixel;
+
+const ivec2 kAround[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, -1),
+                                  ivec2(1, -1), ivec2(-1, 1));
+
+uint maskAt(ivec2 at) { return texelFetch(mask, clamp(at, ivec2(0), textureSize(mask, 0) - 1), 0).r; }
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int far = int(ceil(lineWidth));
+    uint here = maskAt(at), number = here & ~kOutlineOccluded;
+    bool isUniform = true;  // of a coarse grid: nearly all pixels are far from any outline
+    for (int k = 0; k < 8; ++k) isUniform = isUniform && maskAt(at + far * kAround[k]) == here;
+    uint found = here;       // all marks of outlines nearby
+    bool isVisible = false;  // one of them is not occluded
+    float nearest = 1e3;     // distance from another number, pixels
+    for (int y = isUniform ? far + 1 : -far; y <= far; ++y) {
+        for (int x = -far; x <= far; ++x) {
+            uint there = maskAt(at + ivec2(x, y));
+            if (there != 0u) isVisible = isVisible || (there & kOutlineOccluded) == 0u;
+            found |= there;
+            if ((there & ~kOutlineOccluded) != number) nearest = min(nearest, length(vec2(x, y)));
+        }
+    }
+    float cover = 1.0 - smoothstep(lineWidth - 0.6, lineWidth + 0.6, nearest);
+    if (cover <= 0.0) discard;
+    vec3 colour = (found & kOutlineHovered) != 0u ? mix(accent.rgb, vec3(1.0), 0.45) : accent.rgb;
+    pixel = vec4(colour, cover * (isVisible ? 1.0 : 0.4));
+}

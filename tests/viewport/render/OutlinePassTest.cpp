@@ -1,0 +1,127 @@
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/StarterScene.h"
+#include "viewport/render/OffscreenRenderer.h"
+
+#include <QImage>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr ImageSize kOutlineSize{240, 240};
+
+/// From the front, without shadows and edges.
+RenderView frontOf(const RenderScene& scene) {
+    RenderView view{.size = kOutlineSize};
+    view.camera = framing(view.camera, boundsOf(scene), kOutlineSize);
+    view.settings.hasShadows = view.settings.hasAxes = view.settings.hasEdges = false;
+    view.settings.msaa = 1;
+    view.settings.accent = {1.0, 0.0, 1.0};  // no surface has this colour
+    return view;
+}
+
+QImage picture(const std::shared_ptr<const RenderScene>& scene, const RenderView& view) {
+    const Image image = renderImage(scene, view, 0).value();
+    return QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888).copy();
+}
+
+/// How far a pixel is from grey towards the accent, in [0, 255].
+int accentAt(const QImage& image, int x, int y) {
+    const QColor colour = image.pixelColor(x, y);
+    return std::min(colour.red(), colour.blue()) - colour.green();
+}
+bool isAccent(const QImage& image, int x, int y) { return accentAt(image, x, y) > 120; }
+
+int accentPixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) count += isAccent(image, x, y) ? 1 : 0;
+    }
+    return count;
+}
+
+/// The scene with fragments of its wall selected; all of them if none are given.
+std::shared_ptr<const RenderScene> withSelected(const std::vector<std::uint32_t>& fragments) {
+    const auto scene = test::starterScene();
+    std::vector<PickId> selected;
+    for (const std::uint32_t fragment : fragments) selected.push_back({scene->picks[0].asset, 0, fragment});
+    if (fragments.empty()) selected.push_back({scene->picks[0].asset, scene->picks[0].instance});
+    return test::starterScene({.selected = selected});
+}
+
+}  // namespace
+
+class OutlinePassTest : public QObject {
+    Q_OBJECT
+private slots:
+    void selectionKeepsTheMaterialVisible() {
+        const RenderView view = frontOf(*test::starterScene());
+        const QImage plain = picture(test::starterScene(), view), selected = picture(withSelected({}), view);
+        QCOMPARE(selected.pixelColor(120, 120), plain.pixelColor(120, 120));
+        QVERIFY(accentPixels(plain) == 0 && accentPixels(selected) > 200);
+    }
+    void wholeInstanceHasOneOutline() {
+        const RenderView view = frontOf(*test::starterScene());
+        const QImage seen = picture(withSelected({}), view);
+        int crossings = 0;
+        for (int x = 1; x < 240; ++x) crossings += isAccent(seen, x, 120) && !isAccent(seen, x - 1, 120) ? 1 : 0;
+        QCOMPARE(crossings, 2);
+    }
+    void everySelectedFragmentHasAnOutline() {
+        const RenderView view = frontOf(*test::starterScene());
+        const int one = accentPixels(picture(withSelected({0}), view));
+        const int other = accentPixels(picture(withSelected({7}), view));
+        const int both = accentPixels(picture(withSelected({0, 7}), view));
+        QVERIFY(one > 40 && other > 40);
+        QVERIFY2(both > 0.8 * (one + other), qPrintable(QString::number(both)));
+    }
+    void outlineIsWiderOnDenseScreens() {
+        RenderView view = frontOf(*test::starterScene());
+        const int thin = accentPixels(picture(withSelected({}), view));
+        view.settings.scale = 2.0;
+        const int wide = accentPixels(picture(withSelected({}), view));
+        QVERIFY2(wide > 1.6 * thin && wide < 2.6 * thin, qPrintable(QString::number(1.0 * wide / thin)));
+    }
+    void occludedOutlineIsFainter() {
+        RenderScene scene = *withSelected({0});
+        const RenderView view = frontOf(scene);
+        const QImage open = picture(std::make_shared<RenderScene>(scene), view);
+        for (std::size_t body = 1; body < scene.poses.size(); ++body) {  // a screen of the other fragments before it
+            scene.poses[body].position.z += 0.6f;
+            scene.poses[body].position.x = scene.poses[0].position.x;
+            scene.poses[body].position.y = scene.poses[0].position.y;
+        }
+        const QImage hidden = picture(std::make_shared<RenderScene>(scene), view);
+        int faint = 0;
+        for (int y = 0; y < 240; ++y) {
+            for (int x = 0; x < 240; ++x) {
+                if (!isAccent(open, x, y)) continue;
+                const int accent = accentAt(hidden, x, y);
+                faint += accent > 30 && accent < 0.6 * accentAt(open, x, y) ? 1 : 0;
+            }
+        }
+        QVERIFY2(faint > 20, qPrintable(QString::number(faint)));
+    }
+    void wireframeShowsTheOutlineOnly() {
+        RenderView view = frontOf(*test::starterScene());
+        view.settings.shading = Shading::Wireframe;
+        const QImage seen = picture(withSelected({}), view);
+        QVERIFY(accentPixels(seen) > 200);
+        for (int x = 80; x < 160; ++x) QVERIFY(!isAccent(seen, x, 120));
+    }
+    void hoveredBodyHasAnOutline() {
+        RenderView view = frontOf(*test::starterScene());
+        const QImage plain = picture(test::starterScene(), view);
+        view.hovered = 3;
+        const QImage seen = picture(test::starterScene(), view);
+        int lighter = 0;
+        for (int y = 0; y < 240; ++y) {
+            for (int x = 0; x < 240; ++x) lighter += accentAt(seen, x, y) > 60 ? 1 : 0;
+        }
+        QVERIFY2(lighter > 40, qPrintable(QString::number(lighter)));
+    }
+};
+
+RUBBLE_TEST_WITH(OutlinePassTest, QCoreApplication)
+#include "OutlinePassTest.moc"
