@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kHalfWidth = 1.4;  // points, of an outline
+constexpr double kHalfWidth = 1.4;   // points, of an outline
 constexpr double kAreaMargin = 4.0;  // points around the bodies
 
 /// Restricts drawing to the pixels of a box with some margin; to the whole image if the box reaches behind the eye.
