@@ -3,9 +3,11 @@
 uniform sampler2DShadow keyShadow;
 uniform sampler2DShadow skyShadow;
 
-// The visibility of a light from a point: four bilinear samples of its shadow map.
+// The visibility of a light from a point: four bilinear samples of its shadow map. The map holds all bodies, so that a
+// point beside it is lit, and one behind all of them is compared with the nearest body on the way.
 float reached(sampler2DShadow map, vec3 place) {
-    if (any(greaterThan(abs(place - 0.5), vec3(0.5)))) return 1.0;
+    if (any(greaterThan(abs(place.xy - 0.5), vec2(0.5)))) return 1.0;
+    place.z = clamp(place.z, 0.0, 1.0);
     vec2 a = 0.75 / vec2(textureSize(map, 0)), b = vec2(a.x, -a.y);
     return 0.25 * (texture(map, vec3(place.xy + a, place.z)) + texture(map, vec3(place.xy - a, place.z)) +
                    texture(map, vec3(place.xy + b, place.z)) + texture(map, vec3(place.xy - b, place.z)));
