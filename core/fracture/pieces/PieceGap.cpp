@@ -3,7 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/pieces/StrictConvexity.h"
-#include "core/geometry/polygon/PolygonDifference.h"
+#include "core/geometry/polygon/PolygonBoolean.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 
 #include <glm/geometric.hpp>
