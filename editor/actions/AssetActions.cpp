@@ -21,6 +21,8 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include <array>
+
 namespace rubble {
 
 AssetActions::AssetActions(Views& views)
@@ -39,12 +41,22 @@ AssetActions::AssetActions(Views& views)
                     &AssetActions::addPolygon);
     m_draw = add({"shape-draw", tr("&Draw Outline…"), tr("Draw the outline of a new prism point by point")},
                  &AssetActions::drawOutline);
-    QAction* hole = add({"hole-add", tr("Draw &Hole"), tr("Draw a hole in the outline of the active asset")},
-                        &AssetActions::drawHole);
+    m_menu->addSeparator();
+    addShapeMenu(
+        tr("Add &to Outline"), ShapeDrawing::Purpose::Add,
+        {{"outline-add-rectangle", tr("Add R&ectangle to Outline"), tr("Draw a rectangle that extends the outline")},
+         {"outline-add-polygon", tr("Add P&olygon to Outline"), tr("Draw a shape that extends the outline")},
+         {"outline-add-circle", tr("Add &Circle to Outline"), tr("Draw a circle that extends the outline")}});
+    addShapeMenu(
+        tr("&Cut from Outline"), ShapeDrawing::Purpose::Cut,
+        {{"outline-cut-rectangle", tr("Cut &Rectangle from Outline"),
+          tr("Draw a rectangular door, notch or hole of the outline")},
+         {"outline-cut-polygon", tr("Cut &Polygon from Outline"), tr("Draw a notch or a hole of the outline")},
+         {"outline-cut-circle", tr("Cut &Circle from Outline"), tr("Draw a round notch or hole of the outline")}});
     m_menu->addSeparator();
     QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
     for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind);
-    m_needAsset = layers->actions() + QList{hole};
+    m_needAsset += layers->actions();
     m_needAsset +=
         {add({"layer-mesh", tr("Add &Seeds from Mesh…"), tr("Add a layer with a seed at each vertex of a mesh file")},
              &AssetActions::addSeedsFromMesh),
@@ -90,10 +102,22 @@ void AssetActions::addPolygon() {
 
 void AssetActions::drawOutline() {
     m_views.showProject();
-    m_views.drawNewOutline();
+    m_views.drawShape(ShapeDrawing::Purpose::NewAsset, DraftShape::Polygon);
 }
 
-void AssetActions::drawHole() { m_views.drawHole(); }
+/// `shapes`: the actions that draw a rectangle, a polygon and a circle.
+void AssetActions::addShapeMenu(const QString& title, ShapeDrawing::Purpose purpose,
+                                const std::vector<ActionDefinition>& shapes) {
+    QMenu* menu = m_menu->addMenu(title);
+    constexpr std::array kShapes{DraftShape::Rectangle, DraftShape::Polygon, DraftShape::Circle};
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        QAction* action = makeAction(this, shapes[k]);
+        menu->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, purpose, shape = kShapes[k]] { m_views.drawShape(purpose, shape); });
+        m_needAsset += action;
+    }
+}
 
 void AssetActions::addPrism(const QString& name, const Polygon& outline, double depth) {
     m_views.showProject();

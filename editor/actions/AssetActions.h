@@ -2,6 +2,7 @@
 
 #include "core/fracture/pattern/PatternKind.h"
 #include "core/geometry/polygon/Polygon.h"
+#include "editor/canvas/tools/ShapeDrawing.h"
 
 #include <QObject>
 
@@ -11,6 +12,7 @@ class QMenu;
 namespace rubble {
 
 class CompareActions;
+struct ActionDefinition;
 class Views;
 class Workspace;
 
@@ -31,7 +33,7 @@ private:
     void addTriangle();
     void addPolygon();
     void drawOutline();
-    void drawHole();
+    void addShapeMenu(const QString& title, ShapeDrawing::Purpose purpose, const std::vector<ActionDefinition>& shapes);
     void addPrism(const QString& name, const Polygon& outline, double depth);
     void addLayerAction(QMenu& menu, const PatternKind& kind);
     void addSeedsFromMesh();

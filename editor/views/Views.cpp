@@ -245,15 +245,10 @@ void Views::frameAsset() {
     m_scene->frameAll();
 }
 
-void Views::drawNewOutline() {
-    showOutlineTool();
-    m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
-}
-
-void Views::drawHole() {
+void Views::drawShape(ShapeDrawing::Purpose purpose, DraftShape shape) {
     exitToFragment(m_workspace.selection(), {});
     showOutlineTool();
-    m_canvas->outlineTool().beginDrawing(OutlineTool::Drawing::Hole);
+    m_canvas->outlineTool().beginDrawing(purpose, shape);
 }
 
 void Views::showOutlineTool() {

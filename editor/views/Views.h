@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/checks/Problems.h"
+#include "editor/canvas/tools/ShapeDrawing.h"
 #include "editor/document/Messages.h"
 #include "editor/views/DockLayout.h"
 #include "editor/workspace/Preferences.h"
@@ -62,10 +63,8 @@ public:
 
     /// Frames the active asset in the canvas and the 3D view.
     void frameAsset();
-    /// Starts drawing the outline of a new asset in the canvas.
-    void drawNewOutline();
-    /// Starts drawing a hole of the active asset in the canvas.
-    void drawHole();
+    /// Starts drawing a shape in the canvas; see ShapeDrawing::begin().
+    void drawShape(ShapeDrawing::Purpose purpose, DraftShape shape);
     void applyPreferences(const Preferences& preferences);
 
     /// Adds actions on the selected instances to the project tree's context menu.

@@ -14,8 +14,8 @@ namespace rubble {
 std::vector<Polygon> difference(const Polygon& polygon, std::span<const Ring> removed);
 
 /// The boundary of the polygon without an area, or with it: counter-clockwise rings around parts, clockwise ones around
-/// holes. Corners of straight runs stay; edges along each other are recognized if they have the same corners. New corners
-/// take the coordinates of corners that they share on the lattice.
+/// holes. Corners of straight runs stay; edges along each other are recognized if they have the same corners. New
+/// corners take the coordinates of corners that they share on the lattice.
 std::vector<Ring> differenceBoundary(const Polygon& polygon, const Ring& removed);
 std::vector<Ring> unionBoundary(const Polygon& polygon, const Ring& added);
 

@@ -20,6 +20,8 @@ namespace {
 constexpr double kLargestCircle = 1e5;          // pixels; larger circles look like lines and are slow to draw
 constexpr std::size_t kMaxDetailedSeeds = 600;  // more are marked by squares, which are faster
 constexpr double kMessageMargin = 40.0;         // pixels
+constexpr double kPromptMargin = 16.0;          // pixels, around a hint on the canvas
+constexpr double kPromptHeight = 60.0;          // pixels, that a hint takes at most
 
 struct HighlightPaintingTexts {
     Q_DECLARE_TR_FUNCTIONS(HighlightPainting)
@@ -93,6 +95,21 @@ private:
     const CanvasColours& m_colours;
 };
 
+/// Paints wrapped text on a panel.
+void paintTextPanel(QPainter& painter, const QString& text, const QRectF& area, Qt::Alignment alignment, QSizeF padding,
+                    const CanvasColours& colours, const QColor& edge) {
+    const int flags = static_cast<int>(alignment.toInt()) | Qt::TextWordWrap;
+    const QRectF panel = QFontMetricsF(painter.font())
+                             .boundingRect(area, flags, text)
+                             .adjusted(-padding.width(), -padding.height(), padding.width(), padding.height());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(edge, 1.0));
+    painter.setBrush(colours.panel);
+    painter.drawRoundedRect(panel, 6.0, 6.0);
+    painter.setPen(colours.text);
+    painter.drawText(area, flags, text);
+}
+
 }  // namespace
 
 void paintOutline(QPainter& painter, const Polygon& outline, const CanvasView& view, const CanvasColours& colours) {
@@ -160,15 +177,17 @@ void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, cons
 void paintMessage(QPainter& painter, const QString& message, const CanvasView& view, const CanvasColours& colours,
                   const QColor& edge) {
     const double margin = kRulerWidth + kMessageMargin;
-    const QRectF area = QRectF(QPointF(), view.size).adjusted(margin, margin, -kMessageMargin, -kMessageMargin);
-    QRectF panel = QFontMetricsF(painter.font()).boundingRect(area, Qt::AlignCenter | Qt::TextWordWrap, message);
-    panel.adjust(-16.0, -12.0, 16.0, 12.0);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(edge, 1.0));
-    painter.setBrush(colours.panel);
-    painter.drawRoundedRect(panel, 6.0, 6.0);
-    painter.setPen(colours.text);
-    painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, message);
+    paintTextPanel(painter, message, QRectF({}, view.size).adjusted(margin, margin, -kMessageMargin, -kMessageMargin),
+                   Qt::AlignCenter, {16.0, 12.0}, colours, edge);
+}
+
+void paintPrompt(QPainter& painter, const QString& text, double top, QPointF pointer, const CanvasView& view,
+                 const CanvasColours& colours) {
+    const QRectF area = QRectF({}, view.size)
+                            .adjusted(kRulerWidth + kPromptMargin, top + kPromptMargin, -kPromptMargin, -kPromptMargin);
+    const bool isInTheWay = pointer.y() < top + kPromptHeight;
+    paintTextPanel(painter, text, area, Qt::AlignHCenter | (isInTheWay ? Qt::AlignBottom : Qt::AlignTop), {10.0, 5.0},
+                   colours, colours.accent);
 }
 
 }  // namespace rubble

@@ -29,4 +29,8 @@ void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, cons
 void paintMessage(QPainter& painter, const QString& message, const CanvasView& view, const CanvasColours& colours,
                   const QColor& edge);
 
+/// Paints a hint at the top of the canvas, below `top` (pixels), or at its bottom if the pointer is in its way.
+void paintPrompt(QPainter& painter, const QString& text, double top, QPointF pointer, const CanvasView& view,
+                 const CanvasColours& colours);
+
 }  // namespace rubble

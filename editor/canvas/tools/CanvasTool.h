@@ -79,6 +79,8 @@ public:
     virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
     /// The status bar's hint on what the tool can do now.
     virtual QString hint() const = 0;
+    /// Whether the canvas shows the hint, too: in the middle of something that takes several clicks.
+    virtual bool isPrompting() const { return false; }
     /// Adds the tool's actions at the pointer to a context menu.
     virtual void fillMenu(QMenu& menu, const CanvasPointer& pointer) = 0;
 

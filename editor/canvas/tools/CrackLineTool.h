@@ -26,6 +26,7 @@ public:
     void paint(QPainter& painter, const CanvasColours& colours) const override;
     Qt::CursorShape cursor() const override;
     QString hint() const override;
+    bool isPrompting() const override { return !m_draft.empty(); }
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
     bool isDrawing() const { return !m_draft.empty() || !m_path.empty(); }

@@ -19,7 +19,6 @@ namespace {
 constexpr double kPointRadius = 8.0;  // pixels
 constexpr double kEdgeRadius = 6.0;
 constexpr double kHandle = 3.5;             // pixels, half the side of a handle
-constexpr double kDefaultDepth = 0.5;       // m, of a new asset
 constexpr double kMinHandleSpacing = 12.0;  // pixels; closer handles would hide the outline
 
 double distance(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -70,6 +69,11 @@ QString fragmentOutlineMessage() {
 
 }  // namespace
 
+OutlineTool::OutlineTool(CanvasState& state) : CanvasTool(state), m_drawing(state) {
+    connect(&m_drawing, &CanvasTool::changed, this, &CanvasTool::changed);
+    connect(&m_drawing, &CanvasTool::statusMessage, this, &CanvasTool::statusMessage);
+}
+
 /// The outline of a fragment cannot be edited.
 const Asset* OutlineTool::editableAsset() const { return m_state.isInFragment() ? nullptr : m_state.asset(); }
 
@@ -94,13 +98,7 @@ std::optional<OutlineTool::Handle> OutlineTool::handleAt(const CanvasPointer& po
 }
 
 void OutlineTool::press(const CanvasPointer& pointer) {
-    if (m_draft) {
-        m_draft->movePen(snapped(m_state, pointer, outlineTargets(m_state)));
-        if (m_draft->closesAt(kPointRadius / m_state.view.scale)) return closeDraft();
-        m_draft->add();
-        emit changed();
-        return;
-    }
+    if (isDrawing()) return m_drawing.press(pointer);
     if (m_state.isInFragment()) return emit statusMessage(fragmentOutlineMessage());
     m_hovered = handleAt(pointer);
     m_selected = m_hovered && !m_hovered->isEdge ? std::optional(m_hovered->at) : std::nullopt;
@@ -109,9 +107,8 @@ void OutlineTool::press(const CanvasPointer& pointer) {
 }
 
 void OutlineTool::move(const CanvasPointer& pointer) {
-    if (m_draft) {
-        m_draft->movePen(snapped(m_state, pointer, outlineTargets(m_state)));
-    } else if (m_drag) {
+    if (isDrawing()) return m_drawing.move(pointer);
+    if (m_drag) {
         const Polygon outline = dragged(pointer);
         std::vector<PolygonFault> faults = outlineFaults(outline);
         m_faulty.reset();
@@ -151,20 +148,21 @@ bool OutlineTool::pushOutline(const QString& text, Polygon outline, quint64 merg
 }
 
 void OutlineTool::release(const CanvasPointer& pointer) {
+    if (isDrawing()) return m_drawing.release(pointer);
     if (m_faulty) {
         emit statusMessage(
             tr("%1 The last valid outline was restored.").arg(QString::fromStdString(m_faulty->faults[0].message)));
     }
     m_faulty.reset();
     m_drag.reset();
-    if (!m_draft) m_hovered = handleAt(pointer);
+    m_hovered = handleAt(pointer);
     // Canonical winding may have renumbered the points.
     if (m_selected && m_hovered && !m_hovered->isEdge) m_selected = m_hovered->at;
     emit changed();
 }
 
 void OutlineTool::doubleClick(const CanvasPointer& pointer) {
-    if (m_draft) return closeDraft();
+    if (isDrawing()) return m_drawing.doubleClick(pointer);
     const std::optional<Handle> handle = handleAt(pointer);
     if (!handle || !handle->isEdge) return press(pointer);
     const Polygon& outline = editableAsset()->prism.outline;
@@ -203,41 +201,20 @@ void OutlineTool::deleteHole(int ring) {
     emit changed();
 }
 
-void OutlineTool::beginDrawing(Drawing drawing) {
+void OutlineTool::beginDrawing(ShapeDrawing::Purpose purpose, DraftShape shape) {
     cancel();
-    if (drawing == Drawing::NewAsset) exitToFragment(m_state.selection, {});
-    if (drawing != Drawing::NewAsset && !editableAsset()) return;
-    m_drawing = drawing;
-    m_draft.emplace(drawing == Drawing::Hole ? std::optional(editableAsset()->prism.outline) : std::nullopt);
-    m_draft->movePen(m_state.view.centre);
     m_selected.reset();
     m_hovered.reset();
-    emit changed();
-}
-
-void OutlineTool::closeDraft() {
-    const Polygon outline = m_draft->closed();
-    if (m_drawing == Drawing::NewAsset) {
-        const std::vector<PolygonFault> faults = outlineFaults(outline);
-        if (!faults.empty()) return emit statusMessage(QString::fromStdString(faults[0].message));
-        Addition addition = addAsset(m_state.document.project(), tr("shape").toStdString(),
-                                     {withCanonicalWinding(outline), kDefaultDepth});
-        if (!m_state.push(std::move(addition.edit))) return;
-        m_draft.reset();
-        m_state.selection.setAsset(addition.id);
-    } else if (pushOutline(m_drawing == Drawing::Hole ? tr("Add Hole") : tr("Draw Outline"), outline)) {
-        m_draft.reset();
-    }
-    emit changed();
+    m_drawing.begin(purpose, shape);
 }
 
 bool OutlineTool::cancel() {
-    if (!m_drag && !m_draft) return false;
-    if (m_drag && editableAsset() && editableAsset()->id == m_drag->before.id) {
+    if (m_drawing.cancel()) return true;
+    if (!m_drag) return false;
+    if (editableAsset() && editableAsset()->id == m_drag->before.id) {
         m_state.push(modify(tr("Move Point"), m_drag->before, m_drag->mergeKey));
     }
     m_drag.reset();
-    m_draft.reset();
     m_faulty.reset();
     emit changed();
     return true;
@@ -249,39 +226,17 @@ void OutlineTool::endDrag() {
     emit changed();
 }
 
-bool OutlineTool::draftKey(int key) {
-    switch (key) {
-        case Qt::Key_Return:
-        case Qt::Key_Enter: closeDraft(); return true;
-        case Qt::Key_Backspace:
-        case Qt::Key_Delete:
-            if (!m_draft->removeLast()) cancel();
-            emit changed();
-            return true;
-        case Qt::Key_Insert:
-            m_draft->add();
-            emit changed();
-            return true;
-        default: return false;
-    }
-}
-
 bool OutlineTool::key(const QKeyEvent& event) {
+    if (isDrawing()) return m_drawing.key(event);
     if (event.key() == Qt::Key_Escape) {
         if (!cancel() && !std::exchange(m_selected, std::nullopt)) return false;
         emit changed();
         return true;
     }
     if (const std::optional<Vec2> by = nudgeStep(event, m_state)) {
-        if (m_draft) {
-            m_draft->movePen(m_draft->pen() + *by);
-            emit changed();
-        } else {
-            nudge(*by, event.isAutoRepeat());
-        }
+        nudge(*by, event.isAutoRepeat());
         return true;
     }
-    if (m_draft) return draftKey(event.key());
     if (!editableAsset()) return false;
     switch (event.key()) {
         case Qt::Key_Delete:
@@ -319,7 +274,7 @@ void OutlineTool::selectNext(int by) {
 
 void OutlineTool::paint(QPainter& painter, const CanvasColours& colours) const {
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_draft) return m_draft->paint(painter, m_state.view, colours);
+    if (isDrawing()) return m_drawing.paint(painter, colours);
     if (m_faulty) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colours.fault, 1.5, Qt::DashLine));
@@ -351,26 +306,24 @@ void OutlineTool::paintHandles(QPainter& painter, const CanvasColours& colours) 
 }
 
 Qt::CursorShape OutlineTool::cursor() const {
-    if (m_draft) return Qt::CrossCursor;
+    if (isDrawing()) return m_drawing.cursor();
     if (m_drag) return Qt::SizeAllCursor;
     return m_hovered ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
 
 QString OutlineTool::hint() const {
-    if (m_draft)
-        return tr(
-            "Click: add a point · Backspace: remove the last point · Enter or click on the first point: close · "
-            "Esc: cancel");
+    if (isDrawing()) return m_drawing.hint();
     if (m_drag) return tr("Release to finish · Shift: no snapping · Esc: cancel");
     if (m_state.isInFragment()) return fragmentOutlineMessage();
     if (m_selected)
         return tr("Drag or arrow keys: move the point · Del: delete · PgUp, PgDn: select the previous or next point");
     return tr(
-        "Drag: move a point or an edge · Double-click on an edge: add a point · Right-click: draw an outline or a "
-        "hole");
+        "Drag: move a point or an edge · Double-click on an edge: add a point · Right-click: add or cut a shape, "
+        "draw an outline");
 }
 
 void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
+    if (isDrawing()) return m_drawing.fillMenu(menu, pointer);
     const Asset* asset = editableAsset();
     const std::optional<Handle> handle = handleAt(pointer);
     if (handle && !handle->isEdge) m_selected = handle->at;
@@ -383,9 +336,20 @@ void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     const int hole = handle ? handle->at.ring : 0;
     menu.addAction(tr("Delete &Hole"), this, [this, hole] { deleteHole(hole); })->setEnabled(hole > 0);
     menu.addSeparator();
-    menu.addAction(tr("Draw Hol&e"), this, [this] { beginDrawing(Drawing::Hole); })->setEnabled(asset != nullptr);
-    menu.addAction(tr("Draw &Outline"), this, [this] { beginDrawing(Drawing::Outline); })->setEnabled(asset != nullptr);
-    menu.addAction(tr("Draw &New Asset"), this, [this] { beginDrawing(Drawing::NewAsset); });
+    using Purpose = ShapeDrawing::Purpose;
+    addDrawings(*menu.addMenu(tr("Add &to Outline")), Purpose::Add);
+    addDrawings(*menu.addMenu(tr("&Cut from Outline")), Purpose::Cut);
+    menu.addAction(tr("Draw &Outline"), this, [this] { beginDrawing(Purpose::Replace); })->setEnabled(asset != nullptr);
+    menu.addAction(tr("Draw &New Asset"), this, [this] { beginDrawing(Purpose::NewAsset); });
+}
+
+void OutlineTool::addDrawings(QMenu& menu, ShapeDrawing::Purpose purpose) {
+    const std::pair<QString, DraftShape> shapes[] = {{tr("&Rectangle"), DraftShape::Rectangle},
+                                                     {tr("&Polygon"), DraftShape::Polygon},
+                                                     {tr("&Circle"), DraftShape::Circle}};
+    for (const auto& [text, shape] : shapes)
+        menu.addAction(text, this, [this, purpose, kind = shape] { beginDrawing(purpose, kind); });
+    menu.setEnabled(editableAsset() != nullptr);
 }
 
 }  // namespace rubble

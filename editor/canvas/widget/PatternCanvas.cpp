@@ -245,6 +245,11 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
         paintMessage(painter, message, m_state.view, m_colours,
                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
     }
+    if (m_tool->isPrompting()) {
+        const double top = m_breadcrumb->isVisible() ? m_breadcrumb->geometry().bottom() : kRulerWidth;
+        paintPrompt(painter, m_tool->hint(), top, m_pointer ? m_pointer->pixels : rect().center(), m_state.view,
+                    m_colours);
+    }
     paintRulers(painter, m_state.view, m_state.units.lengths(), m_colours,
                 m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
 }

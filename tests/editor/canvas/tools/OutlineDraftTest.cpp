@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <glm/geometric.hpp>
+
 using namespace rubble;
 
 namespace {
@@ -19,7 +21,7 @@ class OutlineDraftTest : public QObject {
     Q_OBJECT
 private slots:
     void repeatedPointsAreIgnored() {
-        OutlineDraft draft(std::nullopt);
+        OutlineDraft draft(DraftShape::Polygon);
         addAt(draft, {0.0, 0.0});
         addAt(draft, {0.0, 0.0});
         QCOMPARE(draft.points().size(), std::size_t{1});
@@ -27,7 +29,7 @@ private slots:
         QVERIFY(!draft.removeLast());
     }
     void threePointsCloseNearTheFirst() {
-        OutlineDraft draft(std::nullopt);
+        OutlineDraft draft(DraftShape::Polygon);
         addAt(draft, {0.0, 0.0});
         addAt(draft, {1.0, 0.0});
         draft.movePen({0.05, 0.0});
@@ -36,13 +38,23 @@ private slots:
         draft.movePen({0.05, 0.0});
         QVERIFY(draft.closesAt(0.1));
         QVERIFY(!draft.closesAt(0.01));
-        QCOMPARE(draft.closed().outer, (Ring{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}));
+        QCOMPARE(draft.ring(), (Ring{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}));
     }
-    void draftInAContainerBecomesAHole() {
-        OutlineDraft draft(unitSquare());
-        for (const Vec2 point : {Vec2{0.2, 0.2}, Vec2{0.4, 0.2}, Vec2{0.4, 0.4}}) addAt(draft, point);
-        QCOMPARE(draft.closed().outer, unitSquare().outer);
-        QCOMPARE(draft.closed().holes.size(), std::size_t{1});
+    void rectangleHasTwoOppositeCorners() {
+        OutlineDraft draft(DraftShape::Rectangle);
+        addAt(draft, {0.0, 0.0});
+        QVERIFY(!draft.isComplete());
+        addAt(draft, {2.0, 1.0});
+        QVERIFY(draft.isComplete());
+        QCOMPARE(draft.ring(), rectangle({0.0, 0.0}, {2.0, 1.0}));
+    }
+    void circleHasItsCentreAndAPointOnIt() {
+        OutlineDraft draft(DraftShape::Circle);
+        addAt(draft, {1.0, 1.0});
+        addAt(draft, {1.0, 3.0});
+        QVERIFY(draft.isComplete());
+        const Box2 box = boundsOf(draft.ring());
+        QVERIFY(glm::distance(box.min, Vec2(-1.0, -1.0)) < 0.03 && glm::distance(box.max, Vec2(3.0, 3.0)) < 0.03);
     }
 };
 

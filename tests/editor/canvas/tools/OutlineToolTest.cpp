@@ -94,7 +94,7 @@ private slots:
     void holeCanBeDrawnAndDeleted() {
         OutlineBench bench;
         bench.canvas.setSnapping(true);
-        bench.canvas.outlineTool().beginDrawing(OutlineTool::Drawing::Hole);
+        bench.canvas.outlineTool().beginDrawing(ShapeDrawing::Purpose::Cut);
         for (const Vec2 corner : {Vec2{0.4, 0.4}, Vec2{0.6, 0.4}, Vec2{0.6, 0.6}}) bench.click(corner);
         QVERIFY(bench.outline().holes.empty());
         bench.key(Qt::Key_Return);
@@ -108,7 +108,7 @@ private slots:
     void newOutlineIsClosedByItsFirstPoint() {
         OutlineBench bench;
         bench.canvas.setSnapping(true);
-        bench.canvas.outlineTool().beginDrawing(OutlineTool::Drawing::Outline);
+        bench.canvas.outlineTool().beginDrawing(ShapeDrawing::Purpose::Replace);
         for (const Vec2 corner : {Vec2{0.2, 0.2}, Vec2{0.2, 0.8}, Vec2{0.9, 0.9}, Vec2{0.8, 0.2}}) bench.click(corner);
         bench.key(Qt::Key_Backspace);
         bench.click({0.8, 0.2});
@@ -121,7 +121,7 @@ private slots:
     void invalidDraftStaysOpenWithAMessage() {
         OutlineBench bench;
         QSignalSpy messages(&bench.canvas, &PatternCanvas::statusMessage);
-        bench.canvas.outlineTool().beginDrawing(OutlineTool::Drawing::Outline);
+        bench.canvas.outlineTool().beginDrawing(ShapeDrawing::Purpose::Replace);
         for (const Vec2 corner : {Vec2{0.2, 0.2}, Vec2{0.8, 0.8}, Vec2{0.8, 0.2}, Vec2{0.2, 0.8}}) bench.click(corner);
         bench.key(Qt::Key_Return);
         QCOMPARE(messages.count(), 1);
@@ -138,7 +138,7 @@ private slots:
         PatternCanvas canvas(document, selection, bakes);
         canvas.resize(400, 300);
         canvas.setTool(CanvasToolKind::Outline);
-        canvas.outlineTool().beginDrawing(OutlineTool::Drawing::NewAsset);
+        canvas.outlineTool().beginDrawing(ShapeDrawing::Purpose::NewAsset);
         for (const QPoint corner : {QPoint(100, 200), QPoint(300, 200), QPoint(200, 100)}) {
             QTest::mouseClick(&canvas, Qt::LeftButton, {}, corner);
         }
