@@ -13,7 +13,7 @@ void addPlayOptions(Command& command, PlayOptions& options) {
         .inRange(ProjectNumber::StepLength)
         .valueName("S");
     addShotOptions(command, options.shots);
-    command.flag("--no-destruction", options.isUnbreakable, "Disable destruction");
+    command.flag("--no-destruction", options.isWithoutDestruction, "Disable destruction");
 }
 
 Result<PreparedProject> prepareProject(const Project& project, const PlayOptions& options, const CliContext& context,
@@ -29,7 +29,7 @@ Result<PreparedProject> prepareProject(const Project& project, const PlayOptions
 Result<Session> createSession(const PreparedProject& play, const PlayOptions& options, int threads) {
     Result<Session> session = Session::start(play.scene, {.dt = options.stepLength,
                                                           .sleeping = !options.isSleepless,
-                                                          .hasDestruction = !options.isUnbreakable,
+                                                          .hasDestruction = !options.isWithoutDestruction,
                                                           .threads = threads});
     if (!session) return session.error();
     for (const Shot& shot : play.shots) {

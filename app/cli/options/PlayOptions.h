@@ -12,7 +12,7 @@ class Command;
 struct PlayOptions {
     double stepLength = 1.0 / 60.0;  // s
     ShotOptions shots;
-    bool isUnbreakable = false;
+    bool isWithoutDestruction = false;
     bool isSleepless = false;  // bodies at rest do not sleep; set by --no-sleep of simulate
 };
 

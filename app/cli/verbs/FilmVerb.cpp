@@ -49,7 +49,7 @@ Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, co
     std::vector<PlayOptions> plays{options.play};
     if (options.isCompared) {
         plays.insert(plays.begin(), options.play);
-        plays.front().isUnbreakable = true;
+        plays.front().isWithoutDestruction = true;
     }
     for (const PlayOptions& one : plays) {
         Result<Session> session = createSession(play, one, options.threads);

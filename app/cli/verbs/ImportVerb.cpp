@@ -42,6 +42,8 @@ struct ImportVerbOptions {
     std::string axis;
     std::string asset;
     std::string fallback;
+    bool isFixed = false;
+    bool isUnbreakable = false;
 };
 
 /// The project to import into, new if its file does not exist yet.
@@ -76,7 +78,11 @@ Result<Target> openTarget(const ImportVerbOptions& options, const CliContext& co
 }
 
 ImportOptions importOptions(const ImportVerbOptions& given) {
-    ImportOptions options{.metresPerUnit = given.metresPerUnit, .asset = given.asset, .findsFallbacks = true};
+    ImportOptions options{.metresPerUnit = given.metresPerUnit,
+                          .asset = given.asset,
+                          .isFixed = given.isFixed,
+                          .isUnbreakable = given.isUnbreakable,
+                          .findsFallbacks = true};
     if (given.up == "z") options.up = UpAxis::Z;
     if (given.axis == "x") options.axis = PrismAxis::X;
     if (given.axis == "y") options.axis = PrismAxis::Y;
@@ -158,6 +164,8 @@ Verb addImport(CLI::App& program) {
         .option("--fallback", options->fallback, "The outline to use for an object that is not a prism, along --axis")
         .oneOf({"silhouette", "cap"})
         .valueName("silhouette|cap");
+    command.flag("--fixed", options->isFixed, "Hold the new instances in place until they break");
+    command.flag("--unbreakable", options->isUnbreakable, "Prevent the new instances from breaking");
     return {command, [options](const CliContext& context) { return import(*options, context); }};
 }
 

@@ -70,7 +70,7 @@ Result<SimulationRun> withProgress(const SimulateOptions& options, const CliCont
 Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptions& options,
                                      const CliContext& context) {
     const ShotOptions& shots = options.play.shots;
-    if (!shots.names.empty() || !shots.file.empty() || options.play.isUnbreakable || !options.record.empty()) {
+    if (!shots.names.empty() || !shots.file.empty() || options.play.isWithoutDestruction || !options.record.empty()) {
         return Error{ErrorCode::BadInput,
                      "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
     }

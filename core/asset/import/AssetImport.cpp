@@ -72,9 +72,14 @@ Pattern defaultPattern(Project& project) {
     return {{{.id = id, .randomSeed = id, .parameters = UniformScatter{}}}};
 }
 
-void placeInstance(Project& project, const Asset& asset, const Pose& pose) {
+void placeInstance(Project& project, const Asset& asset, const Pose& pose, const ImportOptions& options) {
     const std::string name = uniqueName(project.instances, asset.name);
-    project.instances.push_back({.id = allocateId(project), .name = name, .asset = asset.id, .pose = pose});
+    project.instances.push_back({.id = allocateId(project),
+                                 .name = name,
+                                 .asset = asset.id,
+                                 .pose = pose,
+                                 .isFixed = options.isFixed,
+                                 .isUnbreakable = options.isUnbreakable});
 }
 
 /// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
@@ -100,7 +105,7 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
     project.assets.back().pattern = defaultPattern(project);
-    placeInstance(project, project.assets.back(), solid.prism.pose);
+    placeInstance(project, project.assets.back(), solid.prism.pose, options);
     return result;
 }
 

@@ -20,6 +20,8 @@ struct ImportOptions {
     PrismAxis axis = PrismAxis::Thinnest;   // of the prism, in the world
     std::optional<PrismFallback> fallback;  // for objects that are not prisms
     std::string asset;                      // the asset to reimport or to create; empty: one per object
+    bool isFixed = false;                   // the new instances
+    bool isUnbreakable = false;             // the new instances
     bool findsFallbacks = false;            // of rejected objects; takes about as long as importing them
 };
 

@@ -114,7 +114,8 @@ struct Instance {
     Id asset = 0;
     Pose pose;                        // world from the prism's frame
     std::optional<double> threshold;  // N·s, overrides the asset's
-    bool isFixed = false;             // static, as the ground
+    bool isFixed = false;             // static, as the ground, until it breaks
+    bool isUnbreakable = false;       // never breaks, whatever the impact; may be fixed as well
     std::uint32_t variant = 0;        // of the fracture: see variantOf()
     bool isHidden = false;            // in the editor only; it takes part in play
     bool isLocked = false;            // neither selected nor moved in the 3D view

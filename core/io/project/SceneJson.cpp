@@ -38,6 +38,7 @@ void writeInstance(JsonWriter& json, const Instance& instance) {
     json.wholeNumber("variant", instance.variant);
     json.boolean("hidden", instance.isHidden);
     json.boolean("locked", instance.isLocked);
+    if (instance.isUnbreakable) json.boolean("unbreakable", true);
     json.close();
 }
 
@@ -48,11 +49,13 @@ Instance readInstanceVersion2(const JsonValue& value) {
 
 Instance readInstance(const JsonValue& value) {
     value.requireObject(
-        {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"});
+        {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"},
+        {"unbreakable"});
     Instance instance = readInstanceMembers1(value);
     instance.variant = value["variant"].index();
     instance.isHidden = value["hidden"].boolean();
     instance.isLocked = value["locked"].boolean();
+    if (value["unbreakable"].isPresent()) instance.isUnbreakable = value["unbreakable"].boolean();
     return instance;
 }
 

@@ -23,10 +23,11 @@ struct PlayBody {
     std::uint32_t fragment = kNone;          // of the asset's bake; kNone: the whole
     std::shared_ptr<const Polytope> hull;    // without an asset: its hull, in its own frame
     std::uint64_t born = 0;                  // steps done before it was created
+    bool isUnbreakable = false;              // its instance never breaks
 
     bool isDebris() const { return role == PlayRole::Piece || role == PlayRole::Projectile; }
     /// The fragments that replace it; null if it does not break.
-    const PlayFracture* fracture() const { return asset ? asset->fractureOf(fragment) : nullptr; }
+    const PlayFracture* fracture() const { return asset && !isUnbreakable ? asset->fractureOf(fragment) : nullptr; }
 };
 
 /// The unbroken solid that bodies come from: an instance or a projectile.

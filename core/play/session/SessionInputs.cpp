@@ -207,7 +207,7 @@ void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<Pe
     const PlayBody* body = findBody(parts.state, input.body);
     const auto isPending = [&](const PendingBreak& one) { return one.event.body.number == input.body; };
     if (body == nullptr || body->fracture() == nullptr || std::ranges::any_of(breaks, isPending)) {
-        addUnapplied(parts, body, "Nothing was broken: the body has no fragments, or it is gone.");
+        addUnapplied(parts, body, "Nothing was broken: the body is gone, unbreakable or without fragments.");
         return;
     }
     breaks.push_back(pendingBreak(parts, *body));

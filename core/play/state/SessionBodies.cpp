@@ -46,15 +46,15 @@ Status placeInstance(const SessionParts& parts, const Instance& instance) {
     state.origins.push_back({instance.name, instance.id, instance.asset, instance.variant});
     if (instance.threshold) state.instanceThresholds[instance.id] = *instance.threshold;
     state.lowest = std::min(state.lowest, instance.pose.position.y - kFallDepth);
-    const Result<std::uint32_t> added =
-        addBody(parts,
-                {.shape = asset->whole.shape,
-                 .kind = instance.isFixed ? BodyKind::Static : BodyKind::Dynamic,
-                 .pose = {instance.pose.position, glm::normalize(instance.pose.orientation)},
-                 .density = material.density,
-                 .friction = material.friction,
-                 .restitution = material.restitution},
-                {.role = PlayRole::Instance, .origin = origin, .asset = asset});
+    const Result<std::uint32_t> added = addBody(
+        parts,
+        {.shape = asset->whole.shape,
+         .kind = instance.isFixed ? BodyKind::Static : BodyKind::Dynamic,
+         .pose = {instance.pose.position, glm::normalize(instance.pose.orientation)},
+         .density = material.density,
+         .friction = material.friction,
+         .restitution = material.restitution},
+        {.role = PlayRole::Instance, .origin = origin, .asset = asset, .isUnbreakable = instance.isUnbreakable});
     if (!added)
         return Error{added.error().code, "Instance " + quotedName(instance.name) + ": " + added.error().message};
     return success();

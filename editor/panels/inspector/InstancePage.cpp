@@ -128,6 +128,8 @@ void InstancePage::buildStrength(Section& section) {
         [](Instance& instance, double entered) { instance.threshold = entered; });
     addCheckBox(section, tr("Fixed"), tr("Hold in place until it breaks"), tr("Fix or Release Instances"),
                 &Instance::isFixed);
+    addCheckBox(section, tr("Unbreakable"), tr("Prevent breaking, whatever hits it; it may still move"),
+                tr("Make Unbreakable or Breakable"), &Instance::isUnbreakable);
 }
 
 void InstancePage::addCheckBox(Section& section, const QString& label, const QString& hint, const QString& step,

@@ -101,6 +101,7 @@ inline Project fullProject() {
                           .pose = {{1.5, -2.0, 1.0 / 3.0}, Quat{0.6, -0.0, 0.8, 0.0}},
                           .threshold = 12.5,
                           .isFixed = true,
+                          .isUnbreakable = true,
                           .variant = 3,
                           .isHidden = true,
                           .isLocked = true}};

@@ -103,7 +103,7 @@ inline Placed around(const Json& document, Json::json_pointer at) {
 }
 
 /// Calls visit(at, what, value) for each mutation: every value replaced by one of every other type, every key removed,
-/// and a key added to every object. Skips values for which `fits` is true.
+/// and a key added to every object. Skips values for which `fits` is true; a discarded one stands for a missing key.
 inline void forEachMutation(
     const Json& document, const std::function<bool(const std::string& place, const Json& value)>& fits,
     const std::function<void(const Json::json_pointer& at, const std::string& what, Json value)>& visit) {
@@ -114,6 +114,7 @@ inline void forEachMutation(
         }
         if (!value.is_object()) return;
         for (const auto& item : value.items()) {
+            if (fits(placeOf(at / item.key(), document), Json(Json::value_t::discarded))) continue;
             Json less = value;
             less.erase(item.key());
             visit(at, " without " + item.key(), std::move(less));

@@ -98,6 +98,13 @@ private slots:
         QVERIFY(again.project == expected);
         QCOMPARE(again.project.assets[0].prism.outline.outer.size(), std::size_t{3});
     }
+    void newInstancesAreFixedAndUnbreakableIfWanted() {
+        const ImportOutcome outcome =
+            imported({}, sceneOf({objectOf("Wall", wallMesh())}), {.isFixed = true, .isUnbreakable = true});
+        QVERIFY(outcome.project.instances[0].isFixed && outcome.project.instances[0].isUnbreakable);
+        const ImportOutcome plain = imported({}, sceneOf({objectOf("Wall", wallMesh())}));
+        QVERIFY(!plain.project.instances[0].isFixed && !plain.project.instances[0].isUnbreakable);
+    }
     void unitAndUpAxisAreApplied() {
         const ImportOptions options{.metresPerUnit = 0.001, .up = UpAxis::Z};
         const ImportOutcome outcome = imported({}, sceneOf({objectOf("Wall", wallMesh())}), options);

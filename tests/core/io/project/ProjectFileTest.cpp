@@ -116,8 +116,9 @@ nlohmann::json version5Json() {
     return json;
 }
 
-/// Paths at which another type is valid, too: optional values.
+/// Paths at which another type is valid, or none: optional values and keys.
 bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
+    if (value.is_discarded()) return place.ends_with("].unbreakable");
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
     if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
     if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
@@ -210,6 +211,15 @@ private slots:
         QCOMPARE(read->assets[0].pattern.layers[0].randomSeed, ~std::uint64_t{0});
         QCOMPARE(read->assets[0].pattern.layers[2].randomSeed, std::uint64_t{9007199254740993u});
         QVERIFY(std::signbit(read->instances[1].pose.orientation.x));
+    }
+    void unbreakableIsWrittenWhereTrueOnly() {
+        const nlohmann::json instances = fullJson()["instances"];
+        QVERIFY(!instances[0].contains("unbreakable"));
+        QVERIFY(instances[1]["unbreakable"] == true);
+        nlohmann::json json = fullJson();
+        json["instances"][1].erase("unbreakable");  // as in files written before there was such a key
+        const Result<Project> read = readProjectText(json.dump());
+        QVERIFY(read && read->instances[1].isFixed && !read->instances[1].isUnbreakable);
     }
     void keysAreReadInAnyOrder() {
         QVERIFY(*readProjectText(fullJson().dump()) == fullProject());  // sorted there

@@ -114,6 +114,12 @@ private slots:
         QCOMPARE(missing.divergence()->difference, hardest->impact);
         QCOMPARE(missing.divergence()->place.asset, hardest->body.asset->bake->asset);
 
+        Project firm = test::house();
+        for (Instance& instance : firm.instances) instance.isUnbreakable = true;
+        ReplayPlayer unbroken = playerOf(test::playSceneOf(firm), m_replay);
+        QVERIFY(unbroken.seek(kSteps).hasValue());
+        QCOMPARE(unbroken.divergence()->kind, DivergenceKind::DidNotBreak);
+
         Replay without = m_replay;
         without.steps[step].broke.clear();
         without.steps[step].hash ^= 1;

@@ -137,6 +137,39 @@ private slots:
         QVERIFY(box.centre.z < -1.0);
     }
 
+    void fixedAndUnbreakableAreTwoSwitches_data() {
+        QTest::addColumn<bool>("isFixed");
+        QTest::addColumn<bool>("isUnbreakable");
+        QTest::newRow("neither") << false << false;
+        QTest::newRow("fixed") << true << false;
+        QTest::newRow("unbreakable") << false << true;
+        QTest::newRow("both") << true << true;
+    }
+    void fixedAndUnbreakableAreTwoSwitches() {
+        QFETCH(bool, isFixed);
+        QFETCH(bool, isUnbreakable);
+        Project project = floatingBlock();
+        project.instances[0].isFixed = isFixed;
+        project.instances[0].isUnbreakable = isUnbreakable;
+        const ShotInput shots[] = {{"box", throwAtBlock(200.0, 12.0)},
+                                   {"hammer", Hammer{{0.0, 5.0, 0.25}, {0.0, 0.0, -500.0}}},
+                                   {"blast", Explosion{{0.0, 5.0, 1.0}, 1e4, 3.0}}};
+        for (const ShotInput& shot : shots) {
+            Session session = sessionOf(project);
+            addInput(session, shot);
+            QCOMPARE(test::breaksWithin(session, 20).size(), isUnbreakable ? 0u : 1u);
+            if (!isUnbreakable) continue;
+            const bool hasMoved =
+                glm::distance(session.world().state(session.bodies()[1].body).centre, Vec3(0.0, 5.0, 0.0)) > 0.01;
+            QCOMPARE(hasMoved, !isFixed);
+            QVERIFY(std::isinf(session.thresholdOf(session.bodies()[1])));
+        }
+        Session session = sessionOf(project);
+        addInput(session, BreakInput{session.bodies()[1].number});
+        QCOMPARE(test::breaksWithin(session, 1).size(), isUnbreakable ? 0u : 1u);
+        QCOMPARE(session.events().diagnostics.size(), isUnbreakable ? 1u : 0u);
+    }
+
     void nothingBouncesOffABrokenWall() {
         Project project = floatingBlock();
         project.instances[0].isFixed = true;  // as hard as a wall can be

@@ -445,6 +445,26 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void fixedAndUnbreakableAreTwoCheckBoxes() {
+        InspectorDesk desk;
+        desk.selection.setInstances(desk.document.project(), {20});
+        const Instance& instance = desk.document.project().instances[0];
+        const auto press = [&](const char* text) {
+            for (QCheckBox* box : desk.inspector.page().findChildren<QCheckBox*>()) {
+                if (box->text() == text) return box->click();
+            }
+            qFatal("There is no check box \"%s\".", text);
+        };
+        press("Unbreakable");
+        QVERIFY(instance.isUnbreakable && !instance.isFixed);
+        press("Fixed");
+        QVERIFY(instance.isUnbreakable && instance.isFixed);
+        press("Unbreakable");
+        QVERIFY(!instance.isUnbreakable && instance.isFixed);
+        QCOMPARE(desk.document.undoStack().count(), 3);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void rotationsStayAsTyped() {
         InspectorDesk desk;
         desk.selection.setInstances(desk.document.project(), {20});
