@@ -130,6 +130,30 @@ private slots:
         QCOMPARE(decisive, (std::set<std::string>{"left 3.2", "left 3.3", "left 4.2", "left 4.3"}));
         QVERIFY2(all.size() > 1, "no longer sensitive: compare all breaks in breaksAreIndependentOfTheStepLength()");
     }
+    /// Over many throws that differ by up to 10 cm, what that shot breaks does not depend on the step length: the means at
+    /// all rates are within a sixth of each other, where single throws at one rate vary by more.
+    void meanBreaksAreIndependentOfTheStepLength() {
+        constexpr int kThrows = 24;
+        std::vector<double> means;
+        for (const int rate : {60, 120, 240}) {
+            Random random(5);
+            double breaks = 0.0;
+            for (int k = 0; k < kThrows; ++k) {
+                Project project = test::house();
+                const auto shot = std::ranges::find(project.shots, kChaoticShot, &Shot::name);
+                Throw& thrown = std::get<Throw>(shot->action);
+                const auto shift = [&] { return random.between(-0.1, 0.1); };
+                thrown.from += Vec3{shift(), shift(), shift()};
+                thrown.to += Vec3{shift(), shift(), shift()};
+                breaks += static_cast<double>(brokenBy(test::playSceneOf(project), *shot, rate).all.size());
+            }
+            means.push_back(breaks / kThrows);
+            qInfo("%d Hz: %.2f breaks", rate, means.back());
+        }
+        const auto [least, most] = std::ranges::minmax(means);
+        QVERIFY(least > 5.0);
+        QVERIFY(most < 7.0 / 6.0 * least);
+    }
     void memoryStaysBoundedOverTenMinutes() {
         constexpr int kSeconds = 600;
         Project project = test::house();
