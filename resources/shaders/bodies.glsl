@@ -2,7 +2,8 @@
 uniform samplerBuffer poses;           // two texels per body: position and shrinkage, orientation (x, y, z, w)
 uniform samplerBuffer previousPoses;   // the same, one step earlier; read only if edges.w < 1
 uniform samplerBuffer explodeOffsets;  // one texel per body; read only if edges.z > 0
-uniform usamplerBuffer appearances;    // one texel per body: outside and inside colour (0xRRGGBB), marks
+uniform usamplerBuffer appearances;    // one texel per body: outside and inside colour (0xTTRRGGBB), marks, outline
+uniform uint surfaces;                 // 0: all, 1: opaque ones, 2: transparent ones
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -43,6 +44,12 @@ BodyPose poseOfBody() {
 vec3 pointInScene(BodyPose pose) {
     vec3 point = pose.position.xyz + rotated(pose.orientation, (1.0 - pose.position.w) * position);
     return edges.z > 0.0 ? point + edges.z * texelFetch(explodeOffsets, bodyIndex()).xyz : point;
+}
+float opacityOf(uvec4 appearance) { return 1.0 - float((side == 0u ? appearance.x : appearance.y) >> 24) / 255.0; }
+// Whether the body is visible and the surface is one of `surfaces`.
+bool isShown(uvec4 appearance) {
+    bool isOfKind = surfaces == 0u || (surfaces == 2u) == (opacityOf(appearance) < 1.0);
+    return isOfKind && (appearance.z & kHidden) == 0u;
 }
 // Outside the clip volume: discards the vertex.
 const vec4 kClipped = vec4(2.0, 2.0, 2.0, 1.0);

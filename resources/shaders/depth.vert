@@ -1,6 +1,8 @@
 uniform mat4 clipFromSceneOfLight;
+flat out float opacity;
 
 void main() {
-    bool isHidden = (appearanceOfBody().z & kHidden) != 0u;
-    gl_Position = isHidden ? kClipped : clipFromSceneOfLight * vec4(pointInScene(poseOfBody()), 1.0);
+    uvec4 appearance = appearanceOfBody();
+    opacity = opacityOf(appearance);
+    gl_Position = isShown(appearance) ? clipFromSceneOfLight * vec4(pointInScene(poseOfBody()), 1.0) : kClipped;
 }

@@ -2,6 +2,7 @@ out vec3 scenePoint;
 out vec3 sceneNormal;
 out vec2 placeAcross;
 flat out vec3 colour;  // sRGB
+flat out float opacity;
 flat out uint marks;
 
 vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u) / 255.0; }
@@ -13,6 +14,7 @@ void main() {
     sceneNormal = rotated(pose.orientation, normal);
     placeAcross = across;
     colour = unpackedColour(side == 0u ? appearance.x : appearance.y);
+    opacity = opacityOf(appearance);
     marks = appearance.z;
-    gl_Position = (appearance.z & kHidden) != 0u ? kClipped : clipFromScene * vec4(scenePoint, 1.0);
+    gl_Position = isShown(appearance) ? clipFromScene * vec4(scenePoint, 1.0) : kClipped;
 }

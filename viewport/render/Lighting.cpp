@@ -48,7 +48,8 @@ LightSample lightSample(int index) {
     const double angle = fullTurn * quasirandom(index, kSteps[1]);
     const double height = quasirandom(index, kSteps[2]), around = fullTurn * quasirandom(index, kSteps[3]);
     const double horizontal = std::sqrt(1.0 - height * height);
-    return {glm::normalize(centre + radius * (cosine(angle) * right + sine(angle) * up)),
+    return {index,
+            glm::normalize(centre + radius * (cosine(angle) * right + sine(angle) * up)),
             {horizontal * cosine(around), height, horizontal * sine(around)},
             {quasirandom(index, kSteps[1]) - 0.5, quasirandom(index, kSteps[3]) - 0.5}};
 }

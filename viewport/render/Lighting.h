@@ -20,6 +20,7 @@ Environment environmentOf(Theme theme);
 /// The light directions and the subpixel offset of one of many samples. Their mean is lit by the whole sky and an area
 /// key light, and is antialiased. The sequence is the same on every machine.
 struct LightSample {
+    int index = 0;
     Vec3 keyDirection;  // towards the light, length 1
     Vec3 skyDirection;  // uniform over the upper hemisphere
     Vec2 pixelOffset;   // in [-0.5, 0.5)

@@ -65,8 +65,9 @@ void RenderPasses::drawShadows(const RenderView& view, const std::optional<Light
     setFrame(frame);  // its explode factor and step fraction are used
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    keyShadow.draw(scene, programs.depth, lightSample ? lightSample->keyDirection : keyDirection(), summary.bounds);
-    if (lightSample) skyShadow.draw(scene, programs.depth, lightSample->skyDirection, summary.bounds);
+    const int pattern = lightSample ? lightSample->index : 0;
+    keyShadow.draw(scene, programs, lightSample ? lightSample->keyDirection : keyDirection(), summary, pattern);
+    if (lightSample) skyShadow.draw(scene, programs, lightSample->skyDirection, summary, pattern);
     shadowStepFraction = lightSample ? std::nullopt : std::optional(stepFraction);
 }
 
@@ -87,8 +88,13 @@ void RenderPasses::drawSolid() {
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
     lit(programs.solid).use();
+    lit(programs.solid).set("surfaces", kOpaqueSurfaces);
     scene.draw(SceneBuffers::Part::Bodies);
     glDisable(GL_CULL_FACE);
+}
+
+void RenderPasses::drawTransparent(const RenderView& view) {
+    if (summary.hasTransparent) transparency.draw(scene, view.size, lit(programs.transparent), view.camera.distance);
 }
 
 void RenderPasses::drawEdges(const EdgePass& pass) {
@@ -112,6 +118,7 @@ void RenderPasses::drawWireframe(const RenderView& view) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     programs.depth.use();
     programs.depth.set("clipFromSceneOfLight", frame.clipFromScene);
+    programs.depth.set("surfaces", kAllSurfaces);
     glDepthFunc(GL_LESS);
     scene.draw(SceneBuffers::Part::Bodies);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -233,6 +240,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     else
         drawWireframe(view);
     drawGround(view);
+    if (isSolid) drawTransparent(view);
     drawHulls(view);
     drawSceneLines();
     if (isSolid) drawDust(view);

@@ -8,6 +8,7 @@
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
 #include "viewport/render/ShadowMap.h"
+#include "viewport/render/TransparencyPass.h"
 
 #include <optional>
 
@@ -26,8 +27,8 @@ struct EdgePass;
 
 /// The passes that make up an image; they draw to the bound framebuffer.
 struct RenderPasses {
-    RenderPasses(RenderPrograms made, OutlinePass outlinePass)
-        : programs(std::move(made)), outlines(std::move(outlinePass)) {}
+    RenderPasses(RenderPrograms made, OutlinePass outlinePass, TransparencyPass transparencyPass)
+        : programs(std::move(made)), outlines(std::move(outlinePass)), transparency(std::move(transparencyPass)) {}
 
     void setScene(std::shared_ptr<const RenderScene> made);
     void setFrame(const FrameBlock& block);
@@ -36,6 +37,7 @@ struct RenderPasses {
     const ShaderProgram& lit(const LitPrograms& variants) const;
     void drawBackground();
     void drawSolid();
+    void drawTransparent(const RenderView& view);
     void drawWireframe(const RenderView& view);
     void drawHulls(const RenderView& view);
     void drawEdges(const EdgePass& pass);
@@ -51,6 +53,7 @@ struct RenderPasses {
 
     RenderPrograms programs;
     OutlinePass outlines;
+    TransparencyPass transparency;
     SceneBuffers scene;
     InstanceBuffer sceneLines{4, 4, 4, 4};
     InstanceBuffer sceneBoxes{4, 4, 4, 4};

@@ -31,10 +31,14 @@ private:
 Result<RenderPrograms> compilePrograms() {
     ProgramCompiler compiler;
     RenderPrograms programs{
-        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"}, {"shadow.glsl", "edge.glsl", "solid.frag"}),
+        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
+                                     {"shadow.glsl", "edge.glsl", "surface.glsl", "solid.frag"}),
+        .transparent = compiler.compileLit({"bodies.glsl", "solid.vert"},
+                                           {"shadow.glsl", "edge.glsl", "surface.glsl", "transparent.frag"}),
         .groundShadow = compiler.compileLit({"ground_shadow.vert"}, {"shadow.glsl", "ground_shadow.frag"}),
         .wires = compiler.compile({"bodies.glsl", "solid.vert"}, {"edge.glsl", "wires.frag"}),
         .depth = compiler.compile({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
+        .ditheredDepth = compiler.compile({"bodies.glsl", "depth.vert"}, {"dither.frag"}),
         .pick = compiler.compile({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
         .sky = compiler.compile({"fullscreen.vert"}, {"sky.frag"}),
         .grid = compiler.compile({"grid.vert"}, {"grid.frag"}),

@@ -13,8 +13,8 @@ struct LitPrograms {
 
 /// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, groundShadow;
-    ShaderProgram wires, depth, pick, sky, grid, screenLines, sceneLines, dust, mean;
+    LitPrograms solid, transparent, groundShadow;
+    ShaderProgram wires, depth, ditheredDepth, pick, sky, grid, screenLines, sceneLines, dust, mean;
 };
 
 /// Errors: see ShaderProgram::create(), for the first program that fails.

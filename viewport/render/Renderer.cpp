@@ -41,7 +41,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     if (!programs) return programs.error();
     Result<OutlinePass> outlines = OutlinePass::create();
     if (!outlines) return outlines.error();
-    return std::unique_ptr<Renderer>(new Renderer(std::make_unique<State>(std::move(*programs), std::move(*outlines))));
+    Result<TransparencyPass> transparency = TransparencyPass::create();
+    if (!transparency) return transparency.error();
+    return std::unique_ptr<Renderer>(
+        new Renderer(std::make_unique<State>(std::move(*programs), std::move(*outlines), std::move(*transparency))));
 }
 
 Renderer::Renderer(std::unique_ptr<State> state) : m_state(std::move(state)) {}

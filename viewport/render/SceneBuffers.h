@@ -9,6 +9,9 @@
 
 namespace rubble {
 
+/// The uniform `surfaces` of programs with bodies.glsl.
+inline constexpr std::uint32_t kAllSurfaces = 0, kOpaqueSurfaces = 1, kTransparentSurfaces = 2;
+
 /// A scene in GPU memory. Geometry stays there as long as successive scenes share it; per-body data is rewritten when
 /// it changes.
 class SceneBuffers {

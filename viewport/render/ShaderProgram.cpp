@@ -21,7 +21,8 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"skyShadow", TextureUnit::SkyShadow},
                                  {"source", TextureUnit::Source},
                                  {"depths", TextureUnit::Depths},
-                                 {"mask", TextureUnit::Mask}};
+                                 {"mask", TextureUnit::Mask},
+                                 {"weights", TextureUnit::Mask}};
 
 /// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {

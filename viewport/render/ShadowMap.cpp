@@ -35,8 +35,9 @@ ShadowMap::ShadowMap(int width)
     glReadBuffer(GL_NONE);
 }
 
-void ShadowMap::draw(const SceneBuffers& scene, const ShaderProgram& depthProgram, Vec3 direction, const Box3& bounds) {
-    const glm::dmat4 clip = clipFromScene(direction, bounds, scene.scene()->origin);
+void ShadowMap::draw(const SceneBuffers& scene, const RenderPrograms& programs, Vec3 direction,
+                     const SceneSummary& summary, int pattern) {
+    const glm::dmat4 clip = clipFromScene(direction, summary.bounds, scene.scene()->origin);
     const glm::dmat4 texture = glm::scale(glm::translate(glm::dmat4(1.0), Vec3(0.5)), Vec3(0.5));
     m_textureFromScene = glm::mat4(texture * clip);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
@@ -48,9 +49,15 @@ void ShadowMap::draw(const SceneBuffers& scene, const ShaderProgram& depthProgra
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2.5f,
                     4.0f);  // more than the depth slope within the filter's texels, against shadow acne
-    depthProgram.use();
-    depthProgram.set("clipFromSceneOfLight", glm::mat4(clip));
-    scene.draw(SceneBuffers::Part::Bodies);
+    const auto drawSurfaces = [&](const ShaderProgram& program, std::uint32_t surfaces) {
+        program.use();
+        program.set("clipFromSceneOfLight", glm::mat4(clip));
+        program.set("surfaces", surfaces);
+        program.set("patternIndex", static_cast<float>(pattern));
+        scene.draw(SceneBuffers::Part::Bodies);
+    };
+    drawSurfaces(programs.depth, kOpaqueSurfaces);
+    if (summary.hasTransparent) drawSurfaces(programs.ditheredDepth, kTransparentSurfaces);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

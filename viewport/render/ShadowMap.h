@@ -1,8 +1,8 @@
 #pragma once
 
 #include "viewport/render/GlObjects.h"
+#include "viewport/render/RenderPrograms.h"
 #include "viewport/render/SceneBuffers.h"
-#include "viewport/render/ShaderProgram.h"
 
 namespace rubble {
 
@@ -12,8 +12,10 @@ public:
     /// `width`: the number of texels on each side.
     explicit ShadowMap(int width);
 
-    /// Renders the depths of a scene, seen from `direction` (towards the light), around a box in the world.
-    void draw(const SceneBuffers& scene, const ShaderProgram& depthProgram, Vec3 direction, const Box3& bounds);
+    /// Renders the depths of a scene, seen from `direction` (towards the light). Of transparent surfaces only a part of
+    /// the texels, in a pattern with an index.
+    void draw(const SceneBuffers& scene, const RenderPrograms& programs, Vec3 direction, const SceneSummary& summary,
+              int pattern);
     void bind(TextureUnit unit) const;
 
     /// Transforms scene positions to texture coordinates and depth in [0, 1].

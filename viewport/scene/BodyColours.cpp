@@ -105,10 +105,11 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
             const Colour outside = isOnRamp              ? rampColour(fractionOf(quantity.of(shown)))
                                    : material != nullptr ? material->outside
                                                          : shown.colour;
-            scene.appearances[first + piece].outside = packed(outside);
-            const Colour inside =
-                material != nullptr ? (cutMaterial != nullptr ? cutMaterial : material)->inside : insideOf(outside);
-            scene.appearances[first + piece].inside = packed(inside);
+            const Material* cut = cutMaterial != nullptr ? cutMaterial : material;
+            scene.appearances[first + piece].outside =
+                packedSurface(outside, material != nullptr ? material->opacity : 1.0);
+            scene.appearances[first + piece].inside =
+                cut != nullptr ? packedSurface(cut->inside, cut->opacity) : packed(insideOf(outside));
         }
     });
 }

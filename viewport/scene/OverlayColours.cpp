@@ -56,8 +56,9 @@ void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Sess
         if (overlays.hasHeat) paint(heatColour(heatOf(heat, body.number)));
         if (!islands.empty()) paint(islandColour(islands[body.id.index], numbers));
         if (overlays.hasSleep && body.isAsleep) {
-            appearance.outside = packed(mixed(unpacked(appearance.outside), kAsleep, 0.75));
-            appearance.inside = packed(mixed(unpacked(appearance.inside), kAsleep, 0.75));
+            for (std::uint32_t* surface : {&appearance.outside, &appearance.inside}) {
+                *surface = packed(mixed(unpacked(*surface), kAsleep, 0.75)) | (*surface & kTransparencyBits);
+            }
         }
     }
 }

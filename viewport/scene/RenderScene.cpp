@@ -1,10 +1,13 @@
 #include "viewport/scene/RenderScene.h"
 
+#include "core/asset/project/FragmentColours.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace rubble {
@@ -50,6 +53,17 @@ RenderPose renderPose(const Pose& pose, Vec3 origin) {
     const glm::quat orientation(pose.orientation);
     return {glm::vec4(glm::vec3(pose.position - origin), 0.0f),
             {orientation.x, orientation.y, orientation.z, orientation.w}};
+}
+
+std::uint32_t packedSurface(const Colour& colour, double opacity) {
+    return packed(colour) | (255 - static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(opacity, 0.0, 1.0))))
+                                << 24;
+}
+
+bool hasTransparentSurface(const RenderScene& scene) {
+    return std::ranges::any_of(scene.appearances, [](const BodyAppearance& body) {
+        return (body.marks & kHidden) == 0 && ((body.outside | body.inside) & kTransparencyBits) != 0;
+    });
 }
 
 RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fraction) {
@@ -124,7 +138,7 @@ Box3 boundsOfBody(const RenderScene& scene, std::uint32_t body) {
 
 SceneSummary summaryOf(const RenderScene& scene) {
     if (scene.summary) return *scene.summary;
-    return {boundsOf(scene), boundsOf(scene, kSelected)};
+    return {boundsOf(scene), boundsOf(scene, kSelected), hasTransparentSurface(scene)};
 }
 
 }  // namespace rubble

@@ -37,13 +37,17 @@ RenderPose renderPose(const Pose& pose, Vec3 origin);
 /// Interpolates two poses: `fraction` 0 gives `from`, 1 gives `to`. Rotates the shorter way, as the shaders do.
 RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fraction);
 
-/// Colours, marks and outline of a body. Colours are sRGB, 0xRRGGBB.
+/// Colours, marks and outline of a body. Colours are sRGB with a transparency, 0xTTRRGGBB; see packedSurface().
 struct BodyAppearance {
     std::uint32_t outside = 0xcccccc;
     std::uint32_t inside = 0x999999;
     std::uint32_t marks = 0;    // bits: kHidden, kSelected, kHovered
     std::uint32_t outline = 0;  // of selected bodies: those with the same number share an outline
 };
+/// A colour with an opacity in [0, 1], as in BodyAppearance.
+std::uint32_t packedSurface(const Colour& colour, double opacity);
+inline constexpr std::uint32_t kTransparencyBits = 0xff000000;
+
 inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
 inline constexpr std::uint32_t kHovered = 4;
@@ -84,6 +88,7 @@ struct ValueRange {
 struct SceneSummary {
     Box3 bounds;    // see boundsOf()
     Box3 selected;  // of the selected bodies
+    bool hasTransparent = false;
 };
 
 /// Everything that is drawn, as a value, without the camera. Geometry is large and shared between scenes; the rest is a
@@ -122,6 +127,9 @@ struct SceneMarks {
     std::vector<PickId> hovered;
 };
 void setMarks(RenderScene& scene, const SceneMarks& marks);
+
+/// Whether a visible body has a transparent surface.
+bool hasTransparentSurface(const RenderScene& scene);
 
 /// The bounding box, in the world, of all visible bodies as exploded, at their current and previous poses. `marks`: if
 /// not 0, only of bodies with one of these marks. Empty (min > max) if there are none.

@@ -145,7 +145,8 @@ void SessionSceneBuilder::writePreviousPoses(std::uint64_t step, RenderScene& sc
 void SessionSceneBuilder::writeSummary(std::uint64_t step, RenderScene& scene) {
     scene.summary.reset();
     const Box3 now = boundsAt(scene, scene.poses);
-    SceneSummary summary{.bounds = step == m_previousStep ? boundsOf(scene) : now};
+    SceneSummary summary{.bounds = step == m_previousStep ? boundsOf(scene) : now,
+                         .hasTransparent = hasTransparentSurface(scene)};
     if (step == m_previousStep + 1 && !scene.previousPoses.empty()) summary.bounds.include(m_previousBounds);
     scene.summary = summary;
     m_previousBounds = now;

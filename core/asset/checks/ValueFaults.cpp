@@ -76,7 +76,8 @@ std::optional<std::string> faultOf(const Material& material) {
                                {ProjectNumber::Friction, material.friction},
                                {ProjectNumber::Restitution, material.restitution},
                                {ProjectNumber::TensileStrength, material.tensileStrength.value_or(1.0)},
-                               {ProjectNumber::FractureToughness, material.fractureToughness.value_or(1.0)}})) {
+                               {ProjectNumber::FractureToughness, material.fractureToughness.value_or(1.0)},
+                               {ProjectNumber::Opacity, material.opacity}})) {
         return fault;
     }
     if (Sentence fault = colourFault(owner, material.outside)) return fault;

@@ -66,6 +66,7 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset) {
     }
     if (Sentence fault = colourFault(owner, "outside", preset.outside)) return fault;
     if (Sentence fault = colourFault(owner, "inside", preset.inside)) return fault;
+    if (Sentence fault = rangeFault(owner, {{ProjectNumber::Opacity, preset.opacity}})) return fault;
     for (std::size_t k = 0; k < preset.pattern.layers.size(); ++k) {
         if (preset.pattern.layers[k].id == k + 1) continue;
         return owner + ": layer " + std::to_string(k + 1) + " of the pattern has the id " +
@@ -87,7 +88,8 @@ Material materialOf(const MaterialPreset& preset, Id id) {
             .tensileStrength = valueOf(preset.tensileStrength),
             .fractureToughness = valueOf(preset.fractureToughness),
             .outside = preset.outside,
-            .inside = preset.inside};
+            .inside = preset.inside,
+            .opacity = preset.opacity};
 }
 
 Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds) {
@@ -115,6 +117,7 @@ MaterialPreset presetOf(const Material& material, Pattern pattern) {
             .fractureToughness = figureOf(material.fractureToughness),
             .outside = material.outside,
             .inside = material.inside,
+            .opacity = material.opacity,
             .pattern = std::move(pattern)};
 }
 

@@ -27,6 +27,7 @@ struct MaterialPreset {
     std::optional<PresetFigure> fractureToughness;
     Colour outside;
     Colour inside;
+    double opacity = 1.0;
     Pattern pattern;  // its typical fracture, with layer ids 1, 2, ...; may be empty
     bool operator==(const MaterialPreset&) const = default;
 };

@@ -38,6 +38,7 @@ struct Material {
     std::optional<double> fractureToughness;  // Pa·√m, > 0; none: unknown
     Colour outside;
     Colour inside;
+    double opacity = 1.0;  // of its surfaces in pictures and mesh files: glass 0.3
     bool operator==(const Material&) const = default;
 };
 

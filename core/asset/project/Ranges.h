@@ -18,6 +18,7 @@ enum class ProjectNumber {
     TensileStrength,
     FractureToughness,
     ColourChannel,
+    Opacity,
     PrismDepth,
     OutlineSize,        // width and height
     OutlineCoordinate,  // of outlines and surfaces
@@ -68,7 +69,7 @@ enum class ProjectNumber {
     MetresPerUnit,  // of a mesh file
     Threads,
 };
-inline constexpr int kProjectNumbers = 55;
+inline constexpr int kProjectNumbers = 56;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -92,14 +92,16 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
 
 void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
     const Colour& colour = material.colour;
+    const bool isTransparent = material.opacity < 1.0;
     json.openObject();
     json.text("name", material.name);
     json.openObject("pbrMetallicRoughness");
-    json.numbers("baseColorFactor",
-                 {linearFromSrgb(colour.red), linearFromSrgb(colour.green), linearFromSrgb(colour.blue), 1.0});
+    json.numbers("baseColorFactor", {linearFromSrgb(colour.red), linearFromSrgb(colour.green),
+                                     linearFromSrgb(colour.blue), material.opacity});
     json.wholeNumber("metallicFactor", std::uint64_t{0});
-    json.number("roughnessFactor", 0.9);
+    json.number("roughnessFactor", isTransparent ? 0.1 : 0.9);
     json.close();
+    if (isTransparent) json.text("alphaMode", "BLEND");
     json.close();
 }
 

@@ -26,14 +26,15 @@ std::string meshName(const std::string& name) {
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) {
     std::set<std::string> taken;
     const std::string name = meshName(material.own.name), insideName = meshName(material.inside.name) + "_inside";
-    MeshMaterials materials{{}, {uniqueName(insideName, taken), material.inside.inside}};
+    MeshMaterials materials{{}, {uniqueName(insideName, taken), material.inside.inside, material.inside.opacity}};
     if (asset.surface) {
         for (const std::string& source : asset.surface->materials) {
-            materials.outside.push_back({uniqueName(meshName(source), taken), material.own.outside});
+            materials.outside.push_back(
+                {uniqueName(meshName(source), taken), material.own.outside, material.own.opacity});
         }
     }
     if (materials.outside.empty())
-        materials.outside.push_back({uniqueName(name + "_outside", taken), material.own.outside});
+        materials.outside.push_back({uniqueName(name + "_outside", taken), material.own.outside, material.own.opacity});
     return materials;
 }
 

@@ -25,6 +25,7 @@ enum class PartPlacement {
 struct MeshMaterial {
     std::string name;  // without spaces
     Colour colour;
+    double opacity = 1.0;
 };
 
 /// The materials of an asset, with unique names.

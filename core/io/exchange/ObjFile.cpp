@@ -46,6 +46,10 @@ void addMaterial(std::string& text, const MeshMaterial& material) {
         text += ' ';
         appendNumber(text, part);
     }
+    if (material.opacity < 1.0) {
+        text += "\nd ";
+        appendNumber(text, material.opacity);
+    }
     text += "\nillum 1\n";
 }
 

@@ -126,6 +126,9 @@ ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::sp
         hasher.add(value);
     addColour(hasher, material.own.outside);
     addColour(hasher, material.inside.inside);
+    for (const double opacity : {material.own.opacity, material.inside.opacity}) {
+        if (opacity != 1.0) hasher.add(opacity);
+    }
     for (const PackMeshFile& mesh : meshes) {
         addText(hasher, mesh.name);
         hasher.add(static_cast<std::uint64_t>(mesh.bodies));

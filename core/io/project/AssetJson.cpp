@@ -137,6 +137,7 @@ void writeProperties(JsonWriter& json, const Material& material) {
 void writeColours(JsonWriter& json, const Material& material) {
     writeColour(json, "outside", material.outside);
     writeColour(json, "inside", material.inside);
+    writeOpacity(json, material.opacity);
 }
 
 Material readMaterialMembers1(const JsonValue& value) {
@@ -146,7 +147,8 @@ Material readMaterialMembers1(const JsonValue& value) {
             .friction = value["friction"].number(),
             .restitution = value["restitution"].number(),
             .outside = readColour(value["outside"]),
-            .inside = readColour(value["inside"])};
+            .inside = readColour(value["inside"]),
+            .opacity = readOpacity(value)};
 }
 
 Asset readAssetMembers1(const JsonValue& value) {
@@ -197,13 +199,14 @@ void writeMaterialVersion1(JsonWriter& json, const Material& material) {
 }
 
 Material readMaterialVersion1(const JsonValue& value) {
-    value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"});
+    value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"}, {"opacity"});
     return readMaterialMembers1(value);
 }
 
 Material readMaterial(const JsonValue& value) {
     value.requireObject({"id", "name", "density", "friction", "restitution", "tensileStrength", "fractureToughness",
-                         "outside", "inside"});
+                         "outside", "inside"},
+                        {"opacity"});
     Material material = readMaterialMembers1(value);
     material.tensileStrength = value["tensileStrength"].optionalNumber();
     material.fractureToughness = value["fractureToughness"].optionalNumber();

@@ -11,4 +11,12 @@ Colour readColour(const JsonValue& value) {
     return {red, green, blue};
 }
 
+void writeOpacity(JsonWriter& json, double opacity) {
+    if (opacity != 1.0) json.number("opacity", opacity);
+}
+
+double readOpacity(const JsonValue& material) {
+    return material["opacity"].isPresent() ? material["opacity"].number() : 1.0;
+}
+
 }  // namespace rubble

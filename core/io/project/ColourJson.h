@@ -10,4 +10,9 @@ namespace rubble {
 void writeColour(JsonWriter& json, std::string_view key, const Colour& colour);
 Colour readColour(const JsonValue& value);
 
+/// The opacity of a material; 1 is not written.
+void writeOpacity(JsonWriter& json, double opacity);
+/// Reads the optional key "opacity" of a material.
+double readOpacity(const JsonValue& material);
+
 }  // namespace rubble

@@ -58,6 +58,7 @@ void writePreset(JsonWriter& json, const MaterialPreset& preset) {
     writeProperty(json, "fractureToughness", preset.fractureToughness);
     writeColour(json, "outside", preset.outside);
     writeColour(json, "inside", preset.inside);
+    writeOpacity(json, preset.opacity);
     if (!preset.pattern.layers.empty()) writePattern(json, preset.pattern);
 }
 
@@ -74,7 +75,7 @@ void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
 
 MaterialPreset readPreset(const JsonValue& root) {
     root.requireObject({"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
-                       {"note", "tensileStrength", "fractureToughness", "pattern"});
+                       {"note", "tensileStrength", "fractureToughness", "opacity", "pattern"});
     return {.name = root["name"].text(),
             .note = root["note"].isPresent() ? root["note"].text() : std::string(),
             .density = readProperty(root["density"]),
@@ -84,6 +85,7 @@ MaterialPreset readPreset(const JsonValue& root) {
             .fractureToughness = readOptionalProperty(root["fractureToughness"]),
             .outside = readColour(root["outside"]),
             .inside = readColour(root["inside"]),
+            .opacity = readOpacity(root),
             .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{}};
 }
 

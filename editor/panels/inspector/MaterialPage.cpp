@@ -91,6 +91,10 @@ void MaterialPage::bindColours(Section& section) {
     m_form.bind(outside, tr("Set Outside Colour"), &Material::outside);
     auto* inside = section.addRow(tr("Inside"), new ColourButton, tr("Colour of fracture surfaces"));
     m_form.bind(inside, tr("Set Inside Colour"), &Material::inside);
+    const FieldRange range = fieldRange(ProjectNumber::Opacity, 0.05);
+    auto* opacity = section.addRow(tr("Opacity"), new SliderField(range, range.min, range.max),
+                                   tr("Opacity of the surfaces: 1 for opaque, 0.3 for clear glass"));
+    m_form.bind(opacity, tr("Set Opacity"), &Material::opacity);
 }
 
 void MaterialPage::bindStrength(Section& section) {

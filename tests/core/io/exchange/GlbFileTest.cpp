@@ -142,6 +142,13 @@ private slots:
                  std::string("1 bodies exceed 4 GiB, the maximum of a GLB file; export one file per "
                              "fragment."));
     }
+    void transparentMaterialsAreBlended() {
+        const MeshMaterials glass{{{"glass_outside", {0.5, 0.25, 1.0}, 0.25}}, {"glass_inside", {0.0, 1.0, 0.125}}};
+        const nlohmann::json file = opened(glbFile(halves(), glass, PartPlacement::Assembled).value()).json;
+        QVERIFY(file["materials"][0]["alphaMode"] == "BLEND");
+        QVERIFY(file["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3] == 0.25);
+        QVERIFY(!file["materials"][1].contains("alphaMode"));
+    }
 };
 
 RUBBLE_TEST(GlbFileTest)

@@ -161,6 +161,10 @@ f 2/17/6 6/18/6 7/20/6 3/19/6
                                                      "newmtl brick_outside\nKd 0.5 0.25 1\nillum 1\n"
                                                      "newmtl brick_inside\nKd 0 1 0.125\nillum 1\n"));
     }
+    void transparentMaterialsHaveAnOpacity() {
+        const MeshMaterials glass{{{"glass_outside", {0.5, 0.25, 1.0}, 0.25}}, {"glass_inside", {0.0, 1.0, 0.125}}};
+        QVERIFY(mtlFile(glass).find("newmtl glass_outside\nKd 0.5 0.25 1\nd 0.25\nillum 1\n") != std::string::npos);
+    }
 };
 
 RUBBLE_TEST(ObjFileTest)

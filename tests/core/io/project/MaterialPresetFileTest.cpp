@@ -31,7 +31,7 @@ nlohmann::json glassJson() { return nlohmann::json::parse(*readFile(kPresets / "
 /// A preset with the required keys only.
 nlohmann::json barestJson() {
     nlohmann::json json = glassJson();
-    for (const char* key : {"note", "tensileStrength", "fractureToughness", "pattern"}) json.erase(key);
+    for (const char* key : {"note", "tensileStrength", "fractureToughness", "opacity", "pattern"}) json.erase(key);
     for (const char* key : {"density", "friction", "restitution"}) json[key] = {{"value", json[key]["value"]}};
     return json;
 }
@@ -114,6 +114,14 @@ private slots:
             QVERIFY2(text, material.preset.name.c_str());
             QCOMPARE(materialPresetText(material.preset), *text);
             QCOMPARE(schema.fault(nlohmann::json::parse(*text)), std::string());
+        }
+    }
+    void glassAndIceAreTransparent() {
+        for (const LibraryMaterial& material : materialLibrary().materials) {
+            const bool isClear = material.preset.name == "glass" || material.preset.name == "ice";
+            QCOMPARE(material.preset.opacity < 1.0, isClear);
+            QCOMPARE(materialOf(material.preset, 1).opacity, material.preset.opacity);
+            QCOMPARE(presetOf(materialOf(material.preset, 1), {}).opacity, material.preset.opacity);
         }
     }
     void manualStatesTheSameValues() {

@@ -151,6 +151,18 @@ private slots:
         project.materials = {{.id = 1, .name = "brick"}};
         QCOMPARE(projectText(project), std::string(kEmptyProject));
     }
+    void opacityIsOptional() {
+        Project project = readProjectText(kEmptyProject).value();
+        QCOMPARE(project.materials[0].opacity, 1.0);
+        QVERIFY(projectText(project).find("opacity") == std::string::npos);
+        project.materials[0].opacity = 0.25;
+        const std::string text = projectText(project);
+        QCOMPARE(readProjectText(text).value().materials[0].opacity, 0.25);
+        QCOMPARE(test::Schema("project.schema.json").fault(nlohmann::json::parse(text)), std::string());
+        project.materials[0].opacity = 0.0;
+        QCOMPARE(errorText(readProjectText(projectText(project))),
+                 std::string("Material 1 \"brick\": the opacity is 0, but it must be from 0.05 to 1."));
+    }
     void countsAreOnOneLineAndPicturesOnOneLineARow() {
         const std::string text = projectText(fullProject());
         const char* const count = R"(

@@ -1,0 +1,129 @@
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/Pictures.h"
+#include "tests/support/editor/StarterScene.h"
+#include "viewport/render/OffscreenRenderer.h"
+#include "viewport/render/RenderTarget.h"
+
+#include <QImage>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+constexpr ImageSize kPaneSize{160, 160};
+constexpr std::uint32_t kGreenPane = 0x10a010, kRedPane = 0xd01010;
+
+/// Copies of the starter project's wall, whole, one behind the other from the front, a metre apart.
+RenderScene walls(const std::vector<std::uint32_t>& colours) {
+    RenderScene scene = sceneOf(starterProject(), {}, {.isWhole = true});
+    const RenderScene one = scene;
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+        if (k > 0) {
+            scene.batches[0].firstBodies.push_back(static_cast<std::uint32_t>(k));
+            scene.poses.push_back(one.poses[0]);
+            scene.appearances.push_back(one.appearances[0]);
+            scene.picks.push_back(one.picks[0]);
+        }
+        scene.poses[k].position.z -= static_cast<float>(k);
+        scene.appearances[k].outside = scene.appearances[k].inside = colours[k];
+    }
+    return scene;
+}
+
+/// From the front, without shadows, edges and axes.
+RenderView panesFromFront(const RenderScene& scene) {
+    RenderView view{.size = kPaneSize};
+    view.camera = framing(view.camera, boundsOf(scene), kPaneSize);
+    view.settings.hasShadows = view.settings.hasAxes = view.settings.hasEdges = false;
+    view.settings.msaa = 1;
+    return view;
+}
+
+QImage panePicture(const RenderScene& scene, const RenderView& view, int samples = 0) {
+    const Image image = renderImage(std::make_shared<RenderScene>(scene), view, samples).value();
+    return QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888).copy();
+}
+
+QColor middleOf(const RenderScene& scene, int samples = 0, int msaa = 1) {
+    RenderView view = panesFromFront(walls({kGreenPane}));
+    view.settings.msaa = msaa;
+    return panePicture(scene, view, samples).pixelColor(80, 80);
+}
+
+std::uint32_t withOpacity(std::uint32_t colour, double opacity) {
+    return packedSurface({}, opacity) >> 24 << 24 | colour;
+}
+
+}  // namespace
+
+class TransparencyPassTest : public QObject {
+    Q_OBJECT
+private slots:
+    void glassShowsWhatIsBehind() {
+        const QColor opaque = middleOf(walls({kGreenPane, kRedPane})), red = middleOf(walls({kRedPane}));
+        for (const int samples : {0, 16}) {
+            const QColor through = middleOf(walls({withOpacity(kGreenPane, 0.3), kRedPane}), samples);
+            QVERIFY(through.red() > opaque.red() + 60 && through.red() < red.red());
+            QVERIFY(through.green() > red.green() + 15 && through.green() < opaque.green());
+        }
+    }
+    void opacityIsThatOfTheMaterial() {
+        int last = middleOf(walls({kRedPane})).red() + 1;
+        for (const double opacity : {0.1, 0.4, 0.7, 1.0}) {
+            const int red = middleOf(walls({withOpacity(kGreenPane, opacity), kRedPane})).red();
+            QVERIFY2(red < last - 10, qPrintable(QString("%1 at %2").arg(red).arg(opacity)));
+            last = red;
+        }
+    }
+    void antialiasingKeepsTheColour() {
+        const RenderScene scene = walls({withOpacity(kGreenPane, 0.3), kRedPane});
+        const QColor one = middleOf(scene), four = middleOf(scene, 0, 4);
+        QVERIFY(std::abs(one.red() - four.red()) <= 1 && std::abs(one.green() - four.green()) <= 1);
+    }
+    void orderOfBodiesDoesNotMatter() {
+        const std::uint32_t green = withOpacity(kGreenPane, 0.3), red = withOpacity(kRedPane, 0.5);
+        RenderScene swapped = walls({red, green});
+        std::swap(swapped.poses[0], swapped.poses[1]);
+        const RenderView view = panesFromFront(swapped);
+        QVERIFY(test::meanDifference(panePicture(walls({green, red}), view), panePicture(swapped, view)) < 0.02);
+    }
+    void nearerPanesWeighMore() {
+        const std::uint32_t green = withOpacity(kGreenPane, 0.5), red = withOpacity(kRedPane, 0.5);
+        const QColor greenFirst = middleOf(walls({green, red})), redFirst = middleOf(walls({red, green}));
+        QVERIFY(greenFirst.green() > redFirst.green() + 10 && redFirst.red() > greenFirst.red() + 10);
+    }
+    void glassIsPicked() {
+        const RenderScene scene = walls({withOpacity(kGreenPane, 0.3), kRedPane});
+        const auto context = SurfacelessContext::create().value();
+        const auto renderer = Renderer::create().value();
+        renderer->setScene(std::make_shared<RenderScene>(scene));
+        QCOMPARE(renderer->bodyAt(panesFromFront(scene), 80, 80), std::optional(0u));
+    }
+    void shadowOfGlassIsLighter_data() {
+        QTest::addColumn<int>("samples");
+        QTest::newRow("one pass") << 0;
+        QTest::newRow("soft light") << 32;
+    }
+    void shadowOfGlassIsLighter() {
+        QFETCH(int, samples);
+        const auto darkness = [&](double opacity) {
+            const RenderScene scene = walls({withOpacity(kGreenPane, opacity)});
+            RenderView view = panesFromFront(scene);
+            view.camera = alignedTo(view.camera, StandardView::Top);
+            view.settings.hasGrid = false;
+            view.camera.target = {0.8, 0.0, -0.6};  // in the wall's shadow
+            view.camera.distance = 1.0;
+            const QImage lit = panePicture(scene, view, samples);
+            view.settings.hasShadows = true;
+            return test::meanDifference(panePicture(scene, view, samples).copy(60, 60, 40, 40),
+                                        lit.copy(60, 60, 40, 40));
+        };
+        const double opaque = darkness(1.0), glass = darkness(0.3);
+        QVERIFY2(opaque > 20.0 && glass > 0.15 * opaque && glass < 0.5 * opaque,
+                 qPrintable(QString("%1 of %2").arg(glass).arg(opaque)));
+    }
+};
+
+RUBBLE_TEST_WITH(TransparencyPassTest, QCoreApplication)
+#include "TransparencyPassTest.moc"
