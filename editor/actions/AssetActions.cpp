@@ -153,7 +153,10 @@ void AssetActions::addSeedsFromMesh() {
 
 void AssetActions::reseed() {
     Asset asset = *m_workspace.asset();
-    for (PatternLayer& layer : ownPattern(asset, m_workspace.selection().enteredFragment()).layers) ++layer.randomSeed;
+    for (PatternLayer& layer : ownPattern(asset, m_workspace.selection().enteredFragment()).layers) {
+        ++layer.randomSeed;
+        layer.scatteredIn.reset();
+    }
     m_workspace.document().push(modify(tr("Reseed"), std::move(asset)));
 }
 

@@ -28,6 +28,11 @@ void scale(Ring& ring, const Scaling& map) {
     for (Vec2& point : ring) point = map(point);
 }
 
+void scale(Polygon& polygon, const Scaling& map) {
+    scale(polygon.outer, map);
+    for (Ring& hole : polygon.holes) scale(hole, map);
+}
+
 void scale(Pattern& pattern, const Scaling& map) {
     for (PatternLayer& layer : pattern.layers) {
         for (SeedOverride& seed : layer.overrides) {
@@ -37,6 +42,7 @@ void scale(Pattern& pattern, const Scaling& map) {
             if (parameter.type != ParameterType::Point) continue;
             parameter.write(layer.parameters, map(std::get<Vec2>(parameter.read(layer.parameters))));
         }
+        if (layer.scatteredIn) scale(*layer.scatteredIn, map);
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
         }
@@ -78,8 +84,7 @@ Asset resized(Asset asset, Vec3 size) {
         scale(*surface, map, size.z / asset.prism.depth);
         asset.surface = std::move(surface);
     }
-    scale(asset.prism.outline.outer, map);
-    for (Ring& hole : asset.prism.outline.holes) scale(hole, map);
+    scale(asset.prism.outline, map);
     scale(asset.pattern, map);
     asset.prism.depth = size.z;
     return asset;

@@ -23,10 +23,14 @@ void add(Hasher& hasher, const Ring& ring) {
     for (const Vec2 corner : ring) add(hasher, corner);
 }
 
+void add(Hasher& hasher, const Polygon& outline) {
+    add(hasher, outline.outer);
+    hasher.add(std::uint64_t{outline.holes.size()});
+    for (const Ring& hole : outline.holes) add(hasher, hole);
+}
+
 void add(Hasher& hasher, const Prism& prism) {
-    add(hasher, prism.outline.outer);
-    hasher.add(std::uint64_t{prism.outline.holes.size()});
-    for (const Ring& hole : prism.outline.holes) add(hasher, hole);
+    add(hasher, prism.outline);
     hasher.add(prism.depth);
 }
 
@@ -97,6 +101,7 @@ void add(Hasher& hasher, const PatternLayer& layer) {
         hasher.add(std::uint64_t{change.isDeleted});
         add(hasher, change.isDeleted ? Vec2{0.0, 0.0} : change.position);
     }
+    if (layer.scatteredIn) add(hasher, *layer.scatteredIn);
 }
 
 /// Disabled layers have no effect and are not hashed.

@@ -85,6 +85,10 @@ std::string cutText(const std::optional<CutAtImpact>& cut) {
            " m";
 }
 
+const char* scatteredInText(const PatternLayer& layer) {
+    return layer.scatteredIn ? "an earlier outline" : "the outline";
+}
+
 /// Collects changes.
 class Changes {
 public:
@@ -102,6 +106,8 @@ public:
         add(name + ", random seed", std::to_string(before.randomSeed), std::to_string(after.randomSeed));
         add(before.overrides == after.overrides, name + ", seeds changed by hand",
             std::to_string(before.overrides.size()), std::to_string(after.overrides.size()));
+        add(before.scatteredIn == after.scatteredIn, name + ", scattered in", scatteredInText(before),
+            scatteredInText(after));
         if (before.parameters.index() != after.parameters.index()) {
             return add(name + ", kind", kindName(before), kindName(after));
         }

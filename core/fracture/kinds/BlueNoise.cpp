@@ -3,6 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/ScatterArea.h"
 #include "core/fracture/sampling/SeedGrid.h"
 #include "core/fracture/sampling/VoidCells.h"
@@ -109,7 +110,8 @@ constinit const LayerKind BlueNoise::kKind{.name = "blueNoise",
                                            .summary = "{minimumDistance} apart",
                                            .role = LayerRole::Scatters,
                                            .parameters = kBlueNoiseParameters,
-                                           .isRandom = true};
+                                           .isRandom = true,
+                                           .fillsOutline = true};
 
 BlueNoise BlueNoise::defaultsFor(const Box2& bounds) {
     return BlueNoise{.minimumDistance = kDefaultDistanceFraction * bounds.diagonal()};
@@ -117,7 +119,7 @@ BlueNoise BlueNoise::defaultsFor(const Box2& bounds) {
 
 Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t room = kMaxSeeds - seeds.size();
-    const Polygon filled = ScatterArea::domain(context.outline, domain);
+    const Polygon filled = ScatterArea::domain(context.scatterOutline(), domain);
     const Result<std::uint32_t> wanted = seedsToAdd(count, filled, context, seeds);
     if (!wanted) return wanted.error();
     const Result<ScatterArea> area = ScatterArea::of(filled);
@@ -131,11 +133,12 @@ Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     if (const Status done = darts.throwIntoGaps(); !done) return done;
     const std::vector<Vec2>& found = darts.seeds();
     if (found.size() > room) return tooManySeeds(context);
+    const std::size_t first = seeds.size();
     for (std::uint32_t index = 0; index < found.size(); ++index) {
         seeds.add({context.layerId, index}, found[index], false);
     }
     if (found.size() < *wanted) seeds.diagnostics.push_back(noRoom(*this, context, found.size(), *wanted));
-    return success();
+    return followOutline(context, first, domain, seeds, {.minimumDistance = minimumDistance});
 }
 
 double BlueNoise::estimatedPieces(double area) const {

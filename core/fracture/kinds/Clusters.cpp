@@ -2,6 +2,7 @@
 
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "core/fracture/sampling/PointNear.h"
 #include "core/fracture/sampling/ScatterArea.h"
@@ -55,7 +56,8 @@ constinit const LayerKind Clusters::kKind{.name = "clusters",
                                           .summary = "{clusters} of {seedsPerCluster|1 seed|%1 seeds}",
                                           .role = LayerRole::Scatters,
                                           .parameters = kClustersParameters,
-                                          .isRandom = true};
+                                          .isRandom = true,
+                                          .fillsOutline = true};
 
 Clusters Clusters::defaultsFor(const Box2& bounds) {
     return Clusters{.radius = kDefaultClusterFraction * bounds.diagonal()};
@@ -64,7 +66,7 @@ Clusters Clusters::defaultsFor(const Box2& bounds) {
 Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t wanted = std::size_t{clusters} * seedsPerCluster;
     if (wanted > kMaxSeeds - seeds.size()) return tooManySeeds(context);
-    const Result<ScatterArea> area = ScatterArea::of(context.outline);
+    const Result<ScatterArea> area = ScatterArea::of(context.scatterOutline());
     if (!area) return area.error();
     // Each cluster has its own random stream, so that its seeds do not depend on the number in the others.
     std::vector<std::optional<Vec2>> positions(wanted);
@@ -73,7 +75,7 @@ Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
         const Vec2 centre = area->point(random);
         for (std::size_t k = std::size_t{cluster} * seedsPerCluster, end = k + seedsPerCluster; k < end; ++k) {
             if (context.isCancelledAt(k)) return TaskContext::cancelled();
-            positions[k] = pointNear(context.outline, centre, radius, random);
+            positions[k] = pointNear(context.scatterOutline(), centre, radius, random);
         }
     }
     const std::size_t before = seeds.size();
@@ -84,7 +86,7 @@ Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
     }
     const std::size_t found = seeds.size() - before;
     if (found < wanted) seeds.diagnostics.push_back(noRoom(*this, context, found));
-    return success();
+    return followOutline(context, before, ScatterDomain::Outline, seeds);
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/DensityArea.h"
 
 namespace rubble {
@@ -32,7 +33,8 @@ constinit const LayerKind DensityImage::kKind{.name = "densityImage",
                                               .icon = "layer-density-image",
                                               .role = LayerRole::Scatters,
                                               .parameters = kDensityImageParameters,
-                                              .isRandom = true};
+                                              .isRandom = true,
+                                              .fillsOutline = true};
 
 const char* DensityImage::summary() const { return image ? "{count|1 seed|%1 seeds}" : "no picture"; }
 
@@ -52,15 +54,17 @@ SeedDensity DensityImage::density(const Polygon& outline) const {
 
 Status DensityImage::apply(const LayerContext& context, SeedSet& seeds) const {
     if (!image) return success();
-    const Result<std::uint32_t> wanted = seedsToAdd(count, context.outline, context, seeds);
+    const Result<std::uint32_t> wanted = seedsToAdd(count, context.scatterOutline(), context, seeds);
     if (!wanted) return wanted.error();
-    const Result<DensityArea> area = DensityArea::of(context.outline, *image, dense, context.task);
+    const Result<DensityArea> area = DensityArea::of(context.scatterOutline(), *image, dense, context.task);
     if (!area) return area.error();
     if (area->isEmpty()) {
         if (*wanted > 0) seeds.diagnostics.push_back(noDensity(dense, context, *wanted));
         return success();
     }
-    return scatter(*wanted, *area, context, seeds);
+    const std::size_t first = seeds.size();
+    if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
+    return followOutline(context, first, ScatterDomain::Outline, seeds, {.density = density(context.scatterOutline())});
 }
 
 }  // namespace rubble

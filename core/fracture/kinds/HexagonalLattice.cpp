@@ -6,6 +6,8 @@
 #include "core/fracture/sampling/PairIndex.h"
 #include "core/geometry/polygon/ContainmentIndex.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -57,18 +59,22 @@ constinit const LayerKind HexagonalLattice::kKind{.name = "hexagonal",
                                                   .icon = "layer-hexagonal",
                                                   .summary = "{spacing} apart",
                                                   .role = LayerRole::Scatters,
-                                                  .parameters = kHexagonalLatticeParameters};
+                                                  .parameters = kHexagonalLatticeParameters,
+                                                  .fillsOutline = true};
 
 HexagonalLattice HexagonalLattice::defaultsFor(const Box2& bounds) {
     return {.spacing = std::max(bounds.size().x, bounds.size().y) / kDefaultLatticeColumns};
 }
 
 Status HexagonalLattice::apply(const LayerContext& context, SeedSet& seeds) const {
-    const Box2 box = boundsOf(context.outline.outer);
-    const Vec2 centre = (box.min + box.max) / 2.0;
+    const Box2 box = boundsOf(context.outline.outer), scattered = boundsOf(context.scatterOutline().outer);
+    const Vec2 centre = (scattered.min + scattered.max) / 2.0;
     const Vec2 along = spacing * Vec2(cosine(rotation), sine(rotation));
     const Vec2 across = along / 2.0 + kRowHeight * perpendicular(along);
-    const double steps = std::ceil(box.diagonal() / (2.0 * kRowHeight * spacing));
+    const double extent = context.scatteredIn ? box.diagonal() + scattered.diagonal() +
+                                                    2.0 * glm::distance(centre, (box.min + box.max) / 2.0)
+                                              : box.diagonal();
+    const double steps = std::ceil(extent / (2.0 * kRowHeight * spacing));
     if (!(steps < kMaxLatticeSteps)) {
         return Error{ErrorCode::Limit, context.name() + " has seeds more than " +
                                            std::to_string(static_cast<int>(kMaxLatticeSteps)) +

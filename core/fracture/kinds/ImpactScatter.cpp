@@ -2,6 +2,7 @@
 
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/FalloffArea.h"
 
 #include <glm/geometric.hpp>
@@ -41,7 +42,8 @@ constinit const LayerKind ImpactScatter::kKind{.name = "impact",
                                                .summary = "{count|1 seed|%1 seeds}",
                                                .role = LayerRole::Scatters,
                                                .parameters = kImpactScatterParameters,
-                                               .isRandom = true};
+                                               .isRandom = true,
+                                               .fillsOutline = true};
 
 ImpactScatter ImpactScatter::defaultsFor(const Box2& bounds) {
     return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0,
@@ -55,11 +57,13 @@ SeedDensity ImpactScatter::density(const Polygon&) const {
 }
 
 Status ImpactScatter::apply(const LayerContext& context, SeedSet& seeds) const {
-    const Result<std::uint32_t> wanted = seedsToAdd(count, context.outline, context, seeds);
+    const Result<std::uint32_t> wanted = seedsToAdd(count, context.scatterOutline(), context, seeds);
     if (!wanted) return wanted.error();
-    const Result<FalloffArea> area = FalloffArea::of(context.outline, {centre, radius, falloff}, context.task);
+    const Result<FalloffArea> area = FalloffArea::of(context.scatterOutline(), {centre, radius, falloff}, context.task);
     if (!area) return area.error();
-    return scatter(*wanted, *area, context, seeds);
+    const std::size_t first = seeds.size();
+    if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
+    return followOutline(context, first, ScatterDomain::Outline, seeds, {.density = density(context.outline)});
 }
 
 }  // namespace rubble

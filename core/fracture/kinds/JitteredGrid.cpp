@@ -4,6 +4,7 @@
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/sampling/PairIndex.h"
+#include "core/fracture/sampling/ScatterArea.h"
 #include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <algorithm>
@@ -64,8 +65,19 @@ struct Axis {
     double step = 0.0;  // m
     double count = 0.0;
 
-    double at(std::uint32_t cell, double fraction) const {
-        return from + step * (static_cast<double>(cell) + fraction);
+    double at(double cell, double fraction) const { return from + step * (cell + fraction); }
+    /// The number of cells that cover [low, high], too, if they are enumerated from the first to the last and then
+    /// alternately beyond these.
+    double countCovering(double low, double high) const {
+        const double after = std::ceil((high - from) / step) - count, before = std::ceil((from - low) / step);
+        return count + 2.0 * std::max({after, before, 0.0});
+    }
+    /// The position of a cell in the row by its number in that enumeration.
+    double cellOf(std::uint32_t number) const {
+        const double beyond = number - count;
+        if (beyond < 0.0) return number;
+        const double half = std::floor(beyond / 2.0);
+        return beyond == 2.0 * half ? count + half : -1.0 - half;
     }
 };
 
@@ -92,7 +104,8 @@ constinit const LayerKind JitteredGrid::kKind{.name = "jitteredGrid",
                                               .icon = "layer-grid",
                                               .role = LayerRole::Scatters,
                                               .parameters = kJitteredGridParameters,
-                                              .isRandom = true};
+                                              .isRandom = true,
+                                              .fillsOutline = true};
 
 const char* JitteredGrid::summary() const {
     const bool hasCellSize = cells == GridCells::Size;
@@ -110,26 +123,28 @@ JitteredGrid JitteredGrid::defaultsFor(const Box2& bounds) {
 }
 
 Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
-    const Box2 box = boundsOf(context.outline.outer);
+    const Box2 box = boundsOf(context.scatterOutline().outer), now = boundsOf(context.outline.outer);
     const Vec2 size = box.size();
     const bool isByNumber = cells == GridCells::Number;
     const Axis horizontal = isByNumber ? axisOf(box.min.x, size.x, columns) : axisOf(box.min.x, size.x, cellWidth);
     const Axis vertical = isByNumber ? axisOf(box.min.y, size.y, rows) : axisOf(box.min.y, size.y, cellHeight);
-    if (const double max = std::max(horizontal.count, vertical.count); !(max <= kMaxPairNumber))
-        return tooManyCells(context, max);
-    if (horizontal.count * vertical.count > static_cast<double>(kMaxSeeds - seeds.size())) return tooManySeeds(context);
+    const bool isEdited = context.scatteredIn != nullptr;  // the outline; the grid stays and is continued
+    const double columnCount = isEdited ? horizontal.countCovering(now.min.x, now.max.x) : horizontal.count;
+    const double rowCount = isEdited ? vertical.countCovering(now.min.y, now.max.y) : vertical.count;
+    if (const double max = std::max(columnCount, rowCount); !(max <= kMaxPairNumber)) return tooManyCells(context, max);
+    if (columnCount * rowCount > static_cast<double>(kMaxSeeds - seeds.size())) return tooManySeeds(context);
 
     const bool isOutline = domain == ScatterDomain::Outline;
-    const ContainmentIndex outline(context.outline);
+    const ContainmentIndex outline(ScatterArea::domain(context.outline, domain));
     std::size_t round = 0;
     for (const IndexPair cell :
-         pairsBelow(static_cast<std::uint32_t>(horizontal.count), static_cast<std::uint32_t>(vertical.count))) {
+         pairsBelow(static_cast<std::uint32_t>(columnCount), static_cast<std::uint32_t>(rowCount))) {
         if (context.isCancelledAt(round++)) return TaskContext::cancelled();
         const std::uint32_t index = cell.index();
         Random random = context.randomOf(index);
-        const double x = horizontal.at(cell.first, 0.5 + jitter * (random.unit() - 0.5));
-        const double y = vertical.at(cell.second, 0.5 + jitter * (random.unit() - 0.5));
-        if (isOutline && outline.of({x, y}) == Containment::Outside) continue;
+        const double x = horizontal.at(horizontal.cellOf(cell.first), 0.5 + jitter * (random.unit() - 0.5));
+        const double y = vertical.at(vertical.cellOf(cell.second), 0.5 + jitter * (random.unit() - 0.5));
+        if ((isOutline || isEdited) && outline.of({x, y}) == Containment::Outside) continue;
         seeds.add({context.layerId, index}, {x, y}, false);
     }
     return success();

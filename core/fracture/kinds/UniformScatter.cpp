@@ -2,6 +2,7 @@
 
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/ScatterArea.h"
 
 namespace rubble {
@@ -21,15 +22,18 @@ constinit const LayerKind UniformScatter::kKind{.name = "uniform",
                                                 .summary = "{count|1 seed|%1 seeds}",
                                                 .role = LayerRole::Scatters,
                                                 .parameters = kUniformScatterParameters,
-                                                .isRandom = true};
+                                                .isRandom = true,
+                                                .fillsOutline = true};
 
 Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const {
-    const Polygon filled = ScatterArea::domain(context.outline, domain);
+    const Polygon filled = ScatterArea::domain(context.scatterOutline(), domain);
     const Result<std::uint32_t> wanted = seedsToAdd(count, filled, context, seeds);
     if (!wanted) return wanted.error();
     const Result<ScatterArea> area = ScatterArea::of(filled);
     if (!area) return area.error();
-    return scatter(*wanted, *area, context, seeds);
+    const std::size_t first = seeds.size();
+    if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
+    return followOutline(context, first, domain, seeds);
 }
 
 }  // namespace rubble

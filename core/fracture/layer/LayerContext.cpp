@@ -14,6 +14,20 @@ void SeedSet::reserve(std::size_t additional) {
     isLocked.reserve(size() + additional);
 }
 
+void SeedSet::remove(std::size_t first, const std::vector<bool>& isRemoved) {
+    std::size_t kept = first;
+    for (std::size_t seed = first; seed < size(); ++seed) {
+        if (isRemoved[seed - first]) continue;
+        positions[kept] = positions[seed];
+        ids[kept] = ids[seed];
+        isLocked[kept] = isLocked[seed];
+        ++kept;
+    }
+    positions.resize(kept);
+    ids.resize(kept);
+    isLocked.resize(kept);
+}
+
 std::string LayerContext::name() const { return "Layer " + std::to_string(layerId); }
 
 Error tooManySeeds(const LayerContext& context) {

@@ -27,6 +27,8 @@ struct SeedSet {
     void add(SeedId id, Vec2 position, bool locked);
     /// Reserves memory for additional seeds.
     void reserve(std::size_t additional);
+    /// Removes the seeds from `first` on for which `isRemoved`, one each, is true.
+    void remove(std::size_t first, const std::vector<bool>& isRemoved);
 };
 
 /// The input of a layer's apply(), which adds seeds with ascending indices to those of the layers before, or moves
@@ -40,7 +42,10 @@ struct LayerContext {
     /// The cells of seeds, in the metric of the whole pattern. Errors: those of triangulate(); Cancelled.
     std::function<Result<Partition>(std::span<const Vec2>)> cellsOf = nullptr;
     std::vector<SeedDensity> densities = {};  // of the layers before
+    const Polygon* scatteredIn = nullptr;     // validated; null: the outline
 
+    /// The outline that seeds are scattered in; followOutline() then makes them fit the present one.
+    const Polygon& scatterOutline() const { return scatteredIn ? *scatteredIn : outline; }
     /// The layer's own random stream, from its start.
     Random random() const { return Random(mixSeeds(randomSeed, layerId)); }
     /// The random stream of one of its seeds, cuts or clusters.

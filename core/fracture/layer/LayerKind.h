@@ -42,6 +42,7 @@ struct LayerKind {
     LayerRole role;
     std::span<const LayerParameter> parameters = {};  // in the order of files
     bool isRandom = false;                            // the layer's random seed has an effect
+    bool fillsOutline = false;                        // its seeds depend on the whole outline: see followOutline()
 };
 
 }  // namespace rubble

@@ -4,6 +4,7 @@
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/pattern/PatternPartition.h"
+#include "core/geometry/polygon/PolygonFaults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,15 @@ std::optional<std::string> overrideFault(const std::vector<SeedOverride>& overri
     return std::nullopt;
 }
 
+std::optional<std::string> scatteredInFault(const Polygon& outline) {
+    const Result<Polygon> valid = validated(outline);
+    if (!valid)
+        return "the outline in which its seeds were scattered is not valid: " +
+               valid.error().message.substr(0, valid.error().message.size() - 1);
+    if (*valid != outline) return "the outline in which its seeds were scattered is clockwise, or a hole of it is not";
+    return std::nullopt;
+}
+
 /// Moves and deletes seeds of the last layer, which start at `first`, ascending by index.
 void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& seeds) {
     if (context.overrides.empty()) return;
@@ -45,17 +55,7 @@ void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& see
         seeds.isLocked[seed] = true;
         isDeleted[seed - first] = change.isDeleted;
     }
-    std::size_t kept = first;
-    for (std::size_t seed = first; seed < seeds.size(); ++seed) {
-        if (isDeleted[seed - first]) continue;
-        seeds.positions[kept] = seeds.positions[seed];
-        seeds.ids[kept] = seeds.ids[seed];
-        seeds.isLocked[kept] = seeds.isLocked[seed];
-        ++kept;
-    }
-    seeds.positions.resize(kept);
-    seeds.ids.resize(kept);
-    seeds.isLocked.resize(kept);
+    seeds.remove(first, isDeleted);
 }
 
 template <class Parameters>
@@ -78,7 +78,8 @@ std::vector<SeedDensity> densitiesOf(std::span<const PatternLayer> layers, const
             if (!layer.isOn || layer.parameters.index() != kind) continue;
             SeedDensity density = std::visit(
                 [&](const auto& parameters) -> SeedDensity {
-                    if constexpr (requires { parameters.density(outline); }) return parameters.density(outline);
+                    if constexpr (requires { parameters.density(outline); })
+                        return parameters.density(layer.scatteredIn.value_or(outline));
                     return nullptr;
                 },
                 layer.parameters);
@@ -95,6 +96,7 @@ std::optional<std::string> verifyPattern(const Pattern& pattern) {
         std::optional<std::string> fault =
             std::visit([](const auto& parameters) { return parametersFault(parameters); }, layer.parameters);
         if (!fault) fault = overrideFault(layer.overrides);
+        if (!fault && layer.scatteredIn) fault = scatteredInFault(*layer.scatteredIn);
         if (fault) return "Layer " + std::to_string(layer.id) + ": " + *fault + ".";
     }
     return std::nullopt;
@@ -117,7 +119,8 @@ Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const Task
                                    .outline = outline,
                                    .task = task,
                                    .cellsOf = cells,
-                                   .densities = densitiesOf(std::span(pattern.layers.data(), &layer), outline)};
+                                   .densities = densitiesOf(std::span(pattern.layers.data(), &layer), outline),
+                                   .scatteredIn = layer.scatteredIn ? &*layer.scatteredIn : nullptr};
         const std::size_t first = seeds.size();
         const Status applied = std::visit(
             [&](const auto& parameters) -> Status {

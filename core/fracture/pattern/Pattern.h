@@ -21,6 +21,9 @@ struct PatternLayer {
     std::uint64_t randomSeed = 0;  // shown to the user
     LayerParameters parameters;
     std::vector<SeedOverride> overrides;  // ascending index
+    /// The outline in which the layer scattered its seeds, if that was edited since: they stay where they are.
+    /// None: the present outline.
+    std::optional<Polygon> scatteredIn = std::nullopt;
     bool operator==(const PatternLayer&) const = default;
 };
 

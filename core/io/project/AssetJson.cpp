@@ -12,17 +12,13 @@ namespace {
 void writePrism(JsonWriter& json, const Prism& prism) {
     json.openObject("prism");
     json.number("depth", prism.depth);
-    json.points("outline", prism.outline.outer);
-    json.openArray("holes");
-    for (const Ring& hole : prism.outline.holes) json.points({}, hole);
-    json.close();
+    writeOutline(json, prism.outline);
     json.close();
 }
 
 Prism readPrism(const JsonValue& value) {
     value.requireObject({"depth", "outline", "holes"});
-    return {.outline = {value["outline"].points(), value["holes"].list(&JsonValue::points)},
-            .depth = value["depth"].number()};
+    return {.outline = readOutline(value), .depth = value["depth"].number()};
 }
 
 void writeMembers(JsonWriter& json, const Level& level) {

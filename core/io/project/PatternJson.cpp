@@ -156,19 +156,42 @@ void writeLayer(JsonWriter& json, const PatternLayer& layer) {
     writeParameters(json, layer.parameters);
     json.close();
     json.list("overrides", layer.overrides, writeOverride);
+    if (layer.scatteredIn) {
+        json.openObject("scatteredIn");
+        writeOutline(json, *layer.scatteredIn);
+        json.close();
+    }
     json.close();
 }
 
+Polygon readScatteredIn(const JsonValue& value) {
+    value.requireObject({"outline", "holes"});
+    return readOutline(value);
+}
+
 PatternLayer readLayer(const JsonValue& value) {
-    value.requireObject({"id", "on", "randomSeed", "kind", "parameters", "overrides"});
+    value.requireObject({"id", "on", "randomSeed", "kind", "parameters", "overrides"}, {"scatteredIn"});
     return {.id = value["id"].index(),
             .isOn = value["on"].boolean(),
             .randomSeed = value["randomSeed"].wholeNumber(),
             .parameters = readParameters(*patternKinds()[value["kind"].oneOf(kindNames())], value["parameters"]),
-            .overrides = value["overrides"].list(readOverride)};
+            .overrides = value["overrides"].list(readOverride),
+            .scatteredIn =
+                value["scatteredIn"].isPresent() ? std::optional(readScatteredIn(value["scatteredIn"])) : std::nullopt};
 }
 
 }  // namespace
+
+void writeOutline(JsonWriter& json, const Polygon& outline) {
+    json.points("outline", outline.outer);
+    json.openArray("holes");
+    for (const Ring& hole : outline.holes) json.points({}, hole);
+    json.close();
+}
+
+Polygon readOutline(const JsonValue& object) {
+    return {object["outline"].points(), object["holes"].list(&JsonValue::points)};
+}
 
 void writePattern(JsonWriter& json, const Pattern& pattern) { json.list("pattern", pattern.layers, writeLayer); }
 

@@ -6,6 +6,11 @@
 
 namespace rubble {
 
+/// Writes a polygon as the members "outline" and "holes" of an object.
+void writeOutline(JsonWriter& json, const Polygon& outline);
+/// Reads what writeOutline() wrote. Checks types only.
+Polygon readOutline(const JsonValue& object);
+
 /// Writes a pattern as the member "pattern" of an object: the array of its layers.
 void writePattern(JsonWriter& json, const Pattern& pattern);
 

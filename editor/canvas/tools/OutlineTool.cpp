@@ -1,5 +1,6 @@
 #include "editor/canvas/tools/OutlineTool.h"
 
+#include "core/asset/project/OutlineEdit.h"
 #include "editor/canvas/painting/CanvasPainting.h"
 #include "editor/canvas/painting/GridPainting.h"
 #include "editor/canvas/painting/OutlineFaults.h"
@@ -142,9 +143,7 @@ bool OutlineTool::pushOutline(const QString& text, Polygon outline, quint64 merg
         emit statusMessage(QString::fromStdString(faults[0].message));
         return false;
     }
-    Asset asset = *editableAsset();
-    asset.prism.outline = withCanonicalWinding(std::move(outline));
-    return m_state.push(modify(text, std::move(asset), mergeKey));
+    return m_state.push(modify(text, withOutline(*editableAsset(), std::move(outline)), mergeKey));
 }
 
 void OutlineTool::release(const CanvasPointer& pointer) {

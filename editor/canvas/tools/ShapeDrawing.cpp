@@ -1,5 +1,6 @@
 #include "editor/canvas/tools/ShapeDrawing.h"
 
+#include "core/asset/project/OutlineEdit.h"
 #include "core/geometry/polygon/PolygonFaults.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
@@ -95,9 +96,7 @@ bool ShapeDrawing::pushOutline(const QString& text, const Result<Polygon>& outli
         emit statusMessage(QString::fromStdString(outline.error().message));
         return false;
     }
-    Asset asset = *m_state.asset();
-    asset.prism.outline = *outline;
-    return m_state.push(modify(text, std::move(asset)));
+    return m_state.push(modify(text, withOutline(*m_state.asset(), *outline)));
 }
 
 bool ShapeDrawing::cancel() {

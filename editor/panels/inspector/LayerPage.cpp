@@ -76,6 +76,15 @@ void LayerPage::buildOverrides() {
         for (PatternLayer& layer : layers) layer.overrides.clear();
         push(std::move(layers), tr("Restore Seeds"), 0);
     });
+    m_scatterAnew = m_common->addRow(
+        tr("Scattered in"), new QPushButton(tr("Scatter in Present Outline")),
+        tr("The seeds stay where they were scattered before the outline was edited; scatter them in the present one"));
+    m_scatterAnew->setAutoDefault(false);
+    connect(m_scatterAnew, &QPushButton::clicked, this, [this] {
+        std::vector<PatternLayer> layers = selected();
+        for (PatternLayer& layer : layers) layer.scatteredIn.reset();
+        push(std::move(layers), tr("Scatter in Present Outline"), 0);
+    });
 }
 
 /// The parameters of the layer's kind; replaces those of another kind.
@@ -121,7 +130,8 @@ void LayerPage::setUnits(const Units& units) {
 }
 
 /// The area in m^2 that the layer fills; an estimate for a fragment of a level.
-double LayerPage::domainArea() const {
+double LayerPage::domainArea(const PatternLayer& layer) const {
+    if (layer.scatteredIn) return area(*layer.scatteredIn);
     const Asset* asset = findAsset(m_document.project(), m_pattern.asset);
     if (!asset) return 1.0;
     const Vec2 whole = domainBounds(*asset).size(), filled = domainBounds(*asset, m_pattern.index).size();
@@ -140,9 +150,10 @@ void LayerPage::refresh() {
     setVisible(!layers.empty());
     if (layers.empty()) return;
     const PatternLayer& layer = layers.front();
-    sectionFor(layer).refresh(layer, domainArea());
+    sectionFor(layer).refresh(layer, domainArea(layer));
     const PatternKind& kind = kindOf(layer.parameters);
     m_common->setRowVisible(m_randomSeed, kind.isRandom);
+    m_common->setRowVisible(m_scatterAnew, layer.scatteredIn.has_value());
     m_common->setRowVisible(m_overrides, kind.role == LayerRole::Scatters);
     const auto* density = std::get_if<DensityImage>(&layer.parameters);
     m_common->setRowVisible(m_picture, density != nullptr);

@@ -34,7 +34,7 @@ private:
     void buildRandomSeed();
     void buildPicture();
     void buildOverrides();
-    double domainArea() const;
+    double domainArea(const PatternLayer& layer) const;
     LayerSection& sectionFor(const PatternLayer& layer);
     void showOverrides(const PatternLayer& layer);
 
@@ -51,6 +51,7 @@ private:
     QWidget* m_overrides = nullptr;
     QLabel* m_overridesText = nullptr;
     QPushButton* m_restore = nullptr;
+    QPushButton* m_scatterAnew = nullptr;
 };
 
 }  // namespace rubble

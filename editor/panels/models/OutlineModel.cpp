@@ -1,5 +1,6 @@
 #include "editor/panels/models/OutlineModel.h"
 
+#include "core/asset/project/OutlineEdit.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/widgets/NumberText.h"
 
@@ -62,14 +63,12 @@ bool OutlineModel::push(const QString& text, const std::function<void(Ring&)>& c
 }
 
 bool OutlineModel::pushOutline(const QString& text, Polygon outline) {
-    Asset changed = *asset();
-    changed.prism.outline = std::move(outline);
-    const Result<Prism> valid = validated(changed.prism);
+    const Result<Prism> valid = validated(Prism{outline, asset()->prism.depth});
     if (!valid) {
         emit refused(QString::fromStdString(valid.error().message));
         return false;
     }
-    return m_document.push(modify(text, std::move(changed)));
+    return m_document.push(modify(text, withOutline(*asset(), std::move(outline))));
 }
 
 void OutlineModel::insertAfter(int row) {

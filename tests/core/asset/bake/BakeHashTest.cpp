@@ -3,6 +3,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/LayeredBox.h"
 #include "tests/support/fracture/PatternSamples.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <functional>
 
@@ -42,6 +43,7 @@ private slots:
         row("override index", [](Asset& a) { a.pattern.layers[1].overrides[0].index = 1; });
         row("override deletes", [](Asset& a) { a.pattern.layers[1].overrides[0].isDeleted = true; });
         row("override moves", [](Asset& a) { a.pattern.layers[1].overrides[0].position.x = 0.5; });
+        row("scattered in an earlier outline", [](Asset& a) { a.pattern.layers[1].scatteredIn = unitSquare(); });
         row("level's pattern", [](Asset& a) { a.levels[0].pattern.layers[0].randomSeed = 8; });
         row("level's volume", [](Asset& a) { a.levels[0].minimumVolume = 0.1; });
         row("another level", [](Asset& a) { a.levels.push_back({}); });

@@ -214,6 +214,14 @@ private slots:
 )";
         QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
     }
+    void earlierOutlineOfALayerIsWrittenOnlyIfThereIsOne() {
+        Project project = boxProject(UniformScatter{});
+        QVERIFY(projectText(project).find("scatteredIn") == std::string::npos);
+        project.assets[0].pattern.layers[0].scatteredIn = squareRing();
+        const Result<Project> read = readProjectText(projectText(project));
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QVERIFY(*read == project);
+    }
     void everythingRoundTripsBitForBit() {
         const std::string text = projectText(fullProject());
         const Result<Project> read = readProjectText(text);
