@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace rubble {
 namespace {
 
 constexpr std::uint32_t kRelaxationRounds = 3;  // added by a fix
+constexpr int kMaxMergeRounds = 16;             // each raises the limit of small pieces
+constexpr double kAboveLimit = 1.001;           // pieces exactly at the limit are kept
 constexpr int kMaxSplitRounds = 8;              // of a fragment and its parts: at most 256 parts
 
 struct QuickFixesTexts {
@@ -58,11 +61,38 @@ void relax(Pattern& pattern, const Project& project, Edit& edit) {
     pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = LloydRelaxation{kRelaxationRounds}});
 }
 
-/// Merges below the limit at which tiny fragments are reported. Merging raises the mean volume, so none is left.
-void mergeTinyFragments(SmallPieces& small) {
-    if (small.rule == SmallPieceRule::Keep) small.rule = SmallPieceRule::Merge;
-    small.measure = PieceMeasure::FractionOfMean;
-    small.limit = ProblemLimits{}.meanShare;
+/// The limit in the measure of `small` at which the largest tiny fragment is not too small; 0 if none is tiny. Merging
+/// measures pieces without the gap, which takes most of a tiny one.
+double limitOfTinyFragments(const Asset& asset, const Bake& baked, SmallPieces small) {
+    small.limit = 1.0;
+    double limit = 0.0;
+    for (const Diagnostic& problem : problemsOf(asset, baked)) {
+        if (problem.code != DiagnosticCode::TinyPiece) continue;
+        const Fragment solid = baked.fragment(problem.place.fragment).solid;
+        const Partition& pieces = solid.all().partition;
+        const std::vector<double> areas = pieceAreas(pieces);
+        const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
+        limit = std::max(limit, areas[solid.piece()] / minPieceArea(small, whole, pieces.pieceCount(), solid.depth()));
+    }
+    return limit;
+}
+
+/// Merges small pieces, with a limit that leaves no tiny fragment. Merging raises the mean volume, so that a limit may
+/// have to be raised several times.
+void mergeTinyFragments(Asset& asset, const TaskContext& task) {
+    SmallPieces& small = asset.shaping.smallPieces;
+    if (small.rule == SmallPieceRule::Keep)
+        small = {SmallPieceRule::Merge, PieceMeasure::FractionOfMean, ProblemLimits{}.meanShare};
+    for (int round = 0; round < kMaxMergeRounds; ++round) {
+        const Result<Bake> baked = bake(asset, task);
+        if (!baked) return;
+        const double limit = limitOfTinyFragments(asset, *baked, small);
+        if (limit == 0.0) return;
+        const bool isFraction =
+            small.measure == PieceMeasure::FractionOfMean || small.measure == PieceMeasure::FractionOfWhole;
+        small.limit = std::max(small.limit, limit) * kAboveLimit;
+        if (isFraction) small.limit = std::min(small.limit, 1.0);
+    }
 }
 
 /// The layer that a problem reports as having too little room; null for other problems.
@@ -216,13 +246,16 @@ QString descriptionOf(QuickFix fix) {
     return {};
 }
 
-bool isSlow(QuickFix fix) { return fix == QuickFix::SplitFragment || fix == QuickFix::ReduceCount; }
+bool isSlow(QuickFix fix) {
+    return fix == QuickFix::SplitFragment || fix == QuickFix::ReduceCount || fix == QuickFix::MergeTinyFragments;
+}
 
 Edit applyFix(const Project& project, std::span<const Diagnostic> problems, QuickFix fix, const TaskContext& task) {
     Edit edit{.text = textOf(fix)};
     std::map<Id, Asset> assets;
     std::set<std::pair<Id, std::uint32_t>> relaxed;
     std::map<Id, std::set<FragmentPath>> split;
+    std::set<Id> merged;
     for (const Diagnostic& problem : problems) {
         if (!canFix(project, problem, fix)) continue;
         Asset& asset = assets.try_emplace(problem.place.asset, *findAsset(project, problem.place.asset)).first->second;
@@ -230,7 +263,7 @@ Edit applyFix(const Project& project, std::span<const Diagnostic> problems, Quic
             case QuickFix::DeleteSeed: deleteSeed(asset.pattern, *seedOf(problem.place)); break;
             case QuickFix::RemoveOverride: restoreSeed(asset.pattern, *seedOf(problem.place)); break;
             case QuickFix::DeletePoint: deleteRepeatedPoints(asset.prism.outline); break;
-            case QuickFix::MergeTinyFragments: mergeTinyFragments(asset.shaping.smallPieces); break;
+            case QuickFix::MergeTinyFragments: merged.insert(problem.place.asset); break;
             case QuickFix::ReduceCount: reduceCount(asset, problem, task); break;
             case QuickFix::SplitFragment: split[problem.place.asset].insert(problem.place.path); break;
             case QuickFix::KeepEnteredThreshold: asset.contactTime.reset(); break;
@@ -242,6 +275,7 @@ Edit applyFix(const Project& project, std::span<const Diagnostic> problems, Quic
         }
     }
     for (const auto& [id, fragments] : split) splitRepeatedly(assets.at(id), fragments, task);
+    for (const Id id : merged) mergeTinyFragments(assets.at(id), task);
     if (task.isCancelled()) return Edit{.text = edit.text};
     for (auto& [id, asset] : assets) edit.swaps.push_back(Swap<Asset>{id, std::move(asset)});
     return edit;

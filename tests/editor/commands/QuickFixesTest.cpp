@@ -110,6 +110,22 @@ private slots:
         QCOMPARE(std::ranges::count_if(problems, isTiny), std::ptrdiff_t{1});
         QVERIFY(std::ranges::none_of(remainingAfter(project, QuickFix::MergeTinyFragments), isTiny));
     }
+    void mergesTinyFragmentsThatAreTinyBecauseOfTheGap() {
+        Project project = projectWith(UniformScatter{.count = 60});
+        project.assets[0].shaping.gap = 0.05;
+        const auto isTiny = [](const Diagnostic& problem) { return problem.code == DiagnosticCode::TinyPiece; };
+        QVERIFY(std::ranges::any_of(problemsIn(project), isTiny));
+        QVERIFY(std::ranges::none_of(remainingAfter(project, QuickFix::MergeTinyFragments), isTiny));
+    }
+    void mergingTinyFragmentsKeepsALargerLimit() {
+        Project project = projectWith(UniformScatter{.count = 60});
+        project.assets[0].shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::Area, 0.01}, .gap = 0.05};
+        const std::vector<Diagnostic> problems = problemsIn(project);
+        Edit edit = applyFix(project, problems, QuickFix::MergeTinyFragments);
+        swapInto(project, edit);
+        QVERIFY(project.assets[0].shaping.smallPieces.measure == PieceMeasure::Area);
+        QVERIFY(project.assets[0].shaping.smallPieces.limit >= 0.01);
+    }
     void relaxAddsRoundsAtTheEnd() {
         Project project = projectWith(UniformScatter{.count = 60});
         std::vector<Diagnostic> problems = problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 2.0});
