@@ -41,7 +41,10 @@ void ViewActions::addTools() {
     auto* group = new QActionGroup(this);
     const std::pair<CanvasToolKind, ActionDefinition> tools[] = {
         {CanvasToolKind::Seeds,
-         {"tool-seed", tr("&Seeds"), tr("Place, select, move and delete seeds"), QKeySequence("Alt+Q")}},
+         {"tool-select", tr("&Select and Move Seeds"), tr("Select fragments; move and delete seeds"),
+          QKeySequence("Alt+Q")}},
+        {CanvasToolKind::PlaceSeeds,
+         {"tool-seed", tr("&Place Seeds"), tr("Place a seed at each click"), QKeySequence("Alt+N")}},
         {CanvasToolKind::Outline,
          {"tool-outline", tr("&Outline"), tr("Add, move and delete points of the outline"), QKeySequence("Alt+W")}},
         {CanvasToolKind::CrackLines,

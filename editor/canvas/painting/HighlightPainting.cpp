@@ -20,8 +20,11 @@ namespace {
 constexpr double kLargestCircle = 1e5;          // pixels; larger circles look like lines and are slow to draw
 constexpr std::size_t kMaxDetailedSeeds = 600;  // more are marked by squares, which are faster
 constexpr double kMessageMargin = 40.0;         // pixels
-constexpr double kPromptMargin = 16.0;          // pixels, around a hint on the canvas
-constexpr double kPromptHeight = 60.0;          // pixels, that a hint takes at most
+constexpr double kPointerMargin = 40.0;         // pixels, that a label keeps from the pointer
+constexpr double kPanelWeight = 1e4;            // of what a label must not cover, against what it should not
+constexpr double kPieceWeight = 100.0;
+constexpr double kPromptMargin = 16.0;  // pixels, around a hint on the canvas
+constexpr double kPromptHeight = 60.0;  // pixels, that a hint takes at most
 
 struct HighlightPaintingTexts {
     Q_DECLARE_TR_FUNCTIONS(HighlightPainting)
@@ -140,8 +143,8 @@ void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32
     painter.drawPath(pathOfPiece(pattern, piece, view));
 }
 
-void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF beside,
-                        const CanvasView& view, const CanvasColours& colours) {
+void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF pointer,
+                        std::span<const QRectF> panels, const CanvasView& view, const CanvasColours& colours) {
     const DrawablePattern& pattern = *contents.pattern;
     const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
     const QStringList lines = {
@@ -150,7 +153,13 @@ void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::
         HighlightPaintingTexts::tr("%Ln neighbour(s)", nullptr, neighbours),
         HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
     };
-    paintLabel(painter, beside, lines, colours, colours.panelEdge, view);
+    const QPointF around(kPointerMargin, kPointerMargin);
+    std::vector<LabelObstacle> obstacles{{QRectF(pointer - around, pointer + around), kPanelWeight},
+                                         {pathOfPiece(pattern, piece, view).boundingRect(), kPieceWeight}};
+    for (const QRectF& panel : panels) obstacles.push_back({panel, kPanelWeight});
+    const Box2 outline = boundsOf(contents.asset()->prism.outline.outer);
+    obstacles.push_back({QRectF(view.pixels(outline.min), view.pixels(outline.max)).normalized(), 1.0});
+    paintCornerLabel(painter, lines, obstacles, colours, colours.panelEdge, view);
 }
 
 void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, const CanvasContents& contents,

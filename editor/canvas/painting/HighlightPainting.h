@@ -3,6 +3,8 @@
 #include "editor/canvas/painting/CanvasPainting.h"
 #include "editor/document/Selection.h"
 
+#include <span>
+
 namespace rubble {
 
 // Highlights over the contents of a canvas: the selection and the hovered piece.
@@ -16,9 +18,10 @@ void paintSelection(QPainter& painter, const Selection& selection, const CanvasV
 /// Highlights a piece and its neighbours.
 void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view,
                   const CanvasColours& colours);
-/// Paints a label with the fragment's name and properties beside a point in pixels.
-void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF beside,
-                        const CanvasView& view, const CanvasColours& colours);
+/// Paints a label with the fragment's name and properties in a corner, clear of the pointer (pixels), of `panels` and,
+/// if there is room, of the fragment and the outline.
+void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::uint32_t piece, QPointF pointer,
+                        std::span<const QRectF> panels, const CanvasView& view, const CanvasColours& colours);
 
 /// Paints the Delaunay triangle at a point (m) and its circumcircle, which contains no other seed; no circle if the
 /// pattern has a grain, which makes it an ellipse.

@@ -81,9 +81,9 @@ public:
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
-    void paint(QPainter& painter, const CanvasView& view) const {
+    QRectF paint(QPainter& painter, const CanvasView& view) const {
         const bool isScaled = hasScale();
-        if (m_rows.empty() && !isScaled) return;
+        if (m_rows.empty() && !isScaled) return {};
         painter.save();
         QFont font = painter.font();
         font.setPixelSize(11);
@@ -110,6 +110,7 @@ public:
         }
         if (isScaled) paintScale(painter, QRectF(panel.left() + kLegendPadding, top, width, kScaleHeight));
         painter.restore();
+        return panel;
     }
 
 private:
@@ -235,9 +236,9 @@ private:
 
 }  // namespace
 
-void paintLegend(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
-                 const CanvasColours& colours) {
-    if (contents.pattern) Legend(contents, colours).paint(painter, view);
+QRectF paintLegend(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
+                   const CanvasColours& colours) {
+    return contents.pattern ? Legend(contents, colours).paint(painter, view) : QRectF();
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "editor/canvas/tools/BrushTool.h"
 
+#include "core/fracture/layer/SeedId.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/fracture/sampling/DensityArea.h"
 #include "editor/commands/ProjectEdits.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace rubble {
 
@@ -16,24 +18,51 @@ constexpr double kMinRadius = 3.0;  // pixels
 constexpr double kMaxRadius = 400.0;
 constexpr double kRadiusFactor = 1.25;  // per key press
 constexpr double kStrengthStep = 0.1;
-constexpr int kMaxAlpha = 150;  // of the image over the cells, of 255
+constexpr double kDenserThanPieces = 4.0;  // fragments half as long and wide where a new picture is densest
+constexpr double kFewestPieces = 20.0;     // assumed of an outline in a few pieces
+constexpr int kMaxAlpha = 150;             // of the image over the cells, of 255
 
 /// The grey value of the highest density; erasing, of the lowest.
 double valueOf(DenseWhere dense, bool isErasing) { return (dense == DenseWhere::Bright) != isErasing ? 1.0 : 0.0; }
 
 /// The density of an image as the opacity of a colour.
 QImage overlayOf(const GreyImage& image, DenseWhere dense, const QColor& colour) {
+    const double white = image.white();
+    const auto coloured = [&](double density) {
+        return qPremultiply(qRgba(colour.red(), colour.green(), colour.blue(), static_cast<int>(kMaxAlpha * density)));
+    };
+    std::vector<QRgb> colours(static_cast<std::size_t>(white) + 1);  // of each grey
+    for (std::size_t grey = 0; grey < colours.size(); ++grey) {
+        const double bright = static_cast<double>(grey) / white;
+        colours[grey] = coloured(dense == DenseWhere::Bright ? bright : 1.0 - bright);
+    }
     QImage overlay(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_ARGB32_Premultiplied);
-    const QRgb opaque = colour.rgb();
+    std::size_t pixel = 0;
     for (int row = 0; row < overlay.height(); ++row) {
         auto* pixels = reinterpret_cast<QRgb*>(overlay.scanLine(row));
-        for (int column = 0; column < overlay.width(); ++column) {
-            const Vec2 point((column + 0.5) / overlay.width(), 1.0 - (row + 0.5) / overlay.height());
-            const int alpha = static_cast<int>(kMaxAlpha * densityAt(image, dense, point));
-            pixels[column] = qPremultiply(qRgba(qRed(opaque), qGreen(opaque), qBlue(opaque), alpha));
+        for (int column = 0; column < overlay.width(); ++column, ++pixel) {
+            const QRgb opaque = colours[image.grey[pixel]];
+            pixels[column] =
+                image.opacity.empty() ? opaque : coloured(qAlpha(opaque) * (image.opacity[pixel] / white) / kMaxAlpha);
         }
     }
     return overlay;
+}
+
+/// The integral of an image's density over an outline, m^2; 0 without an image.
+double weightOf(const GreyImage* image, DenseWhere dense, const Polygon& outline) {
+    if (!image) return 0.0;
+    const Result<DensityArea> area = DensityArea::of(outline, *image, dense);
+    return area ? area->weight() : 0.0;
+}
+
+/// Changes a count to a number of seeds in an area (m^2); a density or a size stays if there are none.
+void setNumber(SeedCount& count, double number, double area) {
+    if (count.by == CountBy::Number) {
+        count.amount = std::min(std::round(number), static_cast<double>(kMaxSeeds));
+    } else if (number > 0.0) {
+        count.amount = count.by == CountBy::Density ? number / area : std::sqrt(area / number);
+    }
 }
 
 }  // namespace
@@ -49,12 +78,32 @@ const PatternLayer* BrushTool::layer() const {
     return found == layers.rend() ? nullptr : &*found;
 }
 
+const Polygon& BrushTool::imageOutline() const {
+    const PatternLayer* target = layer();
+    return target && target->scatteredIn ? *target->scatteredIn : m_state.displayedAsset()->prism.outline;
+}
+
+/// That of the layer as it is painted; of a layer without a picture, some times that of the pieces.
+double BrushTool::seedsPerArea(const PatternLayer* target) const {
+    const Polygon& outline = imageOutline();
+    const double whole = area(outline);
+    if (target) {
+        const auto& density = std::get<DensityImage>(target->parameters);
+        const double weight = weightOf(density.image.get(), density.dense, outline), count = density.count.in(whole);
+        if (weight > 0.0 && count > 0.0) return count / weight;
+    }
+    const double pieces = m_state.pattern ? m_state.pattern->partition().pieceCount() : 0.0;
+    return kDenserThanPieces * std::max(pieces, kFewestPieces) / whole;
+}
+
 void BrushTool::press(const CanvasPointer& pointer) {
     if (!m_state.displayedAsset()) return;
     m_pointer = pointer;
     const PatternLayer* target = layer();
-    m_painting =
-        Painting{.before = *m_state.asset(), .last = pointer.metres, .mergeKey = m_state.document.newMergeKey()};
+    m_painting = Painting{.before = *m_state.asset(),
+                          .last = pointer.metres,
+                          .seedsPerArea = seedsPerArea(target),
+                          .mergeKey = m_state.document.newMergeKey()};
     if (target) {
         m_painting->layer = target->id;
         m_painting->picture = std::get<DensityImage>(target->parameters).image;
@@ -65,7 +114,7 @@ void BrushTool::press(const CanvasPointer& pointer) {
 }
 
 void BrushTool::paintTo(const CanvasPointer& pointer) {
-    const Box2 box = boundsOf(m_state.displayedAsset()->prism.outline.outer);
+    const Box2 box = boundsOf(imageOutline().outer);
     const PatternLayer* target = layer();
     const DenseWhere dense = target ? std::get<DensityImage>(target->parameters).dense : DenseWhere::Dark;
     const bool isErasing = m_isErasing != pointer.modifiers.testFlag(Qt::ShiftModifier);
@@ -88,7 +137,11 @@ void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
         pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
     }
     if (PatternLayer* target = findLayer(pattern, m_painting->layer)) {
-        std::get<DensityImage>(target->parameters).image = std::move(picture);
+        auto& density = std::get<DensityImage>(target->parameters);
+        const Polygon& outline = imageOutline();
+        const double weight = weightOf(picture.get(), density.dense, outline);
+        setNumber(density.count, m_painting->seedsPerArea * weight, area(outline));
+        density.image = std::move(picture);
         edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
         m_state.push(std::move(edit));
     }
@@ -151,6 +204,11 @@ void BrushTool::endDrag() {
     emit changed();
 }
 
+void BrushTool::leave() {
+    m_pointer.reset();
+    emit changed();
+}
+
 void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) const {
     const PatternLayer* target = layer();
     const auto* density = target ? &std::get<DensityImage>(target->parameters) : nullptr;
@@ -159,7 +217,7 @@ void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) co
         m_overlay = {density->image, density->dense, colours.fault,
                      overlayOf(*density->image, density->dense, colours.fault)};
     }
-    const Box2 box = boundsOf(m_state.displayedAsset()->prism.outline.outer);
+    const Box2 box = boundsOf(imageOutline().outer);
     const QRectF area(m_state.view.pixels({box.min.x, box.max.y}), m_state.view.pixels({box.max.x, box.min.y}));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(area, m_overlay.picture);

@@ -11,8 +11,9 @@
 
 namespace rubble {
 
-/// Paints the density of seeds: into the image of the last enabled density layer, or of a new one. Everything painted
-/// while the button is held is one undo step.
+/// Paints the density of seeds: into the image of the last enabled density layer, or of a new one. The layer's count
+/// follows what is painted, so that seeds per area stay where nothing is painted. Everything painted while the button
+/// is held is one undo step.
 class BrushTool : public CanvasTool {
     Q_OBJECT
 public:
@@ -25,6 +26,7 @@ public:
     bool overridesShortcut(int key) const override;
     bool cancel() override;
     void endDrag() override;
+    void leave() override;
     void paint(QPainter& painter, const CanvasColours& colours) const override;
     Qt::CursorShape cursor() const override { return Qt::BlankCursor; }
     QString hint() const override;
@@ -41,6 +43,7 @@ private:
         Id layer = 0;
         std::shared_ptr<const GreyImage> picture;  // current state
         Vec2 last{0.0, 0.0};
+        double seedsPerArea = 0.0;  // 1/m^2, at the highest density
         quint64 mergeKey = 0;
         Id newId = 0;  // of a layer that the tool added; 0: none
     };
@@ -53,6 +56,9 @@ private:
     };
     /// The layer that is painted; null if there is none yet.
     const PatternLayer* layer() const;
+    /// The outline whose bounding box the image covers.
+    const Polygon& imageOutline() const;
+    double seedsPerArea(const PatternLayer* target) const;
     void paintTo(const CanvasPointer& pointer);
     void push(std::shared_ptr<const GreyImage> picture);
     void paintPicture(QPainter& painter, const CanvasColours& colours) const;

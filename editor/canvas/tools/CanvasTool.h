@@ -72,6 +72,8 @@ public:
     virtual bool overridesShortcut(int /*key*/) const { return false; }
     /// Cancels the current drag or drawing and restores the state before; false if there is none.
     virtual bool cancel() = 0;
+    /// The pointer left the canvas.
+    virtual void leave() {}
     /// Ends the current drag without a change: its starting state is outdated by an undo, a redo or another edit.
     virtual void endDrag() {}
 

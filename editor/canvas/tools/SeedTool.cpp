@@ -56,7 +56,6 @@ std::uint32_t SeedTool::seedAt(const CanvasPointer& pointer) const {
 void SeedTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_hasMoved = false;
-    m_placed.reset();
     if (!m_state.displayedAsset()) return;
     if (m_handles.press(pointer)) return emit changed();
     const std::uint32_t seed = seedAt(pointer);
@@ -130,39 +129,32 @@ void SeedTool::release(const CanvasPointer& pointer) {
     emit changed();
 }
 
-/// Handles a click where there is no seed: selects the piece if the pattern has no seeds, otherwise places a seed.
+/// Handles a click where there is no seed.
 void SeedTool::click(const CanvasPointer& pointer) {
-    const bool isAdding = m_area->isAdding;
-    const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
-    if (piece != kNone && (isAdding || hasOnlyCuts())) {
-        const SeedId cell = m_state.pattern->cellOf(piece);
-        if (isAdding) return m_state.selection.toggleSeed(cell);
-        return m_state.selection.setSeeds({cell});
+    if (m_area->isAdding) {
+        const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
+        if (piece != kNone) m_state.selection.toggleSeed(m_state.pattern->cellOf(piece));
+    } else if (m_isPlacing) {
+        place(snapped(m_state, pointer, outlineTargets(m_state)));
+    } else {
+        selectAt(pointer);
     }
-    if (isAdding) return;
-    if (!m_state.selection.fragments().isEmpty()) return m_state.selection.setSeeds({});
-    const quint64 mergeKey = m_state.document.newMergeKey();
-    m_placed = PlacedSeed{*m_state.asset(), m_state.document.project().nextId,
-                          m_state.fracturedFragmentAt(pointer.metres), mergeKey};
-    place(snapped(m_state, pointer, outlineTargets(m_state)), mergeKey);
 }
 
-/// Enters the fractured fragment under the pointer and undoes the seed that the first click placed. If there is no such
-/// fragment, the seed stays and the second click does nothing.
+/// Selects the fragment at the pointer; clears the selection where there is none.
+void SeedTool::selectAt(const CanvasPointer& pointer) {
+    const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
+    m_state.selection.setSeeds(piece == kNone ? Selection::Seeds() : Selection::Seeds{m_state.pattern->cellOf(piece)});
+}
+
+/// Enters the fractured fragment under the pointer, which the first click selected; the second click of a tool that
+/// places seeds does nothing.
 void SeedTool::doubleClick(const CanvasPointer& pointer) {
-    const std::optional<PlacedSeed> placed = std::exchange(m_placed, std::nullopt);
-    const std::optional<FragmentPath> fractured =
-        placed ? placed->fractured : m_state.fracturedFragmentAt(pointer.metres);
-    if (placed && !fractured) return;
-    if (!fractured || pointer.modifiers != Qt::NoModifier || m_handles.isHovered()) return press(pointer);
-    if (placed) undoPlacement(*placed);
+    if (m_isPlacing && seedAt(pointer) == kNone) return;
+    const std::optional<FragmentPath> fractured = m_state.fracturedFragmentAt(pointer.metres);
+    if (m_isPlacing || !fractured || pointer.modifiers != Qt::NoModifier || m_handles.isHovered())
+        return press(pointer);
     enterFragment(m_state.selection, *fractured);
-}
-
-void SeedTool::undoPlacement(const PlacedSeed& placed) {
-    Edit edit = modify(tr("Place Seed"), placed.before, placed.mergeKey);
-    edit.nextId = placed.nextId;
-    m_state.push(std::move(edit));
 }
 
 bool SeedTool::hasOnlyCuts() const {
@@ -185,10 +177,10 @@ Selection::Seeds SeedTool::seedsInArea() const {
     return seeds;
 }
 
-void SeedTool::place(Vec2 position, quint64 mergeKey) {
+void SeedTool::place(Vec2 position) {
     Asset asset = *m_state.asset();
     Pattern& pattern = m_state.patternIn(asset);
-    Edit edit{.text = tr("Place Seed"), .mergeKey = mergeKey};
+    Edit edit{.text = tr("Place Seed")};
     PatternLayer* layer = placedLayer(pattern);
     if (!layer) {
         const Id id = edit.allocateId(m_state.document.project());
@@ -212,7 +204,6 @@ bool SeedTool::cancel() {
 
 void SeedTool::endDrag() {
     m_drag.reset();
-    m_placed.reset();
     m_handles.endDrag();
     emit changed();
 }
@@ -313,18 +304,15 @@ void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
 
 Qt::CursorShape SeedTool::cursor() const {
     if (m_drag || m_handles.isDragging() || m_handles.isHovered()) return Qt::SizeAllCursor;
-    return m_hovered != kNone ? Qt::PointingHandCursor : Qt::CrossCursor;
+    if (m_hovered != kNone) return Qt::PointingHandCursor;
+    return m_isPlacing ? Qt::CrossCursor : Qt::ArrowCursor;
 }
 
 QString SeedTool::hint() const {
     if (!m_state.displayedAsset()) return {};
     if (m_handles.isHovered() && !m_handles.isDragging()) return tr("%1: drag to move").arg(m_handles.text());
     if (m_drag || m_handles.isDragging()) return tr("Release to finish · Shift: no snapping · Esc: cancel");
-    if (hasOnlyCuts()) {
-        return tr(
-            "Click: select a fragment · Ctrl+click: add · Drag: box select · Alt+drag: lasso select · "
-            "Esc: clear the selection");
-    }
+    if (m_isPlacing) return tr("Click: place a seed · Drag a seed: move it · Alt+Q: select fragments");
     if (!m_state.selection.seeds().empty()) {
         const int count = static_cast<int>(m_state.selection.seeds().size());
         return tr("%Ln seed(s) selected", nullptr, count) +
@@ -332,7 +320,8 @@ QString SeedTool::hint() const {
     }
     const Asset* asset = m_state.asset();
     const bool hasFractured = asset && !(asset->levels.empty() && asset->leaves.empty());
-    return tr("Click: place a seed · Drag a seed: move it · Drag elsewhere: box select · Alt+drag: lasso select") +
+    return tr("Click: select a fragment · Ctrl+click: add · Drag a seed: move it · Drag elsewhere: box select · "
+              "Alt+drag: lasso select · Alt+N: place seeds") +
            (m_state.isInFragment() ? tr(" · Esc: exit the fragment")
             : hasFractured         ? tr(" · Double-click: enter a fragment")
                                    : QString());

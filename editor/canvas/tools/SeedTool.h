@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-/// Places, drags, deletes and selects seeds, and drags the handles of layer parameters.
+/// Selects fragments, drags, deletes and places seeds, and drags the handles of layer parameters.
 class SeedTool : public CanvasTool {
     Q_OBJECT
 public:
@@ -27,6 +27,8 @@ public:
     QString hint() const override;
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
+    /// Whether a click places a seed; otherwise it selects the fragment under the pointer.
+    void setPlacing(bool isPlacing) { m_isPlacing = isPlacing; }
     void deleteSelected();
     /// Returns the selected seeds that were moved by hand to where they were scattered.
     void restoreSelected();
@@ -48,24 +50,17 @@ private:
         BoxLassoSelection area;
         bool isAdding = false;
     };
-    /// The seed that the last click placed. It is undone if the click was the first of a double click.
-    struct PlacedSeed {
-        Asset before;
-        Id nextId = 0;
-        std::optional<FragmentPath> fractured;  // the fragment at the pointer that can be entered
-        quint64 mergeKey = 0;
-    };
 
     std::uint32_t seedAt(const CanvasPointer& pointer) const;
     std::map<SeedId, Vec2> selectedPositions() const;
     void beginDrag(std::uint32_t seed);
     void dragBy(Vec2 by);
     void click(const CanvasPointer& pointer);
+    void selectAt(const CanvasPointer& pointer);
     /// Whether the pattern has only cut layers: its pieces can be selected, but there are no seeds.
     bool hasOnlyCuts() const;
     Selection::Seeds selectedSeeds() const;
-    void place(Vec2 position, quint64 mergeKey = 0);
-    void undoPlacement(const PlacedSeed& placed);
+    void place(Vec2 position);
     void nudge(Vec2 by, bool isRepeated);
     void selectNext(int by);
     Selection::Seeds seedsInArea() const;
@@ -73,9 +68,9 @@ private:
     ParameterHandles m_handles;
     std::optional<Drag> m_drag;
     std::optional<AreaDrag> m_area;
-    std::optional<PlacedSeed> m_placed;
     QPointF m_pressed;
     bool m_hasMoved = false;
+    bool m_isPlacing = false;
     CanvasPointer m_pointer{};
     std::uint32_t m_hovered = kNone;  // seed
 };

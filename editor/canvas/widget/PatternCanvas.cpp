@@ -17,6 +17,7 @@
 #include <QNativeGestureEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -94,11 +95,13 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
     m_toolKind = kind;
     switch (kind) {
         case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
-        case CanvasToolKind::Seeds: m_tool = m_seedTool.get(); break;
+        case CanvasToolKind::Seeds:
+        case CanvasToolKind::PlaceSeeds: m_tool = m_seedTool.get(); break;
         case CanvasToolKind::CrackLines: m_tool = m_crackLineTool.get(); break;
         case CanvasToolKind::Brush: m_tool = m_brushTool.get(); break;
         case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
     }
+    m_seedTool->setPlacing(kind == CanvasToolKind::PlaceSeeds);
     updateTool();
     emit toolKindChanged(kind);
 }
@@ -236,10 +239,12 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.drawImage(QPointF(0.0, 0.0), m_updater.image(devicePixelRatioF(), m_colours));
     paintHighlights(painter);
-    if (contents().overlays.hasLegend) paintLegend(painter, m_state.view, contents(), m_colours);
+    std::array<QRectF, 2> panels;
+    if (contents().overlays.hasLegend) panels[0] = paintLegend(painter, m_state.view, contents(), m_colours);
+    if (m_breadcrumb->isVisible()) panels[1] = m_breadcrumb->geometry();
     m_tool->paint(painter, m_colours);  // above the legend, so that no error message is hidden
     if (showsFragmentLabel()) {
-        paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, m_state.view, m_colours);
+        paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, panels, m_state.view, m_colours);
     }
     if (const QString message = placeholderMessage(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
         paintMessage(painter, message, m_state.view, m_colours,
@@ -423,6 +428,7 @@ void PatternCanvas::focusOutEvent(QFocusEvent* event) {
 void PatternCanvas::leaveEvent(QEvent*) {
     m_pointer.reset();
     m_hovered = kNone;
+    m_tool->leave();
     emit pointerLeft();
     update();
 }

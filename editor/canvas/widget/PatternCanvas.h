@@ -13,7 +13,7 @@ class Breadcrumb;
 class SeedTool;
 class CrackLineTool;
 
-enum class CanvasToolKind { Outline, Seeds, CrackLines, Brush, Measure };
+enum class CanvasToolKind { Outline, Seeds, PlaceSeeds, CrackLines, Brush, Measure };
 
 /// Shows the pattern of the active asset, or of its entered fragment, in the plane, with tools to edit outline, seeds
 /// and cracks. Only what changed is repainted. While seeds are dragged, the cells around them are updated at once; the

@@ -14,6 +14,7 @@ focus_window '^wall\.rubble'
 [ -e "$folder/.wall.rubble.lock" ] || fail 'the open project is not locked'
 
 before=$(import -window "$window" rgb:- | md5sum)
+xdotool key alt+n  # the tool that places seeds
 # A third of the way across and down is the canvas, whatever the docks are.
 xdotool mousemove $((X + WIDTH * 36 / 100)) $((Y + HEIGHT * 30 / 100)) click 1
 until_true 20 has_title '^wall\.rubble\* – Rubble' || fail 'a click on the canvas changed nothing'

@@ -21,8 +21,21 @@ const std::vector<PlacedSeeds::Seed>& placedSeeds(const CanvasBench& bench, std:
 class SeedToolTest : public QObject {
     Q_OBJECT
 private slots:
-    void clickPlacesASeed() {
+    void clickSelectsTheFragmentUnderThePointer() {
         CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.click({0.6, 0.4});
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 1}}));
+        bench.click({0.4, 0.4});
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}}));
+        bench.click({0.4, 0.6}, Qt::ControlModifier);
+        QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}, {3, 3}}));
+        bench.click({1.05, 0.5});  // outside
+        QVERIFY(bench.selection.seeds().empty());
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void clickOfThePlacingToolPlacesASeed() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
         bench.click({0.5, 0.5});
         QCOMPARE(placedSeeds(bench).size(), std::size_t{5});
         QVERIFY(placedSeeds(bench)[4] == (PlacedSeeds::Seed{4, bench.metres({0.5, 0.5})}));
@@ -33,6 +46,7 @@ private slots:
         const Project before = bench.document.project();
         Vec2 at{0.5, 0.5};
         while (bench.canvas.displayedPattern()->nearestSeed(at, 0.1) != kNone) at = 0.9 * at;
+        bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
         bench.click(at);
         QCOMPARE(bench.asset().pattern.layers.size(), std::size_t{2});
         QVERIFY(placedSeeds(bench, 1) == (std::vector<PlacedSeeds::Seed>{{0, bench.metres(at)}}));
@@ -134,7 +148,7 @@ private slots:
         QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 0}, {3, 1}}));
         bench.click({0.25, 0.25}, Qt::ControlModifier);
         QVERIFY((bench.selection.seeds() == Selection::Seeds{{3, 1}}));
-        bench.click({0.5, 0.5});  // a click elsewhere clears the selection
+        bench.click({-0.05, 0.5});  // a click elsewhere clears the selection
         QVERIFY(bench.selection.seeds().empty());
         QCOMPARE(bench.document.undoStack().count(), 0);
     }
@@ -171,6 +185,7 @@ private slots:
         for (std::uint64_t number = 1; number <= 5; ++number) {
             Random random(number);
             CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 12}));
+            bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
             const std::string before = projectText(bench.document.project());
             for (int step = 0; step < 10; ++step) {
                 const std::size_t seeds = bench.canvas.displayedPattern()->seeds().positions.size();

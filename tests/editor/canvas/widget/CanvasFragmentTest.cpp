@@ -117,11 +117,12 @@ private slots:
         const Box2 shown = bench.canvas.view().visibleBox();
         QVERIFY(shown.min.x < -0.25 && shown.max.x > 0.25 && shown.max.x < 0.6);
     }
-    void doubleClickElsewherePlacesASeed() {
+    void doubleClickOfThePlacingToolPlacesOneSeed() {
         Project project = quarters();
         project.assets[0].leaves = {{"3.1", std::nullopt}};  // kept whole
         FragmentBench bench(project);
         const Vec2 at{0.6, 0.4};
+        bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
         bench.click(at);
         QTest::mouseDClick(&bench.canvas, Qt::LeftButton, {}, bench.pixels(at));
         QTest::mouseRelease(&bench.canvas, Qt::LeftButton, {}, bench.pixels(at));
@@ -136,6 +137,7 @@ private slots:
         QSignalSpy messages(&bench.canvas, &PatternCanvas::statusMessage);
         bench.enter("3.2");
         const Vec2 at = bench.freePlace();
+        bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
         bench.click(at);
         bench.settleAll();
         QCOMPARE(messages.count(), 1);
