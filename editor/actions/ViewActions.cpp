@@ -98,6 +98,8 @@ void ViewActions::addOverlays() {
     addOverlay({"canvas-bonds", tr("&Bonds"), tr("Show the bonds between cells, wider for longer shared edges"),
                 QKeySequence("Alt+9")},
                &CanvasOverlays::hasBonds);
+    addOverlay({"canvas-levels", tr("&Deeper Levels"), tr("Show the fragments of the fragments")},
+               &CanvasOverlays::hasDeeperLevels);
 }
 
 void ViewActions::addOverlay(const ActionDefinition& definition, bool CanvasOverlays::*overlay) {

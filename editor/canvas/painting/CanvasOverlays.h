@@ -14,6 +14,7 @@ struct CanvasOverlays {
     bool hasTriangles = false;     // of the Delaunay triangulation, and the circumcircle of the hovered one
     bool hasWholeVoronoi = false;  // cell edges beyond the outline
     bool hasBonds = false;         // lines between neighbouring cells, as wide as the shared edge is long
+    bool hasDeeperLevels = false;  // edges of the fragments of the fragments
     bool hasLegend = true;
     CellColouring colouring = CellColouring::Piece;
     bool operator==(const CanvasOverlays&) const = default;

@@ -27,7 +27,7 @@ constexpr double kVoronoiExtent = 10.0;        // length of rays, in diagonals o
 constexpr double kLineMargin = 2.0;            // pixels that a line's width extends beyond its ends
 constexpr double kMaxBondWidth = 7.0;          // pixels
 constexpr double kMinBondWidth = 0.75;         // pixels
-constexpr float kSurroundingsOpacity = 0.45F;  // opacity of what lies around an entered fragment
+constexpr float kFaintOpacity = 0.45F;         // opacity of what lies around an entered fragment
 constexpr std::size_t kMaxSmoothEdges = 3000;  // above it, surrounding edges are not antialiased
 constexpr double kMinSeedSpacing = 5.0;        // pixels; closer seeds would hide their cells and are not drawn
 
@@ -260,37 +260,16 @@ private:
     std::vector<QPointF> m_corners;
 };
 
-void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
-                  const CanvasColours& colours) {
-    ContentsPainter baked(painter, part, view, contents, colours, PatternPart::Baked);
-    std::optional<ContentsPainter> moved;
-    if (contents.moved) moved.emplace(painter, part, view, contents, colours, PatternPart::Moved);
-    const CanvasOverlays& overlays = contents.overlays;
-    if (overlays.hasCells) {
-        baked.fillCells();
-        if (moved) moved->fillCells();
-        baked.drawCellEdges();
-        if (moved) moved->drawCellEdges();
-    }
-    if (contents.compared) paintChanges(painter, view, *contents.compared, colours);
-    if (overlays.hasWholeVoronoi) baked.paintWholeVoronoi();
-    if (overlays.hasTriangles) baked.paintTriangles();
-    if (overlays.hasBonds) baked.paintBonds();
-    if (overlays.hasSeeds) baked.paintSeeds();
-    if (overlays.hasSeeds && moved) moved->paintSeeds();
-}
-
-/// Paints the edges around the entered fragment, faintly, since they cannot be edited.
-void paintSurroundings(QPainter& painter, const QRectF& part, const CanvasView& view,
-                       const std::vector<std::array<Vec2, 2>>& edges, const CanvasColours& colours) {
+/// Paints edges that cannot be edited here.
+void paintFaintEdges(QPainter& painter, const QRectF& part, const CanvasView& view,
+                     const std::vector<std::array<Vec2, 2>>& edges, QColor colour) {
     QList<QLineF> lines;
     for (const auto& [from, to] : edges) {
         const QLineF line(view.pixels(from), view.pixels(to));
         const QRectF box = QRectF(line.p1(), line.p2()).normalized().adjusted(-1.0, -1.0, 1.0, 1.0);
         if (box.intersects(part)) lines.push_back(line);
     }
-    QColor colour = colours.label;
-    colour.setAlphaF(kSurroundingsOpacity);
+    colour.setAlphaF(kFaintOpacity);
     painter.setRenderHint(QPainter::Antialiasing, edges.size() < kMaxSmoothEdges);
     painter.setPen(QPen(colour, 1.0));
     painter.drawLines(lines);
@@ -303,6 +282,47 @@ void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
     path.closeSubpath();
 }
 
+/// Paints the gaps between fragments: the outline without the shrunk pieces.
+void paintGaps(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
+               const CanvasColours& colours) {
+    const Partition& shrunk = *contents.shrunk;
+    CanvasView shifted = view;
+    shifted.centre -= shrunk.origin;
+    QPainterPath path = pathOf(contents.asset()->prism.outline, view);
+    for (std::uint32_t piece = 0; piece < shrunk.pieceCount(); ++piece) {
+        const Polygon outline = pieceOutline(shrunk, piece);
+        addRing(outline.outer, shifted, path);
+        for (const Ring& hole : outline.holes) addRing(hole, shifted, path);
+    }
+    path.setFillRule(Qt::OddEvenFill);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colours.background);
+    painter.drawPath(path);
+}
+
+void paintPattern(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasContents& contents,
+                  const CanvasColours& colours) {
+    ContentsPainter baked(painter, part, view, contents, colours, PatternPart::Baked);
+    std::optional<ContentsPainter> moved;
+    if (contents.moved) moved.emplace(painter, part, view, contents, colours, PatternPart::Moved);
+    const CanvasOverlays& overlays = contents.overlays;
+    if (overlays.hasCells) {
+        baked.fillCells();
+        if (moved) moved->fillCells();
+        baked.drawCellEdges();
+        if (moved) moved->drawCellEdges();
+        if (contents.shrunk && !moved) paintGaps(painter, view, contents, colours);
+        paintFaintEdges(painter, part, view, contents.deeperEdges, colours.cellEdge);
+    }
+    if (contents.compared) paintChanges(painter, view, *contents.compared, colours);
+    if (overlays.hasWholeVoronoi) baked.paintWholeVoronoi();
+    if (overlays.hasTriangles) baked.paintTriangles();
+    if (overlays.hasBonds) baked.paintBonds();
+    if (overlays.hasSeeds) baked.paintSeeds();
+    if (overlays.hasSeeds && moved) moved->paintSeeds();
+}
+
 }  // namespace
 
 QColor CanvasContents::colour(const DrawablePattern& from, std::uint32_t piece) const {
@@ -310,6 +330,10 @@ QColor CanvasContents::colour(const DrawablePattern& from, std::uint32_t piece) 
     const auto depth = depths.find(from.fragmentId(piece));
     const double fraction = range.most > 0.0 && depth != depths.end() ? depth->second / range.most : 0.0;
     return toQColor(rampColour(fraction));
+}
+
+double CanvasContents::area(std::uint32_t piece) const {
+    return shrunk && !moved ? pieceArea(*shrunk, piece) : pattern->area(piece);
 }
 
 const Asset* CanvasContents::asset() const {
@@ -331,7 +355,7 @@ void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view
     painter.setClipRect(part);
     painter.fillRect(part, colours.background);
     if (contents.overlays.hasGrid) paintGrid(painter, part, view, colours);
-    if (contents.overlays.hasCells) paintSurroundings(painter, part, view, contents.surroundings, colours);
+    if (contents.overlays.hasCells) paintFaintEdges(painter, part, view, contents.surroundings, colours.label);
     if (contents.pattern) paintPattern(painter, part, view, contents, colours);
     painter.restore();
 }

@@ -22,6 +22,8 @@ struct CanvasContents {
     std::shared_ptr<const DrawablePattern> pattern;  // as baked; may be null
     std::shared_ptr<const MovedPart> moved;          // changed since; null if nothing did
     std::vector<std::array<Vec2, 2>> surroundings;   // edges around the entered fragment, m
+    std::vector<std::array<Vec2, 2>> deeperEdges;    // of deeper levels, m; empty if they are not shown
+    std::shared_ptr<const Partition> shrunk;         // the pieces less the gap; null: there is none, or not known yet
     CanvasOverlays overlays;
     Units units;                   // of the legend and of labels
     DrawablePattern::Range range;  // of overlays.colouring
@@ -35,6 +37,8 @@ struct CanvasContents {
     CellColouring colouring() const { return compared ? CellColouring::None : overlays.colouring; }
 
     QColor colour(const DrawablePattern& from, std::uint32_t piece) const;
+    /// The area of a baked piece less the gap, m^2.
+    double area(std::uint32_t piece) const;
     /// The displayed state of the asset; null if there is no pattern.
     const Asset* asset() const;
     /// The pattern that a seed is drawn from, and its index there; kNone if it does not exist.

@@ -149,7 +149,7 @@ void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::
     const int neighbours = static_cast<int>(pattern.neighbours(piece).size());
     const QStringList lines = {
         HighlightPaintingTexts::tr("Fragment %1").arg(nameText(pattern.fragmentId(piece))),
-        localizedQuantity(QuantityKind::Area, pattern.area(piece), contents.units),
+        localizedQuantity(QuantityKind::Area, contents.area(piece), contents.units),
         HighlightPaintingTexts::tr("%Ln neighbour(s)", nullptr, neighbours),
         HighlightPaintingTexts::tr("Aspect ratio %1").arg(QLocale().toString(pattern.aspect(piece), 'f', 1)),
     };

@@ -2,7 +2,7 @@
 
 #include "core/asset/bake/FragmentLookup.h"
 #include "core/asset/project/Threshold.h"
-#include "editor/canvas/painting/SurroundingEdges.h"
+#include "editor/canvas/painting/FragmentEdges.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +11,7 @@ namespace rubble {
 
 void CanvasContentsUpdater::setOverlays(const CanvasOverlays& overlays) {
     m_contents.overlays = overlays;
+    refreshShapes();
     refreshDepths();
     refreshMovedPart();
     m_backingStore.invalidateAll();
@@ -29,6 +30,7 @@ void CanvasContentsUpdater::refreshAll() {
     refreshComparison();
     refreshMaterial();
     refreshPattern();
+    refreshShapes();
     refreshDepths();
     m_backingStore.invalidateAll();
 }
@@ -56,6 +58,7 @@ void CanvasContentsUpdater::refreshPattern() {
     m_contents.pattern = baked && !baked->fault ? std::make_shared<const DrawablePattern>(baked) : nullptr;
     m_contents.range = scale();
     m_state.pattern = m_contents.pattern;
+    refreshShapes();
     m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
     computeMovedPart();
     if (!before || !m_contents.pattern || range != m_contents.range || !isLocal()) {
@@ -78,6 +81,7 @@ void CanvasContentsUpdater::refreshMovedPart() {
 
 void CanvasContentsUpdater::refreshFragments() {
     refreshSurroundings();
+    refreshShapes();
     if (m_contents.overlays.colouring == CellColouring::Level) refreshDepths();
 }
 
@@ -89,6 +93,21 @@ void CanvasContentsUpdater::refreshSurroundings() {
     if (baked && m_state.isInFragment())
         m_contents.surroundings = surroundingEdges(*baked->bake, m_state.selection.enteredFragment());
     m_backingStore.invalidateAll();
+}
+
+/// The shapes of the fragments, if those were baked from the displayed pattern.
+void CanvasContentsUpdater::refreshShapes() {
+    const bool hadShapes = m_contents.shrunk || !m_contents.deeperEdges.empty();
+    m_contents.shrunk = nullptr;
+    m_contents.deeperEdges.clear();
+    const auto baked = m_state.bakes.find(m_state.selection.asset());
+    const FragmentPath& entered = m_state.selection.enteredFragment();
+    const Fragments* fragments = baked && baked->bake ? fragmentsWithin(*baked->bake, entered) : nullptr;
+    if (fragments && m_contents.pattern && fragments->partition.points == m_contents.pattern->partition().points) {
+        m_contents.shrunk = fragments->shrunk;
+        if (m_contents.overlays.hasDeeperLevels) m_contents.deeperEdges = deeperEdges(*baked->bake, entered);
+    }
+    if (hadShapes || m_contents.shrunk || !m_contents.deeperEdges.empty()) m_backingStore.invalidateAll();
 }
 
 /// Computes the number of further levels of each displayed fragment, if cells are coloured by it.

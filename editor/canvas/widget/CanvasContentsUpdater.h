@@ -35,6 +35,7 @@ public:
 
 private:
     void refreshSurroundings();
+    void refreshShapes();
     void refreshDepths();
     void refreshComparison();
     DrawablePattern::Range scale() const;

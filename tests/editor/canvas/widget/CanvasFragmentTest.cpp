@@ -235,6 +235,35 @@ private slots:
         bench.key(Qt::Key_Escape);
         QVERIFY(bench.selection.enteredFragment().empty());
     }
+    void gapsShowTheBackground() {
+        Project project = quarters();
+        project.assets[0].shaping.gap = 0.06;
+        FragmentBench bench(project);
+        QCoreApplication::processEvents();
+        const QPoint middle = bench.pixels({0.5, 0.25});  // on the edge between two quarters
+        const QColor background = canvasColours(bench.canvas.palette()).background;
+        CanvasOverlays overlays = bench.canvas.overlays();
+        overlays.hasGrid = overlays.hasLegend = false;
+        bench.canvas.setOverlays(overlays);
+        const auto pixel = [&] { return bench.canvas.grab().toImage().pixelColor(middle + QPoint(3, 0)); };
+        QCOMPARE(pixel(), background);
+        Asset whole = bench.asset();
+        whole.shaping.gap = 0.0;
+        bench.document.push(modify("No Gap", whole));
+        bench.settleAll();
+        QVERIFY(pixel() != background);
+    }
+    void deeperLevelsAreShownOnDemand() {
+        FragmentBench bench;
+        const QImage without = bench.canvas.grab().toImage();
+        CanvasOverlays overlays = bench.canvas.overlays();
+        overlays.hasDeeperLevels = true;
+        bench.canvas.setOverlays(overlays);
+        QVERIFY(bench.canvas.grab().toImage() != without);
+        overlays.hasDeeperLevels = false;
+        bench.canvas.setOverlays(overlays);
+        QCOMPARE(bench.canvas.grab().toImage(), without);
+    }
     void boxAndLassoSelectDeeperFragments() {
         FragmentBench bench;
         bench.enter("3.3");
