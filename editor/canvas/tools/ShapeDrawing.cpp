@@ -22,6 +22,7 @@ void ShapeDrawing::begin(Purpose purpose, DraftShape shape) {
     if (purpose == Purpose::NewAsset) exitToFragment(m_state.selection, {});
     if (purpose != Purpose::NewAsset && (!m_state.asset() || m_state.isInFragment())) return;
     m_purpose = purpose;
+    m_fault.clear();
     m_draft.emplace(shape);
     m_draft->movePen(m_state.view.centre);
     emit changed();
@@ -29,6 +30,7 @@ void ShapeDrawing::begin(Purpose purpose, DraftShape shape) {
 
 void ShapeDrawing::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
+    m_fault.clear();
     m_draft->movePen(snapped(m_state, pointer, outlineTargets(m_state)));
     if (m_draft->closesAt(kCloseRadius / m_state.view.scale)) return close();
     add();
@@ -79,12 +81,15 @@ void ShapeDrawing::close() {
     emit changed();
 }
 
+bool ShapeDrawing::refuse(const Error& error) {
+    m_fault = QString::fromStdString(error.message);
+    emit statusMessage(m_fault);
+    return false;
+}
+
 bool ShapeDrawing::pushNewAsset() {
     const Result<Polygon> outline = validated(Polygon{m_draft->ring(), {}});
-    if (!outline) {
-        emit statusMessage(QString::fromStdString(outline.error().message));
-        return false;
-    }
+    if (!outline) return refuse(outline.error());
     Addition addition = addAsset(m_state.document.project(), tr("shape").toStdString(), {*outline, kDefaultDepth});
     if (!m_state.push(std::move(addition.edit))) return false;
     m_state.selection.setAsset(addition.id);
@@ -92,10 +97,7 @@ bool ShapeDrawing::pushNewAsset() {
 }
 
 bool ShapeDrawing::pushOutline(const QString& text, const Result<Polygon>& outline) {
-    if (!outline) {
-        emit statusMessage(QString::fromStdString(outline.error().message));
-        return false;
-    }
+    if (!outline) return refuse(outline.error());
     return m_state.push(modify(text, withOutline(*m_state.asset(), *outline)));
 }
 
@@ -107,6 +109,7 @@ bool ShapeDrawing::cancel() {
 }
 
 bool ShapeDrawing::key(const QKeyEvent& event) {
+    m_fault.clear();
     if (const std::optional<Vec2> by = nudgeStep(event, m_state)) {
         m_draft->movePen(m_draft->pen() + *by);
         emit changed();
@@ -135,7 +138,9 @@ void ShapeDrawing::paint(QPainter& painter, const CanvasColours& colours) const 
     m_draft->paint(painter, m_state.view, colours);
 }
 
-QString ShapeDrawing::hint() const {
+QString ShapeDrawing::hint() const { return m_fault.isEmpty() ? nextStep() : m_fault + ' ' + nextStep(); }
+
+QString ShapeDrawing::nextStep() const {
     const std::size_t count = m_draft->points().size();
     switch (m_draft->shape()) {
         case DraftShape::Polygon:

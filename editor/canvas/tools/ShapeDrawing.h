@@ -42,12 +42,15 @@ public:
 private:
     void add();
     void close();
+    QString nextStep() const;
+    bool refuse(const Error& error);
     bool pushNewAsset();
     bool pushOutline(const QString& text, const Result<Polygon>& outline);
 
     std::optional<OutlineDraft> m_draft;
     Purpose m_purpose = Purpose::Replace;
     QPointF m_pressed;
+    QString m_fault;  // why the shape could not be closed; empty after the next input
 };
 
 }  // namespace rubble

@@ -36,6 +36,26 @@ private slots:
         bench.document.undoStack().undo();
         QVERIFY(bench.outline() == unitSquare());
     }
+    void seedsStayWhenAPointIsDragged() {
+        CanvasBench bench(projectOf(unitSquare(), UniformScatter{.count = 30}));
+        const Seeds before = bench.canvas.displayedPattern()->seeds();
+        bench.canvas.setTool(CanvasToolKind::Outline);
+        bench.drag({1.0, 1.0}, {0.8, 0.8});
+        const DrawablePattern& after = *bench.canvas.displayedPattern();
+        std::size_t kept = 0;
+        for (std::size_t seed = 0; seed < before.ids.size(); ++seed) {
+            const std::uint32_t now = after.find(before.ids[seed]);
+            const bool isInside =
+                containment(bench.asset().prism.outline, before.positions[seed]) == Containment::Inside;
+            QCOMPARE(now != kNone, isInside);
+            if (isInside) QCOMPARE(after.seeds().positions[now], before.positions[seed]);
+            kept += isInside;
+        }
+        QVERIFY(kept >= 20);
+        bench.document.undoStack().undo();
+        bench.settle();
+        QVERIFY(bench.canvas.displayedPattern()->seeds().positions == before.positions);
+    }
     void otherEditEndsADrag() {
         OutlineBench bench;
         bench.press({1.0, 1.0});

@@ -74,6 +74,7 @@ private slots:
         QVERIFY2(bench.lastMessage().startsWith("The cut would divide the outline into 2 parts"),
                  qPrintable(bench.lastMessage()));
         QVERIFY(bench.outline() == unitSquare());
+        QVERIFY(bench.canvas.hint().startsWith(bench.lastMessage()));  // on the canvas, too
         bench.click({0.6, 0.5});
         QVERIFY(!bench.isDrawing());
     }
