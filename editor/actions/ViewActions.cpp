@@ -41,8 +41,7 @@ void ViewActions::addTools() {
     auto* group = new QActionGroup(this);
     const std::pair<CanvasToolKind, ActionDefinition> tools[] = {
         {CanvasToolKind::Seeds,
-         {"tool-select", tr("&Select and Move Seeds"), tr("Select fragments; move and delete seeds"),
-          QKeySequence("Alt+Q")}},
+         {"tool-select", tr("&Select"), tr("Select fragments; move and delete seeds"), QKeySequence("Alt+Q")}},
         {CanvasToolKind::PlaceSeeds,
          {"tool-seed", tr("&Place Seeds"), tr("Place a seed at each click"), QKeySequence("Alt+N")}},
         {CanvasToolKind::Outline,
@@ -73,6 +72,7 @@ void ViewActions::addCanvas() {
     QMenu* menu = m_menu->addMenu(tr("&Canvas"));
     addOverlays();
     menu->addActions(m_canvasActions);
+    m_canvasActions.removeLast();  // deeper levels: the tool bar shows what is switched often
     addColourings(*menu);
     QAction* snap = makeAction(this, {"canvas-snap", tr("S&nap"), tr("Snap to grid and outline; hold Shift to suspend"),
                                       QKeySequence("Alt+S")});

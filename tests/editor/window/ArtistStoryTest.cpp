@@ -1,5 +1,6 @@
 // Tests editor/actions/AssetActions.cpp, editor/actions/MaterialActions.cpp and editor/dialogs/ContactSheetWindow.cpp.
 #include "core/asset/project/StarterProject.h"
+#include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/ContactSheetWindow.h"
 #include "editor/dialogs/MaterialDialog.h"
 #include "editor/dialogs/SelectDialogs.h"
@@ -65,6 +66,9 @@ private slots:
         drag(canvas(), pixels({-0.4, -0.3}), pixels({-0.1, -0.3}));
         QCOMPARE(wall().pattern.layers.size(), layers + 1);
         QVERIFY(std::get<DensityImage>(wall().pattern.layers.back().parameters).image);
+        Asset crushed = wall();
+        std::get<DensityImage>(crushed.pattern.layers.back().parameters).count = 200;
+        window().workspace().document().push(modify("Set Count", std::move(crushed)));
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
         m_fragments = bake().fragmentCount();
         QVERIFY(m_fragments > 100);
