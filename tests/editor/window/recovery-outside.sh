@@ -36,6 +36,7 @@ restore() {
 
 start_editor "$1" "$folder/$name"
 focus_window "$title"
+xdotool key alt+n  # the tool that places seeds
 xdotool mousemove $((X + WIDTH * 36 / 100)) $((Y + HEIGHT * 30 / 100)) click 1
 until_true 20 has_title "$title\\*" || fail 'a click on the canvas changed nothing'
 until_true 20 has_backup || fail 'no backup was written'

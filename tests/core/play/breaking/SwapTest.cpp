@@ -130,8 +130,8 @@ private slots:
         QCOMPARE(decisive, (std::set<std::string>{"left 3.2", "left 3.3", "left 4.2", "left 4.3"}));
         QVERIFY2(all.size() > 1, "no longer sensitive: compare all breaks in breaksAreIndependentOfTheStepLength()");
     }
-    /// Over many throws that differ by up to 10 cm, what that shot breaks does not depend on the step length: the means at
-    /// all rates are within a sixth of each other, where single throws at one rate vary by more.
+    /// Over many throws that differ by up to 10 cm, what that shot breaks does not depend on the step length: the means
+    /// at all rates are within a sixth of each other, where single throws at one rate vary by more.
     void meanBreaksAreIndependentOfTheStepLength() {
         constexpr int kThrows = 24;
         std::vector<double> means;
