@@ -106,7 +106,8 @@ PlayHud::Content PlayView::content() const {
         content.title += tr(" at %1×").arg(QLocale().toString(m_controller.timeScale()));
     if (!m_controller.hasDestruction()) content.title += tr(" · destruction off");
     content.hint =
-        tr("F: throw, hold to charge · H: hammer · X: blast · Drag: grab · P: pause · Comma, period: step · "
+        tr("F: throw, hold to charge · H: hammer · X: blast, Ctrl and wheel: its radius · Drag: grab · P: pause · "
+           "Comma, period: step · "
            "L: loop · R: reset · Esc: stop");
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;

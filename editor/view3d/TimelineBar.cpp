@@ -26,7 +26,6 @@ constexpr double kMinTickDistance = 70.0;
 constexpr int kTextMargin = 10;
 constexpr double kMarkTolerance = 4.0;
 constexpr double kZoomPerNotch = 1.25;
-constexpr double kAnglePerNotch = 120.0;
 constexpr int kMaxTipLines = 8;
 const QColor kBreak(214, 69, 48);
 const QColor kLoop(242, 140, 40);
@@ -236,11 +235,11 @@ void TimelineBar::wheelEvent(QWheelEvent* event) {
     event->accept();
     const QPoint angle = event->angleDelta();
     if (angle.x() != 0 || event->modifiers().testFlag(Qt::ShiftModifier)) {
-        const double notches = (angle.x() != 0 ? angle.x() : angle.y()) / kAnglePerNotch;
+        const double notches = (angle.x() != 0 ? angle.x() : angle.y()) / double{QWheelEvent::DefaultDeltasPerStep};
         m_span.pan(-0.1 * notches * m_span.width());
         return update();
     }
-    zoom(stepAt(event->position().x()), std::pow(kZoomPerNotch, angle.y() / kAnglePerNotch));
+    zoom(stepAt(event->position().x()), std::pow(kZoomPerNotch, angle.y() / double{QWheelEvent::DefaultDeltasPerStep}));
 }
 
 void TimelineBar::keyPressEvent(QKeyEvent* event) {

@@ -16,6 +16,7 @@
 #include "editor/panels/docks/ProjectTree.h"
 #include "editor/panels/docks/StrengthPanel.h"
 #include "editor/panels/inspector/Inspector.h"
+#include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
@@ -108,6 +109,7 @@ void Views::connectViews() {
     connect(&m_scene->transformTool(), &TransformTool::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->measureTool(), &SurfaceMeasureTool::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->placementTool(), &PlacementTool::statusMessage, this, &Views::statusMessage);
+    connect(&m_scene->playView().tool(), &PlayTool::statusMessage, this, &Views::statusMessage);
     connect(&m_scene->placementTool(), &PlacementTool::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointerMoved, this, [this](double x, double y) {
         const NumberFormat format = m_units.lengths();

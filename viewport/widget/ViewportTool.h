@@ -5,6 +5,7 @@
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QWheelEvent>
 
 namespace rubble {
 
@@ -23,7 +24,7 @@ public:
     /// Also called while no button is held.
     virtual bool move(const QMouseEvent& /*event*/) { return false; }
     virtual bool release(const QMouseEvent& /*event*/) { return false; }
-    virtual bool wheel() { return false; }
+    virtual bool wheel(const QWheelEvent& /*event*/) { return false; }
     virtual bool keyPress(const QKeyEvent& /*event*/) { return false; }
     virtual bool keyRelease(const QKeyEvent& /*event*/) { return false; }
     /// Whether the tool handles this key in place of an action that has it as shortcut.

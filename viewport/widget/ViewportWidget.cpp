@@ -281,7 +281,8 @@ bool ViewportWidget::dispatchToTools(QEvent& event) {
             return isConsumed([&](ViewportTool& tool) { return tool.doubleClick(mouse()); });
         case QEvent::MouseMove: return isConsumed([&](ViewportTool& tool) { return tool.move(mouse()); });
         case QEvent::MouseButtonRelease: return isConsumed([&](ViewportTool& tool) { return tool.release(mouse()); });
-        case QEvent::Wheel: return isConsumed([](ViewportTool& tool) { return tool.wheel(); });
+        case QEvent::Wheel:
+            return isConsumed([&](ViewportTool& tool) { return tool.wheel(static_cast<const QWheelEvent&>(event)); });
         case QEvent::ShortcutOverride:
             return isConsumed([&](ViewportTool& tool) { return tool.overridesShortcut(key()); });
         case QEvent::KeyPress: return isConsumed([&](ViewportTool& tool) { return tool.keyPress(key()); });

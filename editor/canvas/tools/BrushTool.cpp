@@ -183,6 +183,11 @@ bool BrushTool::key(const QKeyEvent& event) {
     }
 }
 
+bool BrushTool::controlWheel(double notches) {
+    setRadiusPixels(m_radiusPixels * std::pow(kRadiusFactor, notches));
+    return true;
+}
+
 /// Elsewhere brackets select parents and children.
 bool BrushTool::overridesShortcut(int key) const {
     constexpr std::array kOwn{Qt::Key_BracketLeft, Qt::Key_BracketRight, Qt::Key_Comma, Qt::Key_Period, Qt::Key_X};
@@ -240,7 +245,8 @@ void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
 
 QString BrushTool::hint() const {
     const QString action = m_isErasing ? tr("Drag: erase") : tr("Drag: paint the density of seeds");
-    return tr("%1 · Shift: invert · X: switch between paint and erase · [ ]: size · , .: strength %2 %")
+    return tr("%1 · Shift: invert · X: switch between paint and erase · [ ], Ctrl and wheel: size · "
+              ", .: strength %2 %")
         .arg(action)
         .arg(std::lround(100.0 * m_strength));
 }

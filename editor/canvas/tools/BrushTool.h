@@ -23,6 +23,7 @@ public:
     void move(const CanvasPointer& pointer) override;
     void release(const CanvasPointer& pointer) override;
     bool key(const QKeyEvent& event) override;
+    bool controlWheel(double notches) override;
     bool overridesShortcut(int key) const override;
     bool cancel() override;
     void endDrag() override;

@@ -68,6 +68,8 @@ public:
     virtual void doubleClick(const CanvasPointer& pointer) { press(pointer); }
     /// True if the tool handled the key; by default, Esc cancels.
     virtual bool key(const QKeyEvent& event) { return event.key() == Qt::Key_Escape && cancel(); }
+    /// The wheel was turned by some notches with Ctrl; true if the tool handled it.
+    virtual bool controlWheel(double /*notches*/) { return false; }
     /// Whether the tool handles this key (without modifiers) in place of an action that has it as shortcut.
     virtual bool overridesShortcut(int /*key*/) const { return false; }
     /// Cancels the current drag or drawing and restores the state before; false if there is none.

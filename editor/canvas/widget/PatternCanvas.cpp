@@ -393,9 +393,10 @@ void PatternCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void PatternCanvas::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / kAnglePerNotch;
+    event->accept();
+    if (event->modifiers().testFlag(Qt::ControlModifier) && m_tool->controlWheel(notches)) return;
     setView(zoomed(m_state.view, std::pow(kZoomPerNotch, notches), event->position()));
     setPointer(pointerAt(event->position(), event->modifiers()));
-    event->accept();
 }
 
 void PatternCanvas::keyPressEvent(QKeyEvent* event) {

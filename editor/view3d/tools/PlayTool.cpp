@@ -1,11 +1,14 @@
 #include "editor/view3d/tools/PlayTool.h"
 
+#include "core/asset/project/Ranges.h"
 #include "editor/play/PlayController.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
+#include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -13,6 +16,8 @@ namespace {
 
 constexpr double kTapSeconds = 0.2;  // holding F longer charges the throw
 constexpr double kSecondsToFull = 1.0;
+constexpr double kRadiusPerNotch = 1.1;
+constexpr double kLeastRadius = 0.01;  // m, by the wheel: smaller ones could hardly be enlarged again
 
 bool isPlain(Qt::KeyboardModifiers modifiers) {
     return !modifiers.testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier | Qt::MetaModifier);
@@ -80,7 +85,19 @@ bool PlayTool::overridesShortcut(const QKeyEvent& event) const {
     }
 }
 
-/// All keys but stepping act once when held.
+bool PlayTool::wheel(const QWheelEvent& event) {
+    if (!m_controller.isInPlay() || !event.modifiers().testFlag(Qt::ControlModifier)) return false;
+    PlayToolSettings settings = m_controller.toolSettings();
+    double& radius = settings.explosion.radius;
+    const NumberRange& range = rangeOf(ProjectNumber::ExplosionRadius);
+    radius *= std::pow(kRadiusPerNotch, event.angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep});
+    radius = std::clamp(radius, kLeastRadius, range.max);
+    m_controller.setToolSettings(settings);
+    emit statusMessage(tr("Blast radius: %1 m").arg(QLocale().toString(radius, 'f', 2)));
+    return true;
+}
+
+/// All keys but stepping and going back act once when held.
 bool PlayTool::keyPress(const QKeyEvent& event) {
     if (!overridesShortcut(event)) return false;
     if (event.key() == Qt::Key_Period) m_controller.stepOnce();

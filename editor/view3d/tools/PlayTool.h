@@ -29,6 +29,8 @@ public:
     bool doubleClick(const QMouseEvent& /*event*/) override { return false; }
     bool move(const QMouseEvent& event) override;
     bool release(const QMouseEvent& event) override;
+    /// With Ctrl, changes the radius of the blast.
+    bool wheel(const QWheelEvent& event) override;
     bool keyPress(const QKeyEvent& event) override;
     bool keyRelease(const QKeyEvent& event) override;
     bool overridesShortcut(const QKeyEvent& event) const override;

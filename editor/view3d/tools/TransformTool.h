@@ -45,7 +45,7 @@ public:
     bool press(const QMouseEvent& event) override;
     bool move(const QMouseEvent& event) override;
     bool release(const QMouseEvent& event) override;
-    bool wheel() override { return isDragging(); }  // the view stays where the drag started
+    bool wheel(const QWheelEvent& /*event*/) override { return isDragging(); }  // the view stays where the drag started
     bool keyPress(const QKeyEvent& event) override;
     bool keyRelease(const QKeyEvent& /*event*/) override { return isDragging(); }
     bool overridesShortcut(const QKeyEvent& /*event*/) const override { return isDragging(); }

@@ -28,6 +28,24 @@ private slots:
         view.refresh();
         QVERIFY2(view.hud().accessibleText().contains("30 fps"), qPrintable(view.hud().accessibleText()));
     }
+    void controlAndWheelChangeTheBlastRadius() {
+        test::Stage stage;
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        const auto turn = [&](int notches, Qt::KeyboardModifiers modifiers) {
+            const QWheelEvent event({}, {}, {}, {0, 120 * notches}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+            return view.tool().wheel(event);
+        };
+        QVERIFY(!turn(1, Qt::ControlModifier));  // nothing is simulated
+        stage.start();
+        QVERIFY(!turn(1, {}));  // zooms
+        const double before = stage.controller.toolSettings().explosion.radius;
+        QVERIFY(turn(2, Qt::ControlModifier));
+        QCOMPARE(stage.controller.toolSettings().explosion.radius, before * 1.1 * 1.1);
+        QVERIFY(turn(-10000, Qt::ControlModifier));
+        QVERIFY(turn(1, Qt::ControlModifier));
+        QCOMPARE(stage.controller.toolSettings().explosion.radius, 0.011);
+    }
 };
 
 RUBBLE_TEST_WITH(PlayViewTest, QApplication)

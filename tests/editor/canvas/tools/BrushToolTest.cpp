@@ -3,6 +3,7 @@
 #include "tests/support/editor/Canvas.h"
 
 #include <QTest>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -45,6 +46,22 @@ private slots:
         bench.canvas.brushTool().setRadiusPixels(200.0);
         bench.drag({0.1, 0.75}, {0.9, 0.75}, Qt::ShiftModifier);
         QVERIFY(std::ranges::all_of(bench.picture()->grey, [](std::uint16_t grey) { return grey == 255; }));
+    }
+    void controlAndWheelChangeTheSize() {
+        BrushBench bench(DensityImage{.count = 50});
+        const double before = bench.canvas.brushTool().radiusPixels();
+        const double scale = bench.canvas.view().scale;
+        const QPointF middle = QRectF(bench.canvas.rect()).center();
+        const auto turn = [&](Qt::KeyboardModifiers modifiers) {
+            QWheelEvent event(middle, middle, {}, {0, 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&bench.canvas, &event);
+        };
+        turn(Qt::ControlModifier);
+        QVERIFY(bench.canvas.brushTool().radiusPixels() > before);
+        QCOMPARE(bench.canvas.view().scale, scale);
+        turn({});
+        QVERIFY(bench.canvas.view().scale > scale);
+        QVERIFY(bench.canvas.brushTool().hint().contains("wheel"));
     }
     void otherEditEndsAStroke() {
         BrushBench bench(DensityImage{.count = 50});
