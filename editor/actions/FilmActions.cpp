@@ -101,12 +101,14 @@ void FilmActions::exportWithDialog() {
     FilmDialog dialog(subjectOf(m_workspace), &m_views.window());
     if (dialog.exec() != QDialog::Accepted || !play.hasSession()) return;
     const FilmOptions options = dialog.options();
-    m_workspace.films().start({.scene = play.scene(),
-                               .script = play.script(),
-                               .overlays = play.overlays(),
-                               .plan = planOf(options, play.thread().stepLength(), m_views.scene().viewport()),
-                               .isCompared = options.isCompared,
-                               .path = toPath(options.path)});
+    play.requestScript([this, &play, options](PlayScript script) {
+        m_workspace.films().start({.scene = play.scene(),
+                                   .script = std::move(script),
+                                   .overlays = play.overlays(),
+                                   .plan = planOf(options, play.thread().stepLength(), m_views.scene().viewport()),
+                                   .isCompared = options.isCompared,
+                                   .path = toPath(options.path)});
+    });
 }
 
 bool FilmActions::confirmStop(const QString& question, const QString& action) {

@@ -194,13 +194,17 @@ void PlayActions::saveReplay() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("replay");
     if (dialog.exec() != QDialog::Accepted) return;
-    const PlayScript script = controller().script();
-    const std::shared_ptr<const PlayScene> scene = controller().scene();
     const QString path = dialog.selectedFiles().first();
+    controller().requestScript([this, path](const PlayScript& script) { writeReplay(path, script); });
+}
+
+void PlayActions::writeReplay(const QString& path, const PlayScript& script) {
+    const std::shared_ptr<const PlayScene> scene = controller().scene();
+    const ContentHash project = projectHash(controller().startProject());
     TaskDialog task(tr("Saving the replay…"), &m_views.window());
     const Status saved = task.run<Status>([&](const TaskContext& context) -> Status {
-        const Result<Replay> replay = recordReplay(scene, script.settings, script.inputs, script.steps,
-                                                   programVersion(), projectHash(controller().startProject()), context);
+        const Result<Replay> replay =
+            recordReplay(scene, script.settings, script.inputs, script.steps, programVersion(), project, context);
         if (!replay) return replay.error();
         return rubble::saveReplay(toPath(path), *replay);
     });

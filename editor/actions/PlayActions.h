@@ -10,6 +10,7 @@ namespace rubble {
 
 class FilmActions;
 class PlayController;
+struct PlayScript;
 class Views;
 class Workspace;
 
@@ -34,6 +35,7 @@ private:
     void fillShots();
     void saveShot();
     void saveReplay();
+    void writeReplay(const QString& path, const PlayScript& script);
     void openReplay();
     void updateState();
     void updateRecorded();

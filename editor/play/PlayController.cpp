@@ -5,7 +5,6 @@
 #include "core/play/scene/LiveInputs.h"
 
 #include <algorithm>
-#include <future>
 #include <iterator>
 #include <utility>
 
@@ -216,14 +215,17 @@ void PlayController::fire(const Shot& shot) {
     post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
 }
 
-PlayScript PlayController::script() {
-    if (!hasSession()) return {};  // the promise would never be fulfilled
-    std::promise<PlayScript> result;
-    m_thread.post([&result, settings = m_script.settings](PlayEngine& engine) {
-        result.set_value(
-            {.settings = settings, .inputs = engine.timeline().inputs(), .steps = engine.timeline().length()});
-    });
-    return result.get_future().get();
+void PlayController::requestScript(std::function<void(PlayScript)> receive) {
+    if (!hasSession()) return;
+    m_thread.post(
+        [this, receive = std::move(receive), scene = m_scene, settings = m_script.settings](PlayEngine& engine) {
+            PlayScript script{
+                .settings = settings, .inputs = engine.timeline().inputs(), .steps = engine.timeline().length()};
+            const auto deliver = [this, receive, scene, script = std::move(script)] {
+                if (hasSession() && m_scene == scene) receive(script);
+            };
+            QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+        });
 }
 
 void PlayController::restart() {

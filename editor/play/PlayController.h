@@ -5,6 +5,7 @@
 #include "editor/play/PlayThread.h"
 #include "editor/play/PlayToolSettings.h"
 
+#include <functional>
 #include <limits>
 
 namespace rubble {
@@ -95,8 +96,9 @@ public:
     const std::optional<ShotInput>& lastShot() const { return m_lastShot; }
     /// The scene being played; null if there is none.
     std::shared_ptr<const PlayScene> scene() const { return m_scene; }
-    /// The recording so far. Waits for the current step.
-    PlayScript script();
+    /// Calls back with the recording so far, once the steps and seeks under way are done; not at all without a session,
+    /// or if it ends before.
+    void requestScript(std::function<void(PlayScript)> receive);
     /// The project when play started.
     const Project& startProject() const { return m_startProject; }
 

@@ -113,7 +113,7 @@ private slots:
         QCOMPARE(stage.controller.lastShot().value().name, std::string("kept"));
         stage.advance(20);
         QCOMPARE(stage.controller.breaks().size(), 1u);
-        QCOMPARE(stage.controller.script().inputs.front().step, 0u);
+        QCOMPARE(stage.script().inputs.front().step, 0u);
     }
     void resetDiscardsQueuedThrows() {
         test::Stage stage;
@@ -211,9 +211,9 @@ private slots:
     }
     void noScriptWithoutSession() {
         test::Stage stage;
-        QVERIFY(stage.controller.script().inputs.empty());
+        QVERIFY(stage.script().inputs.empty());
         stage.controller.play();  // still preparing: there is no engine to answer
-        QVERIFY(stage.controller.script().inputs.empty());
+        QVERIFY(stage.script().inputs.empty());
     }
     void thresholdEditsApplyLiveAndCanBeUndone() {
         test::Stage stage;
@@ -287,7 +287,7 @@ private slots:
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(30);
         const ContentHash hash = stage.hash();
-        const PlayScript script = stage.controller.script();
+        const PlayScript script = stage.script();
         QCOMPARE(script.inputs.size(), 1u);
         QCOMPARE(script.steps, 33u);
         stage.controller.replay(script);
@@ -350,7 +350,7 @@ private slots:
         stage.start();
         stage.advance(5);
         const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
-        stage.controller.replay(stage.controller.script());
+        stage.controller.replay(stage.script());
         stage.settle();
         stage.advance(9);
         QCOMPARE(stage.step(), 5u);

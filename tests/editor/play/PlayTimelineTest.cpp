@@ -2,8 +2,10 @@
 #include "editor/play/PlayController.h"
 
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/House.h"
 #include "tests/support/editor/PlayStage.h"
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 
 using namespace rubble;
@@ -67,7 +69,7 @@ private slots:
         stage.start();
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(30);
-        stage.controller.replay(stage.controller.script());
+        stage.controller.replay(stage.script());
         stage.settle();
         stage.controller.loopAround(10);
         stage.settle();
@@ -92,9 +94,31 @@ private slots:
         for (int k = 0; k < 10; ++k) stage.controller.thread().advance(1.0 / 120.0);
         stage.controller.applyUpdate();
         QCOMPARE(stage.step(), 10u);
-        QCOMPARE(stage.controller.script().settings.dt, 1.0 / 120.0);
+        QCOMPARE(stage.script().settings.dt, 1.0 / 120.0);
         stage.controller.setTimeStep(0.2);  // out of range
         QCOMPARE(stage.controller.timeStep(), 1.0 / 120.0);
+    }
+    /// The seek is as long as it takes: nobody waits for it but the script.
+    void scriptDoesNotWaitForASeek() {
+        test::Stage stage(test::house());
+        stage.start();
+        stage.advance(600);
+        stage.controller.seek(0);
+        stage.settle();
+        stage.controller.seek(600);
+        QElapsedTimer timer;
+        timer.start();
+        std::optional<PlayScript> received;
+        stage.controller.requestScript([&](PlayScript script) { received = std::move(script); });
+        QVERIFY2(timer.elapsed() < 20, qPrintable(QString::number(timer.elapsed())));
+        QVERIFY(!received);
+        stage.controller.thread().settle();
+        QCoreApplication::sendPostedEvents(&stage.controller);
+        QCOMPARE(received.value().steps, 600u);
+        stage.controller.requestScript([](const PlayScript&) { QFAIL("The session has ended."); });
+        stage.controller.stop();
+        stage.controller.thread().settle();
+        QCoreApplication::sendPostedEvents(&stage.controller);
     }
     void throwInThePastKeepsABranch() {
         test::Stage stage;

@@ -139,9 +139,12 @@ private:
     FilmExporter& films() { return window().workspace().films(); }
     QAction& film() { return *action("play-film"); }
     QProgressBar& progress() { return *window().findChild<QProgressBar*>("film-progress"); }
+    /// The film starts once the simulation has handed over its recording.
     void ask(const std::function<void(FilmDialog&)>& answer) {
         test::onNextDialog<FilmDialog>(answer);
         film().trigger();
+        play().thread().settle();
+        QCoreApplication::sendPostedEvents(&play());
     }
     void exportFilm(const QString& path, int first, int last, double rate) {
         ask([path, first, last, rate](FilmDialog& dialog) {

@@ -4,6 +4,8 @@
 #include "editor/play/PlayController.h"
 #include "tests/support/editor/Sessions.h"
 
+#include <QCoreApplication>
+
 namespace rubble::test {
 
 /// A ray at the block of floatingBlock(), from above.
@@ -48,6 +50,14 @@ public:
     void advance(int steps) {
         for (int k = 0; k < steps; ++k) controller.thread().advance(kStep);
         controller.applyUpdate();
+    }
+    /// The recording so far; of length 0 without a session.
+    PlayScript script() {
+        PlayScript received;
+        controller.requestScript([&](PlayScript script) { received = std::move(script); });
+        controller.thread().settle();
+        QCoreApplication::sendPostedEvents(&controller);
+        return received;
     }
     std::uint64_t step() const { return controller.frame()->step; }
     ContentHash hash() {
