@@ -72,6 +72,7 @@ void PlayActions::addRun() {
     m_reset = makeAction(this, {"play-reset", tr("&Reset\tR"), tr("Restart the simulation from the beginning")});
     connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
+    for (QAction* action : {m_pause, m_step}) action->setPriority(QAction::LowPriority);  // icons alone in tool bars
     auto* timeline = new TimelineActions(m_views, m_step);
     m_menu->addActions({m_step, timeline->stepBack(), m_reset});
     m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));

@@ -53,10 +53,6 @@ void ViewActions::addTools() {
          {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};
     for (const auto& [kind, definition] : tools) {
         QAction* action = makeAction(this, definition);
-        // Tool bars show short names.
-        if (kind == CanvasToolKind::PlaceSeeds) action->setIconText(tr("Seeds"));
-        if (kind == CanvasToolKind::CrackLines) action->setIconText(tr("Cracks"));
-        if (kind == CanvasToolKind::Measure) action->setIconText(tr("Ruler"));
         action->setCheckable(true);
         action->setChecked(canvas.toolKind() == kind);
         group->addAction(action);
