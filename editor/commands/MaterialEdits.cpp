@@ -51,9 +51,8 @@ Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset,
     Asset changed = *findAsset(project, asset);
     changed.material = findOrAddMaterial(project, preset, edit);
     if (options.appliesPattern) applyPattern(project, preset, changed, edit);
-    if (options.derivesThreshold && preset.tensileStrength && !changed.contactTime) {
-        changed.contactTime = kDefaultContactTime;
-    }
+    const bool isDerived = changed.contactTime && changed.strengthRule == StrengthRule::Bending;
+    if (options.derivesThreshold && preset.tensileStrength && !isDerived) deriveThreshold(changed);
     edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
     return edit;
 }

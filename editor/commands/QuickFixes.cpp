@@ -266,7 +266,7 @@ Edit applyFix(const Project& project, std::span<const Diagnostic> problems, Quic
             case QuickFix::MergeTinyFragments: merged.insert(problem.place.asset); break;
             case QuickFix::ReduceCount: reduceCount(asset, problem, task); break;
             case QuickFix::SplitFragment: split[problem.place.asset].insert(problem.place.path); break;
-            case QuickFix::KeepEnteredThreshold: asset.contactTime.reset(); break;
+            case QuickFix::KeepEnteredThreshold: enterThreshold(asset, asset.threshold); break;
             case QuickFix::Relax: {
                 Pattern* pattern = patternOfLevel(asset, problem.place.level);
                 if (pattern && relaxed.insert({asset.id, problem.place.level}).second) relax(*pattern, project, edit);

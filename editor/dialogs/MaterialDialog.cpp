@@ -65,7 +65,7 @@ QWidget* MaterialDialog::createOptions() {
     m_appliesPattern->setChecked(true);
     m_derivesThreshold = new QCheckBox(tr("Derive the &threshold from the strength"));
     m_derivesThreshold->setToolTip(
-        tr("Compute strength × smallest cross-section × contact time instead of using the entered threshold"));
+        tr("Compute the threshold from strength, thickness and contact time instead of using the entered one"));
     layout->addWidget(m_appliesPattern);
     layout->addWidget(m_derivesThreshold);
     auto* folder = new QLabel(tr("Preset folder: %1").arg(pathText(m_folder)));

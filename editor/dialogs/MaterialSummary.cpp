@@ -63,6 +63,9 @@ QString materialSummary(const LibraryMaterial& material, const QLocale& locale) 
     if (preset.fractureToughness)
         summary += rowOf(MaterialSummaryTexts::tr("Toughness"), *preset.fractureToughness,
                          {MaterialSummaryTexts::tr("MPa√m"), -6}, locale);
+    if (preset.youngsModulus)
+        summary += rowOf(MaterialSummaryTexts::tr("Stiffness"), *preset.youngsModulus,
+                         {MaterialSummaryTexts::tr("GPa"), -9}, locale);
     if (const std::optional<double> limit = transitionCrackLength(materialOf(preset, 0))) {
         const QString text = localizedQuantity(QuantityKind::Length, *limit, {}, locale);
         summary += rowOf(MaterialSummaryTexts::tr("Crack limit"), "<b>" + text + "</b>",

@@ -8,14 +8,30 @@ namespace {
 constexpr double kListedRatio = 0.1;  // of the threshold: weaker impacts are not listed
 constexpr double kSameImpact = 0.25;  // s: a weaker impact this soon belongs to the one before
 
+/// A record of an impact on a breakable body in the session's last step.
+ImpactRecord recordOf(const Session& session, const PlayBody& body) {
+    return {.step = session.stepsDone(),
+            .name = session.nameOf(body),
+            .asset = body.asset->bake->asset,
+            .scale = body.asset->piece(body.fragment).thresholdScale};
+}
+
 ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
-    return {.step = broken.step,
-            .name = session.nameOf(broken.body),
-            .impact = broken.impact,
-            .threshold = broken.threshold,
-            .point = broken.point,
-            .pieces = broken.pieces,
-            .milliseconds = broken.milliseconds};
+    ImpactRecord record = recordOf(session, broken.body);
+    record.impact = broken.impact;
+    record.threshold = broken.threshold;
+    record.point = broken.point;
+    record.pieces = broken.pieces;
+    record.milliseconds = broken.milliseconds;
+    return record;
+}
+
+ImpactRecord recordOf(const Session& session, const PlayBody& body, const PlayImpact& impact) {
+    ImpactRecord record = recordOf(session, body);
+    record.impact = impact.damage;
+    record.threshold = impact.threshold;
+    record.point = impact.point;
+    return record;
 }
 
 }  // namespace
@@ -35,11 +51,7 @@ std::span<const ImpactRecord> ImpactLog::record(const Session& session) {
 void ImpactLog::addWithstood(const Session& session, const PlayImpact& impact) {
     const PlayBody* body = session.body(impact.body);
     if (body == nullptr || impact.damage < kListedRatio * impact.threshold) return;  // null: it broke
-    ImpactRecord record{.step = m_steps,
-                        .name = session.nameOf(*body),
-                        .impact = impact.damage,
-                        .threshold = impact.threshold,
-                        .point = impact.point};
+    ImpactRecord record = recordOf(session, *body, impact);
     const auto last = m_lastWithstood.find(impact.body);
     const bool isSame =
         last != m_lastWithstood.end() && m_steps <= last->second.step + stepOf(kSameImpact, session.stepLength());

@@ -41,6 +41,8 @@ struct ImpactRecord {
     Vec3 point{0.0, 0.0, 0.0};
     std::uint32_t pieces = 0;  // 0: it stayed whole
     double milliseconds = 0.0;
+    Id asset = 0;        // that the body is made of
+    double scale = 1.0;  // its threshold relative to that of the whole asset
     bool isBreak() const { return pieces > 0; }
     double ratio() const { return impact / threshold; }
 };

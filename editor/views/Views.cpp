@@ -129,7 +129,7 @@ void Views::addDocks() {
     m_inspector = new Inspector(document, selection);
     m_fragments = new FragmentTable(document, selection, m_workspace.bakes());
     auto* messages = new MessagesPanel(m_messages, document);
-    auto* play = new PlayPanel(m_workspace.play());
+    auto* play = new PlayPanel(document, m_workspace.play());
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
     auto* tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
     auto* strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
@@ -141,6 +141,7 @@ void Views::addDocks() {
     connect(strength, &StrengthPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
     connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
+    connect(play, &PlayPanel::statusMessage, this, &Views::statusMessage);
     connect(play, &PlayPanel::jumpRequested, this, [this](const Vec3& place) {
         m_scene->viewport().frame({place - Vec3(kBreakMargin), place + Vec3(kBreakMargin)});
         m_scene->viewport().setFocus();

@@ -25,6 +25,7 @@ Examples:
   rubble-cli materials --materials presets --json)";
 
 constexpr double kPascalsOfMega = 1e6;
+constexpr double kPascalsOfGiga = 1e9;
 
 struct MaterialsOptions {
     std::vector<std::string> names;
@@ -48,6 +49,8 @@ constexpr Column kColumns[] = {
      [](const MaterialPreset& preset) { return preset.tensileStrength ? &*preset.tensileStrength : nullptr; }},
     {"fracture toughness", "MPa·√m", kPascalsOfMega,
      [](const MaterialPreset& preset) { return preset.fractureToughness ? &*preset.fractureToughness : nullptr; }},
+    {"Young's modulus", "GPa", kPascalsOfGiga,
+     [](const MaterialPreset& preset) { return preset.youngsModulus ? &*preset.youngsModulus : nullptr; }},
 };
 
 /// The number of characters of a UTF-8 text.

@@ -28,6 +28,10 @@ Sentence eventFault(const std::string& owner, const HitRequirement& hit) {
     return rangeFault(owner, {{ProjectNumber::Mass, hit.mass}, {ProjectNumber::HitSpeed, hit.speed}});
 }
 
+Sentence eventFault(const std::string& owner, const ImpulseRequirement& impact) {
+    return rangeFault(owner, {{ProjectNumber::Threshold, impact.impulse, "impulse"}});
+}
+
 Sentence actionFault(const std::string& owner, const Throw& thrown) {
     if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.from, "start")) return fault;
     if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, thrown.to, "aim")) return fault;

@@ -77,6 +77,7 @@ std::optional<std::string> faultOf(const Material& material) {
                                {ProjectNumber::Restitution, material.restitution},
                                {ProjectNumber::TensileStrength, material.tensileStrength.value_or(1.0)},
                                {ProjectNumber::FractureToughness, material.fractureToughness.value_or(1.0)},
+                               {ProjectNumber::YoungsModulus, material.youngsModulus.value_or(1.0)},
                                {ProjectNumber::Opacity, material.opacity}})) {
         return fault;
     }

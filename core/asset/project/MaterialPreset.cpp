@@ -19,13 +19,14 @@ struct NamedFigure {
     const PresetFigure* figure;  // null: unknown
 };
 
-std::array<NamedFigure, 5> figuresOf(const MaterialPreset& preset) {
+std::array<NamedFigure, 6> figuresOf(const MaterialPreset& preset) {
     const auto optional = [](const std::optional<PresetFigure>& figure) { return figure ? &*figure : nullptr; };
     return {{{ProjectNumber::Density, &preset.density},
              {ProjectNumber::Friction, &preset.friction},
              {ProjectNumber::Restitution, &preset.restitution},
              {ProjectNumber::TensileStrength, optional(preset.tensileStrength)},
-             {ProjectNumber::FractureToughness, optional(preset.fractureToughness)}}};
+             {ProjectNumber::FractureToughness, optional(preset.fractureToughness)},
+             {ProjectNumber::YoungsModulus, optional(preset.youngsModulus)}}};
 }
 
 Sentence figureFault(const std::string& owner, const NamedFigure& named) {
@@ -87,6 +88,7 @@ Material materialOf(const MaterialPreset& preset, Id id) {
             .restitution = preset.restitution.value,
             .tensileStrength = valueOf(preset.tensileStrength),
             .fractureToughness = valueOf(preset.fractureToughness),
+            .youngsModulus = valueOf(preset.youngsModulus),
             .outside = preset.outside,
             .inside = preset.inside,
             .opacity = preset.opacity};
@@ -115,6 +117,7 @@ MaterialPreset presetOf(const Material& material, Pattern pattern) {
             .restitution = *figureOf(material.restitution),
             .tensileStrength = figureOf(material.tensileStrength),
             .fractureToughness = figureOf(material.fractureToughness),
+            .youngsModulus = figureOf(material.youngsModulus),
             .outside = material.outside,
             .inside = material.inside,
             .opacity = material.opacity,

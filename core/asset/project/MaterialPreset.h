@@ -25,6 +25,7 @@ struct MaterialPreset {
     PresetFigure restitution;
     std::optional<PresetFigure> tensileStrength;
     std::optional<PresetFigure> fractureToughness;
+    std::optional<PresetFigure> youngsModulus;
     Colour outside;
     Colour inside;
     double opacity = 1.0;

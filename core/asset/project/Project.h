@@ -36,6 +36,7 @@ struct Material {
     double restitution = 0.0;                 // in [0, 1]
     std::optional<double> tensileStrength;    // Pa, > 0; none: unknown
     std::optional<double> fractureToughness;  // Pa·√m, > 0; none: unknown
+    std::optional<double> youngsModulus;      // Pa, > 0; none: unknown
     Colour outside;
     Colour inside;
     double opacity = 1.0;  // of its surfaces in pictures and mesh files: glass 0.3
@@ -80,11 +81,22 @@ struct HitRequirement {
     double speed = 10.0;  // m/s, > 0
     bool operator==(const HitRequirement&) const = default;
 };
+/// An impact of known impulse, such as one of a simulation.
+struct ImpulseRequirement {
+    double impulse = 10.0;  // N·s, > 0, on the whole asset
+    bool operator==(const ImpulseRequirement&) const = default;
+};
 /// An event that an asset must survive, or must break in. Requirements bound its threshold.
 struct StrengthRequirement {
     RequirementOutcome outcome = RequirementOutcome::Survives;
-    std::variant<DropRequirement, HitRequirement> event;
+    std::variant<DropRequirement, HitRequirement, ImpulseRequirement> event;
     bool operator==(const StrengthRequirement&) const = default;
+};
+
+/// The rule by which a threshold is derived from the strength of a material; see derivedThreshold().
+enum class StrengthRule {
+    CrossSection,  // tension across the smallest cross-section: of assets derived by older versions
+    Bending,       // local bending under an impact
 };
 
 /// A solid with its recipe for fracture.
@@ -94,17 +106,18 @@ struct Asset {
     Id material = 0;
     Prism prism;
     Pattern pattern;
-    Shaping shaping;                                // of all levels
-    std::vector<Level> levels;                      // levels[0] fractures the pattern's fragments
-    std::vector<FragmentLevel> leaves;              // settings of single fragments; ascending path
-    std::vector<FragmentEdit> edits;                // merges and splits by hand, in the order of editing
-    double threshold = 100.0;                       // N·s, > 0, as entered; thresholdOf() gives the effective one
-    std::optional<double> contactTime;              // s, > 0: derive the threshold from the material's strength
-    double insideUvScale = 1.0;                     // UV units per metre on inside faces
-    Id insideMaterial = 0;                          // of inside faces; 0: the asset's own material
-    std::optional<CutAtImpact> cutAtImpact;         // none: it breaks into the pieces of its pattern
-    std::vector<StrengthRequirement> requirements;  // in the order of editing
-    std::shared_ptr<const Surface> surface;         // of the imported mesh; null if not imported
+    Shaping shaping;                                    // of all levels
+    std::vector<Level> levels;                          // levels[0] fractures the pattern's fragments
+    std::vector<FragmentLevel> leaves;                  // settings of single fragments; ascending path
+    std::vector<FragmentEdit> edits;                    // merges and splits by hand, in the order of editing
+    double threshold = 100.0;                           // N·s, > 0, as entered; thresholdOf() gives the effective one
+    std::optional<double> contactTime;                  // s, > 0: derive the threshold from the material's strength
+    StrengthRule strengthRule = StrengthRule::Bending;  // by which it is derived
+    double insideUvScale = 1.0;                         // UV units per metre on inside faces
+    Id insideMaterial = 0;                              // of inside faces; 0: the asset's own material
+    std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the pieces of its pattern
+    std::vector<StrengthRequirement> requirements;      // in the order of editing
+    std::shared_ptr<const Surface> surface;             // of the imported mesh; null if not imported
     bool operator==(const Asset& other) const;
 };
 

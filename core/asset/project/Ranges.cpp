@@ -49,6 +49,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     {"restitution", "", 0.0, 1.0, false, 0.0, "above 1 an impact would add energy"},
     between("tensile strength", "Pa", 1.0, 1e12, 1e6, "the strongest fibre has 1e11"),
     between("fracture toughness", "Pa·√m", 1e-3, 1e12, 1e6, "steel has 1e8"),
+    between("Young's modulus", "Pa", 1.0, 1e13, 1e10, "diamond has 1e12"),
     {"colour", "", 0.0, 1.0, false, 0.8, kFraction},
     {"opacity", "", 0.05, 1.0, false, 1.0, "what is fainter cannot be seen"},
     between("depth", "m", kMinExtent, kMaxExtent, 0.5, "a prism needs volume"),

@@ -17,6 +17,7 @@ enum class ProjectNumber {
     Restitution,
     TensileStrength,
     FractureToughness,
+    YoungsModulus,
     ColourChannel,
     Opacity,
     PrismDepth,
@@ -69,7 +70,7 @@ enum class ProjectNumber {
     MetresPerUnit,  // of a mesh file
     Threads,
 };
-inline constexpr int kProjectNumbers = 56;
+inline constexpr int kProjectNumbers = 57;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -6,10 +6,10 @@ namespace rubble {
 namespace {
 
 /// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
-Project withWall(Project project, Pattern pattern, std::optional<double> contactTime) {
+Project withWall(Project project, Pattern pattern, bool isDerived) {
     Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
     wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
-    wall.contactTime = contactTime;
+    if (isDerived) deriveThreshold(wall);
     wall.pattern = std::move(pattern);
     if (wall.pattern.layers.empty()) {
         wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
@@ -40,12 +40,11 @@ Project emptyProject(const MaterialPreset& material) {
     return project;
 }
 
-Project starterProject() { return withWall(emptyProject(), {}, std::nullopt); }
+Project starterProject() { return withWall(emptyProject(), {}, false); }
 
 Project starterProject(const MaterialPreset& material) {
-    const std::optional<double> contactTime =
-        material.tensileStrength ? std::optional(kDefaultContactTime) : std::nullopt;
-    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}), contactTime);
+    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}),
+                    material.tensileStrength.has_value());
 }
 
 }  // namespace rubble

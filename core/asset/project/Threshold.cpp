@@ -3,17 +3,52 @@
 #include "core/geometry/polygon/MinimumCrossSection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace rubble {
+namespace {
+
+/// The inverse angular frequency of the lowest vibration of the plate that kBendingRatio belongs to, over the time of
+/// sound through its thickness: a²/t² sqrt(12 (1 - nu²)) / 4.86.
+/// Source: Leissa, Vibration of Plates, NASA SP-160, 1969, section 2.1: 4.860 for nu = 1/4, simply supported.
+const double kResponse = kBendingRadius * kBendingRadius * std::sqrt(12.0 * (1.0 - 1.0 / 16.0)) / 4.86;
+
+}  // namespace
+
+double thicknessOf(const Prism& prism) { return std::min(prism.depth, minimumCrossSection(prism.outline)); }
 
 double minimumCrossSection(const Prism& prism) {
     return std::min(prism.depth * minimumCrossSection(prism.outline), area(prism.outline));
 }
 
+std::optional<BendingStrength> bendingStrength(const Asset& asset, const Material& material) {
+    if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
+    BendingStrength strength{.thickness = thicknessOf(asset.prism)};
+    strength.force = *material.tensileStrength * strength.thickness * strength.thickness / kBendingRatio;
+    strength.duration = 2.0 / std::numbers::pi * *asset.contactTime;  // of half a sine wave with that peak
+    if (!material.youngsModulus) return strength;
+    const double response = kResponse * strength.thickness * std::sqrt(material.density / *material.youngsModulus);
+    strength.isByInertia = response > strength.duration;
+    strength.duration = std::max(strength.duration, response);
+    return strength;
+}
+
 std::optional<double> derivedThreshold(const Asset& asset, const Material& material) {
     if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
+    if (asset.strengthRule == StrengthRule::Bending) return bendingStrength(asset, material)->threshold();
     return *material.tensileStrength * minimumCrossSection(asset.prism) * *asset.contactTime;
+}
+
+void deriveThreshold(Asset& asset) {
+    asset.contactTime = kDefaultContactTime;
+    asset.strengthRule = StrengthRule::Bending;
+}
+
+void enterThreshold(Asset& asset, double threshold) {
+    asset.threshold = threshold;
+    asset.contactTime.reset();
+    asset.strengthRule = StrengthRule::Bending;
 }
 
 std::optional<double> transitionCrackLength(const Material& material) {

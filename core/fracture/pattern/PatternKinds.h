@@ -11,6 +11,7 @@
 #include "core/fracture/kinds/JitteredGrid.h"
 #include "core/fracture/kinds/LloydRelaxation.h"
 #include "core/fracture/kinds/PlacedSeeds.h"
+#include "core/fracture/kinds/RadialCracks.h"
 #include "core/fracture/kinds/RadialPattern.h"
 #include "core/fracture/kinds/Slices.h"
 #include "core/fracture/kinds/UniformScatter.h"
@@ -22,8 +23,8 @@ namespace rubble {
 
 /// The parameters of a layer: one struct per kind, see LayerKind.h. Hashes contain the index of a kind: append new
 /// kinds at the end.
-using LayerParameters =
-    std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters, RadialPattern,
-                 ImpactScatter, DensityImage, BrickBond, Slices, CrackLines, Grain, WeightedLloyd, HexagonalLattice>;
+using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters,
+                                     RadialPattern, ImpactScatter, DensityImage, BrickBond, Slices, CrackLines, Grain,
+                                     WeightedLloyd, HexagonalLattice, RadialCracks>;
 
 }  // namespace rubble

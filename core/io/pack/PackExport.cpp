@@ -129,9 +129,11 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
     single.assets[0].requirements.clear();
     single.assets[0].threshold = thresholdOf(asset, material.own);
     single.assets[0].contactTime.reset();
+    single.assets[0].strengthRule = {};
     for (Material& each : single.materials) {
         each.tensileStrength.reset();
         each.fractureToughness.reset();
+        each.youngsModulus.reset();
     }
     Hasher hasher;
     hasher.add(kMeshVersion);

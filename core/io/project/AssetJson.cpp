@@ -6,8 +6,14 @@
 #include "core/io/project/ShapingJson.h"
 #include "core/io/project/StrengthRequirementJson.h"
 
+#include <array>
+
 namespace rubble {
 namespace {
+
+// In the order of their enumerators.
+constexpr std::array<std::string_view, 2> kStrengthRules{"crossSection", "bending"};
+constexpr StrengthRule kOldStrengthRule = StrengthRule::CrossSection;  // of files without that key
 
 void writePrism(JsonWriter& json, const Prism& prism) {
     json.openObject("prism");
@@ -183,6 +189,7 @@ void writeMaterial(JsonWriter& json, const Material& material) {
     writeProperties(json, material);
     json.number("tensileStrength", material.tensileStrength);
     json.number("fractureToughness", material.fractureToughness);
+    if (material.youngsModulus) json.number("youngsModulus", *material.youngsModulus);
     writeColours(json, material);
     json.close();
 }
@@ -202,10 +209,11 @@ Material readMaterialVersion1(const JsonValue& value) {
 Material readMaterial(const JsonValue& value) {
     value.requireObject({"id", "name", "density", "friction", "restitution", "tensileStrength", "fractureToughness",
                          "outside", "inside"},
-                        {"opacity"});
+                        {"youngsModulus", "opacity"});
     Material material = readMaterialMembers1(value);
     material.tensileStrength = value["tensileStrength"].optionalNumber();
     material.fractureToughness = value["fractureToughness"].optionalNumber();
+    if (value["youngsModulus"].isPresent()) material.youngsModulus = value["youngsModulus"].number();
     return material;
 }
 
@@ -216,6 +224,8 @@ void writeAsset(JsonWriter& json, const Asset& asset) {
     json.wholeNumber("material", asset.material);
     json.number("threshold", asset.threshold);
     json.number("contactTime", asset.contactTime);
+    if (asset.contactTime && asset.strengthRule != kOldStrengthRule)
+        json.text("strengthRule", kStrengthRules[static_cast<std::size_t>(asset.strengthRule)]);
     json.number("insideUvScale", asset.insideUvScale);
     json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
     writePrism(json, asset.prism);
@@ -253,11 +263,18 @@ Asset readAssetVersion4(const JsonValue& value) {
 }
 
 Asset readAsset(const JsonValue& value) {
-    value.requireObject({"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial",
-                         "prism", "pattern", "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents",
-                         "surface"});
+    value.requireObject(
+        {"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial", "prism", "pattern",
+         "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"},
+        {"strengthRule"});
     Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
+    const JsonValue rule = value["strengthRule"];
+    if (rule.isPresent()) {
+        asset.strengthRule = static_cast<StrengthRule>(rule.oneOf(kStrengthRules));
+    } else if (asset.contactTime) {
+        asset.strengthRule = kOldStrengthRule;
+    }
     return asset;
 }
 

@@ -56,6 +56,7 @@ void writePreset(JsonWriter& json, const MaterialPreset& preset) {
     writeProperty(json, "restitution", preset.restitution);
     writeProperty(json, "tensileStrength", preset.tensileStrength);
     writeProperty(json, "fractureToughness", preset.fractureToughness);
+    writeProperty(json, "youngsModulus", preset.youngsModulus);
     writeColour(json, "outside", preset.outside);
     writeColour(json, "inside", preset.inside);
     writeOpacity(json, preset.opacity);
@@ -75,7 +76,7 @@ void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
 
 MaterialPreset readPreset(const JsonValue& root) {
     root.requireObject({"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
-                       {"note", "tensileStrength", "fractureToughness", "opacity", "pattern"});
+                       {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern"});
     return {.name = root["name"].text(),
             .note = root["note"].isPresent() ? root["note"].text() : std::string(),
             .density = readProperty(root["density"]),
@@ -83,6 +84,7 @@ MaterialPreset readPreset(const JsonValue& root) {
             .restitution = readProperty(root["restitution"]),
             .tensileStrength = readOptionalProperty(root["tensileStrength"]),
             .fractureToughness = readOptionalProperty(root["fractureToughness"]),
+            .youngsModulus = readOptionalProperty(root["youngsModulus"]),
             .outside = readColour(root["outside"]),
             .inside = readColour(root["inside"]),
             .opacity = readOpacity(root),

@@ -9,7 +9,7 @@ using RequirementEvent = decltype(StrengthRequirement::event);
 
 // In the order of their enumerators and of the alternatives of RequirementEvent.
 constexpr std::array<std::string_view, 2> kOutcomes{"survives", "breaks"};
-constexpr std::array<std::string_view, 2> kEvents{"drop", "hit"};
+constexpr std::array<std::string_view, 3> kEvents{"drop", "hit", "impulse"};
 static_assert(kEvents.size() == std::variant_size_v<RequirementEvent>);
 
 void writeEvent(JsonWriter& json, const DropRequirement& drop) { json.number("height", drop.height); }
@@ -29,9 +29,17 @@ HitRequirement readHit(const JsonValue& requirement) {
     return {.mass = requirement["mass"].number(), .speed = requirement["speed"].number()};
 }
 
+void writeEvent(JsonWriter& json, const ImpulseRequirement& impact) { json.number("impulse", impact.impulse); }
+
+ImpulseRequirement readImpulse(const JsonValue& requirement) {
+    requirement.requireObject({"outcome", "kind", "impulse"});
+    return {.impulse = requirement["impulse"].number()};
+}
+
 RequirementEvent readEvent(std::size_t kind, const JsonValue& requirement) {
     if (kind == 0) return readDrop(requirement);
-    return readHit(requirement);
+    if (kind == 1) return readHit(requirement);
+    return readImpulse(requirement);
 }
 
 }  // namespace
@@ -62,7 +70,7 @@ void writeRequirement(JsonWriter& json, const StrengthRequirement& requirement) 
 }
 
 StrengthRequirement readRequirement(const JsonValue& value) {
-    value.requireObject({"outcome", "kind"}, {"height", "mass", "speed"});
+    value.requireObject({"outcome", "kind"}, {"height", "mass", "speed", "impulse"});
     return {.outcome = static_cast<RequirementOutcome>(value["outcome"].oneOf(kOutcomes)),
             .event = readEvent(value["kind"].oneOf(kEvents), value)};
 }

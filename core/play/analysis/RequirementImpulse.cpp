@@ -104,6 +104,8 @@ Result<double> impulseOf(const Project& project, const PlayAsset& asset, const H
     return damageAtContact(standing(project, asset), *cube, project.damage.rule);
 }
 
+Result<double> impulseOf(const Project&, const PlayAsset&, const ImpulseRequirement& impact) { return impact.impulse; }
+
 }  // namespace
 
 Result<double> requirementImpulse(const Project& project, const PlayAsset& asset,

@@ -37,6 +37,11 @@ std::string eventText(RequirementOutcome outcome, const HitRequirement& hit) {
            messageText(hit.mass) + " kg at " + messageText(hit.speed) + " m/s";
 }
 
+std::string eventText(RequirementOutcome outcome, const ImpulseRequirement& impact) {
+    return (outcome == RequirementOutcome::Survives ? "survives an impulse of " : "breaks at an impulse of ") +
+           impulseText(impact.impulse);
+}
+
 }  // namespace
 
 std::optional<double> ThresholdInterval::suggested() const {
@@ -57,6 +62,13 @@ Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAs
         restrict(interval, requirement.outcome, static_cast<std::uint32_t>(interval.impulses.size() - 1));
     }
     return interval;
+}
+
+StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impulse) {
+    const double unit = std::pow(10.0, std::floor(std::log10(impulse)) - 2.0);
+    const double digits = impulse / unit;
+    return {outcome, ImpulseRequirement{
+                         unit * (outcome == RequirementOutcome::Breaks ? std::floor(digits) : std::ceil(digits))}};
 }
 
 std::string requirementText(const StrengthRequirement& requirement) {

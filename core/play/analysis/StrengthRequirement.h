@@ -28,6 +28,10 @@ struct ThresholdInterval {
 /// Errors: those of requirementImpulse(), with the asset's name.
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
 
+/// The requirement that an impact of this impulse has this outcome again, rounded to three digits towards the side that
+/// demands more.
+StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impulse);
+
 /// The requirement as text: "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s".
 std::string requirementText(const StrengthRequirement& requirement);
 

@@ -22,6 +22,7 @@ void updateMaterials(Project& played, const Project& now, std::vector<PlayInput>
         material.name = other.name;
         material.tensileStrength = other.tensileStrength;
         material.fractureToughness = other.fractureToughness;
+        material.youngsModulus = other.youngsModulus;
         if (hasChanged) inputs.push_back(MaterialInput{other});
     }
 }
@@ -37,6 +38,7 @@ void updateAssets(const Project& before, Project& played, const Project& now, st
         }
         asset.threshold = other.threshold;
         asset.contactTime = other.contactTime;
+        asset.strengthRule = other.strengthRule;
         asset.name = other.name;
         asset.requirements = other.requirements;
     }

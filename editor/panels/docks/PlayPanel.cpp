@@ -1,12 +1,17 @@
 #include "editor/panels/docks/PlayPanel.h"
 
+#include "core/play/analysis/StrengthRequirement.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/document/ShownText.h"
 #include "editor/panels/docks/StepGraph.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -21,8 +26,9 @@ constexpr int kPaintMilliseconds = 66;  // between repaints of the graph: faster
 
 }  // namespace
 
-PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
+PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* parent)
     : QWidget(parent),
+      m_document(document),
       m_controller(controller),
       m_graph(new StepGraph),
       m_model(new ImpactModel(this)),
@@ -47,7 +53,11 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     listRows->setContentsMargins(0, 0, 0, 0);
     listRows->setSpacing(0);
     listRows->addWidget(m_view, 1);
-    listRows->addWidget(m_summary);
+    auto* below = new QHBoxLayout;
+    below->setContentsMargins(0, 0, 6, 2);
+    below->addWidget(m_summary, 1);
+    below->addWidget(makeButtons());
+    listRows->addLayout(below);
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->addWidget(list);
     parts->addWidget(m_graph);
@@ -60,7 +70,61 @@ PlayPanel::PlayPanel(PlayController& controller, QWidget* parent)
     connect(&controller, &PlayController::frameChanged, this, &PlayPanel::refreshFrame);
     connect(&controller, &PlayController::impactsChanged, this, &PlayPanel::refreshImpacts);
     connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshImpacts);
+    connect(&document, &Document::changed, this, &PlayPanel::refreshActions);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PlayPanel::refreshActions);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &PlayPanel::refreshActions);
     refreshImpacts();
+    refreshActions();
+}
+
+QWidget* PlayPanel::makeButtons() {
+    m_actions = {
+        makeRequirementAction("must-survive", tr("Must Survive"),
+                              tr("Require that the asset survives the selected impact"), RequirementOutcome::Survives),
+        makeRequirementAction("must-break", tr("Must Break"),
+                              tr("Require that the asset breaks in the selected impact"), RequirementOutcome::Breaks)};
+    m_view->addActions(m_actions);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QAction* action : m_actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        row->addWidget(button);
+    }
+    return buttons;
+}
+
+QAction* PlayPanel::makeRequirementAction(const char* name, const QString& text, const QString& hint,
+                                          RequirementOutcome outcome) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setToolTip(hint);
+    connect(action, &QAction::triggered, this, [this, outcome] { addRequirement(outcome); });
+    return action;
+}
+
+const ImpactRecord* PlayPanel::selectedImpact() const {
+    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
+    if (rows.isEmpty()) return nullptr;
+    const ImpactRecord& impact = m_model->impact(rows.front().row());
+    return findAsset(m_document.project(), impact.asset) != nullptr ? &impact : nullptr;
+}
+
+void PlayPanel::addRequirement(RequirementOutcome outcome) {
+    const ImpactRecord* impact = selectedImpact();
+    if (impact == nullptr) return;
+    Asset changed = *findAsset(m_document.project(), impact->asset);
+    changed.requirements.push_back(impulseRequirement(outcome, impact->impact / impact->scale));
+    const QString message =
+        tr("New requirement: \"%1\" %2. See the Strength dock.")
+            .arg(nameText(changed.name), QString::fromStdString(requirementText(changed.requirements.back())));
+    if (m_document.push(modify(tr("Add Requirement"), std::move(changed)))) emit statusMessage(message);
+}
+
+void PlayPanel::refreshActions() {
+    for (QAction* action : m_actions) action->setEnabled(selectedImpact() != nullptr);
 }
 
 void PlayPanel::addContextMenu() {

@@ -96,7 +96,9 @@ QToolButton* StrengthPanel::makeAddButton() {
         {tr("Survives &Drop"), {RequirementOutcome::Survives, DropRequirement{}}},
         {tr("&Breaks in Drop"), {RequirementOutcome::Breaks, DropRequirement{.height = 3.0}}},
         {tr("Survives &Impact"), {RequirementOutcome::Survives, HitRequirement{}}},
-        {tr("B&reaks in Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}}};
+        {tr("B&reaks in Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}},
+        {tr("Survives I&mpulse"), {RequirementOutcome::Survives, ImpulseRequirement{}}},
+        {tr("Breaks &at Impulse"), {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 50.0}}}};
     for (const auto& [text, requirement] : kinds) {
         connect(menu->addAction(text), &QAction::triggered, this,
                 [this, added = requirement] { addRequirement(added); });
@@ -188,6 +190,11 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
         m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
         addField(index, 0, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
                  [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
+    } else if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) {
+        m_grid->addWidget(new QLabel(tr("an impulse of")), row, 1);
+        addField(
+            index, 0, ProjectNumber::Threshold, impact->impulse, tr("N·s"), tr("Impulse"),
+            [](StrengthRequirement& changed, double to) { std::get<ImpulseRequirement>(changed.event).impulse = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
         m_grid->addWidget(new QLabel(tr("an impact of")), row, 1);
@@ -259,10 +266,7 @@ void StrengthPanel::addRequirement(const StrengthRequirement& requirement) {
 
 void StrengthPanel::applySuggested() {
     if (!m_suggested) return;
-    change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) {
-        changed.threshold = threshold;
-        changed.contactTime.reset();  // an entered threshold
-    });
+    change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) { enterThreshold(changed, threshold); });
 }
 
 void StrengthPanel::refreshAudit() {

@@ -18,6 +18,12 @@ namespace {
 
 constexpr Id kEntered = 1;  // sources of the threshold
 constexpr Id kDerived = 2;
+constexpr Id kDerivedFromSection = 3;  // by older versions
+
+Id sourceOf(const Asset& asset) {
+    if (!asset.contactTime) return kEntered;
+    return asset.strengthRule == StrengthRule::CrossSection ? kDerivedFromSection : kDerived;
+}
 
 bool isRectangle(const Ring& ring) {
     const Box2 box = boundsOf(ring);
@@ -89,20 +95,15 @@ void AssetPage::buildThreshold(Section& section) {
         m_threshold, tr("Set Threshold"),
         [this](const Asset& asset) { return thresholdOf(m_document.project(), asset); },
         [](Asset& asset, double entered) { asset.threshold = entered; });
-    auto* sources = section.addRow(tr("Source"), new QComboBox,
-                                   tr("Whether the threshold is entered or derived from the strength"));
-    setItems(*sources, {{kEntered, tr("Entered"), {}}, {kDerived, tr("Derived from strength"), {}}});
-    m_form.bind(
-        sources, tr("Set Threshold Source"), [](const Asset& asset) { return asset.contactTime ? kDerived : kEntered; },
-        [this](Asset& asset, Id source) {
-            if (asset.contactTime && source == kDerived) return;
-            asset.threshold = thresholdOf(m_document.project(), asset);  // keeps its value when it becomes entered
-            asset.contactTime.reset();
-            if (source == kDerived) asset.contactTime = kDefaultContactTime;
-        });
-    m_contactTime =
-        section.addRow(tr("Contact time"), new NumberField,
-                       tr("Duration of an impact: threshold = strength × smallest cross-section × contact time"));
+    m_sources = section.addRow(tr("Source"), new QComboBox,
+                               tr("Whether the threshold is entered or derived from the strength"));
+    m_form.bind(m_sources, tr("Set Threshold Source"), sourceOf, [this](Asset& asset, Id source) {
+        if (source == sourceOf(asset)) return;
+        enterThreshold(asset, thresholdOf(m_document.project(), asset));  // keeps its value when it becomes entered
+        if (source == kDerived) deriveThreshold(asset);
+    });
+    m_contactTime = section.addRow(tr("Contact time"), new NumberField,
+                                   tr("Duration of an impact; the longer it is, the larger the impulse that breaks"));
     m_contactTime->setFormat({tr("ms"), 3});
     m_contactTime->setRange(fieldRange(ProjectNumber::ContactTime));
     m_form.bind(
@@ -114,6 +115,15 @@ void AssetPage::buildThreshold(Section& section) {
     m_derivation->setObjectName("derivation");
     m_derivation->setWordWrap(true);
     section.addWide(m_derivation);
+}
+
+/// Lists the sources of thresholds; the older one only for assets that have it.
+void AssetPage::listSources() {
+    std::vector<ComboItem> sources{{kEntered, tr("Entered"), {}}, {kDerived, tr("Derived from strength"), {}}};
+    const auto isOld = [](const Asset& asset) { return sourceOf(asset) == kDerivedFromSection; };
+    if (std::ranges::any_of(selected(), isOld))
+        sources.push_back({kDerivedFromSection, tr("Strength × cross-section (older projects)"), {}});
+    setItems(*m_sources, sources);
 }
 
 /// Shows the formula of a derived threshold, or lets the threshold be typed.
@@ -132,11 +142,20 @@ void AssetPage::showThreshold(const Asset& asset) {
             tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")
                 .arg(nameText(material.name)));
     }
-    m_derivation->setText(tr("%1 × %2 × %3 = %4")
-                              .arg(text(QuantityKind::Pressure, *material.tensileStrength),
-                                   text(QuantityKind::Area, minimumCrossSection(asset.prism)),
-                                   text(QuantityKind::Time, *asset.contactTime),
-                                   text(QuantityKind::Impulse, thresholdOf(asset, material))));
+    const QString strength = text(QuantityKind::Pressure, *material.tensileStrength);
+    const QString threshold = text(QuantityKind::Impulse, thresholdOf(asset, material));
+    if (asset.strengthRule == StrengthRule::CrossSection) {
+        return m_derivation->setText(tr("%1 × %2 × %3 = %4")
+                                         .arg(strength, text(QuantityKind::Area, minimumCrossSection(asset.prism)),
+                                              text(QuantityKind::Time, *asset.contactTime), threshold));
+    }
+    const BendingStrength bending = *bendingStrength(asset, material);
+    const QString formula =
+        tr("%1 × (%2)² / %3 × %4 = %5")
+            .arg(strength, text(QuantityKind::Length, bending.thickness), locale().toString(kBendingRatio),
+                 text(QuantityKind::Time, bending.duration), threshold);
+    m_derivation->setText(bending.isByInertia ? formula + "\n" + tr("The asset's inertia decides the duration.")
+                                              : formula);
 }
 
 void AssetPage::setLibraryAction(QAction* action) { m_asset->addWide(actionButton(action)); }
@@ -202,6 +221,7 @@ void AssetPage::refresh() {
         insides.push_back({material.id, nameText(material.name), material.inside});
     }
     setItems(*m_inside, insides);
+    listSources();
     m_form.refresh();
     const std::vector<Asset> assets = selected();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));

@@ -29,6 +29,7 @@ private:
     void buildAsset(Section& section);
     void buildThreshold(Section& section);
     void buildShape(Section& section);
+    void listSources();
     void showThreshold(const Asset& asset);
     QString summary(const Asset& asset) const;
 
@@ -38,6 +39,7 @@ private:
     Form<Asset> m_form;
     QComboBox* m_material = nullptr;
     QComboBox* m_inside = nullptr;
+    QComboBox* m_sources = nullptr;  // of the threshold
     Section* m_asset = nullptr;
     SliderField* m_threshold = nullptr;
     NumberField* m_contactTime = nullptr;

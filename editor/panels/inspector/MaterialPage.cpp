@@ -23,6 +23,8 @@ constexpr double kMinStrength = 1e4;      // Pa: crumbling mortar ...
 constexpr double kMaxStrength = 2e9;      // ... and hard steel
 constexpr double kMinToughness = 1e4;     // Pa·√m
 constexpr double kMaxToughness = 2e8;     // ductile steel
+constexpr double kMinModulus = 1e7;       // Pa: rubber ...
+constexpr double kMaxModulus = 1e12;      // ... and diamond
 constexpr double kMaxFriction = 1.5;      // rubber on stone
 
 std::vector<Material> selectedMaterials(const Document& document, const Selection& selection) {
@@ -98,21 +100,24 @@ void MaterialPage::bindColours(Section& section) {
 }
 
 void MaterialPage::bindStrength(Section& section) {
-    const auto add = [&](const QString& label, double from, double to, const QString& unit, const QString& hint,
+    const auto add = [&](const QString& label, double from, double to, const NumberFormat& unit, const QString& hint,
                          const QString& step, ProjectNumber number, std::optional<double> Material::*member) {
         auto* field = section.addRow(
             label, new SliderField(optionalFieldRange(number), from, to, SliderScale::Logarithmic), hint);
-        field->setFormat({unit, -6});
+        field->setFormat(unit);
         m_form.bind(
             field, step, [member](const Material& material) { return shown(material.*member); },
             [member](Material& material, double value) { material.*member = entered(value); });
     };
-    add(tr("Strength"), kMinStrength, kMaxStrength, tr("MPa"),
+    add(tr("Strength"), kMinStrength, kMaxStrength, {tr("MPa"), -6},
         tr("Tensile strength, from which thresholds of assets can be derived; 0 if unknown"),
         tr("Set Tensile Strength"), ProjectNumber::TensileStrength, &Material::tensileStrength);
-    add(tr("Toughness"), kMinToughness, kMaxToughness, tr("MPa√m"),
+    add(tr("Toughness"), kMinToughness, kMaxToughness, {tr("MPa√m"), -6},
         tr("Fracture toughness, the resistance to crack growth; 0 if unknown"), tr("Set Fracture Toughness"),
         ProjectNumber::FractureToughness, &Material::fractureToughness);
+    add(tr("Stiffness"), kMinModulus, kMaxModulus, {tr("GPa"), -9},
+        tr("Young's modulus, with which derived thresholds of thick assets include their inertia; 0 if unknown"),
+        tr("Set Young's Modulus"), ProjectNumber::YoungsModulus, &Material::youngsModulus);
     section.addRow(tr("Crack limit"), m_crackLimit,
                    tr("Crack depth (toughness / strength)² / π above which toughness, not strength, decides when the "
                       "material breaks"));

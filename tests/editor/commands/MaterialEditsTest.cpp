@@ -40,10 +40,24 @@ private slots:
         const Project project = test::editedProject(before, applyPreset(before, wall, preset("glass"), {true, true}));
         const Asset& asset = *findAsset(project, wall);
         QCOMPARE(findMaterial(project, asset.material)->name, std::string("glass"));
-        QCOMPARE(asset.pattern.layers.size(), std::size_t{2});
-        QVERIFY(std::holds_alternative<RadialPattern>(asset.pattern.layers[0].parameters));
+        QCOMPARE(asset.pattern.layers.size(), std::size_t{1});
+        QVERIFY(std::holds_alternative<RadialCracks>(asset.pattern.layers[0].parameters));
         QCOMPARE(asset.contactTime.value_or(0.0), kDefaultContactTime);
-        QCOMPARE(thresholdOf(project, asset), 4.5e7 * 0.5 * 1e-3);
+        QVERIFY(asset.strengthRule == StrengthRule::Bending);
+        QCOMPARE(thresholdOf(project, asset),
+                 bendingStrength(asset, *findMaterial(project, asset.material))->threshold());
+    }
+    void derivesAnewWhatOlderVersionsDerived() {
+        Project before = starterProject();
+        before.assets[0].contactTime = 0.004;
+        before.assets[0].strengthRule = StrengthRule::CrossSection;
+        const Id wall = before.assets[0].id;
+        const Project kept = test::editedProject(before, applyPreset(before, wall, preset("glass"), {}));
+        QVERIFY(kept.assets[0].strengthRule == StrengthRule::CrossSection);
+        const Project anew =
+            test::editedProject(before, applyPreset(before, wall, preset("glass"), {.derivesThreshold = true}));
+        QVERIFY(anew.assets[0].strengthRule == StrengthRule::Bending);
+        QCOMPARE(anew.assets[0].contactTime.value_or(0.0), kDefaultContactTime);
     }
     void appliesOnlyWhatTheOptionsSay() {
         const Project before = starterProject();

@@ -105,7 +105,7 @@ private slots:
         Material material = document.project().materials[0];
         material.tensileStrength = 0.5e6;
         QVERIFY(document.push(changeOf(material)));
-        material.tensileStrength = 1.0;  // 1 Pa x 0.5 m² x 1e-9 s
+        material.tensileStrength = 1.0;  // 1 Pa on some tenths of a square metre for less than 1e-9 s
         QVERIFY(!document.push(changeOf(material)));
         QCOMPARE(document.project().materials[0].tensileStrength.value(), 0.5e6);
     }

@@ -39,6 +39,7 @@ inline Project fullProject() {
                           .restitution = 0.3,
                           .tensileStrength = 4.5e7,
                           .fractureToughness = 1.0 / 3.0,
+                          .youngsModulus = 7.1e10,
                           .outside = {0.1, 0.2, 0.3},
                           .inside = {1.0, 0.0, 1.0 / 3.0}}};
 
@@ -83,7 +84,8 @@ inline Project fullProject() {
     wall.cutAtImpact = {.pieces = 17, .falloffRadius = 0.45};
     wall.requirements = {
         {.outcome = RequirementOutcome::Breaks, .event = HitRequirement{.mass = 2.5, .speed = 1.0 / 3.0}},
-        {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}}};
+        {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}},
+        {.outcome = RequirementOutcome::Survives, .event = ImpulseRequirement{.impulse = 0.375}}};
     SurfaceTriangle triangle;
     triangle.corners = {Vec3{0.0, 0.0, 0.125}, Vec3{1.0, 0.0, 0.125}, Vec3{0.0, 1.0, 0.125}};
     triangle.uvs = {Vec2{0.0, 1.0}, Vec2{1.0, 0.1}, Vec2{-0.5, 0.0}};

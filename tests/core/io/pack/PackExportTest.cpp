@@ -143,6 +143,7 @@ private slots:
         }));
         QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].tensileStrength = 1e6; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].fractureToughness = 1e6; }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].youngsModulus = 1e9; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.nextId = 2000; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));

@@ -1,4 +1,5 @@
 // Tests core/io/project/ProjectFile.cpp and the readers and writers of its parts.
+#include "core/asset/project/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/ErrorText.h"
@@ -118,7 +119,10 @@ nlohmann::json version5Json() {
 
 /// Paths at which another type is valid, or none: optional values and keys.
 bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
-    if (value.is_discarded()) return place.ends_with("].unbreakable");
+    if (value.is_discarded()) {
+        return place.ends_with("].unbreakable") || place.ends_with("].youngsModulus") ||
+               place.ends_with("].strengthRule");
+    }
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
     if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
     if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
@@ -200,7 +204,8 @@ private slots:
       "cutAtImpact": {"pieces": 17, "reach": 0.45},
       "intents": [
         {"outcome": "breaks", "kind": "hit", "mass": 2.5, "speed": 0.3333333333333333},
-        {"outcome": "survives", "kind": "drop", "height": 1.75}
+        {"outcome": "survives", "kind": "drop", "height": 1.75},
+        {"outcome": "survives", "kind": "impulse", "impulse": 0.375}
       ],
 )";
         QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
@@ -241,6 +246,18 @@ private slots:
         const Result<Project> read = readProjectText(json.dump());
         QVERIFY(read && read->instances[1].isFixed && !read->instances[1].isUnbreakable);
     }
+    void thresholdsOfOlderFilesKeepTheirRule() {
+        nlohmann::json json = fullJson();
+        QVERIFY(json["assets"][0]["strengthRule"] == "bending" && !json["assets"][1].contains("strengthRule"));
+        json["assets"][0].erase("strengthRule");
+        json["assets"][0]["material"] = 2;
+        json["materials"][1].erase("youngsModulus");
+        const Result<Project> read = readProjectText(json.dump());
+        QVERIFY(read && read->assets[0].strengthRule == StrengthRule::CrossSection);
+        // A square of 2 x 2 m, 0.25 m thick, of 45 MPa for 1.25 ms, to the last bit.
+        QCOMPARE(thresholdOf(*read, read->assets[0]), 4.5e7 * (0.25 * 2.0) * 0.00125);
+        QVERIFY(nlohmann::json::parse(projectText(*read)) == json);
+    }
     void keysAreReadInAnyOrder() {
         QVERIFY(*readProjectText(fullJson().dump()) == fullProject());  // sorted there
     }
@@ -273,7 +290,7 @@ private slots:
         test::addWrongValue(
             "assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
             "\"clusters\", \"radial\", \"impact\", \"densityImage\", \"bricks\", \"slices\", \"strokes\", \"grain\", "
-            "\"weightedLloyd\" or \"hexagonal\", found \"tiles\".",
+            "\"weightedLloyd\", \"hexagonal\" or \"radialCracks\", found \"tiles\".",
             "/assets/0/pattern/0/kind", "\"tiles\"");
         test::addWrongValue("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind",
                             "\"placed\"");
@@ -335,7 +352,7 @@ private slots:
         test::addWrongValue("assets[0].intents[0]: unknown key \"mass\".", "/assets/0/intents/0/kind", "\"drop\"");
         test::addWrongValue("assets[0].intents[1]: the key \"mass\" is missing.", "/assets/0/intents/1",
                             "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
-        test::addWrongValue("assets[0].intents[0].kind: expected \"drop\" or \"hit\", found \"push\".",
+        test::addWrongValue("assets[0].intents[0].kind: expected \"drop\", \"hit\" or \"impulse\", found \"push\".",
                             "/assets/0/intents/0/kind", "\"push\"");
         test::addWrongValue("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
                             "/assets/0/intents/1/outcome", "\"falls\"");

@@ -112,6 +112,30 @@ private slots:
         project.damage.rule = DamageRule::Momentum;
         QVERIFY(isNear(impulseOf(project, {kBreaks, HitRequirement{5.0, 12.0}}), 60.0, 1e-4));
     }
+    void impulsesAreRoundedTowardsTheStricterSide() {
+        const auto impulseOf = [](RequirementOutcome outcome, double impulse) {
+            return std::get<ImpulseRequirement>(impulseRequirement(outcome, impulse).event).impulse;
+        };
+        QCOMPARE(impulseOf(RequirementOutcome::Breaks, 71.98), 71.9);
+        QCOMPARE(impulseOf(RequirementOutcome::Survives, 71.92), 72.0);
+        QCOMPARE(impulseOf(RequirementOutcome::Survives, 0.0012345), 0.00124);
+        QCOMPARE(impulseOf(RequirementOutcome::Breaks, 1234567.0), 1230000.0);
+        QCOMPARE(requirementText(impulseRequirement(RequirementOutcome::Breaks, 71.98)),
+                 std::string("breaks at an impulse of 71.9 N·s"));
+        QCOMPARE(requirementText(impulseRequirement(RequirementOutcome::Survives, 71.92)),
+                 std::string("survives an impulse of 72 N·s"));
+    }
+    void impulsesBoundTheThresholdThemselves() {
+        Project project = test::floatingBlock();
+        project.assets[0].requirements = {impulseRequirement(RequirementOutcome::Survives, 30.0),
+                                          impulseRequirement(RequirementOutcome::Breaks, 72.0)};
+        const auto baked = std::make_shared<const Bake>(bake(project.assets[0]).value());
+        const Result<ThresholdInterval> interval =
+            thresholdInterval(project, wholePlayAsset(project.assets[0], baked).value());
+        QVERIFY(interval);
+        QCOMPARE(interval->low, 30.0);
+        QCOMPARE(interval->high, 72.0);
+    }
     void invalidRequirementsAreRejected() {
         Project project = block();
         QCOMPARE(faultOf(project, {kBreaks, HitRequirement{1e20, 1.0}}),

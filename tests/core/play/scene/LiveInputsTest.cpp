@@ -40,14 +40,19 @@ private slots:
     void derivedThresholdsChangeLive() {
         Project played = test::floatingBlock();
         played.materials[0].tensileStrength = 1e6;
-        played.assets[0].contactTime = 1e-3;
+        deriveThreshold(played.assets[0]);
         const Id asset = played.assets[0].id;
-        const double section = minimumCrossSection(played.assets[0].prism);
         Project now = played;
         now.materials[0].tensileStrength = 3e6;
-        QCOMPARE(liveInputs(played, now), (Inputs{ThresholdInput{.asset = asset, .threshold = 3e6 * section * 1e-3}}));
-        now.assets[0].contactTime.reset();
-        now.assets[0].threshold = 7.0;
+        const auto derived = [&] {
+            return ThresholdInput{.asset = asset, .threshold = thresholdOf(now, now.assets[0])};
+        };
+        QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
+        now.materials[0].youngsModulus = 1e9;
+        QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
+        now.assets[0].strengthRule = StrengthRule::CrossSection;
+        QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
+        enterThreshold(now.assets[0], 7.0);
         QCOMPARE(liveInputs(played, now), (Inputs{ThresholdInput{.asset = asset, .threshold = 7.0}}));
         now = played;
         now.assets[0].threshold = 7.0;  // not in force

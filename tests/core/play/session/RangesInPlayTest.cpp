@@ -40,6 +40,7 @@ const std::vector<Setter>& setters() {
         {N::Restitution, [](Project& p, double v) { material(p).restitution = v; }},
         {N::TensileStrength, [](Project& p, double v) { material(p).tensileStrength = v; }},
         {N::FractureToughness, [](Project& p, double v) { material(p).fractureToughness = v; }},
+        {N::YoungsModulus, [](Project& p, double v) { material(p).youngsModulus = v; }},
         {N::ColourChannel, [](Project& p, double v) { material(p).inside.blue = v; }},
         {N::PrismDepth, [](Project& p, double v) { asset(p).prism.depth = v; }},
         {N::OutlineSize,

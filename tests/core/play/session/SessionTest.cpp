@@ -212,8 +212,9 @@ private slots:
     void derivedThresholdsAreUsed() {
         Project project = floatingBlock(7);
         project.assets[0].threshold = 1e6;  // as typed: out of reach
-        project.assets[0].contactTime = 1e-3;
-        project.materials[0].tensileStrength = 200.0 / (1e-3 * minimumCrossSection(project.assets[0].prism));
+        deriveThreshold(project.assets[0]);
+        project.materials[0].tensileStrength = 1.0;
+        *project.materials[0].tensileStrength = 200.0 / thresholdOf(project, project.assets[0]);
         Session session = sessionOf(project, {.sleeping = false});
         for (const PlayBody& body : session.bodies()) {
             if (body.role == PlayRole::Instance) QVERIFY(std::abs(session.thresholdOf(body) - 200.0) < 1e-9);
