@@ -1,33 +1,49 @@
 #include "core/physics/state/AngularMomentum.h"
 
+#include "core/physics/state/TorqueFree.h"
+
+#include <limits>
+
 namespace rubble {
 namespace {
 
 constexpr float kFastAngle = 0.02f;      // rad per step
 constexpr float kFlyingAngle = 0.0002f;  // rad per step, without contacts, which would damp the error
-constexpr int kMidpointIterations = 6;   // fixed-point iterations; each multiplies the error by the angle of a sub-step
 
-/// q advanced by angular velocity w over the time 2 * half, to first order, normalized.
-Quatf advanced(const Quatf& q, Vec3f w, float half) {
-    const Vec3f t = w * half;
-    return Quatf{q.x + t.x * q.w + t.y * q.z - t.z * q.y, q.y - t.x * q.z + t.y * q.w + t.z * q.x,
-                 q.z + t.x * q.y - t.y * q.x + t.z * q.w, q.w - t.x * q.x - t.y * q.y - t.z * q.z}
-        .normalized();
+/// Whether the stored angular momentum is that of the body: nothing has changed its angular velocity since.
+bool isUntouched(const Body& body, const BodyMotion& motion) {
+    return motion.angularVelocity == body.referenceAngularVelocity;
 }
 
-Vec3f angularVelocityOf(const Body& body, const Quatf& rotation, Vec3f momentum) {
-    const Mat3f matrix = rotation.matrix();
-    return matrix * (body.inverseInertia * matrix.transposedTimes(momentum));
+/// The angular velocity, in the body's axes, to an angular momentum in world axes.
+Vec3f angularVelocityOf(const Body& body, const Mat3f& rotation, Vec3f momentum) {
+    return body.inverseInertia * rotation.transposedTimes(momentum);
+}
+
+/// The angular velocity in the body's axes, `elapsed` seconds into the step. The solver's is that at the beginning of
+/// the step, and so are the arms of its impulses. Impulses therefore count as if applied at the beginning: in the
+/// body's axes the energy is the one that the solver saw, and the torque-free motion since then conserves it.
+Vec3f angularVelocityInBody(const WorldState& state, std::uint32_t number, float elapsed) {
+    const Body& body = state.bodies[number];
+    const BodyPose& pose = state.poses[number];
+    const BodyMotion& motion = state.motions[number];
+    if (isUntouched(body, motion)) {
+        const Quatf rotation = (motion.deltaRotation * pose.rotation).normalized();
+        return angularVelocityOf(body, rotation.matrix(), body.angularMomentum);
+    }
+    const Vec3f atBeginning = pose.rotation.matrix().transposedTimes(motion.angularVelocity);
+    if (lengthSquared(atBeginning) * elapsed * elapsed < kFlyingAngle * kFlyingAngle) return atBeginning;
+    return advanced(body, {{}, atBeginning}, elapsed).angularVelocity;
 }
 
 }  // namespace
 
 Vec3f angularMomentum(const WorldState& state, std::uint32_t number) {
     const Body& body = state.bodies[number];
+    const BodyMotion& motion = state.motions[number];
+    if (isUntouched(body, motion)) return body.angularMomentum;
     const Mat3f rotation = state.poses[number].rotation.matrix();
-    return body.angularMomentum +
-           rotation * (body.inertia *
-                       rotation.transposedTimes(state.motions[number].angularVelocity - body.referenceAngularVelocity));
+    return rotation * (body.inertia * rotation.transposedTimes(motion.angularVelocity));
 }
 
 bool isFastRotating(const WorldState& state, std::uint32_t body, float dt) {
@@ -36,30 +52,34 @@ bool isFastRotating(const WorldState& state, std::uint32_t body, float dt) {
            lengthSquared(state.motions[body].angularVelocity) * dt * dt > least * least;
 }
 
-Quatf midpointRotation(const WorldState& state, std::uint32_t number, float h) {
-    const Body& body = state.bodies[number];
-    const BodyPose& pose = state.poses[number];
-    const BodyMotion& motion = state.motions[number];
-    const Vec3f momentum = angularMomentum(state, number);
-    const Quatf start = motion.deltaRotation;
-    Quatf end = advanced(start, angularVelocityOf(body, start * pose.rotation, momentum), 0.5f * h);
-    for (int round = 0; round < kMidpointIterations; ++round) {
-        const Quatf middle = Quatf{start.x + end.x, start.y + end.y, start.z + end.z, start.w + end.w}.normalized();
-        end = advanced(start, angularVelocityOf(body, middle * pose.rotation, momentum), 0.5f * h);
-    }
-    return end;
+void forgetAngularMomentum(WorldState& state, std::uint32_t body) {
+    state.bodies[body].referenceAngularVelocity = Vec3f(std::numeric_limits<float>::quiet_NaN());
 }
 
-void applyRotation(WorldState& state, std::uint32_t number) {
+void rotateFreely(WorldState& state, std::uint32_t number, float elapsed, float h) {
+    Body& body = state.bodies[number];
+    BodyMotion& motion = state.motions[number];
+    const Quatf start = state.poses[number].rotation;
+    const Quatf rotation = (motion.deltaRotation * start).normalized();
+    const Vec3f velocity = angularVelocityInBody(state, number, elapsed);
+    if (!isUntouched(body, motion)) {
+        body.angularMomentum = rotation.matrix() * (body.inertia * velocity);
+        body.referenceAngularVelocity = motion.angularVelocity;
+    }
+    motion.deltaRotation = advanced(body, {rotation, velocity}, h).rotation * start.conjugate();
+}
+
+void applyRotation(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
     const Quatf rotation = (motion.deltaRotation * pose.rotation).normalized();
     if (body.isDynamic()) {
-        body.angularMomentum = angularMomentum(state, number);
-        body.referenceAngularVelocity = motion.angularVelocity =
-            angularVelocityOf(body, rotation, body.angularMomentum);
-        pose.inverseInertia = rotated(body.inverseInertia, rotation.matrix());
+        const Mat3f matrix = rotation.matrix();
+        const Vec3f velocity = angularVelocityInBody(state, number, dt);
+        if (!isUntouched(body, motion)) body.angularMomentum = matrix * (body.inertia * velocity);
+        body.referenceAngularVelocity = motion.angularVelocity = matrix * velocity;
+        pose.inverseInertia = rotated(body.inverseInertia, matrix);
     }
     pose.rotation = rotation;
 }

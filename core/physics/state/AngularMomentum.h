@@ -4,18 +4,19 @@
 
 namespace rubble {
 
-/// The angular momentum of a body about its centre, in world axes: the stored one plus the changes of angular velocity
-/// since.
+/// The angular momentum of a body about its centre, in world axes, between two steps.
 Vec3f angularMomentum(const WorldState& state, std::uint32_t body);
 /// Whether a body rotates so fast that its world inertia changes noticeably within a step of dt seconds; for bodies
 /// without contacts, whether it rotates at all.
 bool isFastRotating(const WorldState& state, std::uint32_t body, float dt);
-/// The rotation of such a body since the beginning of the step, advanced by h seconds. Conserves angular momentum
-/// exactly, and energy does not drift, since the step is time-reversible.
-/// Source: Hairer, Lubich, Wanner 2006, "Geometric numerical integration", VII.5 (midpoint rule).
-Quatf midpointRotation(const WorldState& state, std::uint32_t body, float h);
-/// Applies the rotation of a step to the pose: updates the world inertia, and the angular velocity so that angular
-/// momentum is conserved.
-void applyRotation(WorldState& state, std::uint32_t body);
+/// For a body that rotates slowly: its angular momentum is computed from its angular velocity. The solver rotates it
+/// too coarsely to conserve the energy of a slender body with its angular momentum.
+void forgetAngularMomentum(WorldState& state, std::uint32_t body);
+/// Rotates a fast body by the torque-free motion of h seconds, within a step; `elapsed`, s, is the time since the
+/// step began. Angular momentum and energy are conserved for any inertia.
+void rotateFreely(WorldState& state, std::uint32_t body, float elapsed, float h);
+/// Applies the rotation of a step of dt seconds to the pose, and updates world inertia, angular momentum and angular
+/// velocity. The angular momentum of a body that was not touched is conserved, the energy of all others.
+void applyRotation(WorldState& state, std::uint32_t body, float dt);
 
 }  // namespace rubble

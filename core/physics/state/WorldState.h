@@ -28,9 +28,8 @@ struct Body {
     SymMat3f inertia;                         // kg m^2, in the body's axes
     SymMat3f inverseInertia;                  // 0 unless dynamic
     Vec3f centreRemainder{0.0f, 0.0f, 0.0f};  // m: the rounding error of the pose's centre (compensated summation)
-    Vec3f angularMomentum{0.0f, 0.0f,
-                          0.0f};  // kg m^2/s about its centre, in world axes, at the reference angular velocity
-    Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s
+    Vec3f angularMomentum{0.0f, 0.0f, 0.0f};  // kg m²/s about its centre, in world axes
+    Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s: the one that it belongs to; NaN: to none
     float friction = 0.0f;
     float restitution = 0.0f;
     float boxValidUntil = 0.0f;            // m: BodyPose::travel up to which its fat boxes are valid

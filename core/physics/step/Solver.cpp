@@ -53,7 +53,7 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
 }
 
 /// Applies the displacement of the step to the pose.
-void finishBody(WorldState& state, std::uint32_t number) {
+void finishBody(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
@@ -62,7 +62,7 @@ void finishBody(WorldState& state, std::uint32_t number) {
     const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;
     body.centreRemainder = moved - (centre - pose.centre);
     pose.centre = centre;
-    applyRotation(state, number);
+    applyRotation(state, number, dt);
     motion.deltaPosition = Vec3f(0.0f);
     motion.deltaRotation = {};
 }
@@ -81,16 +81,22 @@ public:
         if (m_state.bouncyBodies > 0) planColours(m_scratch.restitution, kernels.restitute);
     }
 
+    void runSubStep(int index) {
+        m_elapsed = static_cast<float>(index) * m_step.subStep;
+        run(m_scratch.subStep);
+    }
+    void runRestitution() const { run(m_scratch.restitution); }
+
+private:
     void run(const std::vector<SolveStage>& stages) const {
         m_threads.runStages(stages.size(), m_regions.count(),
                             [&](std::size_t stage, std::size_t region) { work(stages[stage], region); });
     }
-
-private:
     void classifyBodies(std::size_t region) const {
         for (std::uint32_t body : m_regions.bodies(region)) {
-            (isFastRotating(m_state, body, m_step.dt) ? m_scratch.fastRotating : m_scratch.slowRotating)[region]
-                .push_back(body);
+            const bool isFast = isFastRotating(m_state, body, m_step.dt);
+            (isFast ? m_scratch.fastRotating : m_scratch.slowRotating)[region].push_back(body);
+            if (!isFast) forgetAngularMomentum(m_state, body);
         }
     }
     void planSubStep() {
@@ -138,9 +144,8 @@ private:
     void moveBodies(std::size_t region) const {
         m_kernels.integratePositions(m_scratch.slowRotating[region], m_step);
         for (std::uint32_t body : m_scratch.fastRotating[region]) {
-            BodyMotion& motion = m_state.motions[body];
-            motion.deltaRotation = midpointRotation(m_state, body, m_step.subStep);
-            motion.deltaPosition += motion.velocity * m_step.subStep;
+            rotateFreely(m_state, body, m_elapsed, m_step.subStep);
+            m_state.motions[body].deltaPosition += m_state.motions[body].velocity * m_step.subStep;
         }
     }
 
@@ -150,6 +155,7 @@ private:
     const SolverKernels& m_kernels;
     const SolverStep& m_step;
     SolveScratch& m_scratch;
+    float m_elapsed = 0.0f;  // s, from the beginning of the step to that of the sub-step
 };
 
 }  // namespace
@@ -185,15 +191,16 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
 
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                    const SolverKernels& kernels, const SolverStep& step) {
-    const Stages stages(state, threads, regions, kernels, step, scratch);
-    for (int i = subStepsOf(step.dt); i > 0; --i) stages.run(scratch.subStep);
-    stages.run(scratch.restitution);
+    Stages stages(state, threads, regions, kernels, step, scratch);
+    const int count = subStepsOf(step.dt);
+    for (int index = 0; index < count; ++index) stages.runSubStep(index);
+    stages.runRestitution();
 }
 
 void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
-            finishBody(state, number);
+            finishBody(state, number, dt);
             updateRestTime(state, number, dt);
         }
     });
