@@ -5,13 +5,18 @@ export HOME=$folder XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data LI
 mkdir -p "$folder/config/Rubble"
 printf '[preferences]\ntheme=light\n' >"$folder/config/Rubble/Rubble.conf"
 
-# start_editor <program> [project]: starts the editor, and a window manager before the first one.
+# start_editor <program> [project]: starts the editor, after a window manager before the first one.
 manager=
 start_editor() {
-  [ -n "$manager" ] || { openbox >/dev/null 2>&1 & manager=$!; }
+  until_true has_manager || fail 'no window manager is running'
   "$@" &
   editor=$!
   trap "kill $manager $editor 2>/dev/null || true; rm -rf '$folder'" EXIT
+}
+# has_manager: whether the window manager answers; starts it if it is not running.
+has_manager() {
+  { [ -n "$manager" ] && kill -0 "$manager"; } || { openbox >/dev/null 2>&1 & manager=$!; return 1; }
+  xdotool get_desktop
 }
 # fail <message>: saves a screenshot to $RUBBLE_FAILURE_PICTURE and exits.
 fail() {
