@@ -29,7 +29,7 @@ QMap<QString, QJsonObject> imported(const QStringList& paths) {
         "blender",
         QStringList{"--background", "--factory-startup", "--python-exit-code", "1", "--python", kScript, "--"} + paths);
     QMap<QString, QJsonObject> files;
-    if (!blender.waitForFinished(300000) || blender.exitCode() != 0) {
+    if (!blender.waitForFinished(kPatience) || blender.exitCode() != 0) {
         qWarning("%s", blender.readAllStandardError().constData());
         return files;
     }

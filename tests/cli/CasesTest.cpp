@@ -35,7 +35,7 @@ CaseResult runCase(const QString& folder, const QString& caseFolder) {
     program.start(RUBBLE_CLI, arguments);
     program.write(bytesOfFile(caseFolder + "/stdin"));
     program.closeWriteChannel();
-    if (!program.waitForFinished(60000)) return {{}, "did not end within a minute", "-1"};
+    if (!program.waitForFinished(kPatience)) return {{}, "did not end in time", "-1"};
     const int exit = program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
     return {program.readAllStandardOutput(), program.readAllStandardError(), QByteArray::number(exit)};
 }

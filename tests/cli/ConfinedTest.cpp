@@ -40,7 +40,7 @@ private slots:
         program.start(RUBBLE_CLI, QStringList{"export", RUBBLE_SOURCE_DIR "/projects/house.rubble", "--out",
                                               place.filePath("packs")} +
                                       options);
-        QVERIFY(program.waitForFinished(60000));
+        QVERIFY(program.waitForFinished(kPatience));
         QCOMPARE(program.readAllStandardError(), QByteArray());
         QCOMPARE(program.exitCode(), 0);
     }

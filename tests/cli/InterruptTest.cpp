@@ -54,9 +54,9 @@ private slots:
         QVERIFY(saveProject(project.toStdString(), largeProject()));
         QProcess program;
         program.start(RUBBLE_CLI, {"export", project, "--out", place.filePath("packs")});
-        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(place.filePath("packs")), 60000);  // the export has begun
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(place.filePath("packs")), kPatience);  // the export has begun
         kill(static_cast<pid_t>(program.processId()), SIGINT);
-        QVERIFY(program.waitForFinished(60000));
+        QVERIFY(program.waitForFinished(kPatience));
         QCOMPARE(program.exitStatus(), QProcess::NormalExit);
         QCOMPARE(program.exitCode(), 130);
         QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));
@@ -76,9 +76,9 @@ private slots:
         QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
         QProcess program;
         program.start(RUBBLE_CLI, {"fracture", input.replace("{pipe}", pipe)});
-        QTRY_VERIFY_WITH_TIMEOUT(catchesInterrupts(program.processId()), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(catchesInterrupts(program.processId()), kPatience);
         kill(static_cast<pid_t>(program.processId()), SIGINT);
-        QVERIFY(program.waitForFinished(60000));
+        QVERIFY(program.waitForFinished(kPatience));
         QCOMPARE(program.exitStatus(), QProcess::NormalExit);
         QCOMPARE(program.exitCode(), 130);
         QCOMPARE(program.readAllStandardError(), QByteArray("Cancelled.\n"));

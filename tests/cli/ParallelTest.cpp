@@ -30,7 +30,7 @@ public:
     QByteArray errors() {
         QByteArray errors;
         for (const auto& program : m_running) {
-            const bool hasEnded = program->waitForFinished(120000);
+            const bool hasEnded = program->waitForFinished(kPatience);
             if (!hasEnded || program->exitStatus() != QProcess::NormalExit || program->exitCode() != 0)
                 errors += "failed: " + program->readAllStandardError();
         }
@@ -74,7 +74,7 @@ private slots:
             QCOMPARE(entries(at("packs")), QStringList{"wall"});
             QProcess check;
             check.start(RUBBLE_CLI, {"check", at("packs"), at("other.rubble")});
-            QVERIFY(check.waitForFinished(60000));
+            QVERIFY(check.waitForFinished(kPatience));
             const QByteArray fault = check.readAllStandardOutput() + check.readAllStandardError();
             QVERIFY2(check.exitCode() == 0, fault);
             const Result<Project> project = loadProject(at("other.rubble").toStdString());
@@ -93,7 +93,7 @@ private slots:
         }
         int created = 0;
         for (const auto& program : programs) {
-            QVERIFY(program->waitForFinished(60000));
+            QVERIFY(program->waitForFinished(kPatience));
             created += program->exitCode() == 0 ? 1 : 0;
         }
         QCOMPARE(created, 1);
@@ -113,7 +113,7 @@ private slots:
                           "wall"}}) {
             QProcess program;
             program.start(RUBBLE_CLI, arguments + QStringList{"--into", at("wall.rubble")});
-            QVERIFY(program.waitForFinished(60000));
+            QVERIFY(program.waitForFinished(kPatience));
             QCOMPARE(program.exitCode(), 1);
             const QByteArray error = program.readAllStandardError();
             QVERIFY2(error.contains("\" is already open in ") && error.endsWith("Save and close it there first.\n"),

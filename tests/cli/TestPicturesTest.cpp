@@ -25,9 +25,7 @@ void writeHouse(const QString& file, const QByteArray& met, const QByteArray& fa
     if (!changed.open(QIODevice::WriteOnly) || changed.write(text) != text.size()) qFatal("cannot write");
 }
 
-ProgramOutcome runWithPictures(const QStringList& arguments) {
-    return runProgram(RUBBLE_CLI, arguments, {.limit = std::chrono::minutes(2)});
-}
+ProgramOutcome runWithPictures(const QStringList& arguments) { return runProgram(RUBBLE_CLI, arguments); }
 
 ProgramOutcome tested(const QString& project, const QString& pictures) {
     return runWithPictures(

@@ -47,7 +47,7 @@ QString outputOf(const QString& command, const QString& folder) {
     shell.setWorkingDirectory(folder);
     shell.setProcessChannelMode(QProcess::MergedChannels);
     shell.start("/bin/sh", {"-c", command});
-    if (!shell.waitForFinished(60000)) return "did not end within a minute";
+    if (!shell.waitForFinished(kPatience)) return "did not end in time";
     return QString::fromUtf8(shell.readAll());
 }
 

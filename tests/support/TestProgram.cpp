@@ -5,6 +5,8 @@
 
 int main(int argumentCount, char** arguments) {
     using rubble::RegisteredTest;
+    // Qt Test ends the program after five minutes in a test function, which is too short for a busy machine.
+    if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) qputenv("QTEST_FUNCTION_TIMEOUT", "3000000");
     if (argumentCount < 2) {
         int failures = 0;
         for (const RegisteredTest& test : rubble::registeredTests()) failures += test.run(argumentCount, arguments);

@@ -1,10 +1,20 @@
 #pragma once
 
+#include "tests/support/Patience.h"
+
 #include <QCoreApplication>
 #include <QTest>
 
 #include <string_view>
 #include <vector>
+
+// Qt's own limit, 5 s, is too short for a busy machine.
+#undef QTRY_VERIFY
+#undef QTRY_VERIFY2
+#undef QTRY_COMPARE
+#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, ::rubble::kPatience)
+#define QTRY_VERIFY2(condition, message) QTRY_VERIFY2_WITH_TIMEOUT(condition, message, ::rubble::kPatience)
+#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, ::rubble::kPatience)
 
 namespace rubble {
 

@@ -21,7 +21,7 @@ Outcome run(const QString& program, const QStringList& arguments, const QString&
     environment.insert("PATH", searchPath);
     process.setProcessEnvironment(environment);
     process.start(program, arguments);
-    process.waitForFinished(60000);
+    process.waitForFinished(kPatience);
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 

@@ -1,5 +1,7 @@
 #include "core/asset/bake/EdgeHierarchy.h"
 
+#include "core/base/Assert.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -70,6 +72,7 @@ std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge) const 
     std::vector<EdgeOverlap> overlaps;
     const std::optional<FragmentEdges>& parents = m_parents[edge.fracture];
     if (!parents) return overlaps;
+    RUBBLE_ASSERT(!parents->edges.empty());  // only fragments have edges here, never pieces that vanished
     const std::uint32_t above = parents->edges.front().fracture;
     const UninitializedVector<Vec2>&points = shapesOf(edge.fracture).points, &pointsAbove = shapesOf(above).points;
     const Vec2 shift = originOf(edge.fracture) - originOf(above);

@@ -58,7 +58,7 @@ std::vector<bool> piecesNear(const Partition& partition, const CutSet& cuts, dou
     const EdgeGrid grid(lines, 4.0 * margin);
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         Box2 box;
-        for (const std::uint32_t corner : partition.ringCorners(partition.ringsOfPiece[piece]))
+        for (const std::uint32_t corner : partition.ringCorners(partition.outerRing(piece)))
             box.include(partition.points[corner]);
         box.min -= Vec2(4.0 * margin);
         box.max += Vec2(4.0 * margin);

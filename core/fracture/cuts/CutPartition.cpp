@@ -168,7 +168,7 @@ private:
                 visit(m_overlay.points[m_overlay.faces.origin(h)]);
             });
         } else {
-            for (const std::uint32_t point : m_old.ringCorners(m_old.ringsOfPiece[piece.source]))
+            for (const std::uint32_t point : m_old.ringCorners(m_old.outerRing(piece.source)))
                 visit(m_overlay.points[point]);
         }
     }

@@ -38,9 +38,10 @@ std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece) {
 }
 
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre) {
-    const std::uint32_t first = partition.ringsOfPiece[piece], end = partition.ringsOfPiece[piece + 1];
-    Polygon outline{pointsOf(partition, first, centre), {}};
-    for (std::uint32_t ring = first + 1; ring < end; ++ring) outline.holes.push_back(pointsOf(partition, ring, centre));
+    if (partition.isEmpty(piece)) return {};
+    const std::uint32_t outer = partition.outerRing(piece), end = outer + partition.ringCount(piece);
+    Polygon outline{pointsOf(partition, outer, centre), {}};
+    for (std::uint32_t ring = outer + 1; ring < end; ++ring) outline.holes.push_back(pointsOf(partition, ring, centre));
     return outline;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/Assert.h"
 #include "core/base/Diagnostic.h"
 #include "core/base/UninitializedVector.h"
 #include "core/geometry/polygon/Polygon.h"
@@ -19,6 +20,10 @@ namespace rubble {
 /// (counter-clockwise), then its holes (clockwise); rings of a piece may touch at single points. Ring r has the corners
 /// [cornersOfRing[r], cornersOfRing[r + 1]). Corner c starts the edge to the next corner of its ring; `neighbours[c]`
 /// is the piece on the other side of that edge.
+///
+/// Every piece of a subdivision has an outer ring. Only where pieces were shrunk (shrunkPartition()), some may be
+/// empty: these have no rings, and `ringsOfPiece[p]` is the first ring of a later piece, or none. So the outer ring is
+/// found by outerRing(), after isEmpty() where pieces may be empty.
 ///
 /// The pieces of one seed are consecutive: ordered by their cells in cut layers, then by their smallest corner (x, then
 /// y), or by `partOfCell` if it is given. Seeds are ordered for cache locality: use `pieceOfSeed` to visit them by
@@ -44,7 +49,19 @@ struct Partition {
     std::span<const std::uint32_t> cutCellsOf(std::uint32_t piece) const {
         return std::span(cutCells).subspan(piece * cutLayers.size(), cutLayers.size());
     }
+    /// Whether nothing is left of a piece: it has no rings.
+    bool isEmpty(std::uint32_t piece) const { return ringCount(piece) == 0; }
+    std::uint32_t ringCount(std::uint32_t piece) const {
+        RUBBLE_ASSERT(piece + std::size_t{1} < ringsOfPiece.size());
+        return ringsOfPiece[piece + 1] - ringsOfPiece[piece];
+    }
+    /// The outer ring of a piece that is not empty.
+    std::uint32_t outerRing(std::uint32_t piece) const {
+        RUBBLE_ASSERT(!isEmpty(piece));
+        return ringsOfPiece[piece];
+    }
     std::span<const std::uint32_t> ringCorners(std::uint32_t ring) const {
+        RUBBLE_ASSERT(ring + std::size_t{1} < cornersOfRing.size());
         return std::span(corners).subspan(cornersOfRing[ring], cornersOfRing[ring + 1] - cornersOfRing[ring]);
     }
 };
@@ -65,7 +82,8 @@ void forEachEdge(const Partition& partition, std::uint32_t piece, Visit visit) {
 /// in piece order, or in the order before some pieces were merged or split. kNone: the only one.
 std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece);
 
-/// The piece as a polygon, in the outline's coordinates minus `partition.origin` and minus `centre`.
+/// The piece as a polygon, in the outline's coordinates minus `partition.origin` and minus `centre`; a polygon without
+/// corners if the piece is empty.
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre = {0.0, 0.0});
 double pieceArea(const Partition& partition, std::uint32_t piece);
 std::vector<double> pieceAreas(const Partition& partition);  // of all pieces

@@ -21,12 +21,11 @@ constexpr double kFlatness = 1e-12;  // of the outline's diameter: far above the
 
 /// Like pieceOutline(), but reuses the memory of `outline`.
 void setOutline(const Partition& partition, std::uint32_t piece, Polygon& outline) {
-    const std::uint32_t ring = partition.ringsOfPiece[piece];
-    if (partition.ringsOfPiece[piece + 1] - ring > 1) {
+    if (partition.ringCount(piece) > 1) {
         outline = pieceOutline(partition, piece);
         return;
     }
-    const std::span<const std::uint32_t> corners = partition.ringCorners(ring);
+    const std::span<const std::uint32_t> corners = partition.ringCorners(partition.outerRing(piece));
     outline.holes.clear();
     outline.outer.resize(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) outline.outer[i] = partition.points[corners[i]];
@@ -52,7 +51,7 @@ public:
         m_all.partition = std::move(partition);
         m_all.shrunk = std::move(shrunk);
         for (std::uint32_t piece = 0; piece < m_isThin.size() && hasGap(); ++piece) {
-            m_isThin[piece] = m_all.shrunk->ringsOfPiece[piece] == m_all.shrunk->ringsOfPiece[piece + 1];
+            m_isThin[piece] = m_all.shrunk->isEmpty(piece);
         }
     }
 
@@ -96,8 +95,7 @@ private:
         for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
             const double whole = pieceArea(m_all.partition, piece);
             m_all.gapArea += whole - (m_isThin[piece] ? 0.0 : m_all.records[piece].moments.area);
-            if (!m_isThin[piece] || m_all.shrunk->ringsOfPiece[piece] == m_all.shrunk->ringsOfPiece[piece + 1])
-                continue;
+            if (!m_isThin[piece] || m_all.shrunk->isEmpty(piece)) continue;
             m_all.diagnostics.push_back(vanishedReport(m_all.partition, piece, whole));
         }
         m_all.diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},

@@ -72,7 +72,7 @@ struct AdjustedMass {
 /// The extruded pieces of a partition of a prism's outline. All arrays are flat; use operator[] to read them.
 struct Fragments {
     Partition partition;
-    std::shared_ptr<const Partition> shrunk;  // the pieces less the gap between them, see shrunkPartition(); null: none
+    std::shared_ptr<const Partition> shrunk;  // the pieces less the gap, some empty: see shrunkPartition(); null: none
     double gapArea = 0.0;                     // m^2, of all pieces, that the gap removed
     double depth = 0.0;                       // m
     HullTolerance tolerance;                  // of the hulls

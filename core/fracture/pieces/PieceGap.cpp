@@ -225,6 +225,7 @@ ShrunkPiece shrunkConcave(const std::vector<ShrunkRing>& rings, double margin) {
         if (!shrunkRing.empty()) shrunk.rings.push_back(std::move(shrunkRing));
     };
     addRing(parts[0].outer);
+    if (shrunk.rings.empty()) return {};  // a hole must not become the outer ring
     for (const Ring& hole : parts[0].holes) addRing(hole);
     return shrunk;
 }

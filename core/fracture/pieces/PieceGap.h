@@ -26,8 +26,8 @@ struct ShrunkPiece {
 /// removed. Of a disconnected result the largest part remains.
 ShrunkPiece shrunkPiece(const Partition& partition, std::uint32_t piece, double margin);
 
-/// All pieces shrunk, with their numbers and names; vanished ones have no rings. Points are not shared, and neighbours
-/// are those without the gap. Reports VanishedPiece for each piece that vanishes or is disconnected.
+/// All pieces shrunk, with their numbers and names; vanished ones are empty, without rings. Points are not shared, and
+/// neighbours are those without the gap. Reports VanishedPiece for each piece that vanishes or is disconnected.
 ///
 /// Errors: Cancelled.
 Result<Partition> shrunkPartition(const Partition& partition, double margin, const TaskContext& task = {});

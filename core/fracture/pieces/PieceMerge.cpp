@@ -120,6 +120,7 @@ double ringArea(const PieceRing& ring, std::span<const Vec2> points) {
 PieceRings mergedRings(std::span<const PieceRings> pieces, std::span<const std::uint32_t> group,
                        std::span<const std::uint32_t> receivers, std::span<const Vec2> points) {
     std::vector<PieceRings> parts = connectedParts(BoundaryTracer(pieces, group, receivers).run(), points);
+    RUBBLE_ASSERT(!parts.empty());
     // The area is connected: what rounding gives the winding of a second part is a hole without width.
     const auto largest =
         std::ranges::max_element(parts, {}, [&](const PieceRings& rings) { return ringArea(rings[0], points); });

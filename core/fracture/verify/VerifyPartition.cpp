@@ -25,8 +25,7 @@ Fault verifyArrays(const Partition& p) {
         return "The sizes of the partition's arrays do not match.";
     }
     for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        if (p.ringsOfPiece[piece] == p.ringsOfPiece[piece + 1])
-            return "Piece " + std::to_string(piece) + " has no ring.";
+        if (p.isEmpty(piece)) return "Piece " + std::to_string(piece) + " has no ring.";
         const std::uint32_t seed = p.seedOfPiece[piece];
         if (seed != kNone && (seed >= p.pieceOfSeed.size() || p.pieceOfSeed[seed] > piece)) {
             return "Seed " + std::to_string(seed) + " does not refer to its piece " + std::to_string(piece) + ".";
@@ -114,7 +113,7 @@ Fault verifyPiecesAreConnected(const Partition& p) {
         return ring;
     };
     for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        if (p.ringsOfPiece[piece + 1] - p.ringsOfPiece[piece] < 2) continue;
+        if (p.ringCount(piece) < 2) continue;
         std::map<std::uint32_t, std::uint32_t> ringAt;  // the first at each point
         for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
             for (const std::uint32_t point : p.ringCorners(ring)) {

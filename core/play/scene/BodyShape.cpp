@@ -42,6 +42,7 @@ Polytope reducedHull(const Polytope& hull) {
 }
 
 Polytope boundingBoxOf(std::span<const Polytope> hulls) {
+    RUBBLE_ASSERT(!hulls.empty() && !hulls[0].vertices.empty());
     Vec3 low = hulls[0].vertices[0], high = low;
     for (const Polytope& hull : hulls) {
         for (const Vec3& corner : hull.vertices) {

@@ -165,11 +165,11 @@ private:
 
     void fill(std::uint32_t piece, const QBrush& brush) {
         m_painter.setBrush(brush);
-        const std::uint32_t ring = m_partition.ringsOfPiece[piece];
-        if (m_partition.ringsOfPiece[piece + 1] - ring > 1) {
+        if (m_partition.ringCount(piece) > 1) {
             m_painter.drawPath(pathOfPiece(m_pattern, piece, m_view));
             return;
         }
+        const std::uint32_t ring = m_partition.outerRing(piece);
         const std::uint32_t begin = m_partition.cornersOfRing[ring], end = m_partition.cornersOfRing[ring + 1];
         m_corners.clear();
         for (std::uint32_t corner = begin; corner < end; ++corner) {
@@ -282,7 +282,7 @@ void addRing(const Ring& ring, const CanvasView& view, QPainterPath& path) {
     path.closeSubpath();
 }
 
-/// Paints the gaps between fragments: the outline without the shrunk pieces.
+/// Paints the gaps between fragments: the outline without the shrunk pieces. Of one that vanished, all is gap.
 void paintGaps(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
                const CanvasColours& colours) {
     const Partition& shrunk = *contents.shrunk;

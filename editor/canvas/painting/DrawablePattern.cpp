@@ -18,7 +18,7 @@ namespace rubble {
 namespace {
 
 IndexRange cornersOf(const Partition& partition, std::uint32_t piece) {
-    return {partition.cornersOfRing[partition.ringsOfPiece[piece]],
+    return {partition.cornersOfRing[partition.outerRing(piece)],
             partition.cornersOfRing[partition.ringsOfPiece[piece + 1]]};
 }
 

@@ -30,15 +30,18 @@ constexpr std::uint64_t kMaxEvents = 400;  // before a kill
 constexpr double kLongestDelay = 0.05;     // s from the event before the kill
 constexpr std::uint64_t kForever = std::uint64_t{1} << 40U;
 // Without a line in the journal, which has 50 a second: the editor hangs.
-constexpr double kLongestComputation = 30.0;  // s of processor time
-constexpr double kLongestSilence = 300.0;     // s on the clock: the machine may be busy
+constexpr double kLongestComputation = 120.0;  // s of processor time
+constexpr double kLongestSilence = 1200.0;     // s on the clock: the machine may be busy
 constexpr int kAutosaveSeconds = 1;
 constexpr std::size_t kShownEvents = 15;
 constexpr std::size_t kShownOutput = 4000;  // bytes
 
 const std::string kSource = RUBBLE_SOURCE_DIR;
 
-void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+/// Waits between two looks at the journal, or until a random moment for a kill.
+void wait(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));  // between two looks
+}
 
 std::string textOf(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -1,7 +1,7 @@
 #include "editor/background/ForecastRunner.h"
 
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/PlayStage.h"
 
 #include <QTest>

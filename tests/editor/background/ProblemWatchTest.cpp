@@ -1,9 +1,9 @@
 #include "editor/background/ProblemWatch.h"
 
 #include "editor/commands/ProjectEdits.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
-#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -2,9 +2,9 @@
 
 #include "core/asset/bake/AssetBakes.h"
 #include "core/io/project/ProjectFile.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
-#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -2,9 +2,9 @@
 
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/commands/ProjectEdits.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
-#include "tests/support/editor/Patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -61,7 +61,7 @@ private slots:
     void isOffAtFirst() {
         Fixture fixture;
         fixture.bakeAll();
-        QTest::qWait(50);  // time to start
+        QCoreApplication::processEvents();
         QVERIFY(!fixture.comparison.isOn() && !fixture.compared());
     }
     void equalStatesHaveNoDifference() {
@@ -150,8 +150,11 @@ private slots:
         QVERIFY(!fixture.comparison.isOn() && !fixture.compared());
         fixture.moveSeed();
         fixture.bakeAll();
-        QTest::qWait(50);  // time to follow
+        QCoreApplication::processEvents();
         QVERIFY(!fixture.compared());
+        fixture.begin(boxes());  // on the same thread, after whatever was begun before
+        QTRY_VERIFY(fixture.compared());
+        QVERIFY(!fixture.compared()->isEmpty());
     }
     void laterBeginReplacesTheFirst() {
         Fixture fixture;

@@ -8,6 +8,7 @@
 #include "editor/background/SwapAuditRunner.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/play/PlayController.h"
+#include "tests/support/Patience.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -20,8 +21,6 @@
 using namespace rubble;
 
 namespace {
-
-constexpr int kPatience = 120'000;  // ms; ThreadSanitizer is slow
 
 /// Handles events until a condition holds.
 void waitFor(const char* what, const std::function<bool()>& condition) {

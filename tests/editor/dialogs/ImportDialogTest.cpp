@@ -4,8 +4,9 @@
 #include "editor/dialogs/ImportView.h"
 #include "editor/document/Document.h"
 #include "editor/document/Translations.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Patience.h"
+#include "tests/support/editor/EventLoop.h"
 #include "tests/support/geometry/Outlines.h"
 #include "tests/support/geometry/Solids.h"
 #include "viewport/widget/ViewportWidget.h"
@@ -34,7 +35,7 @@ struct ImportBench {
         isRead = dialog.read(RUBBLE_IMPORTER);
         if (!isRead) return;
         dialog.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatience));
         QApplication::setActiveWindow(&dialog);  // there is no window manager
         waitForSearch();
     }
@@ -304,7 +305,7 @@ private slots:
         const QStringList before = bench.row(0);
         bench.setItem("Centimetres");
         bench.dialog.reject();
-        QTest::qWait(200);  // more than the search takes
+        test::runTimersDueWithin(200);  // longer than the search takes
         QCOMPARE(bench.row(0), before);
     }
     void boxIsExtrudedAlongTheSelectedAxis() {

@@ -27,7 +27,7 @@ private slots:
         MeshSeedsDialog dialog("cracks.obj", meshOf({{25.0, 50.0, 0.0}, {75.0, 50.0, 0.0}, {0.5, 0.5, 0.0}}),
                                unitSquare(), nullptr);
         dialog.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatience));
         QCOMPARE(dialog.seeds().seeds.size(), std::size_t{1});
         QVERIFY(shows(dialog, "1 seed. 2 points of the mesh outside the outline were left out."));
         auto* unit = dialog.findChildren<QComboBox*>().front();

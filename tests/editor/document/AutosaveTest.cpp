@@ -75,7 +75,7 @@ private slots:
         Autosave autosave(document, m_folder->path());
         autosave.setInterval(1s);
         setHeight(document, 3.0);
-        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, kPatience);
         QCOMPARE(heightIn(backups()[0]), 3.0);
         QVERIFY(orphanedBackups(m_folder->path()).empty());  // its program is running
     }
@@ -87,7 +87,7 @@ private slots:
         QTimer preferences;  // as if they were changed all the time
         connect(&preferences, &QTimer::timeout, &autosave, [&] { autosave.setInterval(1s); });
         preferences.start(200ms);
-        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, kPatience);
     }
     void savingAndClosingRemoveTheBackup() {
         Document document(starterProject());
@@ -125,7 +125,7 @@ private slots:
             autosave.writeNow();
         }
         QVERIFY(backups().isEmpty());
-        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, kPatience);
     }
     void adoptedBackupStaysUntilTheNextIsWritten() {
         {
@@ -162,12 +162,13 @@ private slots:
         environment.insert(kChildFolder, m_folder->path());
         child.setProcessEnvironment(environment);
         child.start(QCoreApplication::applicationFilePath(), {"AutosaveTest"});
-        QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty(), kPatience);
         child.readAllStandardOutput();
-        QTest::qWait(1500);  // more than one interval
+        QTRY_VERIFY(child.canReadLine());
         const double sureToBeSaved = child.readLine().trimmed().toDouble();
+        QTRY_VERIFY(!backups().isEmpty() && heightIn(backups()[0]) >= sureToBeSaved);  // and it goes on editing
         ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
-        QVERIFY(child.waitForFinished());
+        QVERIFY(child.waitForFinished(kPatience));
 
         const std::vector<Backup> left = orphanedBackups(m_folder->path());
         QCOMPARE(left.size(), std::size_t{1});

@@ -6,6 +6,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/Messages.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/EventLoop.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 
@@ -13,6 +14,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFileSystemWatcher>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -250,8 +252,11 @@ private slots:
         };
         QTRY_VERIFY(age() > 2000);  // older than the clock of any file system is coarse
         const qint64 before = bytesRead();
+        QFileSystemWatcher watcher({m_folder->path()});
+        QSignalSpy seen(&watcher, &QFileSystemWatcher::directoryChanged);
         setBytes(m_path + ".other", "a");
-        QTest::qWait(500);  // longer than the delay after which the file would be compared
+        QTRY_VERIFY(seen.count() > 0);
+        test::runTimersDueWithin(500);  // longer than the delay after which the file would be compared
         QVERIFY(bytesRead() - before < kPadding);
     }
     void restoredBackupIsUnsaved() {

@@ -1,5 +1,6 @@
 #include "editor/help/ActionSearch.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/EventLoop.h"
 
 #include <QLineEdit>
 #include <QListWidget>
@@ -41,7 +42,7 @@ private slots:
         connect(last, &QAction::triggered, &search, [&] { isTriggered = true; });
         search.show();
         QTest::keyClick(search.findChild<QLineEdit*>(), Qt::Key_Return);
-        QTest::qWait(10);
+        test::runTimersDueWithin(10);
         QVERIFY(search.isVisible() && !isTriggered);
         QVERIFY(search.findChild<QListWidget*>()->item(0)->text().contains("not available now"));
         last->setEnabled(true);

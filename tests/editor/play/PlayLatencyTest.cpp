@@ -1,25 +1,23 @@
 // Tests editor/play/PlayController.cpp.
 #include "editor/play/PlayController.h"
 
+#include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/editor/PlayStage.h"
 #include "tests/support/editor/Watchdog.h"
 
+#include <QSemaphore>
 #include <QTest>
-#include <QThread>
 
 using namespace rubble;
 
 namespace {
 
-constexpr int kPatience = 60000;  // ms
+constexpr double kLongestHandler = 500.0;  // ms of processor time; usually a few, and a seek takes some seconds
 
 QString textOf(const test::Watchdog& watchdog) {
-    return QString("late by %1 ms, %2 ms of processor time, others late by %3 ms")
-        .arg(watchdog.lateness())
-        .arg(watchdog.processorTimeOfAHandler())
-        .arg(watchdog.latenessOfControl());
+    return QString("%1 ms of processor time").arg(watchdog.processorTimeOfAHandler());
 }
 
 }  // namespace
@@ -28,18 +26,13 @@ QString textOf(const test::Watchdog& watchdog) {
 class PlayLatencyTest : public QObject {
     Q_OBJECT
 private slots:
-    void watchdogSeesWaitsAndWork() {
-        const test::Watchdog waiting;
-        QTest::qWait(20);
-        QTimer::singleShot(0, this, [] { QThread::msleep(2000); });
-        QTRY_VERIFY2(waiting.lateness() > 1900.0, qPrintable(textOf(waiting)));
-        QVERIFY2(waiting.processorTimeOfAHandler() < 500.0, qPrintable(textOf(waiting)));
+    void watchdogSeesWork() {
         const test::Watchdog working;
         QTimer::singleShot(0, this, [] {
-            const double start = test::Watchdog::processorTime();
-            while (test::Watchdog::processorTime() < start + 100.0) continue;
+            const double start = test::processorTime();
+            while (test::processorTime() < start + kLongestHandler) continue;
         });
-        QTRY_VERIFY2(!working.isInTime(), qPrintable(textOf(working)));
+        QTRY_VERIFY2(working.processorTimeOfAHandler() > kLongestHandler, qPrintable(textOf(working)));
     }
     void seeksAndScriptsLetTheInterfaceRespond() {
         test::Stage stage(test::house());
@@ -53,13 +46,17 @@ private slots:
         const test::Watchdog watchdog;
         int scripts = 0;
         for (const std::uint64_t step : {std::uint64_t{0}, end, std::uint64_t{70}, end, std::uint64_t{1}, end}) {
+            QSemaphore isReleased;  // holds up the simulation: what waits for it never ends
+            stage.controller.thread().post([&isReleased](PlayEngine&) { isReleased.acquire(); });
             stage.controller.seek(step);
             stage.controller.requestScript([&](const PlayScript& script) { scripts += script.steps == end ? 1 : 0; });
+            QCoreApplication::processEvents();
+            isReleased.release();
             QTRY_COMPARE_WITH_TIMEOUT(stage.step(), step, kPatience);
         }
         QTRY_COMPARE_WITH_TIMEOUT(scripts, 6, kPatience);
         qInfo("%s", qPrintable(textOf(watchdog)));
-        QVERIFY2(watchdog.isInTime(), qPrintable(textOf(watchdog)));
+        QVERIFY2(watchdog.processorTimeOfAHandler() <= kLongestHandler, qPrintable(textOf(watchdog)));
     }
 };
 

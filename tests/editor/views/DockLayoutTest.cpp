@@ -70,7 +70,7 @@ private slots:
     }
     void actionRaisesADockBehindAnotherAndHidesItInFront() {
         DockBench bench;
-        QVERIFY(QTest::qWaitForWindowExposed(&bench.window));
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.window, kPatience));
         QDockWidget& play = bench.docks.dock(DockId::Play);
         QAction* action = bench.docks.actions()[static_cast<int>(DockId::Play)];
         QVERIFY(play.visibleRegion().isEmpty());

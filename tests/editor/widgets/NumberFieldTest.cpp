@@ -28,7 +28,7 @@ struct Window : QWidget {
         field.move(0, 40);
         show();
         activateWindow();
-        if (!QTest::qWaitForWindowActive(this)) qFatal("The window does not become active.");
+        if (!QTest::qWaitForWindowActive(this, kPatience)) qFatal("The window does not become active.");
         other.setFocus();
     }
     void type(const QString& text) {

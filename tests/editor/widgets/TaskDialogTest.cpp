@@ -45,7 +45,7 @@ private slots:
         int clicks = 0;
         connect(&button, &QPushButton::clicked, &button, [&] { ++clicks; });
         button.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&button));
+        QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience));
         clickAsUser(button);
         QCOMPARE(clicks, 1);
         bool wasOnScreen = true;
@@ -61,7 +61,7 @@ private slots:
     void longTaskShowsTheDialog() {
         QPushButton button("Close");
         button.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&button));
+        QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience));
         bool wasOnScreen = false;
         runTask(button, std::chrono::milliseconds(400), [&](TaskDialog& dialog) {
             wasOnScreen = dialog.isVisible() && !dialog.testAttribute(Qt::WA_DontShowOnScreen);

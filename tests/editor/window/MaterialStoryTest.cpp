@@ -9,9 +9,9 @@
 #include "editor/widgets/NumberField.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
-#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 
 #include <QCheckBox>
@@ -65,7 +65,7 @@ private slots:
         m_window = m_program->showProject(starterProject());
         m_window->setAttribute(Qt::WA_DeleteOnClose, false);
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        QVERIFY(QTest::qWaitForWindowActive(m_window, kPatience));
         selection().setAsset(wall().id);
         m_before = projectText(project());
     }

@@ -138,8 +138,8 @@ private slots:
             window().workspace().document().push(modify("Set Threshold", asset));
         }
         viewport().frameAll();
-        QTest::qWait(400);
-        QTest::mouseMove(&viewport(), target() + QPoint(30, 20));  // it was at the target before
+        QTRY_VERIFY(viewport().shownCamera() == viewport().camera());  // the animation is over
+        QTest::mouseMove(&viewport(), target() + QPoint(30, 20));      // it was at the target before
         QTest::mouseMove(&viewport(), target());
         QTest::keyPress(&viewport(), Qt::Key_F);
         advance(60);

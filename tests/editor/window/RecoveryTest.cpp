@@ -11,6 +11,7 @@
 #include "editor/window/Program.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EventLoop.h"
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileLimits.h"
 
@@ -18,9 +19,11 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileSystemWatcher>
 #include <QLabel>
 #include <QListView>
 #include <QMessageBox>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -298,8 +301,11 @@ private slots:
         int questions = 0;
         test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
             for (const double height : {6.0, 7.0}) {
+                QFileSystemWatcher watcher({m_folder->path()});
+                QSignalSpy seen(&watcher, &QFileSystemWatcher::directoryChanged);
                 QVERIFY(saveProject(toPath(m_path), projectWithGround(height)));
-                QTest::qWait(300);  // longer than the delay after which the file is compared
+                QTRY_VERIFY(seen.count() > 0);
+                test::runTimersDueWithin(300);  // longer than the delay after which the file is compared
                 for (const QWidget* widget : QApplication::topLevelWidgets())
                     questions += widget->isVisible() && qobject_cast<const QMessageBox*>(widget);
             }

@@ -8,9 +8,9 @@
 #include "editor/widgets/SliderField.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
+#include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
-#include "tests/support/editor/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileBytes.h"
 #include "viewport/widget/ViewportWidget.h"
@@ -110,7 +110,7 @@ private slots:
     void sliderExplodesFragments() {
         if (!m_window->views().scene().viewport().errorText().isEmpty()) QSKIP("OpenGL is not available.");
         ViewportWidget& viewport = m_window->views().scene().viewport();
-        QTest::qWait(300);
+        QTRY_COMPARE(viewport.scene().picks.size(), std::size_t{37});  // it follows the bake
         const QImage assembled = viewport.grab().toImage();
         auto* slider = m_window->findChild<QSlider*>("exploded");
         slider->setFocus();

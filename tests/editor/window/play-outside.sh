@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Drives the built editor as a user does: from the start page to a broken house in at most twelve actions, then a changed
-# threshold and another throw in three more. An action is a click, a key, a typed word, or a held key.
+# threshold and another throw in four more. An action is a click, a key, a typed word, or a held key.
 #
 #   play-outside.sh RUBBLE HOUSE      (run by ctest under xvfb-run, with a window manager)
 set -euo pipefail
@@ -12,22 +12,32 @@ act() {
   actions=$((actions + 1))
   "$@"
 }
-# part <file>: saves the middle of the window, where the house stands during the simulation.
+# part: prints the pixels of the middle of the window, where the house stands during the simulation.
 part() {
   local side=$((HEIGHT * 35 / 100))
-  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" "rgb:$1"
+  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" rgb:-
 }
+# bar: prints the pixels below it, where the charge of a throw is shown.
+bar() {
+  import -window "$window" -crop "$((WIDTH * 14 / 100))x$((HEIGHT * 4 / 100))+$((WIDTH * 40 / 100))+$((HEIGHT * 49 / 100))" rgb:-
+}
+# field: prints the pixels of the field of the threshold in the inspector.
+field() { import -window root -crop "120x24+$((X + WIDTH - 130))+$((Y + 129))" rgb:-; }
+is_other() { ! "$1" | cmp -s - "$2"; }
 # differs <before> <percentage>: whether more than this percentage of the middle of the window changed.
 differs() {
-  part "$folder/now.rgb"
+  part >"$folder/now.rgb"
   local other all
   other=$(cmp -l "$1" "$folder/now.rgb" | wc -l) || true
   all=$(stat -c %s "$1")
   [ $((100 * other)) -gt $(($2 * all)) ]
 }
+# throw: holds the key until the charge is full, as the bar shows.
 throw() {
+  bar >"$folder/uncharged.rgb"
   xdotool keydown f
-  sleep 1.5
+  until_true is_other bar "$folder/uncharged.rgb" || fail 'no charge is shown'
+  until_still bar || fail 'the charge does not end'
   xdotool keyup f
 }
 
@@ -35,32 +45,35 @@ start_editor "$1"
 focus_window 'Rubble'
 # 1, 2: open a file by name.
 act xdotool key ctrl+o
-sleep 2
+until_true is_active '^Open' || fail 'no dialog has opened'
 act xdotool type --delay 20 "$folder/house.rubble"
 xdotool key Return
 focus_window '^house\.rubble'
-sleep 3
+part >"$folder/edited.rgb"
 # 3: start the simulation. 4: point at the house. 5: throw.
 act xdotool key ctrl+p
-sleep 4
+until_true is_other part "$folder/edited.rgb" || fail 'Ctrl+P changed nothing'
+until_still part || fail 'the house does not stand still'
 act xdotool mousemove $((X + WIDTH * 47 / 100)) $((Y + HEIGHT * 45 / 100))
-sleep 1
-part "$folder/whole.rgb"
+until_still part || fail 'the house does not stand still'
+part >"$folder/whole.rgb"
 act throw
-until_true 30 differs "$folder/whole.rgb" 10 || fail 'the throw did not change the house'
+until_true differs "$folder/whole.rgb" 10 || fail 'the throw did not change the house'
 [ $actions -le 12 ] || fail "it took $actions actions"
 
-# 1, 2: type another threshold into the inspector. 3: throw at another place.
+# 1, 2: type another threshold into the inspector. 3: click another place, which takes the keyboard from the field of the
+# threshold. 4: throw.
 actions=0
-cp "$folder/now.rgb" "$folder/broken.rgb"
+field >"$folder/field.rgb"
 act xdotool mousemove $((X + WIDTH - 70)) $((Y + 141)) click --repeat 3 --delay 50 1
-sleep 0.5
+until_true is_other field "$folder/field.rgb" || fail 'a click selected no text'
 act xdotool type --delay 40 '2500'
 xdotool key Return
-until_true 20 has_title '^house\.rubble\*' || fail 'the threshold was not changed'
-xdotool mousemove $((X + WIDTH * 42 / 100)) $((Y + HEIGHT * 42 / 100))
-sleep 1
+until_true has_title '^house\.rubble\*' || fail 'the threshold was not changed'
+act xdotool mousemove $((X + WIDTH * 42 / 100)) $((Y + HEIGHT * 42 / 100)) click 1
+until_still part || fail 'the fragments do not come to rest'
+part >"$folder/broken.rgb"
 act throw
-until_true 30 differs "$folder/broken.rgb" 2 || fail 'the second throw changed nothing'
-[ $actions -le 3 ] || fail "it took $actions actions"
+until_true differs "$folder/broken.rgb" 2 || fail 'the second throw changed nothing'
+[ $actions -le 4 ] || fail "it took $actions actions"
 kill -0 $editor || fail 'the editor has crashed'

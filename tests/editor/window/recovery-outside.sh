@@ -38,8 +38,8 @@ start_editor "$1" "$folder/$name"
 focus_window "$title"
 xdotool key alt+n  # the tool that places seeds
 xdotool mousemove $((X + WIDTH * 36 / 100)) $((Y + HEIGHT * 30 / 100)) click 1
-until_true 20 has_title "$title\\*" || fail 'a click on the canvas changed nothing'
-until_true 20 has_backup || fail 'no backup was written'
+until_true has_title "$title\\*" || fail 'a click on the canvas changed nothing'
+until_true has_backup || fail 'no backup was written'
 cp "$backups"/*.rubble "$folder/backup.rubble"
 kill_editor
 start_editor "$1" "$folder/$name"
@@ -50,11 +50,11 @@ restore
 locks() { find "$folder" -maxdepth 1 -name '.*.lock' | grep -c . || true; }
 [ "$(locks)" = 1 ] || fail 'the restored project is not locked'
 xdotool key ctrl+s
-until_true 20 is_other || fail 'Ctrl+S wrote nothing'
+until_true is_other || fail 'Ctrl+S wrote nothing'
 cmp "$folder/backup.rubble" "$folder/$name" || fail 'the saved project is not the one that was edited'
-until_true 20 has_no_backup || fail 'the backup was left behind'
+until_true has_no_backup || fail 'the backup was left behind'
 xdotool key ctrl+q
-until_true 20 bash -c "! kill -0 $editor" || fail 'Ctrl+Q did not end the program'
+until_true bash -c "! kill -0 $editor" || fail 'Ctrl+Q did not end the program'
 wait "$editor" || fail "the program ended with exit code $?"
 [ "$(locks)" = 0 ] || fail 'a lock was left behind'
 [ -z "$(ls "$backups")" ] || fail 'files were left behind in the folder of the backups'

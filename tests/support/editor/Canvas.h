@@ -5,6 +5,7 @@
 #include "editor/canvas/tools/SeedTool.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/commands/ProjectEdits.h"
+#include "tests/support/Patience.h"
 #include "tests/support/asset/Projects.h"
 
 #include <QTest>
@@ -34,7 +35,7 @@ struct CanvasBench {
     const Asset& asset() const { return document.project().assets.front(); }
     /// Waits until the canvas shows the current pattern.
     void settle() {
-        QVERIFY(QTest::qWaitFor([&] { return isSettled(); }));
+        QVERIFY(QTest::qWaitFor([&] { return isSettled(); }, kPatience));
         QCoreApplication::processEvents();
     }
     bool isSettled() const {

@@ -6,7 +6,7 @@
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
-#include "tests/support/editor/Patience.h"
+#include "tests/support/Patience.h"
 #include "tests/support/editor/TestSettings.h"
 #include "viewport/widget/ViewportWidget.h"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/Patience.h"
+
 #include <QProcess>
 
 #include <chrono>
@@ -15,7 +17,7 @@ struct ProgramOutcome {
 
 struct RunOptions {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    std::chrono::seconds limit{60};  // a program that runs longer is killed
+    std::chrono::milliseconds limit{kPatience};  // a program that runs longer is killed
 };
 
 /// Runs a program to its end.
@@ -23,10 +25,10 @@ inline ProgramOutcome runProgram(const QString& program, const QStringList& argu
     QProcess process;
     process.setProcessEnvironment(options.environment);
     process.start(program, arguments);
-    const bool hasEnded = process.waitForFinished(static_cast<int>(std::chrono::milliseconds(options.limit).count()));
+    const bool hasEnded = process.waitForFinished(static_cast<int>(options.limit.count()));
     if (!hasEnded) {
         process.kill();
-        process.waitForFinished();
+        process.waitForFinished(kPatience);
     }
     return {hasEnded && process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};

@@ -1,9 +1,11 @@
 #include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/EventLoop.h"
 #include "tests/support/editor/StarterScene.h"
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/widget/ViewportWidget.h"
 
+#include <QGuiApplication>
 #include <QLabel>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
@@ -27,7 +29,7 @@ std::unique_ptr<ViewportWidget> shownWall() {
     viewport->setCameraAnimation(false);
     viewport->resize(kWidgetSize);
     viewport->show();
-    if (!QTest::qWaitForWindowExposed(viewport.get())) return nullptr;
+    if (!QTest::qWaitForWindowExposed(viewport.get(), kPatience)) return nullptr;
     viewport->setScene(test::starterScene());
     viewport->alignTo(StandardView::Front);
     viewport->frameAll();
@@ -50,6 +52,15 @@ void turnWheel(QWidget& widget, QPointF at, int eighths) {
     QCoreApplication::sendEvent(&widget, &event);
 }
 
+/// Runs the event loop until no frame has come while the window system and short timers were served twice.
+void waitForTheLastOf(const QSignalSpy& frames) {
+    for (qsizetype quiet = 0, last = -1; quiet < 2; last = frames.count()) {
+        QGuiApplication::sync();
+        test::runTimersDueWithin(50);
+        quiet = frames.count() == last ? quiet + 1 : 0;
+    }
+}
+
 /// The saturation of a pixel: the background is grey.
 int colourfulness(const QImage& picture, QPoint at) {
     const QColor colour = picture.pixelColor(at);
@@ -66,7 +77,7 @@ private slots:
         ViewportWidget viewport;
         viewport.resize(kWidgetSize);
         viewport.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport, kPatience));
         QCOMPARE(viewport.errorText(), QString());
         viewport.setScene(std::make_shared<RenderScene>());
         const Camera before = viewport.camera();
@@ -171,11 +182,11 @@ private slots:
         const auto viewport = shownWall();
         auto* canvas = viewport->findChild<QOpenGLWidget*>();
         QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
-        QTest::qWait(100);
+        waitForTheLastOf(frames);  // of showing the window
         frames.clear();
-        QTest::qWait(300);
+        test::runTimersDueWithin(300);
         viewport->setCamera(viewport->camera());
-        QTest::qWait(100);
+        test::runTimersDueWithin(100);
         QCOMPARE(frames.count(), 0);
         viewport->setCamera(orbited(viewport->camera(), 0.1, 0.0));
         QTRY_COMPARE(frames.count(), 1);
@@ -189,7 +200,7 @@ private slots:
         QTRY_VERIFY(frames.count() >= 3);
         const QPoint top(kMiddle);
         QSignalSpy picks(viewport.get(), &ViewportWidget::picked);
-        QTest::qWait(400);
+        QTRY_VERIFY(viewport->shownCamera() == viewport->camera());
         QTest::mouseClick(viewport.get(), Qt::LeftButton, {}, top);
         QVERIFY(picks[0][0].value<std::optional<PickId>>());
     }
@@ -232,10 +243,11 @@ private slots:
         auto* timer = canvas->findChild<QTimer*>();
         viewport->setProgressiveRendering(ProgressiveRendering::Always);
         QTRY_VERIFY(timer->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), 60000);
-        QTest::qWait(100);
+        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
         QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
-        QTest::qWait(300);
+        waitForTheLastOf(frames);
+        frames.clear();
+        test::runTimersDueWithin(300);
         QCOMPARE(frames.count(), 0);
         QVERIFY(viewport->grab().toImage() != before);
     }
@@ -245,7 +257,7 @@ private slots:
         viewport->setProgressiveRendering(ProgressiveRendering::Always);
         auto* timer = viewport->findChild<QOpenGLWidget*>()->findChild<QTimer*>();
         QTRY_VERIFY(timer->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
         viewport->resize(200, 120);
         const QImage resized = viewport->grab().toImage();
         viewport->setProgressiveRendering(ProgressiveRendering::Never);
@@ -258,7 +270,7 @@ private slots:
         layout->addWidget(viewport.release());
         other.resize(600, 500);
         other.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&other));
+        QVERIFY(QTest::qWaitForWindowExposed(&other, kPatience));
         auto* moved = other.findChild<ViewportWidget*>();
         moved->frameAll();
         const QImage picture = moved->grab().toImage();

@@ -160,7 +160,8 @@ private slots:
         QProcess script;
         script.start("python3", {RUBBLE_SOURCE_DIR "/tests/core/fracture/cuts/brick_count.py", QTest::currentDataTag(),
                                  "0.24", "0.115", "0.071", "0.01", "0.013", "-0.02", "3.07", "1.93"});
-        QVERIFY2(script.waitForFinished(30000) && script.exitCode() == 0, script.readAllStandardError().constData());
+        QVERIFY2(script.waitForFinished(kPatience) && script.exitCode() == 0,
+                 script.readAllStandardError().constData());
         const QList<QByteArray> words = script.readAllStandardOutput().simplified().split(' ');
         QCOMPARE(partition.pieceCount(), words[0].toUInt());
         QVERIFY2(std::abs(joints - words[1].toDouble()) < 1e-9, words[1].constData());

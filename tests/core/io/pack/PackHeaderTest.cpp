@@ -67,7 +67,7 @@ class PackHeaderTest : public QObject {
         std::ofstream(path.toStdString(), std::ios::binary) << json;
         auto* program = new QProcess(this);
         program->start(RUBBLE_PACK_EXAMPLE, {path});
-        program->waitForFinished();
+        program->waitForFinished(kPatience);
         return program;
     }
 

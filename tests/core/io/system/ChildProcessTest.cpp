@@ -1,7 +1,8 @@
 #include "core/io/system/ChildProcess.h"
 #include "tests/support/TestProgram.h"
 
-#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <fcntl.h>
@@ -16,6 +17,14 @@
 using namespace rubble;
 
 namespace {
+
+/// Cancels a task once a file is there, which the child makes.
+std::thread cancellerAt(const QString& path, const TaskContext& context) {
+    return std::thread([path, &context] {
+        while (!QFile::exists(path)) std::this_thread::yield();
+        context.cancel.cancel();
+    });
+}
 
 Result<ChildResult> run(const std::string& script, const ChildLimits& limits = {}, const TaskContext& context = {}) {
     return runChild("/bin/sh", {"-c", script}, limits, context);
@@ -48,11 +57,9 @@ private slots:
         QCOMPARE(outcome->signal, SIGSEGV);
     }
     void childIsKilledAtItsTimeLimit() {
-        QElapsedTimer timer;
-        timer.start();
-        QVERIFY(run("sleep 30", {.seconds = 0.2})->exit == ChildExit::TimedOut);
-        QVERIFY(run("exec >&- 2>&-; sleep 30", {.seconds = 0.2})->exit == ChildExit::TimedOut);
-        QVERIFY(timer.elapsed() < 5000);
+        // A child that is not killed would keep the test from ending.
+        QVERIFY(run("exec sleep 10000", {.seconds = 0.2})->exit == ChildExit::TimedOut);
+        QVERIFY(run("exec >&- 2>&- sleep 10000", {.seconds = 0.2})->exit == ChildExit::TimedOut);
     }
     void processorTimeIsLimited() {
         QCOMPARE(run("ulimit -St; ulimit -Ht", {.seconds = 3.0})->output, std::string("3\n4\n"));
@@ -107,21 +114,21 @@ private slots:
         QVERIFY(!findExecutable("."));  // a folder is not executable
     }
     void cancellationKillsTheChild() {
+        const QTemporaryDir folder;
+        const QString started = folder.filePath("started");
         const TaskContext context;
-        std::thread canceller([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
-            context.cancel.cancel();
-        });
-        QVERIFY(run("sleep 30", {}, context).error().code == ErrorCode::Cancelled);
+        std::thread canceller = cancellerAt(started, context);
+        const std::string script = "touch '" + started.toStdString() + "'; exec sleep 10000";
+        QVERIFY(run(script, {}, context).error().code == ErrorCode::Cancelled);
         canceller.join();
     }
     void childThatClosedItsStreamsIsCancelled() {
+        const QTemporaryDir folder;
+        const QString started = folder.filePath("started");
         const TaskContext context;
-        std::thread canceller([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(300));
-            context.cancel.cancel();
-        });
-        QVERIFY(run("exec >&- 2>&-; sleep 30", {}, context).error().code == ErrorCode::Cancelled);
+        std::thread canceller = cancellerAt(started, context);
+        const std::string script = "exec >&- 2>&-; touch '" + started.toStdString() + "'; exec sleep 10000";
+        QVERIFY(run(script, {}, context).error().code == ErrorCode::Cancelled);
         canceller.join();
     }
     void closedStandardStreamsDoNoHarm() {

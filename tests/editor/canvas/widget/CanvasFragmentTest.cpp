@@ -44,7 +44,7 @@ struct FragmentBench : CanvasBench {
     /// Waits until the canvas shows the bake of the current document.
     void settleAll() {
         settle();
-        QVERIFY(QTest::qWaitFor([&] { return isShown(); }));
+        QVERIFY(QTest::qWaitFor([&] { return isShown(); }, kPatience));
         QCoreApplication::processEvents();
     }
     void enter(const FragmentPath& path) {

@@ -54,7 +54,7 @@ struct FragmentTableDesk {
         table.resize(700, 300);
         table.show();
         table.activateWindow();
-        if (!QTest::qWaitForWindowActive(&table)) qFatal("The window does not become active.");
+        if (!QTest::qWaitForWindowActive(&table, kPatience)) qFatal("The window does not become active.");
         view.setFocus();
     }
     void rebake() {

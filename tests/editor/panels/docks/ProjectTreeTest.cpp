@@ -9,6 +9,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/asset/RandomEdits.h"
+#include "tests/support/editor/EventLoop.h"
 
 #include <QAbstractItemModelTester>
 #include <QLineEdit>
@@ -36,7 +37,7 @@ struct ProjectTreeDesk {
         tree.resize(300, 600);
         tree.show();
         tree.activateWindow();
-        if (!QTest::qWaitForWindowActive(&tree)) qFatal("The window does not become active.");
+        if (!QTest::qWaitForWindowActive(&tree, kPatience)) qFatal("The window does not become active.");
         view.expandAll();
         view.setFocus();
     }
@@ -111,13 +112,13 @@ private slots:
         desk.click(Kind::Instance, 21, Qt::ControlModifier);
         desk.click(Kind::Instance, 20);
         QCOMPARE(desk.selection.instances(), (std::set<Id>{20}));
-        QTest::qWait(QApplication::doubleClickInterval() + 100);
+        test::runTimersDueWithin(QApplication::doubleClickInterval() + 100);
         QVERIFY(!desk.view.viewport()->findChild<QLineEdit*>());
     }
     void slowSecondClickRenames() {
         ProjectTreeDesk desk;
         desk.click(Kind::Instance, 20);
-        QTest::qWait(QApplication::doubleClickInterval() + 100);
+        test::runTimersDueWithin(QApplication::doubleClickInterval() + 100);
         desk.click(Kind::Instance, 20);
         QTRY_VERIFY(desk.view.viewport()->findChild<QLineEdit*>());
     }
@@ -130,7 +131,7 @@ private slots:
         emit selection.assetChanged(selection.asset());
         tree.resize(300, 600);
         tree.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&tree));
+        QVERIFY(QTest::qWaitForWindowExposed(&tree, kPatience));
         QCOMPARE(tree.view().indexAt({2, 2}), tree.view().model()->index(0, 0));
     }
     void clickedIconsToggleFlagsWithoutSelecting() {

@@ -84,7 +84,7 @@ private slots:
         Desk desk;
         QVERIFY(desk.says("Not audited"));
         QTest::mouseClick(&desk.button("audit-swap"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), kPatience);
         QVERIFY(desk.button("fix-swap").isHidden());
         Asset asset = desk.asset();
         asset.prism.depth = 0.3;

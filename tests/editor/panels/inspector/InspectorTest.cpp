@@ -39,7 +39,7 @@ struct InspectorDesk {
         inspector.resize(360, 900);
         inspector.show();
         inspector.activateWindow();
-        if (!QTest::qWaitForWindowActive(&inspector)) qFatal("The window does not become active.");
+        if (!QTest::qWaitForWindowActive(&inspector, kPatience)) qFatal("The window does not become active.");
     }
     const Asset& asset(Id id = 9) const { return *findAsset(document.project(), id); }
     std::string text() const { return projectText(document.project()); }
