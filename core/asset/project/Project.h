@@ -154,7 +154,8 @@ struct Damage {
     bool operator==(const Damage&) const = default;
 };
 
-/// The settings for removing debris.
+/// The settings for removing debris: fragments, also those of thrown assets. Projectiles, thrown assets that are whole,
+/// and instances are not debris.
 struct Debris {
     std::optional<double> lifetime;          // s, > 0: after which it has faded out; none: unlimited
     double fade = 1.0;                       // s, >= 0: duration of fading out, at the end of its life
