@@ -27,6 +27,7 @@ constexpr std::array kCases{
     Case{"its whole mesh", wholeMeshCase},
     Case{"problems", problemsCase},
     Case{"debris", debrisCase},
+    Case{"blast", blastCase},
 };
 
 constexpr std::array<std::size_t, 4> kSizes{1000, 4000, 16000, 64000};

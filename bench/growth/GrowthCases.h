@@ -22,6 +22,9 @@ double problemsCase(std::size_t n);
 /// A session step that removes n pieces of debris.
 double debrisCase(std::size_t n);
 
+/// The impulses of a blast before a pane of 1 m² in n touching fragments.
+double blastCase(std::size_t n);
+
 /// The Voronoi cells of two seeds in a regular polygon of n corners, two of which lie on the bisector.
 double weldingCase(std::size_t n);
 

@@ -154,7 +154,8 @@ struct Damage {
     bool operator==(const Damage&) const = default;
 };
 
-/// The settings for removing debris.
+/// The settings for removing debris: fragments, also those of thrown assets. Projectiles, thrown assets that are whole,
+/// and instances are not debris.
 struct Debris {
     std::optional<double> lifetime;          // s, > 0: after which it has faded out; none: unlimited
     double fade = 1.0;                       // s, >= 0: duration of fading out, at the end of its life
@@ -181,10 +182,11 @@ struct Hammer {
     Vec3 impulse{0.0, 0.0, 0.0};  // N·s
     bool operator==(const Hammer&) const = default;
 };
-/// Pushes bodies away from a point, falling off to zero at a radius.
+/// Pushes bodies away from a point: the surfaces that face it and are visible from it, with an impulse per area that
+/// falls linearly from `impulse` at the point to 0 at `radius`. See World::blast().
 struct Explosion {
     Vec3 at{0.0, 0.0, 0.0};   // m
-    double impulse = 1000.0;  // N·s per m² of area facing the centre, close to it
+    double impulse = 1000.0;  // N·s/m²
     double radius = 2.0;      // m
     bool operator==(const Explosion&) const = default;
 };

@@ -23,10 +23,10 @@ struct WorldSettings {
     SimdWidth lanes = widestSimd();
 };
 
-/// The impulse of a blast on a body.
+/// The impulse of a blast on a body: the sum of those on its faces.
 struct BlastImpulse {
     BodyId body;
-    Vec3 point;    // in world space
+    Vec3 point;    // in world space: the centre of pressure, in line with the blast
     Vec3 impulse;  // N·s
 };
 
@@ -89,12 +89,18 @@ public:
     ///
     /// Errors: BadInput for more than kMaxImpulse or kMaxCoordinate along an axis.
     Status applyImpulse(BodyId body, Vec3 impulse, Vec3 point);
-    /// The impulses of a blast on all bodies within `radius`, including those that are not dynamic: away from `point`,
-    /// `impulse` N·s/m^2 at 1 m on the body's projected area, falling off with the square of the distance,
-    /// and no stronger within 0.1 m. A body whose centre of mass is at `point` is pushed against gravity, or along y
-    /// without gravity: no direction leads away from the blast, and it is as strong as right beside it.
+    /// Where a blast at a point goes off: there, unless the point is in a body or within a millimetre of it. Then it is
+    /// 0.1 m off the nearest face of the body from which it is in no other body; of equally near faces, off the lowest.
+    Vec3 blastOrigin(Vec3 point) const;
+    /// The impulses of a blast on all bodies, including those that are not dynamic, by ascending body. On each small
+    /// area dA of a face that is visible from `point`, at the distance d and under the angle θ to its normal, acts
+    /// impulse · (1 - d / radius) · cos θ · dA away from `point`, in N·s; beyond the radius, none. So bodies cast
+    /// shadows, faces between touching bodies get nothing, and fragments together get what the whole would get. A body
+    /// that contains `point` gets nothing and casts no shadow: see blastOrigin().
+    ///
+    /// O(n log n) for n bodies within the radius of which each is shadowed by few others; see also kMaxVisibleParts.
     std::vector<BlastImpulse> blast(Vec3 point, double radius, double impulse) const;
-    /// Applies the impulses of blast() to the dynamic bodies; none becomes faster than kMaxSpeed.
+    /// Applies the impulses of blast() from blastOrigin() to the dynamic bodies; none becomes faster than kMaxSpeed.
     ///
     /// Errors: BadInput for a point or radius beyond kMaxCoordinate, or an impulse beyond kMaxImpulse.
     Status explode(Vec3 point, double radius, double impulse);

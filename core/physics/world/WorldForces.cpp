@@ -13,9 +13,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kMinBlastDistance = 0.1;  // m: a blast is no stronger within
-constexpr double kLeastDistance = 1e-12;   // m: nearer to a centre than single precision resolves, a blast is at it
-
 Error rangeError(const std::string& what, double most, const char* unit) {
     return {ErrorCode::BadInput, what + " must be finite and at most " + messageText(most) + " " + unit + "."};
 }
@@ -53,12 +50,6 @@ void applyImpulseAt(WorldState& state, std::uint32_t body, Vec3 impulse, Vec3 po
         }
     }
     applyStrongImpulse(state, body, impulse, toDouble(arm));
-}
-
-/// The direction that a blast at the centre of a body pushes it in.
-Vec3 upOf(Vec3 gravity) {
-    const double size = glm::length(gravity);
-    return size > 0.0 ? -gravity / size : Vec3(0.0, 1.0, 0.0);
 }
 
 /// Removes a body's contacts, so that the next collide() finds them again.
@@ -127,29 +118,14 @@ Status World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
     return success();
 }
 
-std::vector<BlastImpulse> World::blast(Vec3 point, double radius, double impulse) const {
-    std::vector<BlastImpulse> impulses;
-    for (BodyId body : bodies()) {
-        const Vec3 centre = toDouble(m_state->poses[body.index].centre);
-        const Vec3 displacement = centre - point;
-        const double distance = std::sqrt(glm::dot(displacement, displacement));
-        if (distance > radius) continue;
-        const double nearest = std::max(distance, kMinBlastDistance);
-        // The mean projected area of a convex body is a quarter of its surface area (Cauchy).
-        const double projectedArea = shape(body).surfaceArea / 4.0;
-        const double push = impulse * projectedArea / (nearest * nearest * std::max(distance, kLeastDistance));
-        impulses.push_back(
-            {body, centre, distance < kLeastDistance ? kLeastDistance * push * upOf(gravity()) : displacement * push});
-    }
-    return impulses;
-}
-
 Status World::explode(Vec3 point, double radius, double impulse) {
     if (!isWithin(point, kMaxCoordinate) || !(radius >= 0.0 && radius <= kMaxCoordinate)) {
         return rangeError("The place and radius of an explosion", kMaxCoordinate, "m");
     }
-    if (!isWithin(Vec3(impulse), kMaxImpulse)) return rangeError("The impulse of an explosion", kMaxImpulse, "N·s");
-    for (const BlastImpulse& one : blast(point, radius, impulse)) {
+    if (!isWithin(Vec3(impulse), kMaxImpulse)) {
+        return rangeError("The impulse of an explosion", kMaxImpulse, "N·s/m²");
+    }
+    for (const BlastImpulse& one : blast(blastOrigin(point), radius, impulse)) {
         if (kind(one.body) != BodyKind::Dynamic) continue;
         wake(one.body);
         applyImpulseAt(*m_state, one.body.index, one.impulse, one.point);

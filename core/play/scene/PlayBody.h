@@ -25,7 +25,8 @@ struct PlayBody {
     std::uint64_t born = 0;                  // steps done before it was created
     bool isUnbreakable = false;              // its instance never breaks
 
-    bool isDebris() const { return role == PlayRole::Piece || role == PlayRole::Projectile; }
+    /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
+    bool isDebris() const { return role == PlayRole::Piece; }
     /// The fragments that replace it; null if it does not break.
     const PlayFracture* fracture() const { return asset && !isUnbreakable ? asset->fractureOf(fragment) : nullptr; }
 };

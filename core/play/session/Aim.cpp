@@ -12,6 +12,7 @@ constexpr double kMaxDistance = 1000.0;    // m: farther hits are ignored
 constexpr double kDefaultDistance = 30.0;  // m: of the target without a hit
 constexpr double kReachingTime = 0.4;      // s, of the flight: short enough to see where it goes
 constexpr double kBreakMargin = 3.0;       // since most impacts are not central
+constexpr double kStandOff = 0.1;          // of the radius of an explosion: one in a surface has no effect on it
 constexpr double kMinReachingSpeed = 1.0, kMaxReachingSpeed = 100.0;  // m/s
 
 /// The mass of a projectile, kg; 0 if its asset is not in the scene.
@@ -62,7 +63,10 @@ std::optional<Hammer> hammerAlong(const Session& session, double impulse, const 
 std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray) {
     const std::optional<CastHit> hit = firstHit(session.world(), ray);
     if (!hit) return std::nullopt;
-    explosion.at = hit->point;
+    const double standOff = kStandOff * explosion.radius;
+    const std::optional<CastHit> opposite =
+        session.world().castRay(hit->point, hit->point + 2.0 * standOff * hit->normal);
+    explosion.at = hit->point + (opposite ? opposite->fraction : 1.0) * standOff * hit->normal;
     return explosion;
 }
 

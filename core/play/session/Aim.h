@@ -20,7 +20,8 @@ double reachingSpeed(const Session& session, const Throw& thrown, const Ray& ray
 Throw throwAlong(const Session& session, Throw thrown, const Ray& ray);
 /// A hammer blow of `impulse` N·s along a ray on its first hit; nothing without a hit.
 std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray);
-/// An explosion at the first hit of a ray; nothing without a hit.
+/// An explosion at the first hit of a ray, off the surface by a tenth of its radius, or in the middle of a narrower
+/// gap; nothing without a hit.
 std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray);
 
 /// A throw whose trajectory under constant gravity, m/s², passes through a point, on the lower of the two possible

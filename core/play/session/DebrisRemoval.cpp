@@ -53,9 +53,9 @@ std::size_t addExcess(const SessionParts& parts, std::uint32_t maxPieces, std::v
 double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt) {
     if (!debris.lifetime || !body.isDebris()) return 0.0;
     const double left = *debris.lifetime - static_cast<double>(step - body.born) * dt;
+    if (left <= 0.0) return 1.0;
     const double fade = std::min(debris.fade, *debris.lifetime);
-    if (left >= fade) return 0.0;
-    return left <= 0.0 ? 1.0 : 1.0 - left / fade;
+    return left >= fade ? 0.0 : 1.0 - left / fade;
 }
 
 std::size_t removeDebris(const SessionParts& parts) {

@@ -7,6 +7,7 @@
 #include "core/base/MessageText.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
+#include "core/play/session/Blast.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
@@ -161,23 +162,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
 }
 
 void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    std::vector<PendingBreak> breaks;
-    for (const BlastImpulse& push : parts.world.blast(explosion.at, explosion.radius, explosion.impulse)) {
-        const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(push.body)));
-        const double size = std::sqrt(glm::dot(push.impulse, push.impulse));
-        if (body.fracture() == nullptr || size == 0.0) continue;
-        const double threshold = thresholdOf(parts.state, parts.scene, body);
-        parts.state.events.impacts.push_back({body.number, size, threshold, push.point});
-        if (!parts.state.hasDestruction || size < threshold) continue;
-        breaks.push_back(pendingBreak(parts, body));
-        breaks.back().event.impact = size;
-        breaks.back().event.point = push.point;
-        breaks.back().event.normal = push.impulse / size;
-    }
-    std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
-    applyBreaks(parts, std::move(breaks));
-    reportRefused(parts, nullptr, "Shot " + quotedName(name),
-                  parts.world.explode(explosion.at, explosion.radius, explosion.impulse));
+    reportRefused(parts, nullptr, "Shot " + quotedName(name), applyBlast(parts, explosion));
 }
 
 void applyInput(const SessionParts& parts, const ShotInput& shot) {

@@ -43,8 +43,8 @@ PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& control
              [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
     rows->addWidget(hammer);
     auto* blast = new Section("blast", tr("Blast (X)"));
-    addField(*blast, tr("Impulse"), tr("Impulse per square metre at a distance of 1 m"), tr("N·s/m²"),
-             ProjectNumber::ExplosionImpulse,
+    addField(*blast, tr("Impulse"), tr("Impulse per square metre at the centre, falling to 0 at the radius"),
+             tr("N·s/m²"), ProjectNumber::ExplosionImpulse,
              [](PlayToolSettings& tools) -> double& { return tools.explosion.impulse; });
     addField(*blast, tr("Radius"), tr("Radius of the blast"), tr("m"), ProjectNumber::ExplosionRadius,
              [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });

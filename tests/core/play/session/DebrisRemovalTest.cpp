@@ -22,6 +22,7 @@ Session brokenBlock(const Debris& debris, double height = 0.5) {
 }
 
 }  // namespace
+Q_DECLARE_METATYPE(rubble::Debris)
 
 class DebrisRemovalTest : public QObject {
     Q_OBJECT
@@ -63,36 +64,85 @@ private slots:
         QVERIFY(largestGone <= smallestLeft);
     }
     void sleepingDebrisIsRemovedBeforeMoving() {
-        Session session = brokenBlock({.maxPieces = 10});
+        Project project = test::floatingBlock(10);
+        project.instances[0].pose.position.y = 0.5;
+        project.gravity = {0.0, -9.81, 0.0};
+        project.debris = {.maxPieces = 10};
+        const Id pebbles = test::addAsset(project,
+                                          {.name = "pebbles",
+                                           .material = project.materials[0].id,
+                                           .prism = {{rectangle({-0.1, -0.1}, {0.1, 0.1}), {}}, 0.1}},
+                                          {UniformScatter{.count = 3}});
+        test::addInstance(project, pebbles, "pebbles", {.position = {0.0, 40.0, 0.0}});
+        project.instances[1].isFixed = true;
+        Session session = test::sessionOf(project);
+        test::addInput(session, BreakInput{session.bodies()[1].number});
         while (session.stepsDone() < 300) session.step();  // all asleep
-        test::addInput(session, ShotInput{"pebble", Throw{.size = Vec3(0.02),
-                                                          .mass = 0.01,
-                                                          .from = {0.0, 40.0, 0.0},
-                                                          .to = {9.0, 41.0, 0.0},
-                                                          .speed = 5.0}});
+        test::addInput(session, BreakInput{session.bodies()[1].number});
         session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 9u);
-        QCOMPARE(test::countOf(session, PlayRole::Projectile), 1u);  // smaller than all, but awake
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        QCOMPARE(session.events().removed.size(), std::size_t{3});
+        for (const PlayBody& body : session.events().removed) {  // larger than those still falling
+            QCOMPARE(session.nameOf(body).substr(0, 6), std::string("block/"));
+        }
     }
     void oldestOfEqualDebrisIsRemoved() {
-        Project project = test::floatingBlock();
-        project.debris = {.maxPieces = 2};
+        Project project = test::floatingBlock(2);
+        project.debris = {.maxPieces = 3};
+        test::addInstance(project, project.assets[0].id, "later", {.position = {5.0, 5.0, 0.0}});
         Session session = test::sessionOf(project);
-        Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {0.0, 41.0, 0.0}};
-        for (int shot = 0; shot < 4; ++shot) {
-            thrown.from.x = thrown.to.x = 3.0 * shot;
-            test::addInput(session, ShotInput{"box", thrown});
-        }
+        test::addInput(session, BreakInput{session.bodies()[1].number});
         session.step();
-        std::vector<std::uint32_t> gone, left;
-        for (const PlayBody& body : session.events().removed) gone.push_back(body.number);
-        for (const PlayBody& body : session.bodies()) {
-            if (body.role == PlayRole::Projectile) left.push_back(body.number);
+        QCOMPARE(session.events().removed.size(), std::size_t{0});
+        test::addInput(session, BreakInput{session.bodies()[1].number});
+        session.step();
+        QCOMPARE(session.events().removed.size(), std::size_t{1});
+        QCOMPARE(session.nameOf(session.events().removed[0]).substr(0, 6), std::string("block/"));
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 3u);
+    }
+    void wholeBodiesAreNoDebris_data() {
+        QTest::addColumn<Debris>("debris");
+        QTest::newRow("lifetime") << Debris{.lifetime = 0.5, .fade = 0.2};
+        QTest::newRow("number") << Debris{.maxPieces = 1};
+        QTest::newRow("both") << Debris{.lifetime = 0.5, .fade = 0.0, .maxPieces = 1};
+    }
+    void wholeBodiesAreNoDebris() {
+        QFETCH(Debris, debris);
+        Project project = test::floatingBlock();
+        project.debris = debris;
+        Session session = test::sessionOf(project);
+        double x = 3.0;
+        for (const ProjectileKind kind :
+             {ProjectileKind::Box, ProjectileKind::Ball, ProjectileKind::Plank, ProjectileKind::Asset}) {
+            const Throw thrown{.kind = kind,
+                               .asset = kind == ProjectileKind::Asset ? project.assets[0].id : 0,
+                               .from = {x, 40.0, 0.0},
+                               .to = {x, 41.0, 0.0},
+                               .speed = 1.0};
+            test::addInput(session, ShotInput{"thrown", thrown});
+            x += 3.0;
         }
-        QCOMPARE(gone.size(), std::size_t{2});
-        QCOMPARE(left.size(), std::size_t{2});
-        QVERIFY(std::ranges::is_sorted(gone));
-        QVERIFY(gone.back() < left.front());
+        while (session.stepsDone() < 120) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 4u);
+        QCOMPARE(test::countOf(session, PlayRole::Instance), 1u);
+        for (const PlayBody& body : session.bodies()) QCOMPARE(session.fadeOf(body), 0.0);
+    }
+    void fragmentsOfThrownAssetsAreDebris() {
+        Project project = test::floatingBlock(4);
+        project.debris = {.lifetime = 0.5, .fade = 0.0};
+        Session session = test::sessionOf(project);
+        const Throw thrown{.kind = ProjectileKind::Asset,
+                           .asset = project.assets[0].id,
+                           .from = {9.0, 5.0, 0.0},
+                           .to = {9.0, 9.0, 0.0},
+                           .speed = 1.0};
+        test::addInput(session, ShotInput{"thrown", thrown});
+        while (session.stepsDone() < 60) session.step();
+        test::addInput(session, BreakInput{session.bodies().back().number});
+        while (session.stepsDone() < 89) session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 4u);
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
     }
     void removedBodiesAreReportedByNumber() {
         Session session = brokenBlock({.maxPieces = 4});

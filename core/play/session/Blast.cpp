@@ -1,0 +1,50 @@
+#include "core/play/session/Blast.h"
+
+#include "core/play/breaking/Swap.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace rubble {
+namespace {
+
+/// The break of a body by its impulse, which is reported; nothing if it stays whole.
+std::optional<PendingBreak> breakBy(const SessionParts& parts, const BlastImpulse& push) {
+    const PlayBody& body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(push.body)));
+    if (body.fracture() == nullptr) return std::nullopt;
+    const double size = glm::length(push.impulse), threshold = thresholdOf(parts.state, parts.scene, body);
+    parts.state.events.impacts.push_back({body.number, size, threshold, push.point});
+    if (!parts.state.hasDestruction || size < threshold) return std::nullopt;
+    PendingBreak broken = pendingBreak(parts, body);
+    broken.event.impact = size;
+    broken.event.point = push.point;
+    broken.event.normal = push.impulse / size;
+    return broken;
+}
+
+}  // namespace
+
+Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
+    const Vec3 origin = parts.world.blastOrigin(explosion.at);
+    const auto blast = [&] { return parts.world.blast(origin, explosion.radius, explosion.impulse); };
+    std::vector<BlastImpulse> pushes = blast();
+    std::vector<PendingBreak> breaks;
+    for (const BlastImpulse& push : pushes) {
+        if (std::optional<PendingBreak> broken = breakBy(parts, push)) breaks.push_back(std::move(*broken));
+    }
+    if (!breaks.empty()) {
+        std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
+        applyBreaks(parts, std::move(breaks));
+        pushes = blast();
+    }
+    Status status = success();
+    for (const BlastImpulse& push : pushes) {
+        if (parts.world.kind(push.body) != BodyKind::Dynamic) continue;
+        const Status applied = parts.world.applyImpulse(push.body, push.impulse, push.point);
+        if (!applied) status = applied;
+    }
+    return status;
+}
+
+}  // namespace rubble
