@@ -33,8 +33,8 @@ struct EnergyEntry {
 };
 using EnergyAudit = std::vector<EnergyEntry>;
 
-/// The positions of bodies are rounded to less than kPositionRounding, m, within kRoundedDistance, m, of the origin (see
-/// World); farther out in proportion.
+/// The positions of bodies are rounded to less than kPositionRounding, m, within kRoundedDistance, m, of the origin
+/// (see World); farther out in proportion.
 inline constexpr double kPositionRounding = 1e-5, kRoundedDistance = 100.0;
 
 /// The kinetic energy of a rigid body, J; `inertia`, kg m², about its centre, in world axes.
