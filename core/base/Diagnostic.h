@@ -34,7 +34,7 @@ enum class DiagnosticCode {
     PushedPiece,        // moves after it has replaced the whole, although nothing hit it
     SwapDrift,          // replacing the whole changes mass, momentum or energy
     GapVolume,          // mass that the gap between pieces removes
-    UnappliedInput,     // an input of a session had no effect
+    UnappliedInput,     // an input of a session had no effect, or not all of it
     PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
     LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
     ReplayMismatch,     // a step differs from the recording

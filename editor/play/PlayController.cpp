@@ -181,7 +181,10 @@ void PlayController::throwAlong(const Ray& ray, double charge) {
 }
 
 void PlayController::hammerAlong(const Ray& ray) {
-    post([impulse = m_toolSettings.hammerImpulse, ray](PlayEngine& engine) { engine.hammerAlong(impulse, ray); });
+    const PlayToolSettings& tools = m_toolSettings;
+    const auto radius = tools.isHammerRadiusAutomatic ? std::nullopt : std::optional(tools.hammerRadius);
+    post(
+        [impulse = tools.hammerImpulse, radius, ray](PlayEngine& engine) { engine.hammerAlong(impulse, radius, ray); });
 }
 
 void PlayController::explosionAlong(const Ray& ray) {

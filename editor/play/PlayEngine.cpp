@@ -203,8 +203,8 @@ Throw PlayEngine::throwOf(const ChargedThrow& charged, const Ray& ray) const {
 
 void PlayEngine::throwAlong(const ChargedThrow& thrown, const Ray& ray) { fire("throw", throwOf(thrown, ray)); }
 
-void PlayEngine::hammerAlong(double impulse, const Ray& ray) {
-    if (const std::optional<Hammer> blow = rubble::hammerAlong(session(), impulse, ray)) fire("hammer", *blow);
+void PlayEngine::hammerAlong(double impulse, std::optional<double> radius, const Ray& ray) {
+    if (const std::optional<Hammer> blow = rubble::hammerAlong(session(), impulse, ray, radius)) fire("hammer", *blow);
 }
 
 void PlayEngine::explosionAlong(const Explosion& explosion, const Ray& ray) {

@@ -50,7 +50,7 @@ public:
     void fire(const std::string& name, const ShotAction& action);
     /// Each acts on the first hit of a ray from the eye.
     void throwAlong(const ChargedThrow& thrown, const Ray& ray);
-    void hammerAlong(double impulse, const Ray& ray);
+    void hammerAlong(double impulse, std::optional<double> radius, const Ray& ray);
     void explosionAlong(const Explosion& explosion, const Ray& ray);
     /// Grabs the body hit by the ray and drags it along with later rays, at the same distance.
     void grabAlong(double force, const Ray& ray);

@@ -49,7 +49,9 @@ Sentence actionFault(const std::string& owner, const Throw& thrown) {
 
 Sentence actionFault(const std::string& owner, const Hammer& hammer) {
     if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, hammer.at)) return fault;
-    return rangeFault(owner, ProjectNumber::HammerImpulse, hammer.impulse);
+    if (Sentence fault = rangeFault(owner, ProjectNumber::HammerImpulse, hammer.impulse)) return fault;
+    if (!hammer.radius) return std::nullopt;
+    return rangeFault(owner, {{ProjectNumber::HammerRadius, *hammer.radius}});
 }
 
 Sentence actionFault(const std::string& owner, const Explosion& explosion) {

@@ -63,7 +63,9 @@ struct CutAtImpact {
     static constexpr std::uint32_t kMinPieces = 2;
     static constexpr std::uint32_t kMaxPieces = 1000;  // it is computed within one step
     std::uint32_t pieces = 30;                         // from kMinPieces to kMaxPieces
-    double falloffRadius = 0.3;  // m, > 0: half of the seeds lie within it, denser towards the impact
+    // m, > 0: half of the seeds lie within it, denser towards the impact, or as near as they have room: their fragments
+    // are no thinner than some tenth of the depth.
+    double falloffRadius = 0.3;
     bool operator==(const CutAtImpact&) const = default;
 };
 
@@ -176,10 +178,11 @@ struct Throw {
     double speed = 10.0;        // m/s
     bool operator==(const Throw&) const = default;
 };
-/// Applies an impulse at a point of a body's surface.
+/// Strikes a body's surface with the head of a hammer, which makes nothing faster than itself: see HammerPatch.h.
 struct Hammer {
-    Vec3 at{0.0, 0.0, 0.0};       // m
-    Vec3 impulse{0.0, 0.0, 0.0};  // N·s
+    Vec3 at{0.0, 0.0, 0.0};        // m
+    Vec3 impulse{0.0, 0.0, 0.0};   // N·s
+    std::optional<double> radius;  // m, of the patch that it strikes; none: follows from the impulse
     bool operator==(const Hammer&) const = default;
 };
 /// Pushes bodies away from a point: the surfaces that face it and are visible from it, with an impulse per area that

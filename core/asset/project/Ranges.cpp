@@ -86,6 +86,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("speed", "m/s", kMaxSpeed, 10.0, "the direction is given by the target"),
     eitherSign("impulse", "N·s", kMaxBlow, 0.0),
     aboveZero("impulse", "N·s", kMaxBlow, 1000.0, "the direction is given by the view"),
+    between("radius", "m", 1e-3, 1e3, 0.1, "smaller than a nail; larger than what a tool strikes"),
     zeroOrAbove("impulse", "N·s/m²", kMaxBlow, 1000.0, "an explosion pushes outwards"),
     between("radius", "m", 1e-3, kMaxCoordinate, 2.0),
     zeroOrAbove("time", "s", 1e5, 0.0, "a play-test starts at 0 and lasts a day at most"),

@@ -51,6 +51,7 @@ enum class ProjectNumber {
     ProjectileSpeed,
     HammerImpulse,  // along an axis
     HammerBlow,     // along the view
+    HammerRadius,   // of the patch that a blow strikes
     ExplosionImpulse,
     ExplosionRadius,
     ShotTime,
@@ -70,7 +71,7 @@ enum class ProjectNumber {
     MetresPerUnit,  // of a mesh file
     Threads,
 };
-inline constexpr int kProjectNumbers = 57;
+inline constexpr int kProjectNumbers = 58;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

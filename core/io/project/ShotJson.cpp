@@ -44,11 +44,14 @@ Throw readThrow(const JsonValue& value) {
 void writeAction(JsonWriter& json, const Hammer& hammer) {
     writeVector(json, "at", hammer.at);
     writeVector(json, "impulse", hammer.impulse);
+    if (hammer.radius) json.number("radius", *hammer.radius);
 }
 
 Hammer readHammer(const JsonValue& value) {
-    value.requireObject({"at", "impulse"});
-    return {.at = readVector(value["at"]), .impulse = readVector(value["impulse"])};
+    value.requireObject({"at", "impulse"}, {"radius"});
+    Hammer hammer{.at = readVector(value["at"]), .impulse = readVector(value["impulse"])};
+    if (value["radius"].isPresent()) hammer.radius = value["radius"].number();
+    return hammer;
 }
 
 void writeAction(JsonWriter& json, const Explosion& explosion) {

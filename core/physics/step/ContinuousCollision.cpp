@@ -31,6 +31,10 @@ RelativeDisplacement displacementPast(const WorldState& state, std::uint32_t bod
     return {from, endRotation(state, other).transposedTimes(after) - from};
 }
 
+bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other) {
+    return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
+}
+
 void clampDisplacement(WorldState& state, std::uint32_t body) {
     visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
         const Contact& contact = state.contacts[number];
@@ -41,6 +45,10 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
         const float distance = kDistanceFraction * state.bodies[body].shape->minWidth;
         const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement.displacement));
         // The stopping point, as it has moved with the other body by the end of the step.
+        if (isLighter(state, other, body)) {  // a splinter that spins must not carry a ball along
+            state.motions[body].deltaPosition *= std::clamp(fraction, 0.0f, 1.0f);
+            return;
+        }
         const Vec3f kept = endRotation(state, other) * (displacement.from + displacement.displacement * fraction);
         state.motions[body].deltaPosition =
             state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;

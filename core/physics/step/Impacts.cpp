@@ -1,6 +1,9 @@
 #include "core/physics/step/Impacts.h"
 
+#include "core/physics/narrowphase/Manifold.h"
+#include "core/physics/narrowphase/TimeOfImpact.h"
 #include "core/physics/solver/SpeedThresholds.h"
+#include "core/physics/step/NarrowPhase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +82,11 @@ float inverseEffectiveMass(const WorldState& state, std::uint32_t body, Vec3f ar
     return state.motions[body].inverseMass + dot(turning, state.poses[body].inverseInertia * turning);
 }
 
+/// The velocity of a point of a body.
+Vec3f velocityAt(const WorldState& state, std::uint32_t body, Vec3f arm) {
+    return state.motions[body].velocity + cross(state.motions[body].angularVelocity, arm);
+}
+
 /// The acceleration of a body by gravity.
 Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
@@ -107,6 +115,84 @@ std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block
 struct SeparatedImpact : Impact {
     float separation = 0.0f;  // m
 };
+
+/// Where two bodies touch at the time of impact: from their centres, and along which normal.
+struct TouchingPoint {
+    Vec3f armFirst, armSecond;
+    Vec3f normal;
+};
+
+/// The centroid of the points at most kImpactDepth behind the first.
+Vec3f centroidOf(const Manifold& manifold) {
+    const std::span points(manifold.points.data(), static_cast<std::size_t>(manifold.count));
+    const float last = std::ranges::min_element(points, {}, &Manifold::Point::separation)->separation + kImpactDepth;
+    Vec3f sum(0.0f);
+    float count = 0.0f;
+    for (const Manifold::Point& point : points) {
+        if (point.separation > last) continue;
+        sum += point.position;
+        count += 1.0f;
+    }
+    return sum * (1.0f / count);
+}
+
+/// Where bodies touch that are apart now: the features that are closest now need not be the ones that meet. Nothing if
+/// they miss each other without rotating.
+std::optional<TouchingPoint> sweptTouch(const WorldState& state, std::uint32_t number, float dt) {
+    constexpr float kSlack = 1.25f;  // of the displacement: rotation and gravity may bring them together, too
+    const Contact& contact = state.contacts[number];
+    const Hull& first = hullOf(state, state.proxies[contact.proxies[0]]);
+    const Hull& second = hullOf(state, state.proxies[contact.proxies[1]]);
+    const BodyPose& firstPose = state.poses[contact.bodies[0]];
+    RelativePose pose = relativePose(firstPose, state.poses[contact.bodies[1]]);
+    const Mat3f rotation = firstPose.rotation.matrix();
+    const Vec3f velocity = state.motions[contact.bodies[1]].velocity - state.motions[contact.bodies[0]].velocity;
+    const Vec3f displacement = rotation.transposedTimes(velocity * (kSlack * dt));
+    const TimeOfImpact impact = timeOfImpact(first, second, pose, displacement);
+    if (impact.axis.kind == AxisKind::None) return std::nullopt;
+    pose.offset = pose.offset + displacement * impact.fraction;
+    const Manifold manifold = touchingManifold(impact.axis, first, second, pose, kImpactDepth);
+    if (manifold.count == 0) return std::nullopt;
+    const Vec3f position = centroidOf(manifold);
+    return TouchingPoint{rotation * position, rotation * (position - pose.offset), rotation * manifold.normal};
+}
+
+/// Where the bodies of a contact touch, from a position between them now. A swept manifold is that of the time of
+/// impact already.
+TouchingPoint touchingPoint(const WorldState& state, const ContactBlock& block, std::size_t lane, Vec3f position,
+                            float separation, float dt) {
+    const std::uint32_t a = block.first[lane], b = block.second[lane];
+    const Vec3f centreOffset = block.centreOffset.at(lane);
+    const Vec3f swept = state.poses[a].centre - state.poses[b].centre - centreOffset;
+    if (separation > kImpactDepth && lengthSquared(swept) == 0.0f) {
+        if (const auto touch = sweptTouch(state, block.contact[lane], dt)) return *touch;
+    }
+    return {position, position + centreOffset, block.normal.at(lane)};
+}
+
+std::optional<SeparatedImpact> impactAt(const WorldState& state, const ContactBlock& block, std::size_t lane,
+                                        Vec3f position, float separation, const SolverStep& step) {
+    const std::uint32_t a = block.first[lane], b = block.second[lane];
+    const auto [armFirst, armSecond, normal] = touchingPoint(state, block, lane, position, separation, step.dt);
+    const float inverseMass =
+        inverseEffectiveMass(state, a, armFirst, normal) + inverseEffectiveMass(state, b, armSecond, normal);
+    if (inverseMass <= 0.0f) return std::nullopt;
+    SeparatedImpact impact;
+    impact.separation = separation;
+    impact.first = state.idOf(a);
+    impact.second = state.idOf(b);
+    impact.normal = toDouble(normal);
+    // Gravity accelerates them until the time of impact: the impact of a drop must not depend on where in the step
+    // it ends.
+    const float approach = -dot(velocityAt(state, b, armSecond) - velocityAt(state, a, armFirst), normal);
+    const float gain = -dot(gravityOn(state, b, step.gravity) - gravityOn(state, a, step.gravity), normal);
+    const float squared = approach * approach + 2.0f * gain * std::max(separation, 0.0f);
+    impact.approachSpeed = std::sqrt(std::max(squared, 0.0f));
+    impact.point = toDouble(state.poses[a].centre + armFirst);
+    impact.effectiveMass = 1.0f / inverseMass;
+    impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
+    return impact;
+}
 
 /// Removes impacts of the same two bodies that come after the first.
 void removeLaterImpacts(std::vector<SeparatedImpact>& impacts) {
@@ -139,28 +225,7 @@ std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step)
         };
         Vec3f position(0.0f);
         if (computeCentroid(block, lane, approaches, position) == 0) return;
-        const std::uint32_t a = block.first[lane], b = block.second[lane];
-        const Vec3f normal = block.normal.at(lane), positionB = position + block.centreOffset.at(lane);
-        const Vec3f speed = state.motions[b].velocity + cross(state.motions[b].angularVelocity, positionB) -
-                            state.motions[a].velocity - cross(state.motions[a].angularVelocity, position);
-        const float inverseMass =
-            inverseEffectiveMass(state, a, position, normal) + inverseEffectiveMass(state, b, positionB, normal);
-        if (inverseMass <= 0.0f) return;
-        SeparatedImpact impact;
-        impact.separation = first;
-        impact.first = state.idOf(a);
-        impact.second = state.idOf(b);
-        impact.point = toDouble(state.poses[a].centre + position);
-        impact.normal = toDouble(normal);
-        // Gravity accelerates them until the time of impact: the impact of a drop must not depend on where in the step
-        // it ends.
-        const float approach = -dot(speed, normal);
-        const float gain = -dot(gravityOn(state, b, step.gravity) - gravityOn(state, a, step.gravity), normal);
-        const float squared = approach * approach + 2.0f * gain * std::max(first, 0.0f);
-        impact.approachSpeed = std::sqrt(std::max(squared, 0.0f));
-        impact.effectiveMass = 1.0f / inverseMass;
-        impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
-        impacts.push_back(impact);
+        if (const auto impact = impactAt(state, block, lane, position, first, step)) impacts.push_back(*impact);
     });
     sortByBodies(impacts);
     removeLaterImpacts(impacts);

@@ -6,10 +6,10 @@
 namespace rubble {
 
 /// The impacts of the coming step, sorted by bodies: one per manifold, at the centroid of the points that approach
-/// faster than
-/// 0.5 m/s, the first within the step and the others at most 5 mm after it. The approach speed is that at the time of
-/// impact, with the work of gravity until then. Of several manifolds of two bodies, those more than 5 mm behind the
-/// first are ignored, since the first impact changes the velocities before they touch. Contacts must be prepared.
+/// faster than 0.5 m/s, the first within the step and the others at most 5 mm after it. Bodies that are more than 5 mm
+/// apart are swept to where they touch. The approach speed is that at the time of impact, with the work of gravity
+/// until then. Of several manifolds of two bodies, those more than 5 mm behind the first are ignored, since the first
+/// impact changes the velocities before they touch. Contacts must be prepared.
 std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step);
 
 /// Appends the hit events of the step just solved, sorted by bodies; `byRegion` is memory reused from step to step.

@@ -35,7 +35,7 @@ Result<Session> started(const Project& project, const std::shared_ptr<const Play
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
     scene->assets[{asset->bake->asset}] = asset;
-    return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false});
+    return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false, .checksEnergy = false});
 }
 
 /// Breaks all breakable bodies; false if there are none.

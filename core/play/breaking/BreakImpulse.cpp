@@ -13,7 +13,7 @@ PendingBreak* breakOf(BodyId body, std::span<PendingBreak> breaks) {
 
 }  // namespace
 
-void applyBreakImpulses(World& world, std::span<PendingBreak> breaks) {
+void applyBreakImpulses(World& world, std::span<PendingBreak> breaks, EnergyAudit& audit) {
     for (PendingBreak& broken : breaks) {
         const PlayBreak& event = broken.event;
         if (event.impactor.index == 0) continue;
@@ -21,12 +21,17 @@ void applyBreakImpulses(World& world, std::span<PendingBreak> breaks) {
         const MovingMass impactor = other != nullptr ? other->mass : movingMass(world, event.impactor);
         const double stopping = stoppingImpulse(impactor, broken.mass, event.point, event.normal, broken.restitution);
         const Vec3 impulse = std::min(event.threshold, stopping) * event.normal;
+        EnergyEntry entry{.change = EnergyChange::BreakImpulse, .body = event.body.number};
+        entry.before = impactor.kineticEnergy() + broken.mass.kineticEnergy();
         if (other != nullptr) {
             other->mass.applyImpulse(-impulse, event.point);
         } else if (impactor.inverseMass > 0.0) {
             if (!world.applyImpulse(event.impactor, -impulse, event.point)) continue;
         }
         broken.mass.applyImpulse(impulse, event.point);
+        const MovingMass slowed = other != nullptr ? other->mass : movingMass(world, event.impactor);
+        entry.after = slowed.kineticEnergy() + broken.mass.kineticEnergy();
+        audit.push_back(entry);
     }
 }
 

@@ -17,7 +17,7 @@ struct PendingBreak {
 
 /// Applies the break impulses, in order: each impactor loses, and the body it breaks gains, the body's threshold or the
 /// impulse that stops their approach, whichever is less. If two bodies break each other, each is the other's impactor.
-/// An impulse that is not finite is applied to neither.
-void applyBreakImpulses(World& world, std::span<PendingBreak> breaks);
+/// An impulse that is not finite is applied to neither. Adds an entry to the audit for each.
+void applyBreakImpulses(World& world, std::span<PendingBreak> breaks, EnergyAudit& audit);
 
 }  // namespace rubble

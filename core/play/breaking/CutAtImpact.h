@@ -8,6 +8,9 @@ namespace rubble {
 /// within the falloff radius of the point, denser towards it, the others anywhere in the outline. Its levels fracture
 /// the pieces further.
 ///
+/// Seeds near the point keep a distance of 2 mm and of a twentieth of the depth, or of half the mean distance of all
+/// seeds where there is no room for that; those without room within the falloff radius lie as near as there is.
+///
 /// `point`, m, is in the prism's plane; outside the outline it attracts seeds to that side. `number` makes the cut
 /// reproducible and different for each body of an asset.
 ///

@@ -1,5 +1,7 @@
 #include "core/play/breaking/MovingMass.h"
 
+#include "core/play/state/EnergyAudit.h"
+
 #include <algorithm>
 
 namespace rubble {
@@ -12,6 +14,10 @@ double MovingMass::inverseEffectiveMass(Vec3 point, Vec3 direction) const {
 void MovingMass::applyImpulse(Vec3 impulse, Vec3 point) {
     velocity += inverseMass * impulse;
     angularVelocity += inverseInertia * glm::cross(point - centre, impulse);
+}
+
+double MovingMass::kineticEnergy() const {
+    return inverseMass > 0.0 ? rubble::kineticEnergy(1.0 / inverseMass, inertia, velocity, angularVelocity) : 0.0;
 }
 
 MovingMass restingMass(const Shape& shape, double density, const Pose& pose) {

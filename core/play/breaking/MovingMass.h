@@ -17,6 +17,8 @@ struct MovingMass {
     /// Its part of the inverse effective mass at a point along a unit direction, 1/kg.
     double inverseEffectiveMass(Vec3 point, Vec3 direction) const;
     void applyImpulse(Vec3 impulse, Vec3 point);
+    /// J; 0 where immovable.
+    double kineticEnergy() const;
 };
 
 /// A solid at rest.

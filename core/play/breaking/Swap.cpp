@@ -57,6 +57,13 @@ Vec3 limitedVelocity(Vec3 velocity) {
     return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
 }
 
+/// Where the centre of mass of a fragment is in the whole, in world space.
+Vec3 centreInWhole(const PendingBreak& broken, const PlayAsset& asset, std::uint32_t fragment) {
+    const PlayPiece& piece = asset.pieces[fragment];
+    const Vec3 offset = piece.offset - asset.piece(broken.event.body.fragment).offset;
+    return broken.pose.position + broken.pose.orientation * (offset + piece.shape->mass.centre);
+}
+
 /// A fragment at its position in the whole, moving as that point of the whole did; with the thesis preset, with the
 /// velocity of the whole's centre.
 BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& broken, const PlayAsset& asset,
@@ -106,6 +113,28 @@ BodyId addPiece(const SessionParts& parts, const PendingBreak& broken, std::uint
     return parts.state.bodies.back().body;
 }
 
+/// Adds the energies of a whole and of the fragments that replaced it. They are where they were in the whole: it has
+/// no potential energy to lose, but the world rounds positions.
+void auditSwap(const SessionParts& parts, const PendingBreak& broken, std::span<const BodyId> pieces) {
+    const PlayBreak& event = broken.event;
+    const Vec3 gravity = parts.world.gravity();
+    EnergyEntry entry{.change = event.asset == event.body.asset ? EnergyChange::Swap : EnergyChange::Cut,
+                      .body = event.body.number,
+                      .before = broken.mass.kineticEnergy()};
+    for (std::uint32_t k = 0; k < event.pieces; ++k) {
+        if (pieces[k].index == 0) continue;
+        const Vec3 exact = centreInWhole(broken, *event.asset, event.asset->fractureOf(event.body.fragment)->first + k);
+        const Vec3 weight = parts.world.mass(pieces[k]) * gravity;
+        const double size = glm::length(weight), distance = glm::length(exact);
+        entry.after += kineticEnergy(parts.world, pieces[k]);
+        entry.after -= glm::dot(weight, parts.world.state(pieces[k]).centre - exact);
+        entry.rounding += size * kPositionRounding * std::max(1.0, distance / kRoundedDistance);
+    }
+    // The preset gives each fragment 100 kg, whatever the whole weighs.
+    if (parts.scene.project.damage.isThesis) entry.given = entry.after - entry.before;
+    parts.state.events.energy.push_back(entry);
+}
+
 /// Adds the fragments to the world.
 void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     PlayBreak& event = broken.event;
@@ -119,6 +148,7 @@ void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch
         if (first.index != 0 && second.index != 0) parts.world.addContact(first, second, pair.manifolds);
     }
     event.milliseconds += watch.lap();
+    auditSwap(parts, broken, pieces);
     parts.state.events.breaks.push_back(event);
     parts.state.recentBreaks.push_back(event);
 }
@@ -138,7 +168,9 @@ PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
 }
 
 void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks) {
-    if (!parts.scene.project.damage.isThesis) applyBreakImpulses(parts.world, breaks);
+    if (!parts.scene.project.damage.isThesis) {
+        applyBreakImpulses(parts.world, breaks, parts.state.events.energy);
+    }
     Stopwatch watch;
     for (PendingBreak& broken : breaks) removeWhole(parts, broken, watch);
     eraseRemovedBodies(parts.state);

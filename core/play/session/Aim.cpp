@@ -54,10 +54,11 @@ Throw throwAlong(const Session& session, Throw thrown, const Ray& ray) {
     return aimedAt(thrown, hit ? hit->point : ray.at(kDefaultDistance), session.world().gravity());
 }
 
-std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray) {
+std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray,
+                                  std::optional<double> radius) {
     const std::optional<CastHit> hit = firstHit(session.world(), ray);
     if (!hit) return std::nullopt;
-    return Hammer{hit->point, impulse * ray.direction};
+    return Hammer{hit->point, impulse * ray.direction, radius};
 }
 
 std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray) {

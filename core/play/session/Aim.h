@@ -18,8 +18,10 @@ double reachingSpeed(const Session& session, const Throw& thrown, const Ray& ray
 
 /// A throw from the start of a ray at the ray's first hit, or at a point far along it: see aimedAt().
 Throw throwAlong(const Session& session, Throw thrown, const Ray& ray);
-/// A hammer blow of `impulse` N·s along a ray on its first hit; nothing without a hit.
-std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray);
+/// A hammer blow of `impulse` N·s along a ray on its first hit, on a patch of `radius` m (see Hammer::radius); nothing
+/// without a hit.
+std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray,
+                                  std::optional<double> radius = std::nullopt);
 /// An explosion at the first hit of a ray, off the surface by a tenth of its radius, or in the middle of a narrower
 /// gap; nothing without a hit.
 std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray);

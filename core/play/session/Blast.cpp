@@ -39,11 +39,19 @@ Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
         pushes = blast();
     }
     Status status = success();
+    EnergyEntry entry{.change = EnergyChange::Blast};
     for (const BlastImpulse& push : pushes) {
         if (parts.world.kind(push.body) != BodyKind::Dynamic) continue;
+        MovingMass pushed = movingMass(parts.world, push.body);
+        const double before = pushed.kineticEnergy();
+        pushed.applyImpulse(push.impulse, push.point);
         const Status applied = parts.world.applyImpulse(push.body, push.impulse, push.point);
         if (!applied) status = applied;
+        entry.before += before;
+        entry.given += pushed.kineticEnergy() - before;
+        entry.after += kineticEnergy(parts.world, push.body);
     }
+    parts.state.events.energy.push_back(entry);
     return status;
 }
 

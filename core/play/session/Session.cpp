@@ -80,6 +80,9 @@ void Session::step() {
     const bool isBroken = breakHitBodies(parts);
     m_swapMilliseconds = watch.lap();
     if (isBroken) m_world.collide(m_settings.dt);
+    if (m_settings.checksEnergy) {
+        RUBBLE_ASSERT(std::ranges::all_of(m_state->events.energy, &EnergyEntry::isConserved));
+    }
     m_world.solve(m_settings.dt);
     ++m_state->step;
     removeDebris(parts);

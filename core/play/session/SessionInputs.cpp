@@ -5,9 +5,11 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/play/breaking/Blow.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/Blast.h"
+#include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
@@ -18,8 +20,6 @@ namespace rubble {
 namespace {
 
 using Sentence = std::optional<std::string>;
-
-constexpr double kHammerRange = 0.1;  // m before and behind the target point
 
 bool isAlive(const SessionState& state, std::uint32_t number) {
     return std::ranges::binary_search(state.bodies, number, {}, &PlayBody::number);
@@ -92,18 +92,6 @@ Sentence faultOfInput(const DragInput& input, const PlayScene&, const SessionSta
 
 Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
 
-/// Reports an input without effect; `body`: the one it was for, if any.
-void addUnapplied(const SessionParts& parts, const PlayBody* body, std::string message) {
-    DiagnosticPlace place = body != nullptr ? placeOf(*body) : DiagnosticPlace{};
-    parts.state.events.diagnostics.push_back(
-        diagnostic(DiagnosticCode::UnappliedInput, std::move(place), std::move(message)));
-}
-
-/// Reports an input that the world refused.
-void reportRefused(const SessionParts& parts, const PlayBody* body, const std::string& input, const Status& status) {
-    if (!status) addUnapplied(parts, body, input + ": " + status.error().message);
-}
-
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
     if (!definition) {  // its material has changed since the input was added
@@ -124,41 +112,15 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
     }
     parts.state.origins.push_back(std::move(origin));
     parts.state.events.born.push_back(parts.state.bodies.back());
-}
-
-/// The body that a hammer hits, and where.
-std::optional<CastHit> hitBy(const World& world, const Hammer& hammer, Vec3 direction) {
-    return world.castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
+    const double energy = 0.5 * parts.world.mass(parts.state.bodies.back().body) * thrown.speed * thrown.speed;
+    parts.state.events.energy.push_back({.change = EnergyChange::Throw,
+                                         .body = *added,
+                                         .given = energy,
+                                         .after = kineticEnergy(parts.world, parts.state.bodies.back().body)});
 }
 
 void applyAction(const SessionParts& parts, const std::string& name, const Hammer& hammer) {
-    const double size = std::sqrt(glm::dot(hammer.impulse, hammer.impulse));
-    if (size == 0.0) return;
-    const Vec3 direction = hammer.impulse / size;
-    std::optional<CastHit> hit = hitBy(parts.world, hammer, direction);
-    if (!hit) {
-        addUnapplied(parts, nullptr, "The blow " + quotedName(name) + " hit nothing.");
-        return;
-    }
-    double remaining = size;
-    const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
-    const double threshold = thresholdOf(parts.state, parts.scene, body);
-    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, hit->point});
-    if (parts.state.hasDestruction && size >= threshold) {
-        PendingBreak broken = pendingBreak(parts, body);
-        broken.event.impact = size;
-        broken.event.point = hit->point;
-        broken.event.normal = direction;
-        broken.mass.applyImpulse(threshold * direction,
-                                 hit->point);  // the whole gets the break impulse, a fragment the rest
-        remaining = size - threshold;
-        applyBreaks(parts, {broken});
-        hit = hitBy(parts.world, hammer, direction);
-    }
-    if (hit && parts.world.kind(hit->body) == BodyKind::Dynamic) {
-        reportRefused(parts, nullptr, "Shot " + quotedName(name),
-                      parts.world.applyImpulse(hit->body, remaining * direction, hit->point));
-    }
+    applyBlow(parts, name, hammer);
 }
 
 void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {

@@ -2,6 +2,7 @@
 
 #include "core/play/scene/PlayBody.h"
 #include "core/play/scene/PlayInput.h"
+#include "core/play/state/EnergyAudit.h"
 
 #include <memory>
 #include <vector>
@@ -40,6 +41,7 @@ struct PlayEvents {
     std::vector<PlayBody> born;           // fragments and projectiles
     std::vector<PlayBody> removed;        // debris that was removed, and bodies that left the world
     std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld
+    EnergyAudit energy;                   // of inputs and breaks, not of the solver
 };
 
 }  // namespace rubble

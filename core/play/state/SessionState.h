@@ -14,6 +14,7 @@ struct SessionSettings {
     bool hasDestruction = true;  // until a DestructionInput changes it
     int threads = 1;
     SimdWidth lanes = widestSimd();
+    bool checksEnergy = true;  // RUBBLE_ASSERT that only sources add energy; not where damaged assets are examined
 };
 
 /// Everything in a session that changes, except its world.

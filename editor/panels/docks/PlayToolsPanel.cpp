@@ -38,10 +38,9 @@ PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& control
     m_throw = new Section("throw", tr("Throw (F)"));
     addThrow(*m_throw);
     rows->addWidget(m_throw);
-    auto* hammer = new Section("hammer", tr("Hammer (H)"));
-    addField(*hammer, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"), ProjectNumber::HammerBlow,
-             [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
-    rows->addWidget(hammer);
+    m_hammer = new Section("hammer", tr("Hammer (H)"));
+    addHammer(*m_hammer);
+    rows->addWidget(m_hammer);
     auto* blast = new Section("blast", tr("Blast (X)"));
     addField(*blast, tr("Impulse"), tr("Impulse per square metre at the centre, falling to 0 at the radius"),
              tr("N·s/m²"), ProjectNumber::ExplosionImpulse,
@@ -93,6 +92,24 @@ void PlayToolsPanel::addSpeed(Section& section) {
                        [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
 }
 
+void PlayToolsPanel::addHammer(Section& section) {
+    addField(section, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"), ProjectNumber::HammerBlow,
+             [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
+    m_isRadiusAutomatic = new QCheckBox(tr("Automatic Radius"));
+    m_isRadiusAutomatic->setObjectName("automaticRadius");
+    m_isRadiusAutomatic->setToolTip(tr("Strike with a head as large as a steel ball of its mass"));
+    m_isRadiusAutomatic->setStatusTip(m_isRadiusAutomatic->toolTip());
+    section.addWide(m_isRadiusAutomatic);
+    connect(m_isRadiusAutomatic, &QCheckBox::clicked, this, [this](bool isOn) {
+        PlayToolSettings tools = m_controller.toolSettings();
+        tools.isHammerRadiusAutomatic = isOn;
+        m_controller.setToolSettings(tools);
+    });
+    m_hammerRadius =
+        addField(section, tr("Head Radius"), tr("Radius of the patch that a blow strikes"), tr("m"),
+                 ProjectNumber::HammerRadius, [](PlayToolSettings& tools) -> double& { return tools.hammerRadius; });
+}
+
 NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint, const QString& unit,
                                       ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member) {
     auto* field = new NumberField;
@@ -111,6 +128,7 @@ NumberField* PlayToolsPanel::addField(Section& section, const QString& label, co
 
 void PlayToolsPanel::setUnits(const Units& units) {
     for (NumberField* field : m_sizes) field->setFormat(units.lengths());
+    m_hammerRadius->setFormat(units.lengths());
 }
 
 /// Lists the three basic shapes, then the project's assets.
@@ -157,6 +175,8 @@ void PlayToolsPanel::refresh() {
     m_throw->setRowVisible(m_mass, !isAsset);
     m_isSpeedAutomatic->setChecked(tools.isSpeedAutomatic);
     m_throw->setRowVisible(m_speed, !tools.isSpeedAutomatic);
+    m_isRadiusAutomatic->setChecked(tools.isHammerRadiusAutomatic);
+    m_hammer->setRowVisible(m_hammerRadius, !tools.isHammerRadiusAutomatic);
 }
 
 }  // namespace rubble

@@ -31,6 +31,7 @@ private:
                           ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member);
     void addThrow(Section& section);
     void addSpeed(Section& section);
+    void addHammer(Section& section);
     void applyKind(int index);
     void refreshAssets();
     void refresh();
@@ -48,6 +49,9 @@ private:
     NumberField* m_mass = nullptr;
     QCheckBox* m_isSpeedAutomatic = nullptr;
     NumberField* m_speed = nullptr;
+    Section* m_hammer = nullptr;
+    QCheckBox* m_isRadiusAutomatic = nullptr;
+    NumberField* m_hammerRadius = nullptr;
     std::vector<Bound> m_fields;
     std::vector<std::pair<Id, std::string>> m_assets;  // that the box lists
 };

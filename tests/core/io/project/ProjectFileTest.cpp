@@ -120,6 +120,7 @@ nlohmann::json version5Json() {
 /// Paths at which another type is valid, or none: optional values and keys.
 bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (value.is_discarded()) {
+        if (place == "shots[2].action.radius") return true;  // the hammer's
         return place.ends_with("].unbreakable") || place.ends_with("].youngsModulus") ||
                place.ends_with("].strengthRule");
     }
@@ -245,6 +246,16 @@ private slots:
         json["instances"][1].erase("unbreakable");  // as in files written before there was such a key
         const Result<Project> read = readProjectText(json.dump());
         QVERIFY(read && read->instances[1].isFixed && !read->instances[1].isUnbreakable);
+    }
+    void radiusOfABlowIsOptional() {
+        nlohmann::json json = fullJson();
+        QVERIFY(json["shots"][2]["action"]["radius"] == 0.25);
+        json["shots"][2]["action"].erase("radius");  // as in files written before there was such a key
+        const Result<Project> read = readProjectText(json.dump());
+        QVERIFY(read && !std::get<Hammer>(read->shots[2].action).radius);
+        QVERIFY(nlohmann::json::parse(projectText(*read)) == json);
+        json["shots"][2]["action"]["radius"] = 0.0;
+        QVERIFY(!readProjectText(json.dump()));
     }
     void thresholdsOfOlderFilesKeepTheirRule() {
         nlohmann::json json = fullJson();

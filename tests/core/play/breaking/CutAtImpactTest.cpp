@@ -60,6 +60,38 @@ private slots:
         QCOMPARE(std::ranges::count(seeds, 1u, &SeedId::layer), std::ptrdiff_t{20});
         QCOMPARE(std::ranges::count(seeds, 2u, &SeedId::layer), std::ptrdiff_t{20});
     }
+    /// Needles of 0.1 mm all touched each other, and took the simulation half a second a step.
+    void seedsAtTheImpactKeepADistance_data() {
+        QTest::addColumn<double>("depth");
+        QTest::addColumn<std::uint32_t>("pieces");
+        QTest::addColumn<double>("distance");
+        QTest::newRow("a twentieth of the depth") << 0.1 << 1000u << 0.005;
+        QTest::newRow("2 mm") << 0.005 << 1000u << 0.002;
+        QTest::newRow("half of the mean distance") << 2.0 << 400u << 0.025;
+    }
+    void seedsAtTheImpactKeepADistance() {
+        QFETCH(double, depth);
+        QFETCH(std::uint32_t, pieces);
+        QFETCH(double, distance);
+        Asset asset = cutWhereHit(pieces).assets[0];
+        asset.prism.depth = depth;
+        for (const double falloffRadius : {1e-9, 0.02, 100.0}) {
+            asset.cutAtImpact->falloffRadius = falloffRadius;
+            const auto cut = cutAtImpact(asset, {0.45, 0.1}, 5);
+            QVERIFY(cut.hasValue());
+            const Seeds& seeds = (*cut)->bake->fractures[0].seeds;
+            std::vector<Vec2> near;
+            for (std::size_t k = 0; k < seeds.ids.size(); ++k) {
+                if (seeds.ids[k].layer == 1) near.push_back(seeds.positions[k]);
+            }
+            if (falloffRadius < 1.0) QCOMPARE(near.size(), std::size_t{pieces / 2});
+            for (std::size_t k = 0; k < near.size(); ++k) {
+                for (std::size_t other = 0; other < k; ++other) {
+                    QVERIFY(glm::distance(near[k], near[other]) >= distance);
+                }
+            }
+        }
+    }
     void cutDependsOnTheAsset() {
         Asset asset = cutWhereHit().assets[0];
         const auto one = cutAtImpact(asset, {0.1, 0.1}, 5);

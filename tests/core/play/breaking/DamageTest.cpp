@@ -65,7 +65,10 @@ private slots:
             broken.event.normal = {1.0, 0.0, 0.0};
             broken.mass = movingMass(made.world, made.bodies[1]);
             const double before = made.world.momenta().linear.x;
-            applyBreakImpulses(made.world, {&broken, 1});
+            EnergyAudit audit;
+            applyBreakImpulses(made.world, {&broken, 1}, audit);
+            QCOMPARE(audit.size(), 1u);
+            QVERIFY(audit[0].after < audit[0].before);
             const double impulse = std::min(threshold, 4.0 * 500.0);
             QVERIFY(std::abs(made.world.state(made.bodies[0]).velocity.x - (3.0 - impulse / 1000.0)) < 1e-5);
             QVERIFY(std::abs(broken.mass.velocity.x - (-1.0 + impulse / 1000.0)) < 1e-5);

@@ -77,6 +77,7 @@ const std::vector<Setter>& setters() {
         {N::Mass, [](Project& p, double v) { action<Throw>(p).mass = v; }},
         {N::ProjectileSpeed, [](Project& p, double v) { action<Throw>(p).speed = v; }},
         {N::HammerImpulse, [](Project& p, double v) { action<Hammer>(p).impulse.z = v; }},
+        {N::HammerRadius, [](Project& p, double v) { action<Hammer>(p).radius = v; }},
         {N::ExplosionImpulse, [](Project& p, double v) { action<Explosion>(p).impulse = v; }},
         {N::ExplosionRadius, [](Project& p, double v) { action<Explosion>(p).radius = v; }},
         {N::ShotTime, [](Project& p, double v) { p.shots[0].time = v; }},

@@ -24,6 +24,7 @@ private slots:
         row("Width", ProjectNumber::ProjectileSize);
         row("Mass", ProjectNumber::Mass);
         row("Speed", ProjectNumber::ProjectileSpeed);
+        row("Head Radius", ProjectNumber::HammerRadius);
         row("Radius", ProjectNumber::ExplosionRadius);
         row("Force", ProjectNumber::GrabForce);
     }
@@ -49,6 +50,16 @@ private slots:
         panel.findChild<QCheckBox*>("automaticSpeed")->click();
         QVERIFY(!stage.controller.toolSettings().isSpeedAutomatic);
         QVERIFY(!(*speed)->isHidden());
+    }
+    void radiusOfTheHammerIsAutomaticUntilSwitchedOff() {
+        test::Stage stage;
+        const PlayToolsPanel panel(stage.document, stage.controller);
+        const auto fields = panel.findChildren<NumberField*>();
+        const auto radius = std::ranges::find(fields, QString("Head Radius"), &QWidget::accessibleName);
+        QVERIFY(radius != fields.end() && (*radius)->isHidden());
+        panel.findChild<QCheckBox*>("automaticRadius")->click();
+        QVERIFY(!stage.controller.toolSettings().isHammerRadiusAutomatic);
+        QVERIFY(!(*radius)->isHidden());
     }
 };
 

@@ -1,0 +1,158 @@
+#include "core/play/breaking/Blow.h"
+
+#include "core/asset/project/HammerPatch.h"
+#include "core/base/MessageText.h"
+#include "core/physics/queries/HullDistance.h"
+#include "core/play/breaking/Swap.h"
+#include "core/play/state/InputDiagnostics.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+constexpr double kHammerRange = 0.1;  // m before and behind the target point
+constexpr double kLeastLost = 1e-6;   // of a blow: less is rounding
+
+struct Blow {
+    Vec3 direction;  // length 1
+    Vec3 point;      // where it hits
+    double radius;   // m, of its patch
+    HammerHead head;
+};
+
+/// A fragment under the hammer.
+struct StruckFragment {
+    double distance = 0.0;  // m, from the point that is hit
+    std::uint32_t number = 0;
+    BodyId body;
+};
+
+/// The distance of a point from a body's surface, m.
+double distanceTo(const World& world, BodyId body, Vec3 point) {
+    const BodyState state = world.state(body);
+    const Vec3 local = glm::conjugate(state.pose.orientation) * (point - state.centre);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Hull& hull : world.shape(body).hulls) least = std::min(least, rubble::distanceTo(hull, local));
+    return least;
+}
+
+/// The fragments of the last break, nearest first.
+std::vector<StruckFragment> fragmentsByDistance(const SessionParts& parts, Vec3 point) {
+    std::vector<StruckFragment> fragments;
+    const PlayBreak& broken = parts.state.events.breaks.back();
+    const auto first = std::ranges::lower_bound(parts.state.bodies, broken.firstPiece, {}, &PlayBody::number);
+    for (auto body = first; body != parts.state.bodies.end(); ++body) {
+        fragments.push_back({distanceTo(parts.world, body->body, point), body->number, body->body});
+    }
+    std::ranges::sort(fragments, {}, [](const auto& one) { return std::tuple(one.distance, one.number); });
+    return fragments;
+}
+
+/// Gives what the head has left to the fragments of the last break.
+void giveToFragments(const SessionParts& parts, Blow& blow) {
+    const std::vector<StruckFragment> fragments = fragmentsByDistance(parts, blow.point);
+    double mass = 0.0, momentum = 0.0, before = 0.0;  // of those taken; the momentum along the blow
+    std::size_t taken = 0;
+    const auto canTake = [&] { return mass > 0.0 ? blow.head.impulseOn(mass, momentum / mass) : 0.0; };
+    for (; taken < fragments.size(); ++taken) {
+        const auto& [distance, number, body] = fragments[taken];
+        if (distance > blow.radius && canTake() >= blow.head.impulse) break;
+        mass += parts.world.mass(body);
+        momentum += parts.world.mass(body) * glm::dot(parts.world.state(body).velocity, blow.direction);
+        before += kineticEnergy(parts.world, body);
+    }
+    const double given = canTake();
+    if (given <= 0.0) return;
+    EnergyEntry entry{.change = EnergyChange::Blow, .body = fragments[0].number, .before = before};
+    entry.given = blow.head.give(given, mass, momentum / mass);
+    for (std::size_t k = 0; k < taken; ++k) {
+        const BodyId body = fragments[k].body;
+        const double fraction = parts.world.mass(body) / mass;
+        const Status status =
+            parts.world.applyImpulse(body, fraction * given * blow.direction, parts.world.state(body).centre);
+        RUBBLE_ASSERT(status.hasValue());  // inputs are far below the world's limits
+        entry.after += kineticEnergy(parts.world, body);
+    }
+    parts.state.events.energy.push_back(entry);
+}
+
+/// Gives the whole at most `most` N·s at the point that is hit. Returns what it was given.
+double giveTo(const SessionParts& parts, Blow& blow, std::uint32_t number, MovingMass& whole, double most) {
+    const double mass = 1.0 / whole.inverseEffectiveMass(blow.point, blow.direction);
+    const double speed = glm::dot(whole.velocityAt(blow.point), blow.direction);
+    const double given = std::min(most, blow.head.impulseOn(mass, speed));
+    EnergyEntry entry{.change = EnergyChange::Blow, .body = number, .before = whole.kineticEnergy()};
+    entry.given = blow.head.give(given, mass, speed);
+    whole.applyImpulse(given * blow.direction, blow.point);
+    entry.after = whole.kineticEnergy();
+    parts.state.events.energy.push_back(entry);
+    return given;
+}
+
+void strikeAndBreak(const SessionParts& parts, Blow& blow, const PlayBody& body, double threshold) {
+    PendingBreak broken = pendingBreak(parts, body);
+    broken.event.impact = blow.head.impulse;
+    broken.event.point = blow.point;
+    broken.event.normal = blow.direction;
+    giveTo(parts, blow, body.number, broken.mass, threshold);
+    applyBreaks(parts, {broken});
+    giveToFragments(parts, blow);
+}
+
+void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, const std::string& name) {
+    MovingMass whole = movingMass(parts.world, body.body);
+    const double given = giveTo(parts, blow, body.number, whole, blow.head.impulse);
+    reportRefused(parts, nullptr, "Shot " + quotedName(name),
+                  parts.world.applyImpulse(body.body, given * blow.direction, blow.point));
+}
+
+}  // namespace
+
+HammerHead HammerHead::ofImpulse(double impulse) { return {impulse, 0.5 * impulse * kHammerSpeed}; }
+
+double HammerHead::impulseOn(double mass, double speed) const {
+    if (speed >= kHammerSpeed || energy <= 0.0) return 0.0;
+    // The work of an impulse p is p v + p² / 2m. The root is written so that it does not cancel where v > 0.
+    const double root = std::sqrt(speed * speed + 2.0 * energy / mass);
+    const double byEnergy = speed > 0.0 ? 2.0 * energy / (speed + root) : mass * (root - speed);
+    return std::min({impulse, mass * (kHammerSpeed - speed), byEnergy});
+}
+
+double HammerHead::give(double given, double mass, double speed) {
+    const double work = given * (speed + 0.5 * given / mass);
+    impulse -= given;
+    energy -= std::max(0.0, work);
+    return work;
+}
+
+void applyBlow(const SessionParts& parts, const std::string& name, const Hammer& hammer) {
+    const double size = glm::length(hammer.impulse);
+    if (size == 0.0) return;
+    const Vec3 direction = hammer.impulse / size;
+    const std::optional<CastHit> hit =
+        parts.world.castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
+    if (!hit) return addUnapplied(parts, nullptr, "The blow " + quotedName(name) + " hit nothing.");
+    Blow blow{direction, hit->point, patchRadius(hammer), HammerHead::ofImpulse(size)};
+    const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
+    const double threshold = thresholdOf(parts.state, parts.scene, body);
+    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, hit->point});
+    if (parts.state.hasDestruction && size >= threshold) {
+        strikeAndBreak(parts, blow, body, threshold);
+    } else if (parts.world.kind(body.body) == BodyKind::Dynamic) {
+        strike(parts, blow, body, name);
+    } else {
+        return;
+    }
+    if (blow.head.impulse <= kLeastLost * size) return;
+    addUnapplied(parts, &body,
+                 "The blow " + quotedName(name) + " gave " + roundedText(size - blow.head.impulse, 3) + " of its " +
+                     roundedText(size, 3) + " N·s: a hammer makes nothing faster than itself, " +
+                     messageText(kHammerSpeed) + " m/s.");
+}
+
+}  // namespace rubble
