@@ -53,7 +53,7 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
 }
 
 /// Applies the displacement of the step to the pose.
-void finishBody(WorldState& state, std::uint32_t number, float dt) {
+void finishBody(WorldState& state, std::uint32_t number, int subSteps, float h) {
     Body& body = state.bodies[number];
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
@@ -62,7 +62,7 @@ void finishBody(WorldState& state, std::uint32_t number, float dt) {
     const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;
     body.centreRemainder = moved - (centre - pose.centre);
     pose.centre = centre;
-    applyRotation(state, number, dt);
+    applyRotation(state, number, subSteps, h);
     motion.deltaPosition = Vec3f(0.0f);
     motion.deltaRotation = {};
 }
@@ -82,7 +82,7 @@ public:
     }
 
     void runSubStep(int index) {
-        m_elapsed = static_cast<float>(index) * m_step.subStep;
+        m_subStep = index;
         run(m_scratch.subStep);
     }
     void runRestitution() const { run(m_scratch.restitution); }
@@ -144,7 +144,7 @@ private:
     void moveBodies(std::size_t region) const {
         m_kernels.integratePositions(m_scratch.slowRotating[region], m_step);
         for (std::uint32_t body : m_scratch.fastRotating[region]) {
-            rotateFreely(m_state, body, m_elapsed, m_step.subStep);
+            rotateFreely(m_state, body, m_subStep, m_step.subStep);
             m_state.motions[body].deltaPosition += m_state.motions[body].velocity * m_step.subStep;
         }
     }
@@ -155,7 +155,7 @@ private:
     const SolverKernels& m_kernels;
     const SolverStep& m_step;
     SolveScratch& m_scratch;
-    float m_elapsed = 0.0f;  // s, from the beginning of the step to that of the sub-step
+    int m_subStep = 0;
 };
 
 }  // namespace
@@ -198,9 +198,11 @@ void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& region
 }
 
 void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
+    const int subSteps = subStepsOf(dt);
+    const float h = dt / static_cast<float>(subSteps);
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
-            finishBody(state, number, dt);
+            finishBody(state, number, subSteps, h);
             updateRestTime(state, number, dt);
         }
     });
