@@ -1,6 +1,7 @@
 #include "core/physics/narrowphase/Manifold.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace rubble {
@@ -8,7 +9,9 @@ namespace {
 
 /// Of two points that span nearly as much, the earlier is kept, for coherence with the last manifold.
 constexpr float kHysteresis = 1.05f;
-constexpr float kMinSpread = 1e-6f;  // m^2: points within a millimetre count as one
+constexpr float kMinSpread = 1e-6f;      // m²: points within a millimetre count as one
+constexpr float kAlignedCosine = 0.8f;   // of the angle between an edge axis and a face normal that stands for it
+constexpr float kMissedDepth = 0.0005f;  // m: a pair of edges that much deeper than the clipped points is one, too
 constexpr int kMaxClippedPoints = 2 * kMaxHullCorners;
 constexpr std::uint32_t kCutByEdge = 1u << 31;
 constexpr std::uint32_t kOnSecondFace = 1u << 30;
@@ -115,35 +118,63 @@ int reduce(ClippedPoint* points, int count, Vec3f normal) {
     return 4;
 }
 
-/// The manifold for a reference face of `owner`, in its frame.
-Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin) {
-    ClippedPoint buffers[2][kMaxClippedPoints];
-    const HullPlane& reference = owner.planes[face];
-    const int incident = other.faceAlong(pose.rotation.transposedTimes(reference.normal) * -1.0f);
+/// A reference face and an incident face, and the normal along which their separation is measured.
+struct FacePair {
+    int reference = 0;
+    int incident = 0;
+    Vec3f normal;                  // from the owner of the reference face to the other hull, in the owner's frame
+    float minSeparation = -1e30f;  // m, of the hulls along the normal
+};
+
+/// Measures the heights of points above the reference face along the normal of the pair.
+void measureAlong(const FacePair& faces, Vec3f referenceNormal, ClippedPoint* points, int count) {
+    const float scale = 1.0f / dot(faces.normal, referenceNormal);
+    for (int i = 0; i < count; ++i) points[i].height = std::max(points[i].height * scale, faces.minSeparation);
+}
+
+/// Adds the point of two edges where no clipped one is as deep. Returns the number of points.
+int addEdgePoint(const Manifold::Point& edges, Vec3f normal, ClippedPoint* points, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (points[i].height <= edges.separation + kMissedDepth) return count;
+    }
+    points[count] = {edges.position + normal * (0.5f * edges.separation), edges.separation, 0, edges.feature};
+    return count + 1;
+}
+
+/// The manifold of two faces, in the frame of the reference face's owner. `edges`: the point of two edges, or null.
+Manifold clippedManifold(const Hull& owner, const Hull& other, const RelativePose& pose, const FacePair& faces,
+                         const Manifold::Point* edges, float margin) {
+    ClippedPoint buffers[2][kMaxClippedPoints + 1];
+    const HullPlane& reference = owner.planes[faces.reference];
     ClippedPoint *in = buffers[0], *out = buffers[1];
-    int count = transformFace(other, incident, pose, reference, in);
-    const std::span<const std::uint16_t> loop = owner.face(face);
-    const std::span<const HullPlane> sides = owner.sidesOf(face);
+    int count = transformFace(other, faces.incident, pose, reference, in);
+    const std::span<const std::uint16_t> loop = owner.face(faces.reference);
+    const std::span<const HullPlane> sides = owner.sidesOf(faces.reference);
     float heights[kMaxClippedPoints];
     for (std::size_t i = 0; i < loop.size() && count > 0; ++i) {
         if (!computeHeights(sides[i], in, count, heights)) continue;
         count = clip(heights, loop[i], in, count, out);
         std::swap(in, out);
     }
+    measureAlong(faces, reference.normal, in, count);
+    if (edges != nullptr) count = addEdgePoint(*edges, faces.normal, in, count);
     const ClippedPoint* end = std::remove_if(in, in + count, [&](const ClippedPoint& p) { return p.height > margin; });
-    count = reduce(in, static_cast<int>(end - in), reference.normal);
+    count = reduce(in, static_cast<int>(end - in), faces.normal);
     Manifold manifold;
-    manifold.normal = reference.normal;
+    manifold.normal = faces.normal;
     manifold.count = count;
     for (int i = 0; i < count; ++i) {
-        manifold.points[i] = {in[i].position - reference.normal * (0.5f * in[i].height), in[i].height, in[i].feature};
+        manifold.points[i] = {in[i].position - faces.normal * (0.5f * in[i].height), in[i].height, in[i].feature};
     }
     return manifold;
 }
 
-Manifold secondFaceManifold(const Hull& first, const Hull& second, int face, const RelativePose& pose, float margin) {
-    const RelativePose firstInSecond{pose.rotation.transposed(), pose.rotation.transposedTimes(pose.offset) * -1.0f};
-    Manifold manifold = faceManifold(second, face, first, firstInSecond, margin);
+RelativePose inverse(const RelativePose& pose) {
+    return {pose.rotation.transposed(), pose.rotation.transposedTimes(pose.offset) * -1.0f};
+}
+
+/// A manifold of the second hull's face, from the second hull's frame into the first's.
+Manifold fromSecond(Manifold manifold, const RelativePose& pose) {
     manifold.normal = pose.rotation * manifold.normal * -1.0f;
     for (int i = 0; i < manifold.count; ++i) {
         Manifold::Point& point = manifold.points[i];
@@ -153,25 +184,65 @@ Manifold secondFaceManifold(const Hull& first, const Hull& second, int face, con
     return manifold;
 }
 
-/// The point halfway between the closest points of two edges.
-Manifold edgeManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
-                      float margin) {
+/// The manifold for a reference face of `owner`, in its frame.
+Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin) {
+    const Vec3f normal = owner.planes[face].normal;
+    const int incident = other.faceAlong(pose.rotation.transposedTimes(normal) * -1.0f);
+    return clippedManifold(owner, other, pose, {.reference = face, .incident = incident, .normal = normal}, nullptr,
+                           margin);
+}
+
+/// The point halfway between the closest points of two edges; nothing if these lie beyond the ends, or too far apart.
+std::optional<Manifold::Point> edgePoint(const SeparatingAxis& axis, const Hull& first, const Hull& second,
+                                         const RelativePose& pose, float margin) {
     const HullEdge &edgeA = first.edges[axis.first], &edgeB = second.edges[axis.second];
     const Vec3f a = first.corner(edgeA.from), u = first.corner(edgeA.to) - a;
     const Vec3f b = pose.rotation * second.corner(edgeB.from) + pose.offset;
     const Vec3f v = pose.rotation * second.corner(edgeB.to) + pose.offset - b;
     const Vec3f displacement = b - a;
     const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
-    Manifold manifold;
-    manifold.normal = axis.normal;
-    if (determinant <= 0.0f) return manifold;
+    if (determinant <= 0.0f) return std::nullopt;
     const float s = (dot(u, displacement) * vv - dot(v, displacement) * uv) / determinant;
     const float t = (dot(u, displacement) * uv - dot(v, displacement) * uu) / determinant;
     const float separation = dot(axis.normal, displacement);
-    if (s < 0.0f || s > 1.0f || t < 0.0f || t > 1.0f || separation > margin) return manifold;
-    manifold.count = 1;
-    manifold.points[0] = {(a + u * s + b + v * t) * 0.5f, separation,
-                          kCutByEdge | kOnSecondFace | static_cast<std::uint32_t>(axis.first) << 12 | axis.second};
+    if (s < 0.0f || s > 1.0f || t < 0.0f || t > 1.0f || separation > margin) return std::nullopt;
+    return Manifold::Point{(a + u * s + b + v * t) * 0.5f, separation,
+                           kCutByEdge | kOnSecondFace | static_cast<std::uint32_t>(axis.first) << 12 | axis.second};
+}
+
+/// The manifold of the faces that are nearly perpendicular to an axis of two edges, none if no face is. Where slender
+/// bodies cross, the deepest pair of edges changes from step to step, but the faces and the points of their clip do
+/// not: impulses stay with their points, and the bodies come to rest.
+Manifold facesAlongEdges(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                         const std::optional<Manifold::Point>& edges, float margin) {
+    const Vec3f inSecond = pose.rotation.transposedTimes(axis.normal) * -1.0f;
+    const int faceA = first.faceAlong(axis.normal), faceB = second.faceAlong(inSecond);
+    const float alongA = dot(axis.normal, first.planes[faceA].normal);
+    const float alongB = dot(inSecond, second.planes[faceB].normal);
+    if (std::max(alongA, alongB) < kAlignedCosine) return {};
+    if (alongA * kHysteresis >= alongB) {
+        return clippedManifold(first, second, pose, {faceA, faceB, axis.normal, axis.separation},
+                               edges ? &*edges : nullptr, margin);
+    }
+    Manifold::Point point;
+    if (edges) {
+        point = *edges;
+        point.position = pose.rotation.transposedTimes(point.position - pose.offset);
+    }
+    return fromSecond(clippedManifold(second, first, inverse(pose), {faceB, faceA, inSecond, axis.separation},
+                                      edges ? &point : nullptr, margin),
+                      pose);
+}
+
+Manifold edgeManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
+                      float margin) {
+    const std::optional<Manifold::Point> edges = edgePoint(axis, first, second, pose, margin);
+    Manifold manifold = facesAlongEdges(axis, first, second, pose, edges, margin);
+    manifold.normal = axis.normal;
+    if (manifold.count == 0 && edges) {
+        manifold.count = 1;
+        manifold.points[0] = *edges;
+    }
     return manifold;
 }
 
@@ -192,7 +263,8 @@ Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull
                        float margin) {
     switch (axis.kind) {
         case AxisKind::FirstFace: return faceManifold(first, axis.first, second, pose, margin);
-        case AxisKind::SecondFace: return secondFaceManifold(first, second, axis.second, pose, margin);
+        case AxisKind::SecondFace:
+            return fromSecond(faceManifold(second, axis.second, first, inverse(pose), margin), pose);
         case AxisKind::Edges: return edgeManifold(axis, first, second, pose, margin);
         case AxisKind::None: break;
     }
