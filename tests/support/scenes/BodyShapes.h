@@ -18,7 +18,7 @@ std::vector<Polytope> frameHulls(double width, double beam, double height);
 std::vector<Polytope> ringHulls(double outerRadius, double innerRadius, double height, int sections);
 /// A hub of 2 `teeth` sides with a tooth on every other.
 std::vector<Polytope> gearHulls(double radius, double toothLength, double height, int teeth);
-/// The letters E, U and L, and a plus sign, of rectangles that do not overlap; their bars are a fifth of the width thick.
+/// The letters E, U and L, and a plus sign, of rectangles that do not overlap, a fifth of the width thick.
 std::vector<Polytope> eHulls(double width, double height);
 std::vector<Polytope> uHulls(double width, double height);
 std::vector<Polytope> lHulls(double width, double height);
