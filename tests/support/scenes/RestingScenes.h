@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/physics/world/BodyScene.h"
+
+#include <cstdint>
+#include <span>
+
+namespace rubble::test {
+
+/// Whether bodies stand from the start, or fall and come to rest.
+enum class RestingKind { Stack, Pile };
+
+/// A scene of bodies on a ground that must all come to rest. The bodies are displaced at random.
+struct RestingScene {
+    const char* name;
+    RestingKind kind;
+    BodyScene (*build)(std::uint64_t randomSeed);
+};
+
+// Deterministic; the ground is the first body, its top the plane y = 0; density 1000 kg/m^3, friction 0.6.
+
+/// Bodies that lie flat on each other: of several hulls, round, thin, high, and under a load of 300 times their mass.
+std::span<const RestingScene> stackScenes();
+/// Slender, flat, compact and concave bodies that fall onto each other from a low height.
+std::span<const RestingScene> pileScenes();
+
+/// The thinnest hull of the dynamic bodies, m.
+double thinnestSide(const BodyScene& scene);
+
+}  // namespace rubble::test
