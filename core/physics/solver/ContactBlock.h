@@ -53,6 +53,8 @@ struct alignas(64) ContactBlock {
     SymMat3Row firstInverseInertia, secondInverseInertia;
     FloatRow friction, restitution;
     FloatRow againstFixed;  // 1 if one of the bodies is not dynamic, else 0
+    // Softness where several manifolds of the same bodies share their load; 0: that of a manifold alone.
+    FloatRow sharedMassScale, sharedImpulseScale;
     // The change of the normal speed at point i by a unit impulse at point j, 1/kg.
     std::array<FloatRow, 6> coupling;  // (0,1) (0,2) (0,3) (1,2) (1,3) (2,3)
     std::array<PointRows, 4> points;

@@ -82,8 +82,13 @@ struct ImpulseKernels : ContactLanes<W> {
             const auto fixed = row(block.againstFixed, part) > F{};
             const Softness &hard = step.againstFixed, &soft = step.betweenBodies;
             massScale = select<W>(fixed, all<W>(hard.massScale), all<W>(soft.massScale));
-            biasRate = select<W>(fixed, all<W>(hard.biasRate), all<W>(soft.biasRate)) * massScale;
             impulseScale = select<W>(fixed, all<W>(hard.impulseScale), all<W>(soft.impulseScale));
+            const auto isShared = row(block.sharedMassScale, part) > F{};
+            if (bitsOf<W>(isShared) != 0) {
+                massScale = select<W>(isShared, row(block.sharedMassScale, part), massScale);
+                impulseScale = select<W>(isShared, row(block.sharedImpulseScale, part), impulseScale);
+            }
+            biasRate = select<W>(fixed, all<W>(hard.biasRate), all<W>(soft.biasRate)) * massScale;
         }
         const F inverseSubStep = all<W>(1.0f / step.subStep);
         F normalSpeed[4], separations[4];

@@ -148,6 +148,7 @@ struct PrepareKernels : ContactLanes<W> {
                 const Velocities va = velocities(block.first, part, step), vb = velocities(block.second, part, step);
                 put(a.inverseInertia, block.firstInverseInertia, part);
                 put(b.inverseInertia, block.secondInverseInertia, part);
+                put(F{}, block.sharedMassScale, part);
                 updatePoints(block, references[i], part, a, b, va, vb);
                 computeNormalMasses(block, part, a, b, va.inverseMass + vb.inverseMass);
                 computeFrictionMasses(block, part, a, b, va.inverseMass + vb.inverseMass);

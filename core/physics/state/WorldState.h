@@ -91,8 +91,9 @@ struct WorldState {
     std::vector<BodyMotion> motions = std::vector<BodyMotion>(1);
     std::vector<BodyPose> poses = std::vector<BodyPose>(1);
     std::vector<float> predictedTravel =
-        std::vector<float>(1);     // m: an upper bound of BodyPose::travel at the end of the coming step
-    std::size_t bouncyBodies = 0;  // bodies with restitution
+        std::vector<float>(1);       // m: an upper bound of BodyPose::travel at the end of the coming step
+    std::size_t bouncyBodies = 0;    // bodies with restitution
+    std::size_t compoundBodies = 0;  // bodies of several hulls
     std::vector<std::uint32_t> freeBodies;
     std::vector<std::uint32_t> awake;  // dynamic and kinematic, ascending; as of the last updateAwakeBodies()
     std::vector<std::uint32_t> woken;  // bodies that woke since, in any order

@@ -46,6 +46,7 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
     Body& body = state.bodies[number];
     body = {.shape = definition.shape, .generation = body.generation + 1, .kind = definition.kind};
     body.tag = definition.tag;
+    if (body.shape->hulls.size() > 1) ++state.compoundBodies;
     BodyMotion& motion = state.motions[number] = {};
     state.poses[number] = {};
     state.predictedTravel[number] = 0.0f;
@@ -77,6 +78,7 @@ void removeBody(WorldState& state, std::uint32_t number) {
     if (state.bodies[number].isAwake) state.hasRemovedAwake = true;
     if (state.grabbed.index == number) state.grabbed = {};
     if (state.bodies[number].restitution > 0.0f) --state.bouncyBodies;
+    if (state.bodies[number].shape->hulls.size() > 1) --state.compoundBodies;
     state.bodies[number] = {.generation = state.bodies[number].generation};
     state.motions[number] = {};
     state.poses[number] = {};

@@ -12,6 +12,7 @@
 #include "core/physics/step/ContinuousCollision.h"
 #include "core/physics/step/Impacts.h"
 #include "core/physics/step/NarrowPhase.h"
+#include "core/physics/step/SharedLoad.h"
 #include "core/physics/step/Solver.h"
 #include "core/physics/world/Bodies.h"
 #include "core/physics/world/ThreadingHeuristic.h"
@@ -209,6 +210,7 @@ void World::solve(double dt) {
     context.regions.assignBodies(*m_state, context.threadCount);
     context.regions.sortContacts(*m_state, context.threads);
     prepareContacts(*m_state, context.threads, context.regions, context.kernels, step);
+    softenSharedContacts(*m_state, context.threads, context.regions, step);
     context.times.prepare = watch.lap();
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     context.times.solve = watch.lap();
