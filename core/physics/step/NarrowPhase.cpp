@@ -1,11 +1,13 @@
 #include "core/physics/step/NarrowPhase.h"
 
 #include "core/physics/islands/Sleeping.h"
+#include "core/physics/narrowphase/SlidingAxis.h"
 #include "core/physics/narrowphase/TimeOfImpact.h"
 #include "core/physics/state/Contacts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -29,6 +31,15 @@ void sweep(HullCollision& collision, const Hull& first, const Hull& second, Rela
     // With a wide margin: corners behind the first one resist the rotation towards them.
     collision.manifold = touchingManifold(impact.axis, first, second, pose,
                                           2.0f * std::min(first.boundingRadius, second.boundingRadius));
+}
+
+/// Replaces the manifold by that of the face along which the hulls slide. Without one, the contact is collided again in
+/// the next step.
+void slideAlong(HullCollision& collision, const SeparatingAxis& axis, const Hull& first, const Hull& second,
+                const RelativePose& pose, float margin) {
+    collision.axis = axis;
+    collision.axis.separation = std::min(axis.separation, 0.0f);
+    collision.manifold = axis.separation > margin ? Manifold{} : manifoldAlong(axis, first, second, pose, margin);
 }
 
 /// A unit vector perpendicular to another, a function of it only.
@@ -196,8 +207,11 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const bool isFast = far > kSweptFraction * minWidth;
     const float margin = kSpeculativeDistance + (isFast ? 0.0f : far);
     HullCollision collision = collideHulls(first, second, pose, margin, contact.axis);
-    if (collision.axis.separation > margin && isFast) {
-        sweep(collision, first, second, pose, firstPose.rotation.matrix().transposedTimes(displacement));
+    const Vec3f inFirst = firstPose.rotation.matrix().transposedTimes(displacement);
+    if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, inFirst)) {
+        slideAlong(collision, *axis, first, second, pose, margin);
+    } else if (collision.axis.separation > margin && isFast) {
+        sweep(collision, first, second, pose, inFirst);
     }
     return collision;
 }
