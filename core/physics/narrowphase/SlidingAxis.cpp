@@ -5,7 +5,6 @@
 namespace rubble {
 namespace {
 
-constexpr float kMinDisplacement = 0.001f;  // m; slower bodies are stopped by no speculative contact
 constexpr float kPredictedDepth = 0.0001f;  // m: overlap that counts as a collision
 // Overlap of resting bodies, at most a tenth of their width: these touch, and slide along each other.
 constexpr float kRestingDepth = 0.002f;  // m
@@ -19,7 +18,6 @@ float predicted(const SeparatingAxis& axis, Vec3f displacement) {
 
 std::optional<SeparatingAxis> slidingAxis(const SeparatingAxis& axis, const Hull& first, const Hull& second,
                                           const RelativePose& pose, Vec3f displacement) {
-    if (lengthSquared(displacement) < kMinDisplacement * kMinDisplacement) return std::nullopt;
     if (predicted(axis, displacement) >= -kPredictedDepth) return std::nullopt;
     const float depth = std::min(kRestingDepth, kRestingFraction * std::min(first.minWidth, second.minWidth));
     std::optional<SeparatingAxis> best;

@@ -52,6 +52,12 @@ struct ImpulseKernels : ContactLanes<W> {
         }
     }
 
+    enum class Pass {
+        Solve,   // normal impulses with the bias of soft contacts
+        Relax,   // normal impulses without bias, and friction
+        Settle,  // the same again for some manifolds
+    };
+
     /// The normal impulses that limit friction.
     struct Load {
         F sum{};       // N·s
@@ -64,21 +70,61 @@ struct ImpulseKernels : ContactLanes<W> {
         return (separation > all<W>(kTouching)) & (impulse <= F{});
     }
 
-    template <bool kWithBias>
+    /// The impulses of the manifolds of a mask, none of others.
+    [[gnu::always_inline]] static NormalImpulse only(Masks<W> mask, const NormalImpulse& impulses) {
+        return {select<W>(mask, impulses.sum, F{}),
+                {select<W>(mask, impulses.moment.x, F{}), select<W>(mask, impulses.moment.y, F{}),
+                 select<W>(mask, impulses.moment.z, F{})}};
+    }
+
+    /// The speeds of the points along the normal, m/s, negative where they approach.
+    [[gnu::always_inline]] static void computeNormalSpeeds(const ContactBlock& block, int part, int points, const V& n,
+                                                           const V& centreOffset, const Velocities& a,
+                                                           const Velocities& b, F* speeds) {
+        const V spinA = cross<W>(n, a.angularVelocity), spinB = cross<W>(n, b.angularVelocity);
+        const V slope = spinB - spinA;
+        const F speed = dot<W>(n, b.linear - a.linear) + dot<W>(centreOffset, spinB);
+        for (int i = 0; i < points; ++i) speeds[i] = speed + dot<W>(row(block.points[i].position, part), slope);
+    }
+
+    /// Takes back the friction that warm starting applied beyond its limit, for the manifolds of a mask: that of an
+    /// impact says nothing about the next sub-step. Reduced only after the normal impulses, it would change the normal
+    /// speeds of slender bodies, and so add energy. Returns the manifolds that it changed.
+    [[gnu::always_inline]] static Masks<W> trimFriction(ContactBlock& block, int part, int points, Masks<W> mask,
+                                                        const V& n, const V& centreOffset, Velocities& a,
+                                                        Velocities& b) {
+        F load{};
+        for (int i = 0; i < points; ++i) load = load + row(block.points[i].impulse, part);
+        const V t = row(block.tangent, part);
+        const F x = row(block.frictionX, part), y = row(block.frictionY, part), size = x * x + y * y;
+        const F limit = row(block.friction, part) * load;
+        const Masks<W> isBeyond = mask & (size > limit * limit);
+        if (bitsOf<W>(isBeyond) == 0) return isBeyond;
+        const F kept =
+            select<W>(isBeyond, limit / squareRoot<W>(select<W>(isBeyond, size, all<W>(1.0f))), all<W>(1.0f));
+        const F twist = row(block.twist, part);
+        const F lessX = x * kept - x, lessY = y * kept - y, lessTwist = twist * kept - twist;
+        applyAt(t * lessX + cross<W>(n, t) * lessY, row(block.frictionCentre, part), centreOffset, block, part, a, b);
+        applyTwist(lessTwist, n, block, part, a, b);
+        put(x + lessX, block.frictionX, part);
+        put(y + lessY, block.frictionY, part);
+        put(twist + lessTwist, block.twist, part);
+        return isBeyond;
+    }
+
+    /// `mask`: the manifolds that Pass::Settle solves.
+    template <Pass kPass>
     [[gnu::always_inline]] static Load applyNormalImpulses(ContactBlock& block, int part, int points,
                                                            const SolverStep& step, const Motions& from, Velocities& a,
-                                                           const Motions& to, Velocities& b) {
+                                                           const Motions& to, Velocities& b, Masks<W> mask) {
         const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part);
         const V nA = rotated<W>(from.deltaRotation.conjugate(), n) - n,
                 nB = rotated<W>(to.deltaRotation.conjugate(), n) - n;
         const F separationChange = dot<W>(n, to.deltaPosition - from.deltaPosition) + dot<W>(centreOffset, nB);
         const V separationSlope = nB - nA;
-        const V spinA = cross<W>(n, a.angularVelocity), spinB = cross<W>(n, b.angularVelocity),
-                speedSlope = spinB - spinA;
-        const F speed = dot<W>(n, b.linear - a.linear) + dot<W>(centreOffset, spinB);
 
         F biasRate{}, massScale = all<W>(1.0f), impulseScale{};
-        if constexpr (kWithBias) {
+        if constexpr (kPass == Pass::Solve) {
             const auto fixed = row(block.againstFixed, part) > F{};
             const Softness &hard = step.againstFixed, &soft = step.betweenBodies;
             massScale = select<W>(fixed, all<W>(hard.massScale), all<W>(soft.massScale));
@@ -94,22 +140,47 @@ struct ImpulseKernels : ContactLanes<W> {
         F normalSpeed[4], separations[4];
         for (int i = 0; i < points; ++i) {
             const V position = row(block.points[i].position, part);
-            normalSpeed[i] = speed + dot<W>(position, speedSlope);
             separations[i] =
                 row(block.points[i].separation, part) + separationChange + dot<W>(position, separationSlope);
         }
+        computeNormalSpeeds(block, part, points, n, centreOffset, a, b, normalSpeed);
 
-        F residuals[4]{};
-        for (int i = 0; i < points; ++i) {
-            const F impulse = row(block.points[i].impulse, part);
-            const F residual = normalSpeed[i] + greater<W>(separations[i], F{}) * inverseSubStep;
-            const auto pushes = ((impulse > F{}) | (residual < F{})) & (row(block.points[i].effectiveMass, part) > F{});
-            residuals[i] = select<W>(kWithBias ? pushes : pushes & ~isIdle(separations[i], impulse), residual, F{});
-        }
+        F residuals[4]{}, unsettled[4]{};
+        for (int i = 0; i < points; ++i) unsettled[i] = row(block.points[i].impulse, part);
+        const auto computeResiduals = [&] {
+            for (int i = 0; i < points; ++i) {
+                const F impulse = row(block.points[i].impulse, part);
+                const F residual = normalSpeed[i] + greater<W>(separations[i], F{}) * inverseSubStep;
+                const auto pushes =
+                    ((impulse > F{}) | (residual < F{})) & (row(block.points[i].effectiveMass, part) > F{});
+                residuals[i] =
+                    select<W>(kPass == Pass::Solve ? pushes : pushes & ~isIdle(separations[i], impulse), residual, F{});
+            }
+        };
+        computeResiduals();
         NormalImpulse impulses;
-        const Masks<W> isImpact = ImpactKernels<W>::impacts(residuals);
+        Masks<W> isImpact = ImpactKernels<W>::impacts(residuals);
+        if constexpr (kPass == Pass::Settle) isImpact = isImpact & mask;
         if (bitsOf<W>(isImpact) != 0) {
             impulses = ImpactKernels<W>::solve(block, part, points, isImpact, residuals, normalSpeed);
+            if constexpr (kPass == Pass::Solve) {
+                const Masks<W> isTrimmed = trimFriction(block, part, points, isImpact, n, centreOffset, a, b);
+                if (bitsOf<W>(isTrimmed) != 0) {
+                    // Other lanes apply their impulses below: each lane does what it would do alone.
+                    apply(only(isTrimmed, impulses), n, centreOffset, block, part, a, b);
+                    F trimmedSpeed[4];
+                    computeNormalSpeeds(block, part, points, n, centreOffset, a, b, trimmedSpeed);
+                    for (int i = 0; i < points; ++i) {
+                        normalSpeed[i] = select<W>(isTrimmed, trimmedSpeed[i], normalSpeed[i]);
+                    }
+                    computeResiduals();
+                    const NormalImpulse again =
+                        ImpactKernels<W>::solve(block, part, points, isTrimmed, residuals, normalSpeed);
+                    impulses = only(~isTrimmed, impulses);
+                    impulses.sum = impulses.sum + again.sum;
+                    impulses.moment = impulses.moment + again.moment;
+                }
+            }
         }
 
         Load load;
@@ -118,7 +189,7 @@ struct ImpulseKernels : ContactLanes<W> {
             const F mass = row(point.effectiveMass, part), before = row(point.impulse, part);
             const F separation = separations[i];
             F reduction;  // of the impulse
-            if constexpr (kWithBias) {
+            if constexpr (kPass == Pass::Solve) {
                 const auto isApart = separation > F{};
                 const F bias = select<W>(isApart, separation * inverseSubStep,
                                          greater<W>(biasRate * separation, all<W>(-step.pushOutSpeed)));
@@ -128,15 +199,19 @@ struct ImpulseKernels : ContactLanes<W> {
                 const F slowed = mass * (normalSpeed[i] + greater<W>(separation, F{}) * inverseSubStep);
                 reduction = select<W>(isIdle(separation, before), F{}, slowed);
             }
-            const F after = greater<W>(before - reduction, F{}), change = after - before;
+            F after = greater<W>(before - reduction, F{});
+            if constexpr (kPass == Pass::Settle) after = select<W>(mask, after, before);
+            const F change = after - before;
             put(after, point.impulse, part);
             impulses.sum = impulses.sum + change;
             impulses.moment = impulses.moment + row(point.position, part) * change;
             for (int j = i + 1; j < points; ++j) {
                 normalSpeed[j] = normalSpeed[j] + row(block.coupling[couplingIndex(i, j)], part) * change;
             }
-            if constexpr (!kWithBias) {
-                put(row(point.stepImpulse, part) + after, point.stepImpulse, part);
+            if constexpr (kPass != Pass::Solve) {
+                // Pass::Relax adds the impulse of its sub-step, Pass::Settle what it changes.
+                const F added = kPass == Pass::Relax ? after : after - unsettled[i];
+                put(row(point.stepImpulse, part) + added, point.stepImpulse, part);
                 load.sum = load.sum + after;
                 load.leverage = load.leverage + row(point.lever, part) * after;
             }
@@ -145,8 +220,10 @@ struct ImpulseKernels : ContactLanes<W> {
         return load;
     }
 
-    [[gnu::always_inline]] static void applyFriction(ContactBlock& block, int part, const Load& load, Velocities& a,
-                                                     Velocities& b) {
+    /// Returns the manifolds whose friction changed the tangential speed like an impact.
+    template <Pass kPass>
+    [[gnu::always_inline]] static Masks<W> applyFriction(ContactBlock& block, int part, const Load& load, Velocities& a,
+                                                         Velocities& b, Masks<W> mask) {
         const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part),
                 centre = row(block.frictionCentre, part);
         const V tangent = row(block.tangent, part), other = cross<W>(n, tangent);
@@ -155,6 +232,7 @@ struct ImpulseKernels : ContactLanes<W> {
         const F twistBefore = row(block.twist, part), maxTwist = friction * load.leverage;
         F twist = twistBefore - row(block.twistMass, part) * dot<W>(n, b.angularVelocity - a.angularVelocity);
         twist = greater<W>(lesser<W>(twist, maxTwist), -maxTwist);
+        if constexpr (kPass == Pass::Settle) twist = select<W>(mask, twist, twistBefore);
         put(twist, block.twist, part);
         applyTwist(twist - twistBefore, n, block, part, a, b);
 
@@ -171,28 +249,48 @@ struct ImpulseKernels : ContactLanes<W> {
             select<W>(isSliding, limit / squareRoot<W>(select<W>(isSliding, size, all<W>(1.0f))), all<W>(1.0f));
         x = x * scale;
         y = y * scale;
+        if constexpr (kPass == Pass::Settle) {
+            x = select<W>(mask, x, beforeX);
+            y = select<W>(mask, y, beforeY);
+        }
         put(x, block.frictionX, part);
         put(y, block.frictionY, part);
-        applyAt(tangent * (x - beforeX) + other * (y - beforeY), centre, centreOffset, block, part, a, b);
+        const F changeX = x - beforeX, changeY = y - beforeY;
+        applyAt(tangent * changeX + other * changeY, centre, centreOffset, block, part, a, b);
+        const F least = ImpactKernels<W>::kMinSpeed * lesser<W>(xx, yy);
+        return changeX * changeX + changeY * changeY > least * least;
     }
 
-    template <bool kWithBias>
+    /// Solves normal impulses and friction alternately where friction changed the speeds like an impact. Friction and
+    /// normal impulses of a slender body sustain each other; solved once each, they would leave speeds that add energy.
+    static void settleImpacts(ContactBlock& block, int part, int points, const SolverStep& step, Motions& a, Motions& b,
+                              Masks<W> mask) {
+        constexpr int kRounds = 8;
+        for (int round = 0; round < kRounds && bitsOf<W>(mask) != 0; ++round) {
+            const Load load = applyNormalImpulses<Pass::Settle>(block, part, points, step, a, a, b, b, mask);
+            mask = mask & applyFriction<Pass::Settle>(block, part, load, a, b, mask);
+        }
+    }
+
+    template <Pass kPass>
     static void pass(std::span<ContactBlock> blocks, const SolverStep& step) {
         for (ContactBlock& block : blocks) {
             for (int part = 0; part < kBlockLanes / W; ++part) {
                 const int points = maxPointCount(block, part);
                 if (points == 0) continue;
-                const Motions from = motions(block.first, part, step), to = motions(block.second, part, step);
-                Velocities a = from, b = to;
-                const Load load = applyNormalImpulses<kWithBias>(block, part, points, step, from, a, to, b);
-                if constexpr (!kWithBias) applyFriction(block, part, load, a, b);
+                Motions a = motions(block.first, part, step), b = motions(block.second, part, step);
+                const Load load = applyNormalImpulses<kPass>(block, part, points, step, a, a, b, b, Masks<W>{});
+                if constexpr (kPass == Pass::Relax) {
+                    const Masks<W> isImpact = applyFriction<kPass>(block, part, load, a, b, Masks<W>{});
+                    if (bitsOf<W>(isImpact) != 0) settleImpacts(block, part, points, step, a, b, isImpact);
+                }
                 putVelocities(a, block.first, part, step);
                 putVelocities(b, block.second, part, step);
             }
         }
     }
-    static void solve(std::span<ContactBlock> blocks, const SolverStep& step) { pass<true>(blocks, step); }
-    static void relax(std::span<ContactBlock> blocks, const SolverStep& step) { pass<false>(blocks, step); }
+    static void solve(std::span<ContactBlock> blocks, const SolverStep& step) { pass<Pass::Solve>(blocks, step); }
+    static void relax(std::span<ContactBlock> blocks, const SolverStep& step) { pass<Pass::Relax>(blocks, step); }
 
     static void restitute(std::span<ContactBlock> blocks, const SolverStep& step) {
         for (ContactBlock& block : blocks) {

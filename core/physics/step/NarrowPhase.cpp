@@ -14,6 +14,8 @@ namespace {
 
 /// A manifold is recycled while its bodies move less than this relative to each other.
 constexpr float kMaxSlack = 0.02f;  // m
+/// Bodies that move less than this in a step are not stopped by a contact ahead of them.
+constexpr float kMinSliding = 0.001f;  // m
 /// Separated bodies are collided again when they may have closed this fraction of the gap.
 constexpr float kGapFraction = 0.75f;
 /// Bodies that move more than this fraction of the thinner one's width in a step get a swept manifold.
@@ -205,10 +207,14 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f displacement = (b.velocity - a.velocity) * dt;
     const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
     const bool isFast = far > kSweptFraction * minWidth;
-    const float margin = kSpeculativeDistance + (isFast ? 0.0f : far);
+    const float swing =
+        length(b.angularVelocity - a.angularVelocity) * dt * std::min(first.boundingRadius, second.boundingRadius);
+    const float margin = kSpeculativeDistance + (isFast ? 0.0f : far) + swing;
     HullCollision collision = collideHulls(first, second, pose, margin, contact.axis);
     const Vec3f inFirst = firstPose.rotation.matrix().transposedTimes(displacement);
-    if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, inFirst)) {
+    // The manifold may be recycled until its bodies have moved that far.
+    const Vec3f recycled = far > kMinSliding ? inFirst * ((far + kMaxSlack) / far) : Vec3f(0.0f);
+    if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, recycled)) {
         slideAlong(collision, *axis, first, second, pose, margin);
     } else if (collision.axis.separation > margin && isFast) {
         sweep(collision, first, second, pose, inFirst);

@@ -282,8 +282,11 @@ private slots:
             {.pattern = {{{.id = 99, .randomSeed = 5, .parameters = UniformScatter{.count = 4}}}}}};
         project.nextId = 100;
         Session session = sessionOf(project);
+        Throw against = throwAtBlock(100.0, 20.0);
+        against.from.z = -against.from.z - 3.0;  // meets the fragments
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 20.0)});
-        const std::vector<PlayBreak> broken = test::breaksWithin(session, 30);
+        addInput(session, ShotInput{"against", against});
+        const std::vector<PlayBreak> broken = test::breaksWithin(session, 60);
         QVERIFY(broken.size() >= 2);
         QVERIFY(broken[1].step > broken[0].step);
         QVERIFY(broken[1].threshold < broken[0].threshold);
