@@ -5,11 +5,11 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxAngle = 0.5f;      // rad per step of the integrator: Newton's method converges in three rounds
-constexpr int kMaxSteps = 32;          // 16 rad: in a step of 1/60 s, 150 revolutions a second
-constexpr int kNewtonRounds = 4;       // each squares the error, which begins with a quarter
-constexpr float kPrecision = 1e-6f;    // relative: a smaller correction is rounding
-constexpr float kMaxResidual = 1e-3f;  // relative: of a solution
+constexpr float kMaxAngle = 0.5f;  // rad per step of the integrator: Newton's method converges in three rounds
+constexpr int kMaxSteps = 32;      // 16 rad: in a step of 1/60 s, 150 revolutions a second
+constexpr int kNewtonRounds = 4;
+constexpr float kPrecision = 1e-3f;  // relative: Newton's method squares the error, so the next correction is rounding
+constexpr float kMaxCorrection = 1e-2f;  // relative: of the last round of a solution
 
 /// A 3 x 3 matrix by columns.
 struct Columns {
@@ -46,7 +46,8 @@ std::optional<Vec3f> meanAngularVelocity(const Body& body, Vec3f w, float h) {
     const SymMat3f& inertia = body.inertia;
     const float half = 0.5f * h, size = lengthSquared(w);
     if (size * h * h > 1.01f * kMaxAngle * kMaxAngle) return std::nullopt;
-    Vec3f mean = w;
+    // One round of the fixed-point iteration is nearer than w.
+    Vec3f mean = w - body.inverseInertia * cross(w, inertia * w) * half;
     float correction = size;
     for (int round = 0; round < kNewtonRounds && correction > kPrecision * kPrecision * size; ++round) {
         const Vec3f momentum = inertia * mean;
@@ -58,7 +59,7 @@ std::optional<Vec3f> meanAngularVelocity(const Body& body, Vec3f w, float h) {
         mean -= change;
         correction = lengthSquared(change);
     }
-    if (!(correction <= kMaxResidual * kMaxResidual * size)) return std::nullopt;
+    if (!(correction <= kMaxCorrection * kMaxCorrection * size)) return std::nullopt;
     return mean;
 }
 

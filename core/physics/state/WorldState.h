@@ -29,7 +29,9 @@ struct Body {
     SymMat3f inverseInertia;                  // 0 unless dynamic
     Vec3f centreRemainder{0.0f, 0.0f, 0.0f};  // m: the rounding error of the pose's centre (compensated summation)
     Vec3f angularMomentum{0.0f, 0.0f, 0.0f};  // kg m²/s about its centre, in world axes
-    Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s: the one that it belongs to; NaN: to none
+    Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s: the one that it belongs to
+    bool isFastRotating = false;                       // in this step: its angular momentum is kept
+    bool isTouched = false;                            // in this step: impulses changed its angular velocity
     float friction = 0.0f;
     float restitution = 0.0f;
     float boxValidUntil = 0.0f;            // m: BodyPose::travel up to which its fat boxes are valid

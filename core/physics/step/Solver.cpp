@@ -81,10 +81,7 @@ public:
         if (m_state.bouncyBodies > 0) planColours(m_scratch.restitution, kernels.restitute);
     }
 
-    void runSubStep(int index) {
-        m_subStep = index;
-        run(m_scratch.subStep);
-    }
+    void runSubStep() const { run(m_scratch.subStep); }
     void runRestitution() const { run(m_scratch.restitution); }
 
 private:
@@ -94,9 +91,8 @@ private:
     }
     void classifyBodies(std::size_t region) const {
         for (std::uint32_t body : m_regions.bodies(region)) {
-            const bool isFast = isFastRotating(m_state, body, m_step.dt);
+            const bool isFast = beginRotation(m_state, body, m_step.dt);
             (isFast ? m_scratch.fastRotating : m_scratch.slowRotating)[region].push_back(body);
-            if (!isFast) forgetAngularMomentum(m_state, body);
         }
     }
     void planSubStep() {
@@ -144,7 +140,7 @@ private:
     void moveBodies(std::size_t region) const {
         m_kernels.integratePositions(m_scratch.slowRotating[region], m_step);
         for (std::uint32_t body : m_scratch.fastRotating[region]) {
-            rotateFreely(m_state, body, m_subStep, m_step.subStep);
+            rotateFreely(m_state, body, m_step.subStep);
             m_state.motions[body].deltaPosition += m_state.motions[body].velocity * m_step.subStep;
         }
     }
@@ -155,7 +151,6 @@ private:
     const SolverKernels& m_kernels;
     const SolverStep& m_step;
     SolveScratch& m_scratch;
-    int m_subStep = 0;
 };
 
 }  // namespace
@@ -191,9 +186,8 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
 
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                    const SolverKernels& kernels, const SolverStep& step) {
-    Stages stages(state, threads, regions, kernels, step, scratch);
-    const int count = subStepsOf(step.dt);
-    for (int index = 0; index < count; ++index) stages.runSubStep(index);
+    const Stages stages(state, threads, regions, kernels, step, scratch);
+    for (int i = subStepsOf(step.dt); i > 0; --i) stages.runSubStep();
     stages.runRestitution();
 }
 
