@@ -53,6 +53,7 @@ struct alignas(64) ContactBlock {
     SymMat3Row firstInverseInertia, secondInverseInertia;
     FloatRow friction, restitution;
     FloatRow againstFixed;  // 1 if one of the bodies is not dynamic, else 0
+    FloatRow stiffening;    // 1/m: inverse of the overlap beyond which the contact stiffens
     // Softness where several manifolds of the same bodies share their load; 0: that of a manifold alone.
     FloatRow sharedMassScale, sharedImpulseScale;
     // The change of the normal speed at point i by a unit impulse at point j, 1/kg.

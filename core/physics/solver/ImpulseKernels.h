@@ -123,12 +123,13 @@ struct ImpulseKernels : ContactLanes<W> {
         const F separationChange = dot<W>(n, to.deltaPosition - from.deltaPosition) + dot<W>(centreOffset, nB);
         const V separationSlope = nB - nA;
 
-        F biasRate{}, massScale = all<W>(1.0f), impulseScale{};
+        F biasRate{}, massScale = all<W>(1.0f), impulseScale{}, stiffening{};
         if constexpr (kPass == Pass::Solve) {
             const auto fixed = row(block.againstFixed, part) > F{};
             const Softness &hard = step.againstFixed, &soft = step.betweenBodies;
             massScale = select<W>(fixed, all<W>(hard.massScale), all<W>(soft.massScale));
             impulseScale = select<W>(fixed, all<W>(hard.impulseScale), all<W>(soft.impulseScale));
+            stiffening = row(block.stiffening, part);
             const auto isShared = row(block.sharedMassScale, part) > F{};
             if (bitsOf<W>(isShared) != 0) {
                 massScale = select<W>(isShared, row(block.sharedMassScale, part), massScale);
@@ -193,8 +194,11 @@ struct ImpulseKernels : ContactLanes<W> {
                 const auto isApart = separation > F{};
                 const F bias = select<W>(isApart, separation * inverseSubStep,
                                          greater<W>(biasRate * separation, all<W>(-step.pushOutSpeed)));
+                // A contact that overlaps deeply releases less of its impulse, down to nothing: it is rigid.
+                const F released =
+                    impulseScale * lesser<W>(greater<W>(2.0f + separation * stiffening, F{}), all<W>(1.0f));
                 reduction = mass * (select<W>(isApart, all<W>(1.0f), massScale) * normalSpeed[i] + bias) +
-                            select<W>(isApart, F{}, impulseScale) * before;
+                            select<W>(isApart, F{}, released) * before;
             } else {
                 const F slowed = mass * (normalSpeed[i] + greater<W>(separation, F{}) * inverseSubStep);
                 reduction = select<W>(isIdle(separation, before), F{}, slowed);

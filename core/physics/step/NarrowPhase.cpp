@@ -80,6 +80,16 @@ void rotateFriction(ContactBlock& block, std::size_t lane, Vec3f normal) {
     put(tangent, block.tangent, lane);
 }
 
+/// The overlap, m, up to which a contact is as soft as all; at twice of it, it is rigid. Thin bodies under many others
+/// would sink into each other by much of their width. Relative to the width, since rigid contacts of a stack do not
+/// come to rest.
+float softDepth(const WorldState& state, const Contact& contact) {
+    constexpr float kMinDepth = 0.003f, kWidthFraction = 0.2f;
+    const float width = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minWidth,
+                                 hullOf(state, state.proxies[contact.proxies[1]]).minWidth);
+    return std::max(kMinDepth, kWidthFraction * width);
+}
+
 /// Writes the points; those with a feature of the last manifold keep their impulses (warm starting).
 void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference, std::size_t lane,
                const Manifold& manifold, const Mat3f& rotation) {
@@ -180,6 +190,7 @@ void storeManifold(WorldState& state, std::uint32_t number, const HullCollision&
     reference.isSwept[lane] = collision.isSwept ? 1.0f : 0.0f;
     reference.slack[lane] = collision.isSwept ? -1.0f : kMaxSlack;
     const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
+    block.stiffening[lane] = 1.0f / softDepth(state, contact);
     block.friction[lane] = std::sqrt(a.friction * b.friction);
     block.restitution[lane] = std::max(a.restitution, b.restitution);
     contact.axis = collision.axis;
