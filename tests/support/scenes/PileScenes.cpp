@@ -94,10 +94,12 @@ constexpr std::array kPiles{
                  [](std::uint64_t s) {
                      return pileOfOne(boxOf({1.0, 0.02, 0.1}), {25, 0.8, kAnyTilt}, s);
                  }},
-    RestingScene{"high pile of planks", RestingKind::Pile,
+    RestingScene{"high pile of planks",
+                 RestingKind::Pile,
                  [](std::uint64_t s) {
                      return pileOfOne(boxOf({1.0, 0.02, 0.1}), {50, 0.5, 0.1}, s);
-                 }},
+                 },
+                 {.penetration = 0.008}},  // fifty planks on the lowest
     RestingScene{"pile of needles", RestingKind::Pile,
                  [](std::uint64_t s) {
                      return pileOfOne(needleHull(0.8, 0.02), {30, 0.4, 0.3}, s);

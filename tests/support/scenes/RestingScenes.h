@@ -10,11 +10,18 @@ namespace rubble::test {
 /// Whether bodies stand from the start, or fall and come to rest.
 enum class RestingKind { Stack, Pile };
 
+/// What a scene may have come to after ten seconds.
+struct RestingLimits {
+    double drift = 0.01;         // m, horizontally, of a stack
+    double penetration = 0.006;  // m, and half the thinnest side
+};
+
 /// A scene of bodies on a ground that must all come to rest. The bodies are displaced at random.
 struct RestingScene {
     const char* name;
     RestingKind kind;
     BodyScene (*build)(std::uint64_t randomSeed);
+    RestingLimits limits{};
 };
 
 // Deterministic; the ground is the first body, its top the plane y = 0; density 1000 kg/m^3, friction 0.6.

@@ -91,7 +91,7 @@ private slots:
     void bodiesSlideAsFarAsFrictionLetsThem() {
         QFETCH(PhysicsCase, each);
         constexpr double kLeast = 0.9;  // of the distance: a contact at an edge may brake the body a little
-        constexpr double kMost = 1.03;
+        constexpr double kMost = 1.04;  // a contact that begins at a seam takes over its load within a step
         const double distance = each.row["distance"].toDouble();
         SceneWorld moved = test::worldOf(each.scene);
         test::simulate(moved.world, each.row["seconds"].toDouble(), 1.0 / each.row["hertz"].toDouble());

@@ -7,13 +7,13 @@
 
 using namespace rubble;
 
+Q_DECLARE_METATYPE(rubble::test::RestingLimits)
+
 namespace {
 
-constexpr double kSeconds = 10.0;
-constexpr double kMaxPenetration = 0.006;        // m
+constexpr double kRestingTime = 10.0;
 constexpr double kMaxPenetrationFraction = 0.5;  // of the thinnest side
 constexpr double kGround = -1.0;                 // m: the bottom of the ground
-constexpr double kMaxDrift = 0.01;               // m, horizontally
 
 /// How far a body has moved sideways at most, m.
 double driftOf(const BodyScene& scene, const std::vector<Pose>& poses) {
@@ -33,10 +33,12 @@ std::ptrdiff_t awakeCount(const SceneWorld& moved) {
 
 void addRows(std::span<const test::RestingScene> scenes) {
     QTest::addColumn<BodyScene>("scene");
+    QTest::addColumn<test::RestingLimits>("limits");
     const std::uint64_t randomSeeds = test::isLongRun() ? 5 : 1;
     for (const test::RestingScene& scene : scenes) {
         for (std::uint64_t randomSeed = 1; randomSeed <= randomSeeds; ++randomSeed) {
-            QTest::addRow("%s, random seed %d", scene.name, static_cast<int>(randomSeed)) << scene.build(randomSeed);
+            QTest::addRow("%s, random seed %d", scene.name, static_cast<int>(randomSeed))
+                << scene.build(randomSeed) << scene.limits;
         }
     }
 }
@@ -48,12 +50,12 @@ class RestingScenesTest : public QObject {
     Q_OBJECT
 
     /// Simulates ten seconds and checks what must hold of all scenes. Returns the drift, m.
-    static double simulated(const BodyScene& scene) {
+    static double simulated(const BodyScene& scene, const test::RestingLimits& limits) {
         SceneWorld moved = test::worldOf(scene);
-        test::simulate(moved.world, kSeconds);
+        test::simulate(moved.world, kRestingTime);
         const std::vector<Pose> poses = test::posesOf(moved);
         const double penetration = penetrationOf(scene, poses).largest;
-        const double most = std::min(kMaxPenetration, kMaxPenetrationFraction * test::thinnestSide(scene));
+        const double most = std::min(limits.penetration, kMaxPenetrationFraction * test::thinnestSide(scene));
         const double drift = driftOf(scene, poses);
         const std::ptrdiff_t awake = awakeCount(moved);
         qInfo("%td awake, penetration %.1f of at most %.1f mm, drift %.1f mm", awake, 1e3 * penetration, 1e3 * most,
@@ -69,12 +71,14 @@ private slots:
     void stacksStand_data() { addRows(test::stackScenes()); }
     void stacksStand() {
         QFETCH(BodyScene, scene);
-        QVERIFY(simulated(scene) <= kMaxDrift);
+        QFETCH(test::RestingLimits, limits);
+        QVERIFY(simulated(scene, limits) <= limits.drift);
     }
     void pilesComeToRest_data() { addRows(test::pileScenes()); }
     void pilesComeToRest() {
         QFETCH(BodyScene, scene);
-        simulated(scene);
+        QFETCH(test::RestingLimits, limits);
+        simulated(scene, limits);
     }
 };
 

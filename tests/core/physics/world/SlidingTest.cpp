@@ -20,7 +20,7 @@ private slots:
     void bodySlidesAsFarAsFrictionLetsIt() {
         QFETCH(test::SlidingScene, sliding);
         constexpr double kLeast = 0.9;  // of the distance: a contact at an edge may brake the body a little
-        constexpr double kMost = 1.03;
+        constexpr double kMost = 1.04;  // a contact that begins at a seam takes over its load within a step
         constexpr double kAside = 0.1;
         SceneWorld moved = test::worldOf(sliding.scene);
         test::simulate(moved.world, 12.0);
