@@ -73,6 +73,18 @@ UnionFind findIslands(const WorldState& state) {
     return unions;
 }
 
+/// Whether no point of a body moves as fast as the rest speed. The extents count along each axis: a needle that rolls
+/// about its length hardly moves.
+bool rests(const WorldState& state, std::uint32_t number) {
+    const BodyMotion& motion = state.motions[number];
+    const BodyPose& pose = state.poses[number];
+    if (length(motion.velocity) >= kRestSpeed) return false;
+    if (length(motion.angularVelocity) * pose.boundingRadius < kRestSpeed) return true;
+    const Vec3f w = componentAbs(pose.rotation.matrix().transposedTimes(motion.angularVelocity));
+    const Vec3f r = state.bodies[number].shape->extents;
+    return length(Vec3f(w.y * r.z + w.z * r.y, w.z * r.x + w.x * r.z, w.x * r.y + w.y * r.x)) < kRestSpeed;
+}
+
 bool isAtRest(const Body& body) { return body.restTime >= kRestTime; }
 
 std::uint32_t newSleepingIsland(WorldState& state) {
@@ -132,10 +144,7 @@ void wakeNeighbours(WorldState& state, std::uint32_t body) {
 
 void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
-    const BodyMotion& motion = state.motions[number];
-    const float turning = length(motion.angularVelocity) * state.poses[number].boundingRadius;
-    const bool rests = body.isDynamic() && length(motion.velocity) < kRestSpeed && turning < kRestSpeed;
-    body.restTime = rests ? body.restTime + dt : 0.0f;
+    body.restTime = body.isDynamic() && rests(state, number) ? body.restTime + dt : 0.0f;
 }
 
 std::size_t updateAwakeBodies(WorldState& state) {

@@ -50,6 +50,7 @@ Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytop
         if (!hull) return hull.error();
         shape->surfaceArea += surfaceAreaOf(polytope);
         shape->boundingRadius = std::max(shape->boundingRadius, hull->boundingRadius);
+        shape->extents = componentMax(shape->extents, componentAbs(hull->middle) + hull->extents);
         shape->minWidth = std::min(shape->minWidth, hull->minWidth);
         shape->hulls.push_back(std::move(*hull));
     }

@@ -95,7 +95,7 @@ BodyScene mixedStack(std::uint64_t randomSeed) {
 
 /// Light bodies give way under three hundred times their mass, here as in Jolt, Rapier and Box3D: an iterative solver
 /// takes longer to carry such a load than the load takes to fall. What is left comes to rest.
-constexpr RestingLimits kCollapsing{.drift = 100.0, .penetration = 0.1};
+constexpr RestingLimits kCollapsing{.seconds = 20.0, .drift = 100.0, .penetration = 0.1};
 
 constexpr std::array kStacks{
     RestingScene{"frames", RestingKind::Stack,

@@ -100,10 +100,12 @@ constexpr std::array kPiles{
                      return pileOfOne(boxOf({1.0, 0.02, 0.1}), {50, 0.5, 0.1}, s);
                  },
                  {.penetration = 0.008}},  // fifty planks on the lowest
-    RestingScene{"pile of needles", RestingKind::Pile,
+    RestingScene{"pile of needles",
+                 RestingKind::Pile,
                  [](std::uint64_t s) {
                      return pileOfOne(needleHull(0.8, 0.02), {30, 0.4, 0.3}, s);
-                 }},
+                 },
+                 {.seconds = 20.0}},  // on one edge they rock for long
     RestingScene{"pile of laths", RestingKind::Pile,
                  [](std::uint64_t s) {
                      return pileOfOne(boxOf({1.0, 0.01, 0.04}), {30, 0.5, 0.2}, s);

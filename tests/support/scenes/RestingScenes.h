@@ -10,8 +10,9 @@ namespace rubble::test {
 /// Whether bodies stand from the start, or fall and come to rest.
 enum class RestingKind { Stack, Pile };
 
-/// What a scene may have come to after ten seconds.
+/// What a scene may have come to when it rests.
 struct RestingLimits {
+    double seconds = 10.0;       // until all bodies sleep
     double drift = 0.01;         // m, horizontally, of a stack
     double penetration = 0.006;  // m, and half the thinnest side
 };

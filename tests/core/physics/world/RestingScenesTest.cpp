@@ -11,7 +11,6 @@ Q_DECLARE_METATYPE(rubble::test::RestingLimits)
 
 namespace {
 
-constexpr double kRestingTime = 10.0;
 constexpr double kMaxPenetrationFraction = 0.5;  // of the thinnest side
 constexpr double kGround = -1.0;                 // m: the bottom of the ground
 
@@ -49,10 +48,10 @@ void addRows(std::span<const test::RestingScene> scenes) {
 class RestingScenesTest : public QObject {
     Q_OBJECT
 
-    /// Simulates ten seconds and checks what must hold of all scenes. Returns the drift, m.
+    /// Simulates a scene and checks what must hold of all scenes. Returns the drift, m.
     static double simulated(const BodyScene& scene, const test::RestingLimits& limits) {
         SceneWorld moved = test::worldOf(scene);
-        test::simulate(moved.world, kRestingTime);
+        test::simulate(moved.world, limits.seconds);
         const std::vector<Pose> poses = test::posesOf(moved);
         const double penetration = penetrationOf(scene, poses).largest;
         const double most = std::min(limits.penetration, kMaxPenetrationFraction * test::thinnestSide(scene));
