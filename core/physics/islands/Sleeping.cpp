@@ -9,14 +9,18 @@
 namespace rubble {
 namespace {
 
-constexpr float kRestSpeed = 0.05f;  // m/s, of any point of the body
-constexpr float kRestTime = 0.5f;    // s
+constexpr float kRestSpeed = 0.05f;     // m/s, of any point of the body
+constexpr float kRestTime = 0.5f;       // s
+constexpr float kStaySpeed = 1.0f;      // m/s, of any point of a body that stays in one place
+constexpr float kStayDistance = 0.02f;  // m, that any point of it moves
+constexpr float kStayFraction = 0.1f;   // the same, of the bounding radius
+constexpr float kStayTime = 3.0f;       // s
 
 bool hasManifold(const Contact& contact) { return contact.slot.isSet() || contact.stored != kNone; }
 
 void setAwake(WorldState& state, std::uint32_t body) {
     state.bodies[body].isAwake = true;
-    state.bodies[body].restTime = 0.0f;
+    state.bodies[body].restTime = state.bodies[body].stayTime = 0.0f;
     state.woken.push_back(body);
 }
 
@@ -73,19 +77,34 @@ UnionFind findIslands(const WorldState& state) {
     return unions;
 }
 
-/// Whether no point of a body moves as fast as the rest speed. The extents count along each axis: a needle that rolls
-/// about its length hardly moves.
-bool rests(const WorldState& state, std::uint32_t number) {
-    const BodyMotion& motion = state.motions[number];
-    const BodyPose& pose = state.poses[number];
-    if (length(motion.velocity) >= kRestSpeed) return false;
-    if (length(motion.angularVelocity) * pose.boundingRadius < kRestSpeed) return true;
-    const Vec3f w = componentAbs(pose.rotation.matrix().transposedTimes(motion.angularVelocity));
-    const Vec3f r = state.bodies[number].shape->extents;
-    return length(Vec3f(w.y * r.z + w.z * r.y, w.z * r.x + w.x * r.z, w.x * r.y + w.y * r.x)) < kRestSpeed;
+/// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
+/// axis: a needle that rolls about its length hardly moves.
+float largestArc(Vec3f w, Vec3f extents) {
+    const Vec3f a = componentAbs(w), r = extents;
+    return length(Vec3f(a.y * r.z + a.z * r.y, a.z * r.x + a.x * r.z, a.x * r.y + a.y * r.x));
 }
 
-bool isAtRest(const Body& body) { return body.restTime >= kRestTime; }
+/// Whether no point of a body moves as fast as `speed`, m/s.
+bool isSlower(const WorldState& state, std::uint32_t number, float speed) {
+    const BodyMotion& motion = state.motions[number];
+    const BodyPose& pose = state.poses[number];
+    if (length(motion.velocity) >= speed) return false;
+    if (length(motion.angularVelocity) * pose.boundingRadius < speed) return true;
+    const Vec3f w = pose.rotation.matrix().transposedTimes(motion.angularVelocity);
+    return largestArc(w, state.bodies[number].shape->extents) < speed;
+}
+
+/// Whether a body is still in the place where it was when its stay began.
+bool stays(const WorldState& state, std::uint32_t number) {
+    const Body& body = state.bodies[number];
+    const BodyPose& pose = state.poses[number];
+    const float limit = std::min(kStayDistance, kStayFraction * pose.boundingRadius);
+    if (length(pose.centre - body.stayCentre) >= limit) return false;
+    const Vec3f halfTurn = (body.stayRotation.conjugate() * pose.rotation).vector();
+    return 2.0f * largestArc(halfTurn, body.shape->extents) < limit && isSlower(state, number, kStaySpeed);
+}
+
+bool isAtRest(const Body& body) { return body.restTime >= kRestTime || body.stayTime >= kStayTime; }
 
 std::uint32_t newSleepingIsland(WorldState& state) {
     if (state.freeSleepingIslands.empty()) {
@@ -144,7 +163,16 @@ void wakeNeighbours(WorldState& state, std::uint32_t body) {
 
 void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
-    body.restTime = body.isDynamic() && rests(state, number) ? body.restTime + dt : 0.0f;
+    if (!body.isDynamic()) return;
+    const bool rests = isSlower(state, number, kRestSpeed);
+    body.restTime = rests ? body.restTime + dt : 0.0f;
+    if (rests || stays(state, number)) {
+        body.stayTime += dt;
+        return;
+    }
+    body.stayTime = 0.0f;
+    body.stayCentre = state.poses[number].centre;
+    body.stayRotation = state.poses[number].rotation;
 }
 
 std::size_t updateAwakeBodies(WorldState& state) {

@@ -34,8 +34,11 @@ struct Body {
     bool isTouched = false;                            // in this step: impulses changed its angular velocity
     float friction = 0.0f;
     float restitution = 0.0f;
-    float boxValidUntil = 0.0f;            // m: BodyPose::travel up to which its fat boxes are valid
-    float restTime = 0.0f;                 // s: how long it has been at rest
+    float boxValidUntil = 0.0f;          // m: BodyPose::travel up to which its fat boxes are valid
+    float restTime = 0.0f;               // s: how long it has been at rest
+    float stayTime = 0.0f;               // s: how long it has stayed where it was then
+    Vec3f stayCentre{0.0f, 0.0f, 0.0f};  // m, and the rotation: its pose then
+    Quatf stayRotation;
     std::uint32_t sleepingIsland = kNone;  // the island that it sleeps in
     std::uint32_t firstProxy = kNone;
     std::uint32_t firstContact = kNone;  // 2 * contact + side
