@@ -1,5 +1,6 @@
 #include "editor/dialogs/ExportDialog.h"
 
+#include "core/io/pack/PackExport.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 
