@@ -1,6 +1,6 @@
 #include "editor/dialogs/ExportDialog.h"
 
-#include "core/io/system/FileName.h"
+#include "core/io/pack/PackExport.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 
@@ -148,12 +148,13 @@ void ExportDialog::updateSummary() {
     m_export->setEnabled(!assets.empty() && !m_folder->text().isEmpty());
     if (assets.empty()) return m_summary->setText(tr("No asset is selected."));
     QStringList folders;
+    const std::map<AssetVariant, std::string> names = packFolders(m_workspace.project());
     for (const Id id : assets) {
         if (folders.size() == kMaxFolders) {
             folders.append("…");
             break;
         }
-        folders.append(nameText(safeFileName(findAsset(m_workspace.project(), id)->name)));
+        folders.append(nameText(names.at({id})));
     }
     const QString content = meshes.obj && meshes.glb ? tr("pack.json, OBJ and GLB meshes")
                             : meshes.obj             ? tr("pack.json and OBJ meshes")

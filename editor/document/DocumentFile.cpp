@@ -113,7 +113,10 @@ Status DocumentFile::saveAs(const QString& path) {
 }
 
 bool DocumentFile::isLockedHere(const QString& path) const {
-    return m_access.lock && m_access.lock->path() == lockPathOf(toPath(absolutePath(path)));
+    if (!m_access.lock) return false;
+    std::error_code ignored;  // hard links of our own file
+    return m_access.lock->path() == lockPathOf(toPath(absolutePath(path))) ||
+           std::filesystem::equivalent(toPath(m_path), toPath(path), ignored);
 }
 
 Status DocumentFile::saveAs(const QString& path, const ProjectAccess& access) {
@@ -147,6 +150,7 @@ Status DocumentFile::write(const QString& path) {
 void DocumentFile::setFile(const BackupOrigin& origin, const ProjectAccess& access) {
     m_path = origin.path;
     m_access = access;
+    if (m_access.lock) m_access.lock->holdFile(toPath(m_path));
     m_base = m_seen = origin.hash;
     m_seenVersion = {};
     watch();

@@ -221,7 +221,10 @@ MainWindow* Program::windowWith(const QString& path) const {
     const std::filesystem::path lock = lockPathOf(toPath(path));
     for (MainWindow* window : windows()) {
         const QString opened = window->workspace().file().path();
-        if (!opened.isEmpty() && lockPathOf(toPath(opened)) == lock) return window;
+        if (opened.isEmpty()) continue;
+        std::error_code ignored;  // hard links
+        const bool isSame = std::filesystem::equivalent(toPath(opened), toPath(path), ignored);
+        if (isSame || lockPathOf(toPath(opened)) == lock) return window;
     }
     return nullptr;
 }

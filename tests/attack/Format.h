@@ -46,8 +46,10 @@ struct Format {
 /// while they are read. Must be called before threads are started.
 std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::filesystem::path& folder);
 
-/// The JSON formats, and replays' inputs and bytes.
+/// The JSON formats, and the inputs of replays.
 std::vector<Format> jsonFormats();
+/// Replays with seals, and manifests of packs with hashes, that are made anew after a change.
+std::vector<Format> sealedFormats(const std::filesystem::path& folder);
 /// PNG files, and what the importer's process returns.
 std::vector<Format> binaryFormats();
 /// Meshes of each format, which are read by `importer` in a child process.

@@ -4,10 +4,11 @@
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/play/PlayInputJson.h"
-#include "core/io/play/SimulationJson.h"
 #include "core/io/system/AtomicFile.h"
+#include "docs/formats/rubble_pack.hpp"
 #include "tests/attack/Format.h"
 #include "tests/attack/Mutator.h"
+#include "tests/attack/Sessions.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/FuzzedReaders.h"
 
@@ -21,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Sentence;
-
-constexpr int kSteps = 30;
 
 std::string contentsOf(const fs::path& path) {
     const Result<std::string> text = readFile(path);
@@ -74,44 +73,6 @@ bool isSmall(const std::string& text) {
     return project["assets"].size() <= 8 && project["instances"].size() <= 8;
 }
 
-/// The fault of the outcome of a session.
-Sentence outcomeFault(const Session& session) {
-    SimulationOutcome outcome{.steps = session.stepsDone(), .hash = session.hash()};
-    for (const PlayBody& body : session.bodies()) {
-        const BodyState state = session.world().state(body.body);
-        outcome.bodies.push_back({session.nameOf(body), state.pose, state.asleep});
-    }
-    for (const PlayBreak& broken : session.recentBreaks()) {
-        outcome.breaks.push_back({broken.step, session.nameOf(broken.body), broken.impact, broken.threshold,
-                                  broken.point, broken.pieces, std::nullopt});
-    }
-    for (const Diagnostic& one : session.events().diagnostics) {
-        if (Sentence fault = test::errorFault({ErrorCode::BadInput, one.message})) return fault;
-    }
-    if (nlohmann::json::accept(simulationJson(outcome))) return std::nullopt;
-    return "The outcome of " + std::to_string(outcome.steps) + " steps is not JSON.";
-}
-
-/// Plays a scene with all its shots.
-Sentence playFault(const std::shared_ptr<const PlayScene>& scene, const std::vector<TimedInput>& inputs) {
-    Result<Session> session = Session::start(scene, {.threads = 1});
-    if (!session) return test::errorFault(session.error());
-    for (const Shot& shot : scene->project.shots) {
-        if (const Status added = session->add(Shot{shot.id, shot.name, 0.0, shot.action}); !added)
-            return test::errorFault(added.error());
-    }
-    for (const TimedInput& input : inputs) {
-        if (const Status added = session->add(input); !added) {
-            if (Sentence fault = test::errorFault(added.error())) return fault;
-        }
-    }
-    for (int step = 0; step < kSteps; ++step) {
-        session->step();
-        if (Sentence fault = outcomeFault(*session)) return fault;
-    }
-    return std::nullopt;
-}
-
 Sentence bakeFault(const Project& project) {
     for (const Asset& asset : project.assets) {
         const Result<Bake> baked = bake(asset, {.threads = 1});
@@ -138,15 +99,6 @@ Verdict checkProject(std::string_view bytes, Random& random) {
     verdict.isPlayed = true;
     verdict.fault = bakeFault(*project);
     return verdict;
-}
-
-/// A block that breaks, above the ground.
-const std::shared_ptr<const PlayScene>& blockScene() {
-    static const std::shared_ptr<const PlayScene> scene = [] {
-        Project project = boxProject(UniformScatter{.count = 5});
-        return *playScene(project, {.threads = 1});
-    }();
-    return scene;
 }
 
 Verdict checkShots(std::string_view bytes, Random&) {
@@ -176,6 +128,22 @@ Verdict checkInputs(std::string_view bytes, Random&) {
     return verdict;
 }
 
+/// A pack is read by the program and by the header that engines use. What is a right pack to the first is one to the
+/// second.
+Verdict checkPack(std::string_view bytes, Random&) {
+    Verdict verdict{.fault = test::packFault(bytes)};
+    const Result<Pack> pack = readPack(bytes);
+    verdict.isAccepted = pack.hasValue();
+    rubble_pack::Pack read;
+    std::string fault;
+    const bool isRead = rubble_pack::parse(bytes, read, fault);
+    if (verdict.fault) return verdict;
+    if (!isRead && fault.empty()) verdict.fault = "The header refuses the pack without a word.";
+    if (!isRead && pack && !verifyPack(*pack)) verdict.fault = "The header refuses a right pack: " + fault;
+    for (std::uint32_t k = 0; isRead && k < read.fragments.size(); ++k) static_cast<void>(read.piecesOf(k));
+    return verdict;
+}
+
 /// A format that one function checks.
 Format plainFormat(std::string name, std::shared_ptr<const JsonMutator> mutator, Sentence (*faultOf)(std::string_view),
                    std::function<bool(std::string_view)> isAccepted) {
@@ -185,21 +153,6 @@ Format plainFormat(std::string name, std::shared_ptr<const JsonMutator> mutator,
             .check = [faultOf, isAccepted](
                          std::string_view bytes,
                          Random&) { return Verdict{.isAccepted = isAccepted(bytes), .fault = faultOf(bytes)}; }};
-}
-
-std::vector<TimedInput> sampleInputs() {
-    const Throw thrown{.kind = ProjectileKind::Ball, .size = Vec3(0.3), .mass = 7.0, .speed = 5.0};
-    return {{0, ShotInput{"ball", thrown}},
-            {0, ShotInput{"blow", Hammer{{0, 1, 0}, {4, 5, 6}}}},
-            {3, ShotInput{"bomb", Explosion{{0, 1, 1}, 50.0, 2.0}}},
-            {4, ThresholdInput{3, 0, 70.5}},
-            {5, MaterialInput{{.id = 1, .name = "lead", .density = 11000.0}}},
-            {6, BreakInput{1}},
-            {7, GravityInput{{0, -1, 0}}},
-            {8, DestructionInput{false}},
-            {9, GrabInput{1, {0, 1, 0}, 500.0}},
-            {10, DragInput{{2, 2, 2}}},
-            {11, ReleaseInput{}}};
 }
 
 std::string inputsText() {
@@ -228,8 +181,8 @@ std::vector<Format> jsonFormats() {
 
     std::vector<std::string> packs = samplesIn("tests/corpus/Pack", test::packFault);
     packs.push_back(packOf(twoLevelRing()));
-    formats.push_back(plainFormat("Pack", mutatorOf(std::move(packs), schemaOf("pack")), test::packFault,
-                                  [](std::string_view bytes) { return readPack(bytes).hasValue(); }));
+    const auto pack = mutatorOf(std::move(packs), schemaOf("pack"));
+    formats.push_back({"Pack", ".json", [pack](Random& random) { return pack->mutated(random); }, checkPack, 1});
     std::vector<std::string> materials = samplesIn("resources/materials", test::materialFault);
     formats.push_back(plainFormat("Material", mutatorOf(std::move(materials), schemaOf("material")),
                                   test::materialFault,
@@ -241,14 +194,6 @@ std::vector<Format> jsonFormats() {
                                   test::bodiesFault,
                                   [](std::string_view bytes) { return readBodyScene(bytes).hasValue(); }));
 
-    const Result<Replay> replay =
-        recordReplay(blockScene(), {.threads = 1}, {{0, sampleInputs()[0].input}}, 70, programVersion(), {1, 2});
-    if (!replay) std::exit(2);
-    formats.push_back(plainFormat("Replay", mutatorOf({replayText(*replay)}, ""), test::replayFault,
-                                  [](std::string_view bytes) { return readReplayText(bytes).hasValue(); }));
-    formats.push_back({"ReplayBytes", ".replay",
-                       [text = replayText(*replay)](Random& random) { return mutatedBytes(text, random); },
-                       formats.back().check});
     const auto inputs = mutatorOf({inputsText()}, "");
     formats.push_back({"Inputs", ".json", [inputs](Random& random) { return inputs->mutated(random); }, checkInputs});
     const auto shots = mutatorOf({shotsText()}, schemaOf("project"));

@@ -3,6 +3,7 @@
 #include "tests/attack/Format.h"
 #include "tests/attack/Mutator.h"
 #include "tests/support/files/FuzzedReaders.h"
+#include "tests/support/files/PngChecksums.h"
 
 #include <QBuffer>
 
@@ -49,12 +50,15 @@ Verdict checkPicture(const fs::path& folder, std::string_view bytes) {
 std::vector<Format> formatsOf(const fs::path& /*importer*/, const fs::path& folder) {
     fs::create_directories(folder);
     const auto pictures = std::make_shared<const std::vector<std::string>>(samples());
-    return {
-        {.name = "Picture",
-         .ending = ".png",
-         .mutated =
-             [pictures](Random& random) { return mutatedBytes((*pictures)[random.below(pictures->size())], random); },
-         .check = [folder](std::string_view bytes, Random&) { return checkPicture(folder, bytes); }}};
+    return {{.name = "Picture",
+             .ending = ".png",
+             .mutated =
+                 [pictures](Random& random) {
+                     const std::string bytes = mutatedBytes((*pictures)[random.below(pictures->size())], random);
+                     const bool isSealed = bytes.starts_with("\x89PNG") && random.below(8) != 0;
+                     return isSealed ? test::withPngChecksums(bytes) : bytes;
+                 },
+             .check = [folder](std::string_view bytes, Random&) { return checkPicture(folder, bytes); }}};
 }
 
 }  // namespace rubble::attack

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -82,6 +83,29 @@ private slots:
             QCOMPARE(static_cast<int>(project->assets.size()), 2 * kProcesses);  // the mesh holds two objects
             QCOMPARE(entries(m_place->path()), (QStringList{"other.rubble", "packs", "wall.rubble"}));
             QFile::remove(at("other.rubble"));
+        }
+    }
+    /// Names of one file, in one folder or several: hard links, and links to them.
+    void importsByAnyNameOfAProjectCount() {
+        const std::string project = at("other.rubble").toStdString();
+        for (int round = 0; round < 5 * roundCount(); ++round) {
+            QFile::remove(at("other.rubble"));
+            QCOMPARE(QProcess::execute(RUBBLE_CLI, {"new", at("other.rubble")}), 0);
+            QVERIFY(QDir(m_place->path()).mkpath("sub"));
+            QStringList names{at("other.rubble"), at("second.rubble"), at("sub/third.rubble"), at("sub/link.rubble")};
+            for (const QString& name : names.mid(1)) QFile::remove(name);
+            std::filesystem::create_hard_link(project, names[1].toStdString());
+            std::filesystem::create_hard_link(project, names[2].toStdString());
+            std::filesystem::create_symlink("third.rubble", names[3].toStdString());
+            Programs programs;
+            for (const QString& name : names)
+                programs.start({"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", name});
+            const QByteArray errors = programs.errors();
+            QVERIFY2(errors.isEmpty(), errors);
+            const Result<Project> saved = loadProject(project);
+            QVERIFY2(saved, saved ? "" : saved.error().message.c_str());
+            QCOMPARE(saved->assets.size(), std::size_t{1 + 2 * 4});  // the first wall, and two objects of each import
+            QCOMPARE(entries(at("sub")), (QStringList{"link.rubble", "third.rubble"}));
         }
     }
     void oneOfSeveralNewProjectsIsCreated() {

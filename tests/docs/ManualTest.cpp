@@ -1,3 +1,4 @@
+#include "editor/panels/models/ProblemModel.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/Manual.h"
 
@@ -64,6 +65,17 @@ private slots:
             }
         }
         QVERIFY(shortcuts > 50);
+    }
+    void everyKindOfProblemIsDocumented() {
+        const QString documented = textOf("inspection.md");
+        int kinds = 0;
+        for (int code = 0; code < rubble::kDiagnosticCodes; ++code) {
+            const QString title = rubble::textOf(static_cast<rubble::DiagnosticCode>(code));
+            if (title.isEmpty()) continue;  // never listed as a problem
+            QVERIFY2(documented.contains("\n| " + title + " | "), qPrintable(title));
+            ++kinds;
+        }
+        QVERIFY(kinds > 10);
     }
     /// QTextBrowser gives headings no anchors.
     void linksHaveNoAnchors() {

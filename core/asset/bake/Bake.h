@@ -44,10 +44,10 @@ struct Bake {
     std::vector<Diagnostic> diagnostics;   // level by level
 
     std::uint32_t fragmentCount() const;
-    /// O(log fractures), as are the functions below.
+    /// O(log fractures), as are fractureOf() and fractureContaining().
     BakedFragment fragment(std::uint32_t number) const;
     /// The id of a fragment: "asset/seed", ".k" for a part of a cut-apart cell, one more "/…" per level:
-    /// "3/5.17.1/9.2".
+    /// "3/5.17.1/9.2". O(log fractures + log pieces) for each level.
     std::string fragmentId(std::uint32_t number) const;
     /// The fracture of a fragment (kNone: of the whole); null if it is not fractured.
     const BakedFracture* fractureOf(std::uint32_t parent) const;

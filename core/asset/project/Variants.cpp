@@ -22,8 +22,12 @@ Asset variantOf(Asset asset, std::uint32_t variant) {
     for (Level& level : asset.levels) mixInVariant(variant, level.pattern);
     asset.leaves.clear();  // this and the next: they refer to the old fragments
     asset.edits.clear();
-    asset.name += "~" + std::to_string(variant);
+    asset.name = nameOfVariant(asset.name, variant);
     return asset;
+}
+
+std::string nameOfVariant(const std::string& asset, std::uint32_t variant) {
+    return variant == 0 ? asset : asset + "~" + std::to_string(variant);
 }
 
 AssetVariant variantOf(const Instance& instance) { return {instance.asset, instance.variant}; }

@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -17,8 +18,11 @@ struct AssetVariant {
 
 /// The asset with the random seed of every layer of every level mixed with the variant's number: the same shape,
 /// fractured differently. Overrides of scattered seeds and fragment edits are dropped, since they refer to the old
-/// seeds; placed seeds stay. Named "wall~2"; variant 0 is the asset itself.
+/// seeds; placed seeds stay. Has the nameOfVariant(); variant 0 is the asset itself.
 Asset variantOf(Asset asset, std::uint32_t variant);
+
+/// The name of a variant of an asset: "wall~2"; of variant 0 the asset's.
+std::string nameOfVariant(const std::string& asset, std::uint32_t variant);
 
 AssetVariant variantOf(const Instance& instance);
 

@@ -12,9 +12,9 @@ namespace rubble {
 /// points, and pieces that are not near a cut, do not change. Pieces keep their seed and get their cells in cut layers.
 ///
 /// A stretch of a cut that separates nothing, because it ends within a piece or goes only part of the way around a
-/// hole, is left out and reported (LooseCut, `seed`: the line, `of`: the layer, `amount`: its length). A seed whose
-/// last piece vanishes by rounding is reported (SeedWithoutCell). Points are rounded once. O(n log n) for cuts that
-/// intersect few others.
+/// hole, is left out and reported (LooseCut, at its layer and the index of its line; the value is its length). A seed
+/// whose last piece vanishes by rounding is reported (SeedWithoutCell). Points are rounded once. O(n log n) for cuts
+/// that intersect few others.
 ///
 /// Errors: Degenerate if cuts cannot be distinguished; Limit above kMaxIntersections; Cancelled.
 Result<Partition> cutApart(Partition partition, const Polygon& outline, const CutSet& cuts,

@@ -37,7 +37,7 @@ struct Pattern {
 struct Seeds {
     std::vector<Vec2> positions;
     std::vector<SeedId> ids;  // one per position
-    /// LostOverride (`seed`: index in the layer), NoRoom (`amount`: seeds placed); `of`: layer id.
+    /// LostOverride, at the layer and the index of the seed; NoRoom, at the layer, whose value is the number of seeds.
     std::vector<Diagnostic> diagnostics;
 };
 

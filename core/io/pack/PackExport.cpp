@@ -14,7 +14,6 @@
 #include "core/io/system/Temporary.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -25,36 +24,21 @@ namespace {
 /// To be increased when the mesh files of an asset change, so that existing exports are rewritten.
 constexpr std::uint64_t kMeshVersion = 1;
 
-/// Returns the name of an asset's folder in lower case, to compare as case-insensitive file systems do.
-std::string foldedFolderName(const Asset& asset) {
-    std::string name = safeFileName(asset.name);
-    for (char& letter : name) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return name;
-}
+/// An asset or a variant of it, and the name of the folder of its pack.
+struct PackedAsset {
+    Asset asset;
+    std::string folder;
+};
 
-/// Returns the assets of the project in all variants that it uses; if `only` is not empty, only those assets.
-std::vector<Asset> assetsInVariants(const Project& project, std::span<const Id> only = {}) {
-    std::vector<Asset> assets;
-    for (const auto& [id, variant] : usedVariants(project)) {
-        if (!only.empty() && !isAmong(only, id)) continue;
-        assets.push_back(variantOf(*findAsset(project, id), variant));
+/// Returns the assets in all variants that the project uses.
+std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id> assets) {
+    const std::map<AssetVariant, std::string> folders = packFolders(project);
+    std::vector<PackedAsset> packed;
+    for (const Id id : assets) {
+        for (auto at = folders.lower_bound({id}); at != folders.end() && at->first.asset == id; ++at)
+            packed.push_back({variantOf(*findAsset(project, id), at->first.variant), at->second});
     }
-    return assets;
-}
-
-/// Checks all assets of the project, not only the exported ones: they may be exported one by one.
-Status checkFolderNames(const Project& project) {
-    std::map<std::string, std::string> owners;
-    for (const Asset& asset : assetsInVariants(project)) {
-        const auto [owner, isFirst] = owners.emplace(foldedFolderName(asset), asset.name);
-        if (isFirst) continue;
-        return Error{ErrorCode::BadInput, "The assets " + quotedName(owner->second) + " and " + quotedName(asset.name) +
-                                              " would both be exported to the folder " +
-                                              quotedName(safeFileName(asset.name)) + "; rename one of them."};
-    }
-    return success();
+    return packed;
 }
 
 /// Reports the progress of several parallel tasks as their mean.
@@ -101,9 +85,10 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     return writeExportFolder(result.folder, source, files, edited, task);
 }
 
-AssetExport exportAsset(const Project& project, const Asset& asset, const std::filesystem::path& folder,
+AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
                         const MeshOptions& options, EditedFiles edited, const TaskContext& task) {
-    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / safeFileName(asset.name)};
+    const Asset& asset = packed.asset;
+    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / packed.folder};
     if (task.isCancelled()) {
         result.status = TaskContext::cancelled();
         return result;
@@ -116,6 +101,18 @@ AssetExport exportAsset(const Project& project, const Asset& asset, const std::f
 }
 
 }  // namespace
+
+std::map<AssetVariant, std::string> packFolders(const Project& project) {
+    // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
+    std::vector<AssetVariant> used = usedVariants(project);
+    std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
+    std::vector<std::string> names;
+    for (const auto& [id, variant] : used) names.push_back(nameOfVariant(findAsset(project, id)->name, variant));
+    const std::vector<std::string> folders = distinctFileNames(names);
+    std::map<AssetVariant, std::string> result;
+    for (std::size_t k = 0; k < used.size(); ++k) result.emplace(used[k], folders[k]);
+    return result;
+}
 
 ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options) {
     // Hashes a project with this asset only, without what packs do not contain.
@@ -158,16 +155,14 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
         if (findAsset(project, id) != nullptr) continue;
         return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
     }
-    if (const Status distinct = checkFolderNames(project); !distinct) return distinct.error();
     CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
     if (const Status status = created.create(folder); !status) return status.error();
     removeLeftovers(folder);
-    std::vector<Asset> packed;
-    for (const Id id : assets) std::ranges::move(assetsInVariants(project, {&id, 1}), std::back_inserter(packed));
+    const std::vector<PackedAsset> packed = packedAssets(project, assets);
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
     std::vector<double> bytes;
-    for (const Asset& asset : packed) bytes.push_back(estimateOf(asset).bytes());
+    for (const PackedAsset& each : packed) bytes.push_back(estimateOf(each.asset).bytes());
     const int atOnce = bakesAtOnce(std::move(bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), atOnce, [&](std::size_t index) {

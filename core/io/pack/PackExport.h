@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
+#include "core/asset/project/Variants.h"
 #include "core/base/Diagnostic.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
@@ -8,6 +9,7 @@
 #include "core/io/pack/PackMeshes.h"
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,15 +31,18 @@ struct AssetExport {
 /// Returns a hash of all inputs of an asset's pack: the source in the manifest of its folder.
 ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options);
 
-/// Writes the packs of `assets`, pack.json and meshes, each into a folder with its name below `folder`. Each variant
-/// that instances use gets a pack of its own ("wall_2") after that of its asset. Folders that are complete, unmodified
+/// The folder of each pack of a project: the distinctFileNames() of its assets, in their order, then of the variants
+/// that instances use ("wall_2"). The names depend on all assets, so that they may be exported one by one.
+std::map<AssetVariant, std::string> packFolders(const Project& project);
+
+/// Writes the packs of `assets`, pack.json and meshes, each into a folder below `folder`, see packFolders(). Each
+/// variant that instances use gets a pack of its own after that of its asset. Folders that are complete, unmodified
 /// exports of the same source are not rewritten. Leftovers of killed exports in `folder` are removed. An asset that
 /// fails is reported in its status; the others are written.
 /// Exports up to task.threads assets at once; the bytes do not depend on their number.
 ///
-/// Errors: NotFound if there is no asset with an id; BadInput if two assets would share a folder, ignoring case, with
-/// both names; Io if `folder` cannot be created; Cancelled. On an error existing folders are unchanged and no empty one
-/// remains.
+/// Errors: NotFound if there is no asset with an id; Io if `folder` cannot be created; Cancelled. On an error existing
+/// folders are unchanged and no empty one remains.
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const MeshOptions& options,
                                              EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});

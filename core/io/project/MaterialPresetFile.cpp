@@ -181,7 +181,7 @@ std::filesystem::path materialPresetPath(const std::filesystem::path& folder, co
     }
     if (file.empty() || file == "-") file = "material";
     if (file.back() == '-') file.pop_back();
-    return folder / fittingFileName("", file, ".json");
+    return folder / fittingFileName("", safeFileName(file), ".json");
 }
 
 MaterialLibrary materialLibrary(const std::filesystem::path& folder) {

@@ -50,7 +50,10 @@ LockAttempt lockProject(const std::filesystem::path& project, LockTakeover takeo
     if (::faccessat(AT_FDCWD, project.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT) {
         return {.reason = std::generic_category().message(errno)};
     }
-    return lockFile(lockPathOf(project), takeover);
+    LockAttempt attempt = lockFile(lockPathOf(project), takeover);
+    if (!attempt.lock) return attempt;
+    if (std::optional<LockHolder> holder = attempt.lock->holdFile(project)) return {.holder = std::move(holder)};
+    return attempt;
 }
 
 Result<std::shared_ptr<const LockFile>> waitForProjectLock(const std::filesystem::path& project,

@@ -13,7 +13,8 @@ namespace rubble {
 /// A name that would be longer than file systems allow is shortened and made unique by its hash.
 std::filesystem::path lockPathOf(const std::filesystem::path& project);
 
-/// Locks a project, which need not exist yet, for writing. A project that may not be written to gives a reason instead.
+/// Locks a project, which need not exist yet, for writing: by its lock file, and the file itself, which may have other
+/// names. A project that may not be written to gives a reason instead.
 LockAttempt lockProject(const std::filesystem::path& project, LockTakeover takeover = LockTakeover::Stale);
 
 /// Locks a project for a program that reads, changes and writes it without a user. Waits up to a minute while another

@@ -1,7 +1,11 @@
 #include "core/io/system/FileName.h"
 
 #include "core/base/Hash.h"
+#include "core/io/system/UnicodeName.h"
 
+#include <algorithm>
+#include <array>
+#include <set>
 #include <string_view>
 
 namespace rubble {
@@ -9,6 +13,11 @@ namespace {
 
 constexpr std::size_t kMaxName = 255;      // bytes
 constexpr std::size_t kMaxSafeName = 200;  // the same
+
+/// Names that Windows keeps for devices, in every folder and with any ending.
+/// Source: Microsoft, "Naming Files, Paths, and Namespaces". "CONIN$" and "CONOUT$" have a character that is replaced.
+constexpr std::array<std::string_view, 4> kDevices = {"con", "prn", "aux", "nul"};
+constexpr std::array<std::string_view, 2> kNumberedDevices = {"com", "lpt"};  // and a digit, also ¹, ² or ³
 
 /// Returns the name, or its first characters and a hash of the whole if it has more than `size` bytes.
 std::string shortened(const std::string& name, std::size_t size) {
@@ -19,20 +28,69 @@ std::string shortened(const std::string& name, std::size_t size) {
     return name.substr(0, kept) + hash;
 }
 
+/// The same, by the length that the strictest file system counts.
+std::string shortenedSafeName(const std::string& name) {
+    std::string result = name;
+    for (std::size_t size = kMaxSafeName; nameLength(result) > kMaxSafeName; size -= 8) result = shortened(name, size);
+    return result;
+}
+
+bool isAllowedAscii(char32_t code) {
+    const bool isLetter = (code | 32) >= U'a' && (code | 32) <= U'z';
+    return isLetter || (code >= U'0' && code <= U'9') ||
+           std::u32string_view(U"-_. ").find(code) != std::u32string::npos;
+}
+
+/// The character of a file name for one of a name.
+char32_t safeCharacter(char32_t code) {
+    if (code < 0x80) return isAllowedAscii(code) ? code : U'_';
+    switch (nameCharacterOf(code)) {
+        case NameCharacter::Visible: return code;
+        case NameCharacter::Space: return U' ';
+        case NameCharacter::Invisible: break;
+    }
+    return U'_';
+}
+
+/// Whether Windows takes a name for that of a device. It looks at what comes before the first dot, without spaces
+/// behind it, in any case; the key also makes digits of "¹", "²" and "³".
+bool isDevice(const std::string& name) {
+    const std::size_t end = name.substr(0, name.find('.')).find_last_not_of(' ');
+    const std::string key = end == std::string::npos ? std::string() : nameKey(name.substr(0, end + 1));
+    if (std::ranges::find(kDevices, key) != kDevices.end()) return true;
+    const bool isNumbered = key.size() == 4 && key[3] >= '0' && key[3] <= '9';
+    return isNumbered && std::ranges::find(kNumberedDevices, key.substr(0, 3)) != kNumberedDevices.end();
+}
+
 }  // namespace
 
 std::string safeFileName(const std::string& name) {
-    std::string safe = name;
-    for (char& letter : safe) {
-        const auto code = static_cast<unsigned char>(letter);
-        const bool isAlphanumeric = (code >= '0' && code <= '9') || ((code | 32) >= 'a' && (code | 32) <= 'z');
-        if (!isAlphanumeric && code < 0x80 && std::string_view("-_. ").find(letter) == std::string_view::npos)
-            letter = '_';
+    std::u32string codes = composedCodePoints(name);
+    std::ranges::transform(codes, codes.begin(), safeCharacter);
+    if (codes.empty()) return "_";
+    for (char32_t* end : {&codes.front(), &codes.back()}) {
+        if (*end == U'.' || *end == U' ') *end = U'_';
     }
-    for (const std::size_t end : {std::size_t{0}, safe.size() - 1}) {
-        if (!safe.empty() && (safe[end] == '.' || safe[end] == ' ')) safe[end] = '_';
+    const std::string safe = utf8Of(codes);
+    return shortenedSafeName(isDevice(safe) ? "_" + safe : safe);
+}
+
+std::vector<std::string> distinctFileNames(std::span<const std::string> names) {
+    std::set<std::string> taken;  // keys
+    std::vector<std::string> result;
+    std::vector<std::size_t> doubles;
+    for (const std::string& name : names) {
+        result.push_back(safeFileName(name));
+        if (!taken.insert(nameKey(result.back())).second) doubles.push_back(result.size() - 1);
     }
-    return safe.empty() ? "_" : shortened(safe, kMaxSafeName);
+    for (const std::size_t k : doubles) {
+        const std::string start = result[k] + '-';
+        for (int number = 2;; ++number) {
+            result[k] = start + std::to_string(number);
+            if (taken.insert(nameKey(result[k])).second) break;
+        }
+    }
+    return result;
 }
 
 std::string fittingFileName(const std::string& start, const std::string& name, const std::string& end) {

@@ -1,13 +1,21 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace rubble {
 
-/// Returns `name` as a file name that is valid on every system: all ASCII characters except letters, digits, '-', '_',
-/// '.' and ' ' become '_', as does a '.' or ' ' at either end. Never empty. One of more than 200 bytes, which would
-/// leave no room for endings, is shortened and gets a hash of the whole.
+/// Returns `name` as a name of a file or folder that is valid on Linux, macOS and Windows, also before an ending. In it
+/// are letters, digits, marks and symbols of all scripts, of ASCII only letters, digits, '-', '_', '.' and ' '; every
+/// other character becomes '_', as does a '.' or ' ' at either end. A device of Windows, such as "con" or "aux.x", gets
+/// a '_' in front. Never empty; in normalization form C. One of more than 200 bytes, which would leave no room for
+/// endings, is shortened and gets a hash of the whole. docs/formats/names.md has the rules with their sources.
 std::string safeFileName(const std::string& name);
+
+/// Returns the file names of several names, which no file system takes for one another: the safeFileName() of each, or
+/// that and a number from 2 on where it is taken, as by the first of "Wall" and "wall".
+std::vector<std::string> distinctFileNames(std::span<const std::string> names);
 
 /// Returns `start`, `name` and `end` as one file name. One of more than 255 bytes, the limit of Linux file systems,
 /// gets a shortened name with a hash of the whole.

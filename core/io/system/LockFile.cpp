@@ -1,7 +1,6 @@
 #include "core/io/system/LockFile.h"
 
 #include <fcntl.h>
-#include <pwd.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,28 +28,9 @@ std::string firstLineOfFile(const char* path) {
     return line;
 }
 
-std::string hostName() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : std::string();
-}
-
 std::string machineId() { return firstLineOfFile("/etc/machine-id"); }
 
 std::string bootId() { return firstLineOfFile("/proc/sys/kernel/random/boot_id"); }
-
-/// The name of this program's file, which QLockFile compares with that of the running process.
-std::string programName() {
-    std::error_code error;
-    return std::filesystem::read_symlink("/proc/self/exe", error).filename().string();
-}
-
-std::string userName(uid_t id) {
-    std::array<char, 4096> buffer{};
-    passwd entry{};
-    passwd* found = nullptr;
-    if (::getpwuid_r(id, &entry, buffer.data(), buffer.size(), &found) != 0 || !found) return std::to_string(id);
-    return found->pw_name;
-}
 
 std::string ownText() {
     std::string text = std::to_string(::getpid());
@@ -135,6 +115,30 @@ LockHolder holderOf(const LockText& text, const struct stat& status, bool isRunn
 }
 
 }  // namespace
+
+std::optional<LockHolder> LockFile::holdFile(const std::filesystem::path& file) const {
+    const auto isSame = [&file](int descriptor) {
+        struct stat opened {};
+        struct stat named {};
+        return ::fstat(descriptor, &opened) == 0 && ::stat(file.c_str(), &named) == 0 &&
+               opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+    };
+    if (m_held && isSame(m_held->descriptor())) return std::nullopt;
+    m_held.reset();
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        auto opened = std::make_unique<OpenFile>(file, O_RDWR | O_NONBLOCK);
+        struct stat status {};
+        if (!opened->isOpen() || ::fstat(opened->descriptor(), &status) != 0 || !S_ISREG(status.st_mode)) break;
+        if (::flock(opened->descriptor(), LOCK_EX | LOCK_NB) != 0) {
+            if (errno == EWOULDBLOCK) return holderOfInode(status.st_ino);
+            break;
+        }
+        if (!isSame(opened->descriptor())) continue;  // replaced meanwhile
+        m_held = std::move(opened);
+        break;
+    }
+    return std::nullopt;
+}
 
 LockFile::~LockFile() {
     if (isSameFile(m_file.descriptor(), m_path)) ::unlink(m_path.c_str());

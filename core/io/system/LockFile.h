@@ -1,28 +1,14 @@
 #pragma once
 
+#include "core/io/system/LockHolder.h"
 #include "core/io/system/OpenFile.h"
 
-#include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace rubble {
-
-/// The process that holds a lock file, as far as the file names it.
-struct LockHolder {
-    std::string program;  // empty: unknown, as the following
-    std::string user;
-    std::string host;
-    std::int64_t process = 0;                     // 0: unknown
-    std::chrono::system_clock::time_point since;  // when the lock was taken
-    /// It runs on this machine. Of a process on another machine, and of a lock file without text, that is unknown.
-    bool isRunningHere = false;
-    bool isThisProcess = false;
-    bool isThisProgram = false;  // a process of the same program, by its file name
-};
 
 enum class LockTakeover {
     Stale,  // only locks of processes of this machine that have ended
@@ -41,12 +27,19 @@ public:
 
     const std::filesystem::path& path() const { return m_path; }
 
+    /// Also locks the file that this lock is for, whatever other names it has (hard links), until the lock ends or
+    /// another file is held. Call it again after the file was replaced. Nothing is locked where the file does not exist
+    /// or cannot be opened for writing, or its file system has no flock(). Returns the process that holds it by another
+    /// name, if there is one.
+    std::optional<LockHolder> holdFile(const std::filesystem::path& file) const;
+
 private:
     friend struct LockAttempts;
     LockFile(std::filesystem::path path, OpenFile file) : m_path(std::move(path)), m_file(std::move(file)) {}
 
     std::filesystem::path m_path;
     OpenFile m_file;
+    mutable std::unique_ptr<OpenFile> m_held;  // the file of holdFile()
 };
 
 /// What an attempt to create a lock file gave: the lock, the process that holds it, or why no file can be created.

@@ -138,6 +138,21 @@ private slots:
         QVERIFY(QFile::remove(m_path) && QDir().mkdir(m_path));
         QVERIFY(file.diskState() == DiskState::Unreadable);
     }
+    void hardLinksOfAnOpenFileAreReadOnlyElsewhere() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        const QString link = m_folder->filePath("link.rubble"), third = m_folder->filePath("third.rubble");
+        std::filesystem::create_hard_link(toPath(m_path), toPath(link));
+        QVERIFY(accessProject(link).isReadOnly());
+        edit(document);
+        QVERIFY(file.saveAs(link));  // its own file by another name
+        QVERIFY(QFile::remove(m_path));
+        edit(document);
+        QVERIFY(file.save());  // replaces the file, which has one name now
+        std::filesystem::create_hard_link(toPath(link), toPath(third));
+        QVERIFY(accessProject(third).isReadOnly());
+    }
     void fileThatCannotBeLockedIsReadOnly() {
         setBytes(QString::fromStdString(lockPathOf(toPath(m_path)).string()),
                  "4711\nrubble\nrender01\nanother machine\nboot\nbob\n");

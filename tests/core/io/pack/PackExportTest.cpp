@@ -165,14 +165,13 @@ private slots:
         QVERIFY(fs::exists(m_out / "a" / "pack.json") && fs::exists(m_out / "c" / "pack.json"));
         QCOMPARE(treeOf(m_out / "b").size(), std::size_t{1});
     }
-    void assetsWithTheSameFolderAreRejected() {
+    void foldersDependOnAllAssetsOfTheProject() {
         const Project project = projectOf({"a/b", "a:B"});
-        const auto refused = exportPacks(project, std::vector<Id>{11}, m_out, {});
-        QCOMPARE(refused.error().code, ErrorCode::BadInput);
-        QCOMPARE(refused.error().message,
-                 std::string("The assets \"a/b\" and \"a:B\" would both be exported to the folder "
-                             "\"a_B\"; rename one of them."));
-        QVERIFY(!fs::exists(m_out));
+        const auto second = exportPacks(project, std::vector<Id>{12}, m_out, {}).value();
+        QCOMPARE(second.front().folder, m_out / "a_B-2");
+        const auto both = exportPacks(project, allAssets(project), m_out, {}).value();
+        QCOMPARE(both[0].folder, m_out / "a_b");
+        QVERIFY(both[1].folder == second.front().folder && both[1].isUnchanged);
     }
     void unknownAssetIsRejected() {
         const auto refused = exportPacks(projectOf({"a"}), std::vector<Id>{5}, m_out, {});

@@ -1,6 +1,7 @@
 #include "core/io/project/ProjectLock.h"
 
 #include "core/base/Utf8.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileLimits.h"
 
@@ -26,6 +27,31 @@ private slots:
         std::ofstream(inFolder("real.rubble")) << "x";
         std::filesystem::create_symlink("real.rubble", inFolder("link.rubble"));
         QCOMPARE(lockPathOf(inFolder("link.rubble")), inFolder(".real.rubble.lock"));
+    }
+    void hardLinksShareALock() {
+        const std::filesystem::path one = inFolder("one.rubble"), two = inFolder("sub/two.rubble");
+        std::filesystem::create_directory(inFolder("sub"));
+        std::ofstream(one) << "x";
+        std::filesystem::create_hard_link(one, two);
+        LockAttempt first = lockProject(one);
+        QVERIFY(first.lock);
+        const LockAttempt second = lockProject(two, LockTakeover::Any);
+        QVERIFY(!second.lock && second.holder && second.holder->isRunningHere);
+        QVERIFY(second.holder->process == 0 || second.holder->isThisProcess);
+        QVERIFY(!std::filesystem::exists(lockPathOf(two)));
+        first = {};
+        QVERIFY(lockProject(two).lock);
+    }
+    void lockFollowsAFileThatIsReplaced() {
+        const std::filesystem::path path = inFolder("replaced.rubble"), other = inFolder("other.rubble");
+        std::ofstream(path) << "x";
+        const LockAttempt attempt = lockProject(path);
+        QVERIFY(writeFileAtomically(path, "y"));
+        std::filesystem::create_hard_link(path, other);
+        QVERIFY(lockProject(other).lock);  // nobody was told of the new file
+        QVERIFY(!attempt.lock->holdFile(path));
+        QVERIFY(lockProject(other).holder);
+        QVERIFY(!attempt.lock->holdFile(path));  // it is held already
     }
     void longNamesAreShortened() {
         const std::string longest = std::string(248, 'x') + ".rubble";  // 255 bytes

@@ -15,6 +15,13 @@ private slots:
         QCOMPARE(safeFileName("../up"), std::string("_._up"));
         QCOMPARE(safeFileName("dot."), std::string("dot_"));
         QCOMPARE(safeFileName(""), std::string("_"));
+        QCOMPARE(safeFileName("con"), std::string("_con"));
+        QCOMPARE(safeFileName("LPT1.txt"), std::string("_LPT1.txt"));
+        QCOMPARE(safeFileName("COM\xc2\xb9 .x"), std::string("_COM\xc2\xb9 .x"));
+        QCOMPARE(safeFileName("console"), std::string("console"));
+        QCOMPARE(safeFileName("a\xe2\x80\x8b\xc2\x85z"), std::string("a__z"));  // zero width, next line
+        QCOMPARE(safeFileName("e\xcc\x81"), std::string("\xc3\xa9"));           // composed
+        QCOMPARE(safeFileName("bad\xff"), std::string("bad_"));
     }
     void longNamesAreShortened() {
         const std::string a(201, 'a'), b = std::string(200, 'a') + 'b';
