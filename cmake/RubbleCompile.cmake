@@ -47,9 +47,9 @@ if(RUBBLE_SANITIZE_THREADS)
   target_compile_options(rubble_compile INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
   target_link_options(rubble_compile INTERFACE -fsanitize=thread)
 endif()
-# Where the programs and the tests take their memory from: docs/adr/0023. Not the importer, whose address space is limited,
-# nor tests that replace the allocator themselves. Sanitizers only know the system's. To be linked by programs directly,
-# since what an object library consists of is passed on to no other.
+# Where the programs and the tests take their memory from: docs/adr/0023. Not the importer, whose address space is
+# limited, nor tests that replace the allocator themselves. Sanitizers only know the system's. To be linked by
+# programs directly, since what an object library consists of is passed on to no other.
 if(RUBBLE_SANITIZE OR RUBBLE_SANITIZE_THREADS)
   add_library(rubble_allocator INTERFACE)
 else()

@@ -1,5 +1,5 @@
-// The operators new and delete of the programs, over mimalloc: docs/adr/0023. mimalloc's own operator new ends the process
-// where memory runs out, as it is compiled as C, and C cannot throw.
+// The operators new and delete of the programs, over mimalloc: docs/adr/0023. mimalloc's own operator new ends the
+// process where memory runs out, as it is compiled as C, and C cannot throw.
 #include "core/base/limits/MemoryReserve.h"
 
 #include <mimalloc.h>

@@ -67,8 +67,8 @@ private:
     std::exception_ptr m_failure;  // written by the thread that sets m_hasFailed
 };
 
-/// Threads that help with loops. The thread that starts a loop works on it, too, so that each loop ends without helpers:
-/// where the system allows no thread, within loops of loops, and in a forked process, which has none of them.
+/// Threads that help with loops. The thread that starts a loop works on it, too, so that each loop ends without
+/// helpers: where the system allows no thread, within loops of loops, and in a forked process, which has none of them.
 class Helpers {
 public:
     void run(Loop& loop, int helpers) {

@@ -5,8 +5,8 @@
 
 namespace rubble {
 
-/// The application object of the editor. Where memory or threads run out in an event, the rest of that event is left out,
-/// and the editor goes on with the next one.
+/// The application object of the editor. Where memory or threads run out in an event, the rest of that event is left
+/// out, and the editor goes on with the next one.
 class Application : public QApplication {
     Q_OBJECT
 public:

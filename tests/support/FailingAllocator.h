@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <new>
 
-// Replaces operator new of a test program, which is to include this once and to be one of those that rubble_tests() lists
-// as ALONE: an allocation fails where FailingAllocation says so.
+// Replaces operator new of a test program, which is to include this once and to be one of those that rubble_tests()
+// lists as ALONE: an allocation fails where FailingAllocation says so.
 
 namespace rubble {
 

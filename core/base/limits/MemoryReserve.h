@@ -2,9 +2,9 @@
 
 namespace rubble {
 
-/// Holds back some address space (a few dozen MiB) which is released when an allocation fails, so that what unwinds, and
-/// libraries that cannot do without memory, find some. Takes no physical memory. Holding it again while it is held, or
-/// where there is no room for it, does nothing.
+/// Holds back some address space (a few dozen MiB) which is released when an allocation fails, so that what unwinds,
+/// and libraries that cannot do without memory, find some. Takes no physical memory. Holding it again while it is held,
+/// or where there is no room for it, does nothing.
 void holdMemoryReserve() noexcept;
 
 /// Releases what is held, if anything; from any thread.

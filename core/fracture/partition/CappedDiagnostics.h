@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-/// How many diagnostics of one code are kept of a fracture, of a bake, or of the problems of an asset. Nobody reads more,
-/// and those of half a million fragments take gigabytes.
+/// How many diagnostics of one code are kept of a fracture, of a bake, or of the problems of an asset. Nobody reads
+/// more, and those of half a million fragments take gigabytes.
 inline constexpr std::size_t kMaxDiagnosticsPerCode = 1000;
 
 /// Collects diagnostics in order: the first kMaxDiagnosticsPerCode of each code; of the others the number.

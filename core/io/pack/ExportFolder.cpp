@@ -148,7 +148,7 @@ Status writeExportedFile(const fs::path& partial, const fs::path& folder, const 
 /// and permissions.
 Status inheritFiles(const fs::path& folder, const struct stat& folderStatus, const fs::path& replacement) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(replacement);
-    if (!entries) return entries.error();
+    if (!entries) return namedAs(folder, replacement, entries.error());
     for (const fs::directory_entry& entry : *entries) {
         const fs::path earlier = folder / entry.path().filename();
         const OpenFile file(entry.path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);

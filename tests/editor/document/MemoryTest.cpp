@@ -25,8 +25,8 @@ Edit edit(const Project& project, quint64 mergeKey = 0) {
     return edit;
 }
 
-/// Calls `act(document)` with each of its allocations failing once; then the project must be the old or the new one, and
-/// undoing must give the old one.
+/// Calls `act(document)` with each of its allocations failing once; then the project must be the old or the new one,
+/// and undoing must give the old one.
 template <class Act>
 void checkEveryAllocation(const Act& act) {
     for (long failing = 1;; ++failing) {

@@ -14,8 +14,8 @@ using namespace rubble;
 
 namespace {
 
-/// Allocations of at least this many bytes fail: what is large in a project. Small ones inside of Qt, and where it cannot
-/// throw, are not tried.
+/// Allocations of at least this many bytes fail: what is large in a project. Small ones inside of Qt, and where it
+/// cannot throw, are not tried.
 constexpr std::size_t kLarge = 4096;
 
 Edit seedEdit(const Document& document, int count) {
@@ -56,7 +56,7 @@ private slots:
                 const FailingAllocation failure(kLarge, failing);
                 QMetaObject::invokeMethod(
                     &window(),
-                    [this, failing] { document().push(seedEdit(document(), 20 + static_cast<int>(failing % 7))); },
+                    [this, failing] { document().push(seedEdit(document(), 2000 + static_cast<int>(failing % 7))); },
                     Qt::QueuedConnection);
                 settle();
             }
