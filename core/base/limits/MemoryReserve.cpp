@@ -33,6 +33,15 @@ void releaseMemoryReserve() noexcept {
 #endif
 }
 
+bool isAddressSpaceLeft([[maybe_unused]] std::size_t bytes) noexcept {
+#ifdef __linux__
+    void* const memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory == MAP_FAILED) return false;
+    munmap(memory, bytes);
+#endif
+    return true;
+}
+
 bool isMemoryReserveHeld() noexcept { return s_reserve.load() != nullptr; }
 
 }  // namespace rubble

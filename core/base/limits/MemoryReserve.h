@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace rubble {
 
 /// Holds back some address space (a few dozen MiB) which is released when an allocation fails, so that what unwinds,
@@ -9,6 +11,9 @@ void holdMemoryReserve() noexcept;
 
 /// Releases what is held, if anything; from any thread.
 void releaseMemoryReserve() noexcept;
+
+/// Whether so many bytes of address space are left: for libraries that crash without.
+bool isAddressSpaceLeft(std::size_t bytes) noexcept;
 
 /// Whether the reserve is held: false from a failed allocation until it is held again.
 bool isMemoryReserveHeld() noexcept;
