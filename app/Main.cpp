@@ -1,12 +1,17 @@
 // The editor: rubble [FILE...]
+#include "core/base/limits/MemoryReserve.h"
 #include "core/io/system/ChildProcess.h"
 #include "editor/document/FilePath.h"
 #include "editor/widgets/Icon.h"
+#include "editor/window/Application.h"
 #include "editor/window/Program.h"
 
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
+#include <QTimer>
+
+#include <cstdio>
+#include <new>
 
 int main(int argumentCount, char** argumentList) {
     rubble::occupyStandardStreams();
@@ -14,7 +19,7 @@ int main(int argumentCount, char** argumentList) {
     QApplication::setApplicationName("Rubble");
     QApplication::setApplicationVersion(RUBBLE_VERSION);
     QApplication::setDesktopFileName("io.github.rubble.Rubble");
-    QApplication application(argumentCount, argumentList);
+    rubble::Application application(argumentCount, argumentList);
     QApplication::setWindowIcon(rubble::iconNamed("rubble"));
 
     QCommandLineParser parser;
@@ -28,6 +33,14 @@ int main(int argumentCount, char** argumentList) {
     parser.process(arguments);  // Qt's own list loses the bytes of paths that are not UTF-8
 
     rubble::Program program;
-    program.start(parser.positionalArguments());
-    return QApplication::exec();
+    // Within the event loop, where the application notices that memory runs out.
+    QTimer::singleShot(0, &program, [&] { program.start(parser.positionalArguments()); });
+    try {
+        return QApplication::exec();
+    } catch (const std::bad_alloc&) {  // outside of any event, so that the loop cannot go on
+        rubble::releaseMemoryReserve();
+        program.backUp();
+        std::fputs("Out of memory. Changes that were not saved are offered as a backup at the next start.\n", stderr);
+        return 1;
+    }
 }

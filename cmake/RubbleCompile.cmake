@@ -47,12 +47,16 @@ if(RUBBLE_SANITIZE_THREADS)
   target_compile_options(rubble_compile INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
   target_link_options(rubble_compile INTERFACE -fsanitize=thread)
 endif()
-# Where the programs take their memory from: docs/adr/0023. Not the tests, whose sanitizers and counts of memory in use
-# know the system's allocator only, nor the importer, whose address space is limited.
-add_library(rubble_allocator INTERFACE)
-if(NOT RUBBLE_SANITIZE AND NOT RUBBLE_SANITIZE_THREADS)
+# Where the programs and the tests take their memory from: docs/adr/0023. Not the importer, whose address space is
+# limited, nor tests that replace the allocator themselves. Sanitizers only know the system's. To be linked by
+# programs directly, since what an object library consists of is passed on to no other.
+if(RUBBLE_SANITIZE OR RUBBLE_SANITIZE_THREADS)
+  add_library(rubble_allocator INTERFACE)
+else()
   find_package(mimalloc REQUIRED)
-  target_link_libraries(rubble_allocator INTERFACE mimalloc)
+  add_library(rubble_allocator OBJECT ${PROJECT_SOURCE_DIR}/app/allocator/OperatorNew.cpp)
+  set_target_properties(rubble_allocator PROPERTIES AUTOMOC OFF)
+  target_link_libraries(rubble_allocator PUBLIC mimalloc PRIVATE rubble_compile INTERFACE rubble_core_base)
 endif()
 # For programs that load graphics drivers.
 add_library(rubble_kept_libraries INTERFACE)

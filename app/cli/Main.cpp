@@ -1,6 +1,7 @@
 #include "app/cli/Cli.h"
 #include "app/cli/console/PrintableBuffer.h"
 #include "app/cli/console/Terminal.h"
+#include "core/base/limits/MemoryReserve.h"
 #include "core/io/system/ChildProcess.h"
 #include "core/io/system/ProgramFolder.h"
 
@@ -10,6 +11,7 @@
 
 int main(int argumentCount, char** arguments) {
     rubble::occupyStandardStreams();
+    rubble::holdMemoryReserve();
     std::ios::sync_with_stdio(false);
     rubble::PrintableBuffer outBuffer(std::cout);
     rubble::PrintableBuffer errBuffer(std::cerr);

@@ -1,5 +1,7 @@
 #include "core/base/ThreadPool.h"
 
+#include "core/base/limits/Spinning.h"
+
 #include <algorithm>
 #include <new>
 #include <system_error>
@@ -8,8 +10,6 @@
 namespace rubble {
 namespace {
 
-/// About ten microseconds: the stages of a step follow each other faster.
-constexpr int kSpins = 4000;
 /// One or two microseconds, within which a spinning worker notices new work.
 constexpr int kWakeSpins = 64;
 /// More than one, so that a late worker leaves less to the others.
@@ -30,12 +30,6 @@ std::uint64_t packed(const Remaining& remaining) {
 Remaining unpacked(std::uint64_t bits) {
     return {static_cast<std::uint32_t>(bits >> (2 * kChunkBits)),
             static_cast<std::uint32_t>(bits >> kChunkBits & kChunkMask), static_cast<std::uint32_t>(bits & kChunkMask)};
-}
-
-void pause() {
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
 }
 
 }  // namespace
@@ -67,7 +61,8 @@ void ThreadPool::runWorker() {
     std::uint32_t seen = 0;
     m_awake.fetch_add(1, std::memory_order_relaxed);
     while (true) {
-        for (int spin = 0; spin < m_spins && m_stage.load(std::memory_order_acquire) == seen; ++spin) pause();
+        for (int spin = 0; spin < m_spins && m_stage.load(std::memory_order_acquire) == seen; ++spin)
+            pauseBetweenLooks();
         if (m_stage.load(std::memory_order_acquire) == seen) {
             m_awake.fetch_sub(1, std::memory_order_relaxed);
             m_stage.wait(seen, std::memory_order_acquire);
@@ -121,7 +116,7 @@ template <class IsDone>
 void ThreadPool::waitUntil(const IsDone& isDone) const {
     for (int spin = 0; !isDone(); ++spin) {
         if (spin < m_spins) {
-            pause();
+            pauseBetweenLooks();
         } else {
             std::this_thread::yield();
         }
@@ -142,7 +137,7 @@ void ThreadPool::waitForAwakeWorkers() const {
     for (int spin = 0;
          spin < std::min(kWakeSpins, m_spins) && isAnyRemaining() && m_awake.load(std::memory_order_relaxed) > 0;
          ++spin)
-        pause();
+        pauseBetweenLooks();
 }
 
 std::size_t ThreadPool::takeRemainingChunks() {

@@ -2,11 +2,16 @@
 
 #include "core/base/HappensBefore.h"
 #include "core/base/Parallel.h"
+#include "core/base/limits/MemoryReserve.h"
+#include "core/base/limits/Threads.h"
 
 #include <QPromise>
 #include <QRunnable>
 
 #include <cmath>
+#include <memory>
+#include <new>
+#include <thread>
 #include <utility>
 
 namespace rubble {
@@ -44,7 +49,6 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
     const auto promise = std::make_shared<QPromise<Call>>();
     promise->setProgressRange(0, kProgressSteps);
     promise->start();
-    m_isRunning = true;
     m_watcher.setFuture(promise->future());  // drops the queued events of the previous function
 
     TaskContext task{.cancel = m_cancel, .threads = availableProcessors()};
@@ -64,10 +68,35 @@ void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> wor
             });
             if (!ended) *delivery = [this] { emit failed(QString::fromStdString(outOfMemory(kDoing).message)); };
             handedOver(this);
-            promise->finish();
+            finishPromise(*promise);
         });
     handedOver(&kStarts);
-    m_thread.start(runnable);
+    m_isRunning = true;
+    try {
+        if (m_thread.activeThreadCount() > 0 || canStartThreads(1)) return m_thread.start(runnable);
+        const std::unique_ptr<QRunnable> here(runnable);  // the pool would wait forever
+        here->run();
+    } catch (const std::bad_alloc&) {
+        m_isRunning = false;
+        throw;
+    }
+}
+
+/// Makes the job's thread call finish(), even where there is no memory for the event that tells it.
+void BackgroundJob::finishPromise(QPromise<Call>& promise) {
+    try {
+        return promise.finish();
+    } catch (const std::bad_alloc&) {
+    }
+    while (true) {
+        releaseMemoryReserve();
+        try {
+            QMetaObject::invokeMethod(this, &BackgroundJob::finish, Qt::QueuedConnection);
+            return;
+        } catch (const std::bad_alloc&) {
+            std::this_thread::yield();
+        }
+    }
 }
 
 void BackgroundJob::finish() {

@@ -4,6 +4,7 @@
 #include "core/base/TaskContext.h"
 
 #include <QFutureWatcher>
+#include <QPromise>
 #include <QThreadPool>
 
 #include <concepts>
@@ -68,6 +69,7 @@ signals:
 private:
     void run(std::function<Call(const TaskContext& task, const Post& post)> work);
     void finish();
+    void finishPromise(QPromise<Call>& promise);
 
     QThreadPool m_thread;  // of one thread
     QFutureWatcher<Call> m_watcher;

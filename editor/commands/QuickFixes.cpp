@@ -66,7 +66,7 @@ void relax(Pattern& pattern, const Project& project, Edit& edit) {
 double limitOfTinyFragments(const Asset& asset, const Bake& baked, SmallPieces small) {
     small.limit = 1.0;
     double limit = 0.0;
-    for (const Diagnostic& problem : problemsOf(asset, baked)) {
+    for (const Diagnostic& problem : problemsOf(asset, baked, {.most = baked.fragmentCount()})) {
         if (problem.code != DiagnosticCode::TinyPiece) continue;
         const Fragment solid = baked.fragment(problem.place.fragment).solid;
         const Partition& pieces = solid.all().partition;

@@ -2,8 +2,11 @@
 
 #include "editor/document/EditFault.h"
 
+#include <QScopeGuard>
 #include <QUndoCommand>
 
+#include <memory>
+#include <new>
 #include <utility>
 
 namespace rubble {
@@ -12,9 +15,24 @@ namespace rubble {
 class Document::Command : public QUndoCommand {
 public:
     Command(Document& document, Edit edit) : QUndoCommand(edit.text), m_document(document), m_edit(std::move(edit)) {}
+    ~Command() override {
+        if (m_document.m_pushed == this) m_document.m_pushed = nullptr;
+    }
 
-    void undo() override { m_document.apply(m_edit, true); }
-    void redo() override { m_document.apply(m_edit, std::exchange(m_wasDone, true)); }
+    void undo() override {
+        m_document.apply(m_edit, true);
+        m_isDone = false;
+    }
+    void redo() override {
+        m_document.apply(m_edit, std::exchange(m_wasDone, true));
+        m_isDone = true;
+    }
+    bool isDone() const { return m_isDone; }
+    /// Undoes it where there may be no memory: receivers are told later.
+    void takeBack() {
+        swapBack(m_document.m_project, m_edit);
+        m_document.m_repeat.start(0);
+    }
 
     int id() const override { return m_edit.mergeKey == 0 ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override {
@@ -28,11 +46,14 @@ public:
 private:
     Document& m_document;
     Edit m_edit;
-    bool m_wasDone = false;
+    bool m_wasDone = false;  // ever
+    bool m_isDone = false;   // now
 };
 
 Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
+    m_repeat.setSingleShot(true);
+    connect(&m_repeat, &QTimer::timeout, this, [this] { emit changed({{}, true}); });
 }
 
 /// The undo stack clears itself when it is destroyed, which must not be reported: what belongs to the document, such as
@@ -45,14 +66,43 @@ bool Document::push(Edit edit) {
         emit refused(QString::fromStdString(*fault));
         return false;
     }
-    m_undoStack.push(new Command(*this, std::move(edit)));
+    m_pushed = new Command(*this, std::move(edit));
+    const auto forget = qScopeGuard([this] { m_pushed = nullptr; });
+    try {
+        m_undoStack.push(m_pushed);
+    } catch (...) {
+        takeBackPushed();
+        throw;
+    }
     return true;
+}
+
+/// Whether the last step, or the last part of the step that pushTogether() is making, is a command.
+bool Document::isLastStep(const Command* command) const {
+    if (m_undoStack.count() == 0) return false;
+    const QUndoCommand* step = m_undoStack.command(m_undoStack.count() - 1);
+    return step == command || (step->childCount() > 0 && step->child(step->childCount() - 1) == command);
+}
+
+/// After an exception: takes back an edit that did not become a step or part of one.
+void Document::takeBackPushed() {
+    if (m_pushed == nullptr || isLastStep(m_pushed)) return;
+    const std::unique_ptr<Command> command(m_pushed);
+    if (command->isDone()) command->takeBack();
 }
 
 void Document::pushTogether(const QString& text, const std::function<void()>& pushes) {
     const int before = m_undoStack.index();
     m_undoStack.beginMacro(text);
-    pushes();
+    try {
+        pushes();
+    } catch (...) {
+        m_undoStack.endMacro();
+        m_undoStack.undo();
+        const_cast<QUndoCommand*>(m_undoStack.command(before))->setObsolete(true);
+        m_undoStack.redo();  // removes it
+        throw;
+    }
     m_undoStack.endMacro();
     auto* step = const_cast<QUndoCommand*>(m_undoStack.command(before));  // Qt lets only its owner make it obsolete
     if (step->childCount() > 0) return;
@@ -92,7 +142,12 @@ void Document::setUnsaved() {
 void Document::apply(Edit& edit, bool isUndoOrRedo) {
     Changes changes = swapInto(m_project, edit);
     changes.isUndoOrRedo = isUndoOrRedo;
-    emit changed(changes);
+    try {
+        emit changed(changes);
+    } catch (const std::bad_alloc&) {  // receivers after the one without memory have missed it
+        m_repeat.start(0);
+        emit memoryRanOut();
+    }
 }
 
 }  // namespace rubble

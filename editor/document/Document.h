@@ -3,6 +3,7 @@
 #include "editor/document/Edit.h"
 
 #include <QObject>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -24,8 +25,11 @@ public:
     /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that
     /// changes nothing adds no step, and merged edits that cancel out leave none. An edit with an editFault() is not
     /// applied: `refused` is emitted, and the result is false.
+    ///
+    /// Errors: throws std::bad_alloc if out of memory; the edit is then done whole, with its undo step, or not at all.
     bool push(Edit edit);
-    /// Makes one undo step of all edits that `pushes` pushes; none if all of them are refused or change nothing.
+    /// Makes one undo step of all edits that `pushes` pushes; none if all of them are refused or change nothing, or if
+    /// one throws.
     void pushTogether(const QString& text, const std::function<void()>& pushes);
     /// A fresh merge key, for the edits of one drag.
     quint64 newMergeKey() { return ++m_lastMergeKey; }
@@ -44,16 +48,22 @@ public:
 signals:
     void changed(const rubble::Changes& changes);
     void modifiedChanged(bool isModified);
+    /// Memory ran out while `changed` was received. It will be emitted again, as a change of everything.
+    void memoryRanOut();
     /// An edit was not applied; the sentence says why.
     void refused(const QString& sentence);
 
 private:
     class Command;
     void apply(Edit& edit, bool isUndoOrRedo);
+    bool isLastStep(const Command* command) const;
+    void takeBackPushed();
     void clear(Project project);
 
     Project m_project;
     QUndoStack m_undoStack;
+    Command* m_pushed = nullptr;  // while it is pushed; null once it is deleted
+    QTimer m_repeat;              // tells again what receivers had no memory for
     quint64 m_lastMergeKey = 0;
     bool m_isUnsaved = false;
 };

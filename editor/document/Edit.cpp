@@ -36,6 +36,14 @@ auto positionOf(List& list, Id id) {
     return std::ranges::lower_bound(list, id, {}, [](const auto& element) { return element.id; });
 }
 
+/// Makes room for `count` elements of the kind of a swap, so that adding them cannot fail.
+template <class Value>
+void reserveFor(Project& project, const Swap<Value>& swap, std::size_t count) {
+    auto& list = project.*kElementList<Value>.list;
+    if (swap.value && list.capacity() < list.size() + count) list.reserve(2 * list.size() + count);
+}
+void reserveFor(Project&, const SceneSettings&, std::size_t) {}
+
 template <class Value>
 Change exchange(Project& project, Swap<Value>& swap) {
     auto& list = project.*kElementList<Value>.list;
@@ -106,14 +114,23 @@ Id Edit::allocateId(const Project& project) {
 
 Changes swapInto(Project& project, Edit& edit) {
     Changes changes;
-    for (AnySwap& swap : edit.swaps) {
+    changes.list.reserve(edit.swaps.size());
+    for (const AnySwap& swap : edit.swaps)
+        std::visit([&](const auto& values) { reserveFor(project, values, edit.swaps.size()); }, swap);
+    for (AnySwap& swap : edit.swaps) {  // cannot fail from here
         changes.list.push_back(std::visit([&](auto& values) { return exchange(project, values); }, swap));
     }
     if (edit.nextId) std::swap(project.nextId, *edit.nextId);
     return changes;
 }
 
+void swapBack(Project& project, Edit& edit) {
+    for (AnySwap& swap : edit.swaps) std::visit([&](auto& values) { exchange(project, values); }, swap);
+    if (edit.nextId) std::swap(project.nextId, *edit.nextId);
+}
+
 void merge(Edit& earlier, Edit&& later) {
+    earlier.swaps.reserve(earlier.swaps.size() + later.swaps.size());  // all or nothing where memory runs out
     for (AnySwap& swap : later.swaps) {
         const auto isSameElement = [&](const AnySwap& other) { return areOfSameElement(swap, other); };
         if (std::ranges::none_of(earlier.swaps, isSameElement)) earlier.swaps.push_back(std::move(swap));

@@ -66,6 +66,9 @@ struct Edit {
 /// Swaps the edit's values with the project's and returns the changes.
 Changes swapInto(Project& project, Edit& edit);
 
+/// Takes back swapInto(), right after it; needs no memory.
+void swapBack(Project& project, Edit& edit);
+
 /// Merges `later` into `earlier`. Both are applied already, in this order.
 void merge(Edit& earlier, Edit&& later);
 

@@ -6,6 +6,8 @@
 #include "core/asset/project/Names.h"
 #include "core/asset/project/SurfaceFault.h"
 
+#include <QScopeGuard>
+
 #include <map>
 
 namespace rubble {
@@ -75,8 +77,11 @@ Faults faultsOf(const Project& project, const Edit& edit) {
 
 std::optional<std::string> editFault(Project& project, Edit& edit) {
     swapInto(project, edit);
-    const Faults after = faultsOf(project, edit);
-    swapInto(project, edit);
+    Faults after;
+    {
+        const auto back = qScopeGuard([&] { swapBack(project, edit); });  // also where memory runs out
+        after = faultsOf(project, edit);
+    }
     if (after.empty()) return std::nullopt;
     const Faults before = faultsOf(project, edit);
     for (const auto& [element, fault] : after) {

@@ -21,6 +21,8 @@ void Messages::setOfBake(Id asset, std::vector<Message> messages) { replace(asse
 void Messages::setOfScene(std::vector<Message> messages) { replace(kSceneTopic, std::move(messages)); }
 
 void Messages::replace(Id topic, std::vector<Message> messages) {
+    m_list.reserve(m_list.size() + messages.size());  // all or nothing where memory runs out
+    m_topics.reserve(m_topics.size() + messages.size());
     std::size_t kept = 0;
     for (std::size_t k = 0; k < m_list.size(); ++k) {
         if (m_topics[k] == topic) continue;

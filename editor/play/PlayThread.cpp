@@ -1,6 +1,7 @@
 #include "editor/play/PlayThread.h"
 
 #include "core/base/OutOfMemory.h"
+#include "core/base/limits/Threads.h"
 
 #include <chrono>
 #include <utility>
@@ -33,7 +34,7 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
 
 }  // namespace
 
-PlayThread::PlayThread(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
+PlayThread::PlayThread(QObject* parent) : QObject(parent) {}
 
 PlayThread::~PlayThread() {
     {
@@ -42,7 +43,7 @@ PlayThread::~PlayThread() {
         cancelAll();
     }
     m_wake.notify_all();
-    m_thread.join();
+    if (m_thread.joinable()) m_thread.join();  // it uses the other members
 }
 
 void PlayThread::cancelAll() {
@@ -50,11 +51,20 @@ void PlayThread::cancelAll() {
     m_cancelSeek.cancel();
 }
 
+/// Emits `failed` once the caller has returned to the event loop.
+void PlayThread::failLater(const Error& error) {
+    QMetaObject::invokeMethod(
+        this, [this, sentence = QString::fromStdString(error.message)] { emit failed(sentence); },
+        Qt::QueuedConnection);
+}
+
 /// Replaces the engine by another, or by none.
 void PlayThread::restartWith(EngineFactory factory) {
     const std::lock_guard lock(m_mutex);
+    if (factory && !m_thread.joinable()) m_thread = startedThread([this] { run(); });
+    if (factory && !m_thread.joinable()) return failLater(outOfThreads("starting the simulation"));
     cancelAll();
-    m_isStopping = true;
+    m_isStopping = m_thread.joinable();
     m_isStarted = factory != nullptr;
     m_factory = std::move(factory);
     m_tasks.clear();

@@ -59,6 +59,7 @@ signals:
 
 private:
     void cancelAll();
+    void failLater(const Error& error);
     void restartWith(EngineFactory factory);
     void run();
     bool isWorkWaiting() const;
@@ -93,7 +94,7 @@ private:
     bool m_isUpdateSignalled = false;
 
     std::unique_ptr<PlayEngine> m_engine;  // used on the thread only
-    std::thread m_thread;
+    std::jthread m_thread;                 // started with the first engine
 };
 
 }  // namespace rubble

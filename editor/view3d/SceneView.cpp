@@ -1,5 +1,6 @@
 #include "editor/view3d/SceneView.h"
 
+#include "core/base/OutOfMemory.h"
 #include "editor/view3d/ExplodeSlider.h"
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneLegend.h"
@@ -259,8 +260,16 @@ void SceneView::update() {
     if (m_workspace.play().frame()) return m_legend->setContent({});
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
     m_options.marks = m_picker->marks();
-    m_viewport->setScene(std::make_shared<const RenderScene>(
-        m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options)));
+    const Status shown = orOutOfMemory("drawing the fragments", [this]() -> Status {
+        m_viewport->setScene(std::make_shared<const RenderScene>(
+            m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options)));
+        return success();
+    });
+    if (!shown) {
+        m_viewport->setScene(std::make_shared<const RenderScene>());
+        m_builder = {};  // what it keeps of the assets
+        emit failed(QString::fromStdString(shown.error().message));
+    }
     m_legend->setContent({m_options.colouring, m_viewport->scene().colourRange, m_viewport->scene().largestBondArea});
 }
 

@@ -49,6 +49,10 @@ public:
     /// Visible while in play.
     TimelinePanel& timeline() { return *m_timeline; }
 
+signals:
+    /// The scene cannot be shown; the sentence says why.
+    void failed(const QString& sentence);
+
 protected:
     void changeEvent(QEvent* event) override;
 

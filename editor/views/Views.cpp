@@ -120,6 +120,7 @@ void Views::connectViews() {
     connect(&m_workspace.bakes(), &Bakes::changed, this, &Views::updateBakeMessages);
     connect(&m_workspace.play(), &PlayController::stateChanged, this, &Views::updatePlayState);
     connect(&m_workspace.file(), &DocumentFile::noted, this, &Views::addNotes);
+    connect(m_scene, &SceneView::failed, this, &Views::showRefusal);
 }
 
 void Views::addDocks() {
@@ -173,9 +174,9 @@ void Views::addProblemDock() {
     connect(m_problems, &ProblemPanel::jumpRequested, this, qOverload<const Diagnostic&>(&Views::reveal));
 }
 
-/// Shows in the status bar and in Messages, where it stays, why an edit was refused.
 void Views::showRefusal(const QString& sentence) {
-    m_messages.add({.severity = Severity::Warning, .text = sentence});
+    const bool isRepeated = !m_messages.list().empty() && m_messages.list().back().text == sentence;
+    if (!isRepeated) m_messages.add({.severity = Severity::Warning, .text = sentence});
     emit statusMessage(sentence);
 }
 

@@ -52,6 +52,8 @@ public:
     bool isProjectShown() const { return m_isProjectShown; }
     /// Shows a sentence in the status bar for some seconds.
     void showStatus(const QString& sentence) { emit statusMessage(sentence); }
+    /// Shows in the status bar and in Messages, where it stays, why something was not done.
+    void showRefusal(const QString& sentence);
     /// Adds messages about what was left out of the project when it was read, and shows the first in the status bar.
     void addNotes(const std::vector<Diagnostic>& notes);
 
@@ -101,7 +103,6 @@ private:
     void updateBakeMessages(Id asset);
     void showOutlineTool();
     void focusUnderPointer(QWidget& view) const;
-    void showRefusal(const QString& sentence);
     void updatePlayState();
     void reveal(const Message& message);
     void reveal(const Diagnostic& problem);

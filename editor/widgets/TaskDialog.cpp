@@ -53,7 +53,12 @@ void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task)
     const std::unique_ptr<QThread> thread(QThread::create([&] { task(context); }));
     connect(thread.get(), &QThread::finished, &loop, &QEventLoop::quit);
     thread->start();
-    loop.exec();
+    const bool hasStarted = thread->isRunning() || thread->isFinished();
+    if (hasStarted) {
+        loop.exec();
+    } else {
+        task(context);  // the system allows no more threads
+    }
     thread->wait();
     hide();
 }

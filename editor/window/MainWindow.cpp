@@ -194,6 +194,10 @@ void MainWindow::restoreWindow() {
 
 void MainWindow::connectWorkspace() {
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(&m_workspace.document(), &Document::memoryRanOut, this, [] {
+        if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
+            application->noteOutOfMemory();
+    });
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &MainWindow::updateTitle);
     connect(&m_workspace.autosave(), &Autosave::failed, this, &MainWindow::showStatus);
     connect(&m_workspace.baker(), &Baker::progressed, this, &MainWindow::updateBakeProgress);

@@ -11,6 +11,7 @@
 #include "editor/document/Translations.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Theme.h"
+#include "editor/window/Application.h"
 #include "editor/window/MainWindow.h"
 
 #include <QApplication>
@@ -57,11 +58,23 @@ Program::Program(QObject* parent) : QObject(parent), m_theme(m_preferences.prefe
     installTranslations();
     applyTheme(m_theme);
     connect(&m_preferences, &PreferenceStore::changed, this, &Program::applyPreferences);
+    if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
+        connect(application, &Application::ranOut, this, &Program::tellRanOut);
 }
 
 void Program::applyPreferences() {
     const ColourScheme theme = m_preferences.preferences().theme;
     if (std::exchange(m_theme, theme) != theme) applyTheme(theme);
+}
+
+void Program::backUp() {
+    for (MainWindow* window : windows()) window->workspace().autosave().writeNow();
+}
+
+/// Memory or threads have run out: backs up what could be lost, and says so in every window.
+void Program::tellRanOut(const QString& sentence) {
+    backUp();
+    for (MainWindow* window : windows()) window->views().showRefusal(sentence);
 }
 
 void Program::start(const QStringList& files) {

@@ -34,10 +34,13 @@ public:
     MainWindow* openCopy(const QString& path, MainWindow* from = nullptr);
     /// Closes all windows, until the user cancels.
     void quit();
+    /// Writes a backup of each project with changes that are not backed up yet.
+    void backUp();
 
 private:
     MainWindow* createWindow(Project project);
     void applyPreferences();
+    void tellRanOut(const QString& sentence);
     void offerBackups();
     void offerForeignBackup(Backup& backup);
     void restoreBackup(const Backup& backup);

@@ -81,6 +81,7 @@ class FaultTest : public QObject {
                 QVERIFY2(visibleOf(state) == (isInPlace ? after : before), where);
                 QVERIFY2((outcome.exit == 0) == outcome.error.isEmpty(), where);
                 QVERIFY2(outcome.exit == 0 || outcome.error.trimmed().endsWith('.'), where + outcome.error.toUtf8());
+                QVERIFY2(!outcome.error.contains(".rubble-"), where + ": " + outcome.error.toUtf8());
             }
             // The next run succeeds where the first left the old state, and leaves nothing else.
             if (visibleOf(state) == after) continue;
@@ -111,6 +112,11 @@ private slots:
                                                                             "wall.rubble")}};
         checkEveryCall({"import", RUBBLE_SOURCE_DIR "/tests/data/meshes/pair.glb", "--into", "{folder}/wall.rubble"},
                        before, code, Renames::All);
+        const QString project = m_place.filePath("recorded.rubble");
+        QFile::remove(project);
+        QCOMPARE(runProgram(RUBBLE_CLI, {"new", project}).exit, 0);
+        checkEveryCall({"simulate", project, "--steps", "3", "--record", "{folder}/wall.replay"}, {}, code,
+                       Renames::All);
     }
     void packIsOldOrNew_data() {
         QTest::addColumn<int>("code");
@@ -138,6 +144,24 @@ private slots:
         FileTree before = fileTree(m_folder);
         before["wall/wall.glb.import"] = "of an engine";
         checkEveryCall(exported("obj"), before, code, renames);
+    }
+    void newFoldersAreFlushed() {
+        const QString project = m_place.filePath("deep.rubble");
+        QFile::remove(project);
+        QCOMPARE(runProgram(RUBBLE_CLI, {"new", project}).exit, 0);
+        replaceFileTree(m_folder, {});
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        const QString log = m_place.filePath("deep-log");
+        environment.insert("RUBBLE_FAULT_LOG", log);
+        const Fault none{.folder = m_folder, .report = m_report, .call = -1};
+        const QStringList command{"export", project, "--out", "{folder}/out/deep", "--threads", "1"};
+        QCOMPARE(runWithFault(RUBBLE_CLI, inFolder(command), RUBBLE_FAULTS, none, environment).outcome.exit, 0);
+        const QStringList calls = QString::fromUtf8(bytesOfFile(log)).split('\n');
+        for (const char* made : {"/out", "/out/deep"}) {
+            const QString parent = QFileInfo(m_folder + made).path();
+            const qsizetype at = calls.indexOf("mkdir " + m_folder + made);
+            QVERIFY2(at >= 0 && calls.indexOf("fsync " + parent, at) > at, qPrintable(calls.join('\n')));
+        }
     }
     void packIsFlushedBeforeItGetsItsName_data() {
         QTest::addColumn<bool>("hasFlags");

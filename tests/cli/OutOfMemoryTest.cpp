@@ -25,24 +25,33 @@ class OutOfMemoryTest : public QObject {
 private slots:
     void verbsEndWithASentence_data() {
         QTest::addColumn<QString>("verb");
+        QTest::addColumn<int>("count");
         QTest::addColumn<QStringList>("options");
-        QTest::newRow("export") << "export" << QStringList{"{project}", "--out", "{folder}/packs", "--threads", "2"};
-        QTest::newRow("draw") << "draw" << QStringList{"{project}", "--out", "{folder}/wall.svg"};
-        QTest::newRow("check") << "check" << QStringList{"{project}"};
+        // Many fragments fail at a large block, few at a small one.
+        constexpr int kMany = 800'000, kFew = 120'000;
+        QTest::newRow("simulate") << "simulate" << kMany << QStringList{"{project}", "--steps", "1"};
+        QTest::newRow("simulate few") << "simulate" << kFew << QStringList{"{project}", "--steps", "1"};
+        QTest::newRow("audit few") << "audit" << kFew << QStringList{"{project}"};
+        QTest::newRow("export few") << "export" << kFew << QStringList{"{project}", "--out", "{folder}/packs"};
+        QTest::newRow("export") << "export" << kMany
+                                << QStringList{"{project}", "--out", "{folder}/packs", "--threads", "2"};
+        QTest::newRow("draw") << "draw" << kMany << QStringList{"{project}", "--out", "{folder}/wall.svg"};
+        QTest::newRow("check") << "check" << kMany << QStringList{"{project}"};
     }
     void verbsEndWithASentence() {
 #ifdef __SANITIZE_ADDRESS__
         QSKIP("AddressSanitizer reserves terabytes of address space.");
 #endif
         QFETCH(QString, verb);
+        QFETCH(int, count);
         QFETCH(QStringList, options);
         QTemporaryDir place;
         const QString file = place.filePath("wall.rubble");
-        QVERIFY(saveProject(file.toStdString(), boxProject(UniformScatter{.count = 2'000'000})));
         for (QString& option : options) {
             if (option == "{project}") option = file;
             option.replace("{folder}", place.path());
         }
+        QVERIFY(saveProject(file.toStdString(), boxProject(UniformScatter{.count = count})));
         const ProgramOutcome ended = runWithin(250, QStringList{verb} + options);
         QCOMPARE(ended.error, "Out of memory while running rubble-cli " + verb +
                                   "; use fewer fragments, or close other programs.\n");

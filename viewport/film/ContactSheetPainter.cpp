@@ -1,6 +1,7 @@
 #include "viewport/film/ContactSheetPainter.h"
 
 #include "core/base/OutOfMemory.h"
+#include "core/base/limits/Threads.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include <cmath>
@@ -146,12 +147,14 @@ Status drawContactSheet(const SheetRequest& request, const SheetStyle& style,
     if (!painter) return painter.error();
     EntryQueue queue;
     TaskContext making{.cancel = task.cancel, .progress = {}, .threads = task.threads};
-    std::jthread generator([&] {
+    const auto make = [&] {
         queue.end(orOutOfMemory("making the contact sheet", [&] {
             return makeContactSheet(
                 request, [&](SheetEntry entry) { queue.push(std::move(entry)); }, making);
         }));
-    });
+    };
+    const std::jthread generator = startedThread(make);
+    if (!generator.joinable()) make();  // one after the other
     Status drawn = success();
     std::size_t done = 0;
     while (std::optional<SheetEntry> entry = queue.next()) {

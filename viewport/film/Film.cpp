@@ -76,7 +76,7 @@ Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, co
     const auto folder = TemporaryFolder::create(film.parent_path());
     if (!folder) return folder.error();
     const fs::path pictures = (*folder)->path() / "pictures";  // the folder itself is locked already
-    const auto sequence = PictureSequence::create(pictures);
+    const auto sequence = PictureSequence::create(pictures, film);
     if (!sequence) return sequence.error();
     const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
     return rendered ? encodeFilm(pictures, plan.frameRate, film, task) : rendered;

@@ -1,5 +1,10 @@
 #include "viewport/render/SurfacelessContext.h"
 
+#include "core/base/OutOfMemory.h"
+#include "core/base/Parallel.h"
+#include "core/base/limits/MemoryReserve.h"
+#include "core/base/limits/Threads.h"
+
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 
@@ -22,8 +27,17 @@ Error noContext(const std::string& reason) {
     return {ErrorCode::Unsupported, "This machine has no OpenGL 3.3 to render images with: " + reason + "."};
 }
 
+/// What Mesa starts besides one thread for each processor: its queues.
+constexpr int kFurtherThreads = 4;
+/// What Mesa's software renderer takes for a picture and its compiled shaders, and more, bytes.
+constexpr std::size_t kAddressSpace = std::size_t{768} << 20;
+
 /// EGL's only display without a screen. It is never terminated: that would end the contexts of other threads.
 Result<EGLDisplay> initializedDisplay() {
+    // Check first: Mesa's software renderer waits forever for threads that cannot be started.
+    if (!canStartThreads(availableProcessors() + kFurtherThreads)) return outOfThreads("rendering images");
+    // Likewise, it crashes where it gets no memory.
+    if (!isAddressSpaceLeft(kAddressSpace)) return outOfMemory("rendering images");
     // Check first: epoxy aborts the program if the library or a function is missing.
     if (dlopen("libEGL.so.1", RTLD_LAZY) == nullptr) return noContext("libEGL.so.1 is not installed");
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") ||

@@ -3,7 +3,6 @@
 #include "core/base/MessageText.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/StreamReading.h"
-#include "core/io/system/Temporary.h"
 
 #include <ostream>
 
@@ -15,10 +14,7 @@ Result<std::string> readInput(const std::string& path, const CliContext& context
 }
 
 Status writeOutput(const std::string& path, std::string_view text, const CliContext& context) {
-    if (path != "-") {
-        removeLeftovers(linkTarget(path).parent_path());
-        return writeFileOrStream(path, text);
-    }
+    if (path != "-") return writeFileOrStream(path, text);
     context.out << text << std::flush;
     if (!context.out) return Error{ErrorCode::Io, "Standard output cannot be written. Is the disk full?"};
     return success();

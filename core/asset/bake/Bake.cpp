@@ -7,6 +7,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pattern/PieceEstimate.h"
 
 #include <algorithm>
@@ -38,10 +39,13 @@ Diagnostic located(Diagnostic one, const Seeds& seeds, std::uint32_t parent, con
 }
 
 /// Appends the fracture of a fragment (kNone: of the whole).
-void append(FractureResult&& fracture, std::uint32_t parent, Bake& bake) {
+void append(FractureResult&& fracture, std::uint32_t parent, Bake& bake, CappedDiagnostics& diagnostics) {
     for (std::vector<Diagnostic>* list : {&fracture.seeds.diagnostics, &fracture.fragments.diagnostics}) {
-        for (Diagnostic& one : *list) bake.diagnostics.push_back(located(std::move(one), fracture.seeds, parent, bake));
-        list->clear();
+        for (Diagnostic& one : *list) {
+            const DiagnosticCode code = one.code;
+            diagnostics.add(code, [&] { return located(std::move(one), fracture.seeds, parent, bake); });
+        }
+        *list = {};
     }
     std::uint32_t level = 0;
     if (parent != kNone) {
@@ -78,7 +82,9 @@ Status checkSize(const LevelWork& work, const Bake& bake) {
     BakeEstimate estimate{static_cast<double>(bake.fragmentCount()), static_cast<double>(bake.fractures.size())};
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         const Fragment solid = bake.fragment(work.parents[k]).solid;
-        estimate.fragments += estimatedPieces(work.levels[k]->pattern, solid.volume() / solid.depth());
+        const double pieces = estimatedPieces(work.levels[k]->pattern, solid.volume() / solid.depth());
+        estimate.fragments += pieces;
+        estimate.largest = std::max(estimate.largest, pieces);
         estimate.fractures += 1.0;
     }
     if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
@@ -98,7 +104,8 @@ void fracture(const Asset& asset, const Bake& bake, const TaskContext& task, Lev
 }
 
 /// Fractures the fragments of a level, from `first` on. One that would give a single piece stays as it is.
-Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake) {
+Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake,
+                   CappedDiagnostics& diagnostics) {
     LevelWork work = levelWork(asset, level, first, bake);
     if (const Status checked = checkSize(work, bake); !checked) return checked;
     fracture(asset, bake, task, work);
@@ -111,7 +118,7 @@ Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first,
             return Error{fracture.error().code,
                          "Fragment " + bake.fragmentId(parent) + ": " + fracture.error().message};
         }
-        if (fracture->fragments.count() > 1) append(std::move(*fracture), parent, bake);
+        if (fracture->fragments.count() > 1) append(std::move(*fracture), parent, bake, diagnostics);
     }
     return success();
 }
@@ -208,16 +215,18 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     Result<std::vector<Polytope>> hulls = prismHulls(first->prism, Vec2{result.whole.centre});
     if (!hulls) return ofAsset(asset, hulls.error());
     result.wholeHulls = std::move(*hulls);
-    append(std::move(*first), kNone, result);
+    CappedDiagnostics diagnostics;
+    append(std::move(*first), kNone, result, diagnostics);
 
     std::uint32_t begin = 0;
     for (std::uint32_t level = 0; level < levels; ++level) {
         task.report(static_cast<double>(level + 1) / static_cast<double>(levels + 1));
         const std::uint32_t end = result.fragmentCount();
-        const Status appended = appendLevel(asset, level, begin, task, result);
+        const Status appended = appendLevel(asset, level, begin, task, result, diagnostics);
         if (!appended) return ofAsset(asset, appended.error());
         begin = end;
     }
+    result.diagnostics = std::move(diagnostics).list({.asset = asset.id});
     reportLost(asset, result);
     task.report(1.0);
     return result;

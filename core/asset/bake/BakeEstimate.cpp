@@ -13,6 +13,10 @@ namespace {
 // Measured: 10 million fragments of one fracture, and 8,000 fractures into two.
 constexpr double kBytesPerFragment = 260.0;
 constexpr double kBytesPerFracture = 4000.0;
+// Measured at the peak, beyond what is kept: 10,000 to 200,000 fragments of one and of several fractures.
+constexpr double kBakeBytesPerFragment = 770.0;  // of the largest fracture
+constexpr double kExportBytesPerFragment = 9000.0;
+constexpr double kPlayBytesPerFragment = 4400.0;
 
 std::string estimateText(double number) {
     return number < 1e15 ? messageText(std::round(number)) : "more than " + messageText(1e15);
@@ -25,13 +29,22 @@ std::string gigabytes(double bytes) {
 
 }  // namespace
 
-double BakeEstimate::bytes() const { return kBytesPerFragment * fragments + kBytesPerFracture * fractures; }
+double BakeEstimate::bytes(MemoryStage stage) const {
+    const double kept = kBytesPerFragment * fragments + kBytesPerFracture * fractures;
+    switch (stage) {
+        case MemoryStage::Kept: break;
+        case MemoryStage::Bake: return kept + kBakeBytesPerFragment * largest;
+        case MemoryStage::Export: return kept + kExportBytesPerFragment * fragments;
+        case MemoryStage::Play: return kept + kPlayBytesPerFragment * fragments;
+    }
+    return kept;
+}
 
 BakeEstimate estimateOf(const Asset& asset) {
     const double whole = std::abs(area(asset.prism.outline));
     const double volume = whole * asset.prism.depth;
     double count = estimatedPieces(asset.pattern, whole);
-    BakeEstimate estimate{count, 1.0};
+    BakeEstimate estimate{count, 1.0, count};
     for (const Level& level : asset.levels) {
         // No more fragments than this have the minimum volume.
         const double most = level.minimumVolume > 0.0 ? volume / level.minimumVolume : count;
@@ -42,15 +55,25 @@ BakeEstimate estimateOf(const Asset& asset) {
         count = parents * each;
         estimate.fragments += count;
         estimate.fractures += parents;
+        estimate.largest = std::max(estimate.largest, each);
     }
     return estimate;
 }
 
 std::optional<std::string> sizeFault(const BakeEstimate& estimate) {
-    if (estimate.bytes() <= kMaxBakeBytes) return std::nullopt;  // false for NaN
-    return "about " + estimateText(estimate.fragments) + " fragments would take " + gigabytes(estimate.bytes()) +
+    const double bytes = estimate.bytes(MemoryStage::Bake);
+    if (bytes <= kMaxBakeBytes) return std::nullopt;  // false for NaN
+    return "about " + estimateText(estimate.fragments) + " fragments would take " + gigabytes(bytes) +
            " of memory; at most " + gigabytes(kMaxBakeBytes) +
            " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
+}
+
+std::optional<std::string> stageFault(const BakeEstimate& estimate, MemoryStage stage) {
+    const double bytes = estimate.bytes(stage);
+    if (bytes <= kMaxTotalBakeBytes) return std::nullopt;  // false for NaN
+    return std::string(stage == MemoryStage::Export ? "exporting" : "simulating") + " about " +
+           estimateText(estimate.fragments) + " fragments would take " + gigabytes(bytes) + " of memory; at most " +
+           gigabytes(kMaxTotalBakeBytes) + " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
 }
 
 std::optional<std::string> totalSizeFault(std::size_t bakes, double bytes) {

@@ -85,7 +85,8 @@ double gapOf(const Recipe& recipe) { return std::max(recipe.shaping.gap, jointWi
 Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const TaskContext& task) {
     Result<Prism> valid = validated(std::move(prism));
     if (!valid) return valid.error();
-    const BakeEstimate estimate{estimatedPieces(recipe.pattern, area(valid->outline)), 1.0};
+    const double pieces = estimatedPieces(recipe.pattern, area(valid->outline));
+    const BakeEstimate estimate{pieces, 1.0, pieces};
     if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
     return cutInPlane(recipe, std::move(*valid), task);
 }

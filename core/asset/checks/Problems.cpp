@@ -10,6 +10,7 @@
 #include "core/geometry/polygon/PolygonFaults.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <iterator>
 #include <limits>
@@ -25,20 +26,32 @@ std::string rounded(double value) { return roundedText(value, kDigits); }
 class BakeProblems {
 public:
     BakeProblems(const Asset& asset, const Bake& bake, const ProblemLimits& limits)
-        : m_asset(asset), m_bake(bake), m_limits(limits), m_hasGap(gapOf(recipeOf(asset)) > 0.0) {}
+        : m_asset(asset),
+          m_bake(bake),
+          m_limits(limits),
+          m_hasGap(gapOf(recipeOf(asset)) > 0.0),
+          m_problems(limits.most) {}
 
     std::vector<Diagnostic> found(int threads) {
         for (const Diagnostic& one : m_bake.diagnostics) add(one);
         const std::vector<SeedId> seeds = rootSeeds();
         for (const BakedFracture& fracture : m_bake.fractures) addPieces(fracture, seeds, threads);
-        std::ranges::stable_sort(m_problems, {}, &Diagnostic::code);
-        return std::move(m_problems);
+        std::vector<Diagnostic> problems = std::move(m_problems).list({.asset = m_asset.id});
+        std::ranges::stable_sort(problems, {}, &Diagnostic::code);
+        return problems;
     }
     /// The number of diagnostics and fragments visited by found().
     std::size_t visited() const { return m_visited; }
 
 private:
-    static constexpr std::size_t kBlock = 128;  // pieces per task
+    static constexpr std::size_t kBlock = 128;         // pieces per task
+    static constexpr std::size_t kBlocksAtOnce = 256;  // after which problems that would be too many are only counted
+
+    /// The problems of some pieces: those of a code that has no room left are only counted.
+    struct Part {
+        std::vector<Diagnostic> made;
+        std::array<std::size_t, kDiagnosticCodes> unmade{};
+    };
 
     Fragment fragmentOf(const BakedFracture& fracture, std::uint32_t k) const {
         ++m_visited;
@@ -51,7 +64,7 @@ private:
         if (one.severity == Severity::Note && !isGap) return;
         Diagnostic problem = one;
         if (problem.place.level > 0) problem.place.index = kNone;
-        m_problems.push_back(std::move(problem));
+        m_problems.add(std::move(problem));
     }
 
     /// The seed of the asset's own pattern that each fragment comes from.
@@ -73,21 +86,32 @@ private:
         double volume = 0.0;
         for (std::uint32_t k = 0; k < count; ++k) volume += fragmentOf(fracture, k).volume();
         const double least = m_limits.meanShare * volume / count;
-        std::vector<std::vector<Diagnostic>> parts((count + kBlock - 1) / kBlock);
-        forEachIndex(parts.size(), threads, [&](std::size_t part) {
-            const IndexRange range = chunkRange(count, part, parts.size());
-            for (std::size_t k = range.begin; k < range.end; ++k) {
-                const auto piece = static_cast<std::uint32_t>(k);
-                addPiece(fracture, piece, seeds[fracture.first + piece], least, parts[part]);
+        const std::size_t blocks = (count + kBlock - 1) / kBlock;
+        for (std::size_t first = 0; first < blocks; first += kBlocksAtOnce) {
+            std::vector<Part> parts(std::min(kBlocksAtOnce, blocks - first));
+            forEachIndex(parts.size(), threads, [&](std::size_t part) {
+                const IndexRange range = chunkRange(count, first + part, blocks);
+                for (std::size_t k = range.begin; k < range.end; ++k) {
+                    const auto piece = static_cast<std::uint32_t>(k);
+                    addPiece(fracture, piece, seeds[fracture.first + piece], least, parts[part]);
+                }
+            });
+            for (Part& part : parts) {
+                for (Diagnostic& one : part.made) m_problems.add(std::move(one));
+                for (std::size_t code = 0; code < part.unmade.size(); ++code)
+                    m_problems.addUnmade(static_cast<DiagnosticCode>(code), part.unmade[code]);
             }
-        });
-        for (std::vector<Diagnostic>& part : parts) std::ranges::move(part, std::back_inserter(m_problems));
+        }
     }
 
     void addPiece(const BakedFracture& fracture, std::uint32_t piece, SeedId seed, double leastVolume,
-                  std::vector<Diagnostic>& problems) const {
+                  Part& problems) const {
         const Fragment solid = fragmentOf(fracture, piece);
         const auto add = [&](DiagnosticCode code, double value, double limit, const std::string& text) {
+            if (!m_problems.hasRoom(code)) {
+                ++problems.unmade[static_cast<std::size_t>(code)];
+                return;
+            }
             const std::uint32_t fragment = fracture.first + piece;
             const std::string id = m_bake.fragmentId(fragment);
             const Vec2 offset{solid.offset()};
@@ -100,7 +124,7 @@ private:
                 place.layer = seed.layer;
                 place.index = seed.index;
             }
-            problems.push_back(diagnostic(code, std::move(place), "Fragment " + id + " " + text, value, limit));
+            problems.made.push_back(diagnostic(code, std::move(place), "Fragment " + id + " " + text, value, limit));
         };
         const double aspect = aspectRatio(solid.outline());
         if (aspect > m_limits.aspect) {
@@ -126,7 +150,7 @@ private:
     const Bake& m_bake;
     const ProblemLimits& m_limits;
     const bool m_hasGap;  // that was asked for
-    std::vector<Diagnostic> m_problems;
+    CappedDiagnostics m_problems;
     mutable std::atomic<std::size_t> m_visited = 0;  // by all threads
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
+#include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pieces/PieceGap.h"
 #include "core/fracture/pieces/PieceWidth.h"
 #include "core/fracture/pieces/StrictConvexity.h"
@@ -74,8 +75,11 @@ public:
     Fragments result() && {
         m_all.diagnostics = std::move(m_all.partition.diagnostics);
         if (hasGap()) reportGap();
-        for (const MassTransfer& transfer : m_all.massTransfers)
-            m_all.diagnostics.push_back(massTransferReport(m_all.partition, transfer));
+        CappedDiagnostics transfers;
+        for (const MassTransfer& transfer : m_all.massTransfers) {
+            transfers.add(DiagnosticCode::ThinPiece, [&] { return massTransferReport(m_all.partition, transfer); });
+        }
+        std::ranges::move(std::move(transfers).list(), std::back_inserter(m_all.diagnostics));
         for (std::uint32_t fragment = 0; fragment < m_all.count() && !m_all.massTransfers.empty(); ++fragment) {
             const std::uint32_t piece = m_all.pieceOfFragment[fragment];
             if (!m_all.records[piece].receivesMass) continue;
@@ -92,12 +96,14 @@ private:
     void reportGap() {
         m_all.diagnostics.insert(m_all.diagnostics.end(), m_all.shrunk->diagnostics.begin(),
                                  m_all.shrunk->diagnostics.end());
+        CappedDiagnostics vanished;
         for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
             const double whole = pieceArea(m_all.partition, piece);
             m_all.gapArea += whole - (m_isThin[piece] ? 0.0 : m_all.records[piece].moments.area);
             if (!m_isThin[piece] || m_all.shrunk->isEmpty(piece)) continue;
-            m_all.diagnostics.push_back(vanishedReport(m_all.partition, piece, whole));
+            vanished.add(DiagnosticCode::VanishedPiece, [&] { return vanishedReport(m_all.partition, piece, whole); });
         }
+        std::ranges::move(std::move(vanished).list(), std::back_inserter(m_all.diagnostics));
         m_all.diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},
                                                "The gap between fragments takes " +
                                                    quantityText(QuantityKind::Volume, m_all.gapArea * m_all.depth) +

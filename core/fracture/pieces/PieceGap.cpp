@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pieces/StrictConvexity.h"
 #include "core/geometry/polygon/PolygonBoolean.h"
 #include "core/geometry/predicates/SegmentDistance.h"
@@ -280,13 +281,17 @@ Result<Partition> shrunkPartition(const Partition& partition, double margin, con
                      .cutLayers = partition.cutLayers,
                      .cutCells = partition.cutCells,
                      .partOfCell = partition.partOfCell};
+    CappedDiagnostics found;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
         append(pieces[piece], shapes);
         const ShrunkPiece& left = pieces[piece];
-        if (left.rings.empty())
-            shapes.diagnostics.push_back(vanishedReport(partition, piece, pieceArea(partition, piece)));
-        if (left.isDisconnected) shapes.diagnostics.push_back(disconnectedReport(partition, piece, left));
+        if (left.rings.empty()) {
+            found.add(DiagnosticCode::VanishedPiece,
+                      [&] { return vanishedReport(partition, piece, pieceArea(partition, piece)); });
+        }
+        if (left.isDisconnected) found.add(disconnectedReport(partition, piece, left));
     }
+    shapes.diagnostics = std::move(found).list();
     std::ranges::stable_sort(shapes.diagnostics, {}, [](const Diagnostic& one) { return one.place.seed; });
     return shapes;
 }

@@ -1,6 +1,7 @@
 #include "core/fracture/pieces/SmallPieces.h"
 
 #include "core/base/MessageText.h"
+#include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pieces/PieceDraft.h"
 
 #include <algorithm>
@@ -103,11 +104,13 @@ Partition withoutSmallPieces(Partition partition, const SmallPieces& small, doub
     }
     if (count == partition.pieceCount()) return partition;
 
-    std::vector<Diagnostic> reports;
+    CappedDiagnostics merges;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         if (groups.isReceiver(piece)) continue;
-        reports.push_back(mergedReport(partition, piece, groups.receivers()[piece], areas[piece]));
+        merges.add(DiagnosticCode::MergedPiece,
+                   [&] { return mergedReport(partition, piece, groups.receivers()[piece], areas[piece]); });
     }
+    std::vector<Diagnostic> reports = std::move(merges).list();
     std::ranges::stable_sort(reports, {}, [](const Diagnostic& one) { return one.place.seed; });
     PieceDraft draft(std::move(partition));
     draft.merge(groups.receivers());

@@ -1,6 +1,7 @@
 #include "core/fracture/voronoi/VoronoiPartition.h"
 
 #include "core/base/Parallel.h"
+#include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/partition/EdgeIndex.h"
 #include "core/fracture/voronoi/CellAssembly.h"
 
@@ -183,12 +184,12 @@ Status clipCells(const Polygon& outline, const Delaunay& delaunay, const TaskCon
     return success();
 }
 
-void report(Partition& partition, DiagnosticCode code, std::uint32_t seed, std::uint32_t other, std::string message) {
-    partition.diagnostics.push_back(diagnostic(code, {.seed = seed, .otherSeed = other}, std::move(message)));
+Diagnostic report(DiagnosticCode code, std::uint32_t seed, std::uint32_t other, std::string message) {
+    return diagnostic(code, {.seed = seed, .otherSeed = other}, std::move(message));
 }
 
 /// Fills pieceOfSeed and reports cells of several pieces. Returns the number of seeds that have a cell.
-std::size_t findPiecesOfSeeds(Partition& partition) {
+std::size_t findPiecesOfSeeds(Partition& partition, CappedDiagnostics& found) {
     const UninitializedVector<std::uint32_t>& seedOf = partition.seedOfPiece;
     std::size_t cells = 0;
     for (std::uint32_t first = 0, end = 0; first < seedOf.size(); first = end) {
@@ -197,9 +198,11 @@ std::size_t findPiecesOfSeeds(Partition& partition) {
         partition.pieceOfSeed[seedOf[first]] = first;
         ++cells;
         if (end - first == 1) continue;
-        report(partition, DiagnosticCode::SplitCell, seedOf[first], kNone,
-               "The outline cuts the cell of seed " + std::to_string(seedOf[first]) + " into " +
-                   std::to_string(end - first) + " pieces.");
+        found.add(DiagnosticCode::SplitCell, [&] {
+            return report(DiagnosticCode::SplitCell, seedOf[first], kNone,
+                          "The outline cuts the cell of seed " + std::to_string(seedOf[first]) + " into " +
+                              std::to_string(end - first) + " pieces.");
+        });
     }
     return cells;
 }
@@ -207,17 +210,24 @@ std::size_t findPiecesOfSeeds(Partition& partition) {
 /// Fills pieceOfSeed and reports the seeds that have no piece or several.
 void reportSeeds(const Delaunay& delaunay, Partition& partition) {
     partition.pieceOfSeed.assign(delaunay.sites.size() + delaunay.duplicates.size(), kNone);
-    const bool allHaveCells = findPiecesOfSeeds(partition) == delaunay.sites.size();
-    for (const auto& [seed, of] : delaunay.duplicates) {
-        report(partition, DiagnosticCode::DuplicateSeed, seed, of,
-               "Seed " + std::to_string(seed) + " equals seed " + std::to_string(of) + " and was left out.");
+    CappedDiagnostics found;
+    const bool allHaveCells = findPiecesOfSeeds(partition, found) == delaunay.sites.size();
+    for (const auto& duplicate : delaunay.duplicates) {
+        found.add(DiagnosticCode::DuplicateSeed, [&] {
+            const auto& [seed, of] = duplicate;
+            return report(DiagnosticCode::DuplicateSeed, seed, of,
+                          "Seed " + std::to_string(seed) + " equals seed " + std::to_string(of) + " and was left out.");
+        });
     }
     for (const std::uint32_t seed : delaunay.seedOf) {
         if (allHaveCells) break;
         if (partition.pieceOfSeed[seed] != kNone) continue;
-        report(partition, DiagnosticCode::SeedWithoutCell, seed, kNone,
-               "Seed " + std::to_string(seed) + " has no cell inside the outline.");
+        found.add(DiagnosticCode::SeedWithoutCell, [&] {
+            return report(DiagnosticCode::SeedWithoutCell, seed, kNone,
+                          "Seed " + std::to_string(seed) + " has no cell inside the outline.");
+        });
     }
+    std::ranges::move(std::move(found).list(), std::back_inserter(partition.diagnostics));
     std::stable_sort(partition.diagnostics.begin(), partition.diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.place.seed < b.place.seed; });
 }

@@ -58,9 +58,12 @@ std::string lastLine(const std::string& text) {
                        end - (begin == std::string::npos ? 0 : begin + 1) + 1);
 }
 
-Status toStatus(const ChildResult& result) {
+/// `part` is the hidden file that ffmpeg writes.
+Status toStatus(const ChildResult& result, const fs::path& part, const fs::path& film) {
     if (result.exit == ChildExit::Exited && result.exitCode == 0) return success();
-    const std::string message = lastLine(result.error);
+    std::string message = lastLine(result.error);
+    if (const std::size_t at = message.find(part.string()); at != std::string::npos)
+        message.replace(at, part.string().size(), film.string());
     return Error{ErrorCode::Io, "ffmpeg could not encode the film" + (message.empty() ? "." : ": " + message)};
 }
 
@@ -95,7 +98,7 @@ Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, c
     if (!folder) return folder.error();
     const fs::path part = (*folder)->path() / ("film" + film.extension().string());
     const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, part), kFilmLimits, task);
-    const Status status = outcome ? toStatus(*outcome) : Status(outcome.error());
+    const Status status = outcome ? toStatus(*outcome, part, film) : Status(outcome.error());
     if (!status) return status;
     const OpenFile written(part, O_RDONLY);
     if (!written.isOpen()) return cannotWrite(film, errno);

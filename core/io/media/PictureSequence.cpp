@@ -39,8 +39,8 @@ Status checkHoldsNoFilm(const fs::path& folder) {
 
 }  // namespace
 
-Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path& folder) {
-    std::unique_ptr<PictureSequence> sequence(new PictureSequence(folder));
+Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path& folder, fs::path shown) {
+    std::unique_ptr<PictureSequence> sequence(new PictureSequence(folder, std::move(shown)));
     if (const Status created = sequence->m_created.create(folder); !created) return created.error();
     sequence->m_lock = std::make_unique<OpenFile>(folder, O_RDONLY | O_DIRECTORY);
     if (!sequence->m_lock->isOpen()) return cannotRead(folder, errno);
@@ -60,7 +60,10 @@ PictureSequence::~PictureSequence() {
 }
 
 Status PictureSequence::add(std::string_view png) {
-    if (const Status written = writeFileAtomically(pictureFile(m_folder, m_count), png); !written) return written;
+    const fs::path file = pictureFile(m_folder, m_count);
+    if (const Status written = writeFileAtomically(file, png, Leftovers::Kept); !written) {
+        return m_shown.empty() ? written : Status(namedAs(m_shown, file, written.error()));
+    }
     ++m_count;
     return success();
 }

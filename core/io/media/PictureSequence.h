@@ -14,11 +14,13 @@ inline constexpr int kMaxPictures = 10'000;  // of a film: names have four digit
 /// the folders created for them, unless keep() was called.
 class PictureSequence {
 public:
-    /// Creates the folder if it is missing, and locks it against other films where the file system has locks.
+    /// Creates the folder if it is missing, and locks it against other films where the file system has locks. Errors of
+    /// writing name `shown` instead of the picture, where given: of a hidden folder, the user knows nothing.
     ///
     /// Errors: BadInput if it already holds such pictures or another film is being written to it; those of
     /// CreatedDirectories::create().
-    static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder);
+    static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder,
+                                                           std::filesystem::path shown = {});
     ~PictureSequence();
     PictureSequence(const PictureSequence&) = delete;
     PictureSequence& operator=(const PictureSequence&) = delete;
@@ -33,9 +35,11 @@ public:
     static constexpr const char* kFileNameFormat = "frame-%04d.png";
 
 private:
-    explicit PictureSequence(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    PictureSequence(std::filesystem::path folder, std::filesystem::path shown)
+        : m_folder(std::move(folder)), m_shown(std::move(shown)) {}
 
     std::filesystem::path m_folder;
+    std::filesystem::path m_shown;
     CreatedDirectories m_created;
     std::unique_ptr<OpenFile> m_lock;
     int m_count = 0;

@@ -133,12 +133,14 @@ Result<std::optional<fs::path>> findEditedFile(const fs::path& folder) {
     return std::optional<fs::path>();
 }
 
-Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFlushed) {
-    OpenFile file(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
-    if (!file.isOpen()) return cannotWrite(path, errno);
-    if (const int code = writeAll(file.descriptor(), bytes)) return cannotWrite(path, code);
-    if (isFlushed && ::fsync(file.descriptor()) != 0) return cannotWrite(path, errno);
-    if (file.close() != 0) return cannotWrite(path, errno);
+/// Writes a file into the folder that will be `folder`; the errors name the latter.
+Status writeExportedFile(const fs::path& partial, const fs::path& folder, const std::string& name,
+                         std::string_view bytes, bool isFlushed) {
+    OpenFile file(partial / name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
+    if (!file.isOpen()) return cannotWrite(folder / name, errno);
+    if (const int code = writeAll(file.descriptor(), bytes)) return cannotWrite(folder / name, code);
+    if (isFlushed && ::fsync(file.descriptor()) != 0) return cannotWrite(folder / name, errno);
+    if (file.close() != 0) return cannotWrite(folder / name, errno);
     return success();
 }
 
@@ -146,7 +148,7 @@ Status writeExportedFile(const fs::path& path, std::string_view bytes, bool isFl
 /// and permissions.
 Status inheritFiles(const fs::path& folder, const struct stat& folderStatus, const fs::path& replacement) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(replacement);
-    if (!entries) return entries.error();
+    if (!entries) return namedAs(folder, replacement, entries.error());
     for (const fs::directory_entry& entry : *entries) {
         const fs::path earlier = folder / entry.path().filename();
         const OpenFile file(entry.path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
@@ -198,9 +200,9 @@ Status keepEngineFiles(const fs::path& folder, const fs::path& replacement) {
         if (!isEngineFile(entry) || fs::exists(kept, error)) continue;
         if (::link(entry.path().c_str(), kept.c_str()) == 0) continue;
         fs::copy_file(entry.path(), kept, error);
-        if (error) return cannotWrite(kept, error.value());
+        if (error) return cannotWrite(entry.path(), error.value());
         const OpenFile copy(kept, O_RDONLY);
-        if (!copy.isOpen() || ::fsync(copy.descriptor()) != 0) return cannotWrite(kept, errno);
+        if (!copy.isOpen() || ::fsync(copy.descriptor()) != 0) return cannotWrite(entry.path(), errno);
     }
     return success();
 }
@@ -335,11 +337,12 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
     const bool isFlushed = flush == Flush::SingleFiles;
     for (const ExportFile& file : files) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        const Status written = writeExportedFile((*partial)->path() / file.name, file.bytes, isFlushed);
+        const Status written = writeExportedFile((*partial)->path(), folder, file.name, file.bytes, isFlushed);
         if (!written) return written;
         manifest.files.push_back(entryOf(file.name, file.bytes));
     }
-    const Status listed = writeExportedFile((*partial)->path() / kManifestName, manifestJson(manifest), isFlushed);
+    const Status listed =
+        writeExportedFile((*partial)->path(), folder, kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
     return replaceExport(**partial, folder, edited, flush, task);
 }

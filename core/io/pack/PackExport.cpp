@@ -162,7 +162,14 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
     std::vector<double> bytes;
-    for (const PackedAsset& each : packed) bytes.push_back(estimateOf(each.asset).bytes());
+    for (const PackedAsset& each : packed) {
+        const Asset& asset = each.asset;
+        const BakeEstimate estimate = estimateOf(asset);
+        if (const std::optional<std::string> fault =
+                sizeFault(estimate) ? std::nullopt : stageFault(estimate, MemoryStage::Export))
+            return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
+        bytes.push_back(estimate.bytes(MemoryStage::Export));
+    }
     const int atOnce = bakesAtOnce(std::move(bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), atOnce, [&](std::size_t index) {

@@ -13,7 +13,6 @@
 #include "core/io/project/ShotJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
-#include "core/io/system/Temporary.h"
 
 #include <array>
 
@@ -190,7 +189,6 @@ Status saveProject(const std::filesystem::path& path, const Project& project) {
         return withPath("Cannot write", path, {ErrorCode::BadInput, *fault});
     const std::string text = projectText(project);
     if (const Status fits = checkJsonSize(text); !fits) return withPath("Cannot write", path, fits.error());
-    removeLeftovers(linkTarget(path).parent_path());
     return writeFileAtomically(path, text);
 }
 

@@ -168,9 +168,10 @@ Status writeFileOrStream(const fs::path& path, std::string_view bytes) {
     return isFile ? writeFileAtomically(path, bytes) : writeToDevice(path, bytes);
 }
 
-Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
+Status writeFileAtomically(const fs::path& path, std::string_view bytes, Leftovers leftovers) {
     struct stat old {};
     std::error_code error;
+    if (leftovers == Leftovers::Removed) removeLeftovers(linkTarget(path).parent_path());
     if (::stat(path.c_str(), &old) != 0) {
         if (errno != ENOENT) return cannotWrite(path, errno);
         return replaceFile(path, linkTarget(path), bytes, std::nullopt);

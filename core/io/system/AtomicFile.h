@@ -10,16 +10,21 @@
 
 namespace rubble {
 
+/// Whether what killed processes left in a folder is removed before a file is written into it. Kept is for series of
+/// files in one folder, which would list it each time.
+enum class Leftovers { Removed, Kept };
+
 /// Writes a file atomically: to a temporary file beside it, flushed to disk, then renamed over it. On an error the old
 /// file is unchanged and the temporary one removed; or, which the error says, the new file is in place, but its folder
-/// cannot be flushed. Symbolic links, owner and permissions are kept. Never
-/// waits: pipes and devices are refused.
+/// cannot be flushed. Symbolic links, owner and permissions are kept. Never waits: pipes and devices are refused. What
+/// killed processes left in the folder is removed, see removeLeftovers().
 ///
 /// A file with several hard links, an access control list or an owner that cannot be given to a new file is written in
 /// place, after a copy of it: see copyBeforeSave().
 ///
 /// Errors: Io, with the path and the system's reason.
-Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
+                           Leftovers leftovers = Leftovers::Removed);
 
 /// The same, but pipes and devices are written to directly. Opening a pipe waits for its reader.
 ///

@@ -1,6 +1,7 @@
 #include "core/io/system/CreatedDirectories.h"
 
 #include "core/base/MessageText.h"
+#include "core/io/system/Temporary.h"
 
 #include <algorithm>
 #include <system_error>
@@ -22,7 +23,10 @@ Status CreatedDirectories::create(const fs::path& directory) {
         missing.push_back(path);
     std::ranges::reverse(missing);
     for (const fs::path& path : missing) {
-        if (fs::create_directory(path, error)) m_created.push_back(path);  // else another process did
+        if (!fs::create_directory(path, error)) continue;  // another process did
+        m_created.push_back(path);
+        if (const int code = syncFolder(path.parent_path())) error.assign(code, std::generic_category());
+        if (error) break;
     }
     if (!error) fs::create_directories(directory, error);  // an error if it is a file
     if (!error) return success();

@@ -15,7 +15,7 @@ public:
     CreatedDirectories(const CreatedDirectories&) = delete;
     CreatedDirectories& operator=(const CreatedDirectories&) = delete;
 
-    /// Creates a directory and its missing parents.
+    /// Creates a directory and its missing parents, and flushes their entries to disk.
     ///
     /// Errors: Io, with the path and the system's reason.
     Status create(const std::filesystem::path& directory);

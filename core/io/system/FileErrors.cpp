@@ -25,4 +25,11 @@ Error withPath(const char* what, const std::filesystem::path& path, const Error&
     return {error.code, std::string(what) + " " + quotedPath(path) + ": " + error.message};
 }
 
+Error namedAs(const std::filesystem::path& shown, const std::filesystem::path& path, Error error) {
+    const std::string hidden = quotedPath(path);
+    if (const std::size_t at = error.message.find(hidden); at != std::string::npos)
+        error.message.replace(at, hidden.size(), quotedPath(shown));
+    return error;
+}
+
 }  // namespace rubble

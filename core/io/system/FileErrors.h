@@ -16,4 +16,7 @@ Error cannotDo(const char* verb, const std::filesystem::path& path, int code);
 /// Returns an error about a file, after what could not be done: `Cannot read "a/b": ...`.
 Error withPath(const char* what, const std::filesystem::path& path, const Error& error);
 
+/// Returns an error about `path`, a temporary file that the user does not know, that names `shown` instead.
+Error namedAs(const std::filesystem::path& shown, const std::filesystem::path& path, Error error);
+
 }  // namespace rubble

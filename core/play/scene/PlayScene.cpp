@@ -1,5 +1,6 @@
 #include "core/play/scene/PlayScene.h"
 
+#include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Names.h"
@@ -9,6 +10,20 @@ namespace {
 
 Error missing(const std::string& owner, Id asset) {
     return {ErrorCode::BadInput, owner + " is of asset " + std::to_string(asset) + ", which is not baked yet."};
+}
+
+/// Why a project is too large to be played.
+std::optional<std::string> playSizeFault(const Project& project, const AssetBakes& bakes) {
+    BakeEstimate all;
+    for (const AssetVariant& variant : usedVariants(project)) {
+        const auto baked = bakes.find(variant);
+        if (baked == bakes.end()) continue;
+        all.fragments += baked->second->fragmentCount();
+        all.fractures += static_cast<double>(baked->second->fractures.size());
+    }
+    std::optional<std::string> fault = stageFault(all, MemoryStage::Play);
+    if (fault) fault->front() = 'S';
+    return fault;
 }
 
 /// Checks that every asset in use is prepared.
@@ -34,6 +49,7 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
     if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
+    if (const std::optional<std::string> fault = playSizeFault(project, bakes)) return Error{ErrorCode::Limit, *fault};
     for (const AssetVariant& variant : usedVariants(project)) {
         const auto baked = bakes.find(variant);
         if (baked == bakes.end()) continue;

@@ -8,9 +8,11 @@
 // RUBBLE_FAULT_LOG       a file outside the folder, which receives the name of each call and the path that it is about
 // RUBBLE_FAULT_SYSTEM_CALL and RUBBLE_FAULT_CODE alone: the number of a system call that always fails, where it is made
 //                        by syscall()
+// RUBBLE_FAULT_THREADS   how many threads can be started; no more after that, as where the system has a limit
 // RUBBLE_FAULT_NO_FLAGS  if set, renameat2() knows no flags, as on network file systems
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -89,6 +91,14 @@ bool fails(const char* call) {
 }  // namespace
 
 extern "C" {
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {
+    static std::atomic<long> started{0};
+    const char* most = std::getenv("RUBBLE_FAULT_THREADS");
+    if (most != nullptr && started++ >= std::atol(most)) return EAGAIN;
+    return next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create")(thread, attributes,
+                                                                                                   work, argument);
+}
 
 #define RUBBLE_FAULTY_OPEN(name)                                           \
     int name(const char* path, int flags, ...) {                           \

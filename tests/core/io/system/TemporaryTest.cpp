@@ -53,6 +53,16 @@ private slots:
         m_temporary = std::make_unique<QTemporaryDir>();
         m_folder = m_temporary->path().toStdString();
     }
+    void everyWriteRemovesLeftovers() {
+        runAndKill([&] {
+            TemporaryFile file;
+            static_cast<void>(file.create(m_folder, 0600));
+            std::raise(SIGKILL);
+        });
+        QCOMPARE(namesIn(m_folder).size(), std::size_t{1});
+        QVERIFY(writeFileAtomically(m_folder / "note", "text"));
+        QCOMPARE(namesIn(m_folder), Names{"note"});
+    }
     void leftoversOfAKilledProcessAreRemoved() {
         runAndKill([&] {
             TemporaryFile file;
@@ -93,7 +103,7 @@ private slots:
     }
     void oldContentsWhoseNameWasTakenByOthersAreKept() {
         leaveOldContents({"gone", "taken"});
-        QVERIFY(writeFileAtomically(m_folder / "taken", "of the user"));
+        QVERIFY(writeFileAtomically(m_folder / "taken", "of the user", Leftovers::Kept));
         for (int count = 0; count < 2; ++count) {
             removeLeftovers(m_folder);
             QCOMPARE(namesIn(m_folder).size(), std::size_t{4});  // of them two are hidden

@@ -1,0 +1,34 @@
+#include "core/base/limits/Threads.h"
+
+#include <atomic>
+#include <new>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+std::jthread startedThread(std::function<void()> work) {
+    try {
+        return std::jthread(std::move(work));
+    } catch (const std::system_error&) {
+    } catch (const std::bad_alloc&) {  // of its stack
+    }
+    return {};
+}
+
+bool canStartThreads(int count) {
+    std::atomic<bool> isDecided{false};
+    std::vector<std::jthread> threads;
+    threads.reserve(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) {
+        std::jthread thread = startedThread([&] { isDecided.wait(false); });
+        if (!thread.joinable()) break;
+        threads.push_back(std::move(thread));
+    }
+    isDecided = true;
+    isDecided.notify_all();
+    return static_cast<int>(threads.size()) == count;
+}
+
+}  // namespace rubble
