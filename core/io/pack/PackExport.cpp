@@ -22,8 +22,8 @@
 namespace rubble {
 namespace {
 
-/// To be increased when the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kMeshVersion = 1;
+/// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
+constexpr std::uint64_t kExportRevision = 2;
 
 /// Returns the name of an asset's folder in lower case, to compare as case-insensitive file systems do.
 std::string foldedFolderName(const Asset& asset) {
@@ -136,7 +136,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
         each.youngsModulus.reset();
     }
     Hasher hasher;
-    hasher.add(kMeshVersion);
+    hasher.add(kExportRevision);
     hasher.add(std::uint64_t{kPackVersion});
     hasher.add(bakeInputHash(asset).high);  // for the version of bake()
     hasher.add(bakeInputHash(asset).low);

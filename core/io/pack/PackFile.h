@@ -63,6 +63,8 @@ struct PackBody {
     Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
     Mat3 inertia{0.0};                 // kg m^2, about the centre of mass, in its own axes
     std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
+    double gap = 0.0;                  // m between its fragments; 0: none
+    double lostMass = 0.0;             // kg that the gap takes from them
     std::vector<PackHull> hulls;       // in its own frame
 };
 
@@ -70,7 +72,7 @@ struct PackBody {
 struct Pack {
     Id asset = 0;
     std::string name;
-    double gap = 0.0;        // m between fragments
+    double gap = 0.0;        // m between fragments, the widest of all bodies
     std::string hash;        // packHash() in hexadecimal
     double threshold = 0.0;  // N·s
     Material material;       // its id is not in the file

@@ -59,7 +59,9 @@ Bond readNeighbour(const JsonValue& value) {
 
 PackBody readPackBody(const JsonValue& value) {
     value.requireObject(
-        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"});
+        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"},
+        {"gap", "lostMass"});
+    const JsonValue gap = value["gap"], lostMass = value["lostMass"];
     return {.id = value["id"].text(),
             .name = value["name"].text(),
             .parent = readOptionalIndex(value["parent"]),
@@ -69,6 +71,8 @@ PackBody readPackBody(const JsonValue& value) {
             .centreOfMass = readVector(value["centreOfMass"]),
             .inertia = readInertia(value["inertia"]),
             .neighbours = value["neighbours"].list(readNeighbour),
+            .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
+            .lostMass = lostMass.isPresent() ? lostMass.number(atLeast(0.0)) : 0.0,
             .hulls = value["hulls"].list(readHull)};
 }
 

@@ -92,18 +92,32 @@ ErrorText verifyNeighbours(const Pack& pack, std::uint32_t index) {
     return std::nullopt;
 }
 
-/// The volumes of children sum to their parent's, less the gap.
-ErrorText verifyVolumes(const Pack& pack) {
+/// The masses of children sum to their parent's, less what the gap takes.
+ErrorText verifyMassOfChildren(const PackBody& body, double sum, bool isGapKnown) {
+    if (sum == 0.0) return body.gap == 0.0 ? std::nullopt : ErrorText("it has a gap, but no fragments.");
+    if (!isGapKnown && sum < body.mass) return std::nullopt;
+    if (isNear(sum + body.lostMass, body.mass)) return std::nullopt;
+    const std::string lost =
+        body.gap > 0.0 ? ", and the gap takes " + messageText(body.lostMass) + " kg," : std::string();
+    return "its children have a mass of " + messageText(sum) + " kg" + lost + " instead of " + messageText(body.mass) +
+           " kg.";
+}
+
+/// The gap of the pack is the widest of its bodies. Earlier versions wrote it there only, and without the mortar.
+ErrorText verifyGaps(const Pack& pack) {
+    double widest = pack.whole.gap;
+    for (const PackBody& body : pack.fragments) widest = std::max(widest, body.gap);
+    const bool isGapKnown = widest > 0.0 || pack.gap == 0.0;
+    if (isGapKnown && widest != pack.gap) {
+        return "The gap of the asset is " + messageText(pack.gap) + " m instead of the widest of its bodies, " +
+               messageText(widest) + " m.";
+    }
     std::vector<double> sums(pack.fragments.size() + 1, 0.0);  // the whole's last
     for (const PackBody& body : pack.fragments)
-        sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.volume;
+        sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.mass;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const PackBody& body = k < pack.fragments.size() ? pack.fragments[k] : pack.whole;
-        const bool isWithinGap = pack.gap > 0.0 && sums[k] < body.volume;
-        if (sums[k] != 0.0 && !isWithinGap && !isNear(sums[k], body.volume)) {
-            return ownerOf(pack, body) + "its children have a volume of " + messageText(sums[k]) + " m³ instead of " +
-                   messageText(body.volume) + " m³.";
-        }
+        if (ErrorText error = verifyMassOfChildren(body, sums[k], isGapKnown)) return ownerOf(pack, body) + *error;
     }
     return std::nullopt;
 }
@@ -123,7 +137,7 @@ std::optional<std::string> verifyPack(const Pack& pack) {
     for (const PackBody& body : pack.fragments) {
         if (ErrorText error = verifyPackBody(body, scale)) return ownerOf(pack, body) + *error;
     }
-    return verifyVolumes(pack);
+    return verifyGaps(pack);
 }
 
 }  // namespace rubble

@@ -40,6 +40,7 @@ bool isSame(const rubble_pack::Hull& read, const PackHull& ours) {
 bool isSame(const rubble_pack::Body& read, const PackBody& ours) {
     bool same = read.id == ours.id && read.name == ours.name && read.parent == ours.parent &&
                 isSame(read.offset, ours.offset) && read.volume == ours.volume && read.mass == ours.mass &&
+                read.gap == ours.gap && read.lostMass == ours.lostMass &&
                 isSame(read.centreOfMass, ours.centreOfMass) && read.neighbours.size() == ours.neighbours.size() &&
                 read.hulls.size() == ours.hulls.size();
     for (int row = 0; row < 3; ++row)
