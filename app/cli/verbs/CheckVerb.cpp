@@ -126,6 +126,12 @@ CheckResult checkPack(const fs::path& folder) {
     const Result<Pack> pack = readPack(*json);
     if (!pack) return error(pack.error().code, pack.error().message);
     if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
+    if (const auto found = verifyPackText(*json, *pack)) return error(ErrorCode::BadInput, *found);
+    for (const PackMeshFile& mesh : pack->meshes) {
+        std::error_code ignored;
+        if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
+        return error(ErrorCode::BadInput, "The mesh " + quotedName(mesh.name) + " is not in the folder.");
+    }
     if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
     return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
 }

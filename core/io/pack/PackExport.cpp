@@ -23,7 +23,7 @@ namespace rubble {
 namespace {
 
 /// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kExportRevision = 2;
+constexpr std::uint64_t kExportRevision = 3;
 
 /// Returns the name of an asset's folder in lower case, to compare as case-insensitive file systems do.
 std::string foldedFolderName(const Asset& asset) {

@@ -65,6 +65,7 @@ void writeHeader(JsonWriter& json, const Bake& bake, const Asset& asset, const A
     if (const double gap = widestGap(bake); gap > 0.0) json.number("gap", gap);
     json.close();
     json.text("hash", packHash(asset, material, meshes).hex());
+    json.text("checksum", kNoChecksum);
     json.number("threshold", thresholdOf(asset, material.own));
     writePackMaterial(json, material);
     json.openArray("meshes", JsonLayout::CompactLines);
@@ -175,7 +176,7 @@ std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials&
     for (const std::string& chunk : chunks) json.elements(chunk);
     json.close();
     json.close();
-    return std::move(json).finished();
+    return withChecksum(std::move(json).finished());
 }
 
 }  // namespace rubble

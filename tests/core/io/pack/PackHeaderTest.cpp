@@ -114,6 +114,7 @@ private slots:
         };
         for (const test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink)) {
             if (mutation.name.ends_with("one more key")) continue;  // unknown keys are ignored
+            if (mutation.place == "checksum" || mutation.name == " without checksum") continue;  // as this one
             const std::string fault = headerFault(mutation.document.dump());
             const std::string place = fault.substr(0, fault.find(": "));  // or the path of its container
             QVERIFY2(!fault.empty() && mutation.place.starts_with(place), (mutation.name + " gives: " + fault).c_str());
