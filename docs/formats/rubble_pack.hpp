@@ -85,6 +85,8 @@ struct Body {
     double mass = 0.0;                               // kg
     Vec3 centreOfMass;                               // in its own frame, m
     std::array<std::array<double, 3>, 3> inertia{};  // kg m^2, about the centre of mass, by rows
+    double gap = 0.0;                                // m between its fragments
+    double lostMass = 0.0;                           // kg that the gap takes from them
     std::vector<Neighbour> neighbours;               // ascending
     std::vector<Hull> hulls;                         // at least one
 };
@@ -455,6 +457,16 @@ public:
     std::string textAt(const Value& object, const char* key) {
         return at(object, key, [&](const Value& value) { return text(value); });
     }
+    /// A number that may be missing, at least 0.
+    double optionalAt(const Value& object, const char* key) {
+        const Document& all = *object.document;
+        double read = 0.0;
+        for (std::uint32_t child = object.node + 1; child < object->end; child = all.nodes[child].end) {
+            if (all.texts[all.nodes[child].key] == key) read = number(Value{&all, child, &object, key, 0});
+        }
+        if (!(read >= 0.0)) refuse(object, std::string("the key \"") + key + "\" is below 0");
+        return read;
+    }
     double numberAt(const Value& object, const char* key) {
         return at(object, key, [&](const Value& value) { return number(value); });
     }
@@ -525,6 +537,8 @@ public:
             forEach(v, [&](const Value& row) { read.inertia[row.number] = numbers<3>(row); });
             return 0;
         });
+        read.gap = optionalAt(value, "gap");
+        read.lostMass = optionalAt(value, "lostMass");
         read.neighbours = listAt(value, "neighbours", [&](const Value& v) { return neighbour(v, count); });
         read.hulls = listAt(value, "hulls", [&](const Value& v) { return hull(v); });
         if (read.hulls.empty()) refuse(value, "expected at least one hull");

@@ -1,5 +1,7 @@
 #include "editor/background/StateComparison.h"
 
+#include "core/io/project/ProjectDifference.h"
+
 #include <algorithm>
 
 namespace rubble {
@@ -58,7 +60,7 @@ void StateComparison::compare() {
     compared->wasThere = was != nullptr;
     compared->after = baked->bake;
     if (was) {
-        compared->recipe = recipeChanges(*m_earlier, *was, m_document.project(), *asset);
+        compared->recipe = assetChanges(*m_earlier, *was, m_document.project(), *asset);
         if (m_bakedId == was->id) compared->before = m_before;
     }
     m_job.start(

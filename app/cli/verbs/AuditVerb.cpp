@@ -17,9 +17,10 @@ constexpr const char* kAuditFooter =
     R"(Measures whether replacing an asset by its fragments changes anything by itself. Each asset is broken three
 times without any force: floating at rest without gravity, level by level; lying flat on the ground; and flying
 while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
-steps of 1/60 s, and the changes of mass, momentum, angular momentum and energy. An asset is clean if no
-fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or gained in flight.
-Otherwise the program says what to change and exits with 1.
+steps of 1/60 s (lying flat: on average of them), and the changes of mass, momentum, angular momentum and energy.
+An asset is clean if no fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or
+gained in flight, but for the mass that a gap or mortar takes from its fragments. Otherwise the program says what
+to change and exits with 1.
 
 Examples:
   rubble-cli audit house.rubble

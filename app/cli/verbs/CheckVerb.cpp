@@ -15,9 +15,11 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FolderReading.h"
+#include "core/io/system/Temporary.h"
 #include "core/play/scene/InstanceOverlaps.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -119,29 +121,41 @@ CheckResult checkPack(const fs::path& folder) {
     const auto error = [&](ErrorCode code, const std::string& message) {
         return CheckResult{.status = Error{code, path.string() + ": " + message}};
     };
-    const Result<std::string> json = readFile(path);
+    const Result<std::string> json = readFile(path, Links::Refused);
     if (!json) return {.status = json.error()};
     const Result<Pack> pack = readPack(*json);
     if (!pack) return error(pack.error().code, pack.error().message);
     if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
+    if (const auto found = verifyPackText(*json, *pack)) return error(ErrorCode::BadInput, *found);
+    for (const PackMeshFile& mesh : pack->meshes) {
+        std::error_code ignored;
+        if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
+        return error(ErrorCode::BadInput, "The mesh " + quotedName(mesh.name) + " is not in the folder.");
+    }
     if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
     return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
 }
 
-/// Returns whether a folder is a pack, even if pack.json or the manifest is missing.
+/// Returns whether a folder is a pack, even if pack.json or the manifest is missing. A folder of either name is that
+/// of an asset.
 bool isPack(const fs::path& folder) {
-    std::error_code ignored;
-    return fs::exists(folder / kPackName, ignored) || fs::exists(folder / kManifestName, ignored);
+    return std::ranges::any_of(std::array{kPackName, kManifestName}, [&](const char* name) {
+        std::error_code ignored;
+        const fs::file_status status = fs::symlink_status(folder / name, ignored);
+        return fs::exists(status) && !fs::is_directory(status);
+    });
 }
 
-/// Returns the folder if it is a pack, or the packs in it, sorted by name.
+/// Returns the folder if it is a pack, or the packs in it, sorted by name. Those that are being written, or that killed
+/// programs left, are none.
 Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     if (isPack(folder)) return std::vector{folder};
     std::vector<fs::path> packs;
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
     if (!entries) return entries.error();
     for (const fs::directory_entry& entry : *entries) {
-        if (isPack(entry.path())) packs.push_back(entry.path());
+        const bool isTemporary = isTemporaryName(entry.path().filename().string());
+        if (!isTemporary && isPack(entry.path())) packs.push_back(entry.path());
     }
     const std::string name = quotedPath(folder);
     if (packs.empty())
@@ -153,7 +167,7 @@ Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
 void checkPath(const std::string& given, int threads, const CliContext& context, std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
     const fs::path path = given;
-    if (path.filename() == kPackName)
+    if (path.filename() == kPackName && !fs::is_directory(path, ignored))
         return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
     if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);

@@ -6,7 +6,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
-#include "core/io/project/AssetDifferenceJson.h"
+#include "core/io/project/ProjectDifferenceJson.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,10 +15,12 @@ namespace rubble {
 namespace {
 
 constexpr const char* kDiffFooter =
-    R"(Compares two saved states of a project, asset by asset: the changed properties (outline, depth, material,
+    R"(Compares two saved states of a project. Of each asset: the changed properties (outline, depth, material,
 threshold, layers, ...), and the fragments that were removed, added, moved or reshaped. Fragments are matched by
-their ids, assets by their names, or by their ids if they were renamed. Exits with 0 if nothing differs, and
-with 1 if something does, or if a file cannot be read; then nothing is printed to standard output.
+their ids, assets by their names, or by their ids if they were renamed. Then, without --asset, everything else
+that a project holds: materials, instances, ground, gravity, damage, debris, shots and tests, matched by id or
+name. Exits with 0 if nothing differs, and with 1 if something does, or if a file cannot be read; then nothing is
+printed to standard output.
 
 Examples:
   rubble-cli diff before.rubble house.rubble
@@ -85,13 +87,26 @@ std::string textOf(const AssetDifference& difference, bool isAll) {
     return text + piecesText(difference.pieces, isAll);
 }
 
-/// Returns an error if something differs.
-Status statusOf(std::span<const AssetDifference> differences) {
-    const auto same = std::ranges::count_if(differences, &AssetDifference::isEmpty);
-    const auto changed = static_cast<std::ptrdiff_t>(differences.size()) - same;
-    if (changed == 0) return success();
-    return Error{ErrorCode::BadInput, std::to_string(changed) + " of " + std::to_string(differences.size()) +
-                                          (differences.size() == 1 ? " asset differs." : " assets differ.")};
+std::string textOf(const ProjectDifference& difference, bool isAll) {
+    std::string text;
+    for (const AssetDifference& asset : difference.assets) text += textOf(asset, isAll);
+    for (const RecipeChange& change : difference.settings) text += sentenceOf(change) + '\n';
+    return text;
+}
+
+/// Returns an error if something differs: "1 of 4 assets and 2 other settings differ."
+Status statusOf(const ProjectDifference& difference) {
+    if (difference.isEmpty()) return success();
+    const std::size_t count = difference.assets.size(), settings = difference.settings.size();
+    const auto same = static_cast<std::size_t>(std::ranges::count_if(difference.assets, &AssetDifference::isEmpty));
+    std::string what;
+    if (same < count) what = std::to_string(count - same) + " of " + countText(count, "asset", "assets");
+    if (settings > 0) {
+        const std::string other = same < count ? "other " : "";
+        what += (what.empty() ? "" : " and ") + countText(settings, other + "setting", other + "settings");
+    }
+    const bool isOne = same < count ? count == 1 && settings == 0 : settings == 1;
+    return Error{ErrorCode::BadInput, what + (isOne ? " differs." : " differ.")};
 }
 
 Status diff(const DiffOptions& options, const CliContext& context) {
@@ -101,20 +116,15 @@ Status diff(const DiffOptions& options, const CliContext& context) {
     if (!after) return after.error();
     const Result<std::vector<AssetPair>> pairs = selectedPairs(assetPairs(*before, *after), options.assets);
     if (!pairs) return pairs.error();
-    const TaskContext task{.cancel = context.cancel, .threads = options.threads};
     ProgressLine line(context, "Comparing");
-    std::vector<AssetDifference> differences;
-    for (const AssetPair& pair : *pairs) {
-        line.show(static_cast<double>(differences.size()) / static_cast<double>(pairs->size()));
-        Result<AssetDifference> difference = differenceOf(*before, *after, pair, task);
-        if (!difference) return difference.error();
-        differences.push_back(std::move(*difference));
-    }
+    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, options.threads};
+    Result<ProjectDifference> difference = projectDifference(*before, *after, *pairs, task);
     line.clear();
-    std::string text;
-    for (const AssetDifference& difference : differences) text += textOf(difference, options.isAll);
-    const Status written = printText(options.isJson ? assetDifferenceJson(differences) : text, context);
-    return written ? statusOf(differences) : written;
+    if (!difference) return difference.error();
+    if (options.assets.empty()) difference->settings = settingChanges(*before, *after);
+    const std::string text = options.isJson ? projectDifferenceJson(*difference) : textOf(*difference, options.isAll);
+    const Status written = printText(text, context);
+    return written ? statusOf(*difference) : written;
 }
 
 }  // namespace

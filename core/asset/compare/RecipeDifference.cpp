@@ -87,6 +87,11 @@ std::string cutText(const std::optional<CutAtImpact>& cut) {
            " m";
 }
 
+bool isSameSurface(const Asset& before, const Asset& after) {
+    if (!before.surface || !after.surface) return before.surface == after.surface;
+    return *before.surface == *after.surface;
+}
+
 const char* scatteredInText(const PatternLayer& layer) {
     return layer.scatteredIn ? "an earlier outline" : "the outline";
 }
@@ -192,6 +197,8 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
                 std::to_string(later.edits.size()));
     changes.add(earlier.requirements == later.requirements, "strength requirements",
                 std::to_string(earlier.requirements.size()), std::to_string(later.requirements.size()));
+    changes.add(isSameSurface(earlier, later), "surface of the imported mesh", onText(earlier.surface != nullptr),
+                onText(later.surface != nullptr));
     return std::move(changes).list();
 }
 

@@ -16,7 +16,8 @@ struct RecipeChange {
 };
 
 /// All changed settings of an asset, in the order of Asset's members: name, outline, depth, materials (by name and
-/// density), threshold, layers of all levels (matched by id), shaping, edits. Empty if both states are equal.
+/// density), threshold, layers of all levels (matched by id), shaping, edits, surface. assetChanges() in core/io finds
+/// what is not described here.
 std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earlier, const Project& after,
                                         const Asset& later);
 

@@ -1,9 +1,7 @@
 #include "core/asset/mesh/RoughCuts.h"
 
-#include "core/asset/bake/FractureResult.h"
 #include "core/asset/mesh/FractalNoise.h"
 #include "core/asset/mesh/FragmentMesh.h"
-#include "core/fracture/pattern/PatternCuts.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 
 #include <glm/geometric.hpp>
@@ -22,13 +20,6 @@ constexpr std::size_t kMaxIntervalSteps = 64;  // per interval; finer bumps are 
 // Relative to the asset's diameter. Points within the tolerance coincide, since the frames of levels round differently;
 // shorter intervals stay straight, so that steps are longer than the tolerance.
 constexpr double kTolerance = 1e-9, kMinInterval = 1e-6;
-
-/// The width of the gaps between the pieces of one fracture, m.
-double gapOf(const Bake& bake, const Asset& asset, const BakedFracture& fracture) {
-    if (fracture.parent == kNone) return gapOf(recipeOf(asset));
-    const Level* level = levelFor(asset, pathOfId(bake.fragmentId(fracture.parent)), fracture.level - 1);
-    return std::max(asset.shaping.gap, level ? jointWidthOf(level->pattern) : 0.0);
-}
 
 /// The interval at a position along the edge; null if there is none.
 const EdgeInterval* intervalAt(const std::vector<EdgeInterval>& intervals, double along) {
@@ -75,7 +66,7 @@ struct RoughCuts::Cut {
 RoughCuts::RoughCuts(const Bake& bake, const Asset& asset) : m_roughness(asset.shaping.roughness) {
     if (!(m_roughness.amplitude > 0.0)) return;
     m_diameter = boundsOf(asset.prism.outline.outer).diagonal();
-    for (const BakedFracture& fracture : bake.fractures) m_gaps.push_back(gapOf(bake, asset, fracture));
+    for (const BakedFracture& fracture : bake.fractures) m_gaps.push_back(fracture.fragments.gap);
     m_edges = std::make_unique<const EdgeHierarchy>(bake, kTolerance * m_diameter);
 }
 

@@ -42,10 +42,11 @@ void moveToCentre(Vec2 centre, Polygon& outline) {
 /// Makes a fragment from each piece that is not too thin.
 class Extrusion {
 public:
-    Extrusion(const Prism& prism, Partition&& partition, std::shared_ptr<const Partition> shrunk)
+    Extrusion(const Prism& prism, Partition&& partition, double gap, std::shared_ptr<const Partition> shrunk)
         : m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
+        m_all.gap = gap;
         m_all.tolerance = {kMinWidth * widthOf(prism.outline), kFlatness * diameter};
         m_all.minSharedEdge = kMinSharedEdge * diameter;
         m_all.records.resize(m_isThin.size());
@@ -205,7 +206,7 @@ Result<Fragments> extrudedFragments(const Prism& prism, Partition partition, dou
         if (!pieces) return pieces.error();
         shrunk = std::make_shared<const Partition>(std::move(*pieces));
     }
-    Extrusion extrusion(prism, std::move(partition), std::move(shrunk));
+    Extrusion extrusion(prism, std::move(partition), gap, std::move(shrunk));
     if (!extrusion.run(task)) return TaskContext::cancelled();
     return std::move(extrusion).result();
 }

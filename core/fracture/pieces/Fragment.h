@@ -73,6 +73,7 @@ struct AdjustedMass {
 struct Fragments {
     Partition partition;
     std::shared_ptr<const Partition> shrunk;  // the pieces less the gap, some empty: see shrunkPartition(); null: none
+    double gap = 0.0;                         // m between pieces; 0: none
     double gapArea = 0.0;                     // m^2, of all pieces, that the gap removed
     double depth = 0.0;                       // m
     HullTolerance tolerance;                  // of the hulls

@@ -45,10 +45,16 @@ struct Manifest {
     std::vector<ManifestEntry> files;
 };
 
+bool isLink(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_symlink(path, ignored);
+}
+
 bool isEngineFile(const fs::directory_entry& entry) {
     std::error_code ignored;
     const std::string suffix = entry.path().extension().string();
-    return std::ranges::find(kEngineSuffixes, suffix) != kEngineSuffixes.end() && entry.is_regular_file(ignored);
+    const bool isFile = entry.symlink_status(ignored).type() == fs::file_type::regular;
+    return std::ranges::find(kEngineSuffixes, suffix) != kEngineSuffixes.end() && isFile;
 }
 
 std::string manifestJson(const Manifest& manifest) {
@@ -72,7 +78,7 @@ std::string manifestJson(const Manifest& manifest) {
 
 /// Returns the manifest of a folder, if there is one that this version can read.
 std::optional<Manifest> readManifest(const fs::path& folder) {
-    const Result<std::string> text = readFile(folder / kManifestName);
+    const Result<std::string> text = readFile(folder / kManifestName, Links::Refused);
     if (!text) return std::nullopt;
     Result<JsonDocument> document = JsonDocument::parse(*text);
     if (!document) return std::nullopt;
@@ -99,7 +105,7 @@ ManifestEntry entryOf(const std::string& name, std::string_view bytes) {
 }
 
 Result<ManifestEntry> entryOfFile(const fs::path& folder, const std::string& name) {
-    const Result<FileHash> file = hashOfFile(folder / name);
+    const Result<FileHash> file = hashOfFile(folder / name, Links::Refused);
     if (!file) return file.error();
     return ManifestEntry{name, file->size, file->hash.hex()};
 }
@@ -126,6 +132,7 @@ Result<std::optional<fs::path>> findEditedFile(const fs::path& folder) {
     const std::optional<Manifest> manifest = readManifest(folder);
     if (!manifest) return std::optional<fs::path>();
     for (const ManifestEntry& file : manifest->files) {
+        if (isLink(folder / file.name)) return std::optional(folder / file.name);
         const Result<ManifestEntry> current = entryOfFile(folder, file.name);
         if (!current && current.error().code != ErrorCode::NotFound) return current.error();
         if (current && *current != file) return std::optional(folder / file.name);
@@ -171,6 +178,7 @@ Status checkWritable(const fs::path& folder) {
     for (const ManifestEntry& file : manifest->files) names.push_back(file.name);
     for (const std::string& name : names) {
         const fs::path path = folder / name;
+        if (isLink(path)) continue;  // it is replaced, not written to
         if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT)
             return cannotWrite(path, errno);
     }
@@ -307,6 +315,8 @@ bool isExportOf(const fs::path& folder, const ContentHash& source) {
 }
 
 std::optional<std::string> verifyExportFolder(const fs::path& folder) {
+    const fs::path list = folder / kManifestName;
+    if (isLink(list)) return quotedPath(list) + " is a link, which is not followed here; replace it by a file.";
     const std::optional<Manifest> manifest = readManifest(folder);
     if (!manifest) return "The folder " + quotedPath(folder) + " has no readable " + kManifestName + ".";
     for (const ManifestEntry& file : manifest->files) {

@@ -27,7 +27,8 @@ inline constexpr const char* kManifestName = "manifest.json";
 bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
 
 /// Returns the first error in an export folder, if there is one: a missing or unreadable manifest, a missing or
-/// modified file, an unexpected file. Files that engines write, such as wall.glb.import, are expected. Reads all files.
+/// modified file, an unexpected file, a link, which is not followed. Files that engines write, such as
+/// wall.glb.import, are expected. Reads all files.
 std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
 /// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An

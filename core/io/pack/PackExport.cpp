@@ -21,8 +21,8 @@
 namespace rubble {
 namespace {
 
-/// To be increased when the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kMeshVersion = 1;
+/// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
+constexpr std::uint64_t kExportRevision = 3;
 
 /// An asset or a variant of it, and the name of the folder of its pack.
 struct PackedAsset {
@@ -133,7 +133,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
         each.youngsModulus.reset();
     }
     Hasher hasher;
-    hasher.add(kMeshVersion);
+    hasher.add(kExportRevision);
     hasher.add(std::uint64_t{kPackVersion});
     hasher.add(bakeInputHash(asset).high);  // for the version of bake()
     hasher.add(bakeInputHash(asset).low);

@@ -47,7 +47,14 @@ void writeUnits(JsonWriter& json) {
     json.close();
 }
 
-void writeHeader(JsonWriter& json, const Asset& asset, const AssetMaterials& material,
+/// Returns the widest gap between the fragments of a body, m; 0: there is none.
+double widestGap(const Bake& bake) {
+    double widest = 0.0;
+    for (const BakedFracture& fracture : bake.fractures) widest = std::max(widest, fracture.fragments.gap);
+    return widest;
+}
+
+void writeHeader(JsonWriter& json, const Bake& bake, const Asset& asset, const AssetMaterials& material,
                  std::span<const PackMeshFile> meshes) {
     json.text("format", kPackFormat.name);
     json.wholeNumber("version", std::uint64_t{kPackVersion});
@@ -55,9 +62,10 @@ void writeHeader(JsonWriter& json, const Asset& asset, const AssetMaterials& mat
     json.openObject("asset");
     json.wholeNumber("id", std::uint64_t{asset.id});
     json.text("name", asset.name);
-    if (asset.shaping.gap > 0.0) json.number("gap", asset.shaping.gap);
+    if (const double gap = widestGap(bake); gap > 0.0) json.number("gap", gap);
     json.close();
     json.text("hash", packHash(asset, material, meshes).hex());
+    json.text("checksum", kNoChecksum);
     json.number("threshold", thresholdOf(asset, material.own));
     writePackMaterial(json, material);
     json.openArray("meshes", JsonLayout::CompactLines);
@@ -65,12 +73,24 @@ void writeHeader(JsonWriter& json, const Asset& asset, const AssetMaterials& mat
     json.close();
 }
 
+/// Sets the gap between the fragments of a body (kNone: of the whole), and what it takes from them.
+void setGap(const Bake& bake, std::uint32_t fragment, PackBodySource& body) {
+    const BakedFracture* fracture = bake.fractureOf(fragment);
+    if (!fracture || fracture->fragments.gap == 0.0) return;
+    double volume = 0.0;
+    for (std::uint32_t k = 0; k < fracture->fragments.count(); ++k) volume += fracture->fragments[k].volume();
+    body.gap = fracture->fragments.gap;
+    body.lostVolume = std::max(0.0, body.mass.volume - volume);
+}
+
 PackBodySource sourceOfWhole(const Bake& bake, const Asset& asset) {
-    return {.id = std::to_string(asset.id),
-            .name = bodyName(asset),
-            .offset = bake.whole.centre,
-            .mass = bake.whole,
-            .hulls = bake.wholeHulls};
+    PackBodySource whole{.id = std::to_string(asset.id),
+                         .name = bodyName(asset),
+                         .offset = bake.whole.centre,
+                         .mass = bake.whole,
+                         .hulls = bake.wholeHulls};
+    setGap(bake, kNone, whole);
+    return whole;
 }
 
 /// Returns the fragments from `first` on, at most kChunk, as a JSON array.
@@ -89,6 +109,7 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
                           .bonds = solid.bonds(),
                           .firstSibling = fragment.firstSibling,
                           .hulls = solid.hulls()});
+        setGap(bake, k, bodies.back());
     }
     std::size_t size = 0;
     for (const PackBodySource& body : bodies) size += packBodySize(body);
@@ -149,13 +170,13 @@ std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials&
     for (const std::string& chunk : chunks) size += chunk.size();
     JsonWriter json(JsonLayout::CompactLines, size);
     json.openObject();
-    writeHeader(json, asset, material, meshes);
+    writeHeader(json, bake, asset, material, meshes);
     writePackBody(json, "whole", whole, material.own.density);
     json.openArray("fragments", JsonLayout::CompactLines);
     for (const std::string& chunk : chunks) json.elements(chunk);
     json.close();
     json.close();
-    return std::move(json).finished();
+    return withChecksum(std::move(json).finished());
 }
 
 }  // namespace rubble

@@ -63,6 +63,8 @@ struct PackBody {
     Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
     Mat3 inertia{0.0};                 // kg m^2, about the centre of mass, in its own axes
     std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
+    double gap = 0.0;                  // m between its fragments; 0: none
+    double lostMass = 0.0;             // kg that the gap takes from them
     std::vector<PackHull> hulls;       // in its own frame
 };
 
@@ -70,8 +72,9 @@ struct PackBody {
 struct Pack {
     Id asset = 0;
     std::string name;
-    double gap = 0.0;        // m between fragments
+    double gap = 0.0;        // m between fragments, the widest of all bodies
     std::string hash;        // packHash() in hexadecimal
+    std::string checksum;    // of the text, see verifyPackText(); empty: written by an earlier version
     double threshold = 0.0;  // N·s
     Material material;       // its id is not in the file
     std::vector<PackMeshFile> meshes;
@@ -86,9 +89,16 @@ struct Pack {
 Result<Pack> readPack(std::string_view json);
 
 /// Returns the first error in a pack, if there is one: repeated ids or names, missing parents and neighbours,
-/// neighbours that are not mutual, children whose volumes do not sum to their parent's, mass that is not density times
-/// volume, an impossible inertia, hulls that fail verifyPolytope() or do not fill their body, signed edges that do not
-/// follow their face or start with two collinear ones, meshes of missing fragments, a malformed hash.
+/// neighbours that are not mutual, children whose masses do not sum to their parent's or have another centre of mass,
+/// contacts that the hulls do not have (verifyPackContacts()), mass that is not density times volume, an impossible
+/// inertia, hulls that fail verifyPolytope() or do not fill their body, signed edges that do not follow their face or
+/// start with two collinear ones, meshes of missing fragments, a malformed or zero hash.
 std::optional<std::string> verifyPack(const Pack& pack);
+
+/// Returns that the text of a pack was changed after it was written, if its checksum says so. The checksum is the hash
+/// of the text with 32 zeros in its place.
+std::optional<std::string> verifyPackText(std::string_view json, const Pack& pack);
+/// Returns the text of a pack with the right checksum. It must have one.
+std::string withChecksum(std::string json);
 
 }  // namespace rubble

@@ -11,6 +11,9 @@ namespace rubble {
 /// The format and version in pack.json.
 inline constexpr FileFormat kPackFormat{.name = "rubble-pack", .noun = "pack", .version = kPackVersion};
 
+/// In place of the checksum, where the checksum is computed.
+inline constexpr std::string_view kNoChecksum = "00000000000000000000000000000000";
+
 /// The names of enumerators in pack.json, in their order.
 inline constexpr std::array<std::string_view, 3> kMeshBodies{"whole", "fragments", "fragment"};
 inline constexpr std::array<std::string_view, 2> kMeshPlaces{"assembled", "centred"};

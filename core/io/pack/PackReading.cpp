@@ -59,7 +59,9 @@ Bond readNeighbour(const JsonValue& value) {
 
 PackBody readPackBody(const JsonValue& value) {
     value.requireObject(
-        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"});
+        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"},
+        {"gap", "lostMass"});
+    const JsonValue gap = value["gap"], lostMass = value["lostMass"];
     return {.id = value["id"].text(),
             .name = value["name"].text(),
             .parent = readOptionalIndex(value["parent"]),
@@ -69,6 +71,8 @@ PackBody readPackBody(const JsonValue& value) {
             .centreOfMass = readVector(value["centreOfMass"]),
             .inertia = readInertia(value["inertia"]),
             .neighbours = value["neighbours"].list(readNeighbour),
+            .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
+            .lostMass = lostMass.isPresent() ? lostMass.number(atLeast(0.0)) : 0.0,
             .hulls = value["hulls"].list(readHull)};
 }
 
@@ -104,7 +108,9 @@ void requireWords(const JsonValue& value, std::initializer_list<std::array<std::
 
 Pack readPackVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "units", "axes", "asset", "hash", "threshold", "material", "meshes",
-                        "whole", "fragments"});
+                        "whole", "fragments"},
+                       {"checksum"});
+    const JsonValue checksum = root["checksum"];
     root["units"].requireObject({"length", "mass", "time"});
     requireWords(root["units"], {{"length", "m"}, {"mass", "kg"}, {"time", "s"}});
     root["axes"].requireObject({"handedness", "up", "front"});
@@ -115,6 +121,7 @@ Pack readPackVersion1(const JsonValue& root) {
             .name = root["asset"]["name"].text(),
             .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
             .hash = root["hash"].text(),
+            .checksum = checksum.isPresent() ? checksum.text() : std::string(),
             .threshold = root["threshold"].number(above(0.0)),
             .material = readPackMaterial(root["material"]),
             .meshes = root["meshes"].list(readMesh),

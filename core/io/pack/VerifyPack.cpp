@@ -1,5 +1,8 @@
 #include "core/base/MessageText.h"
 #include "core/io/pack/VerifyPackBody.h"
+#include "core/io/pack/VerifyPackContacts.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +30,7 @@ ErrorText verifyHeader(const Pack& pack) {
     };
     if (pack.hash.size() != 32 || !std::ranges::all_of(pack.hash, isDigit))
         return "The hash " + quotedName(pack.hash) + " is not 32 hexadecimal digits.";
+    if (pack.hash == std::string(pack.hash.size(), '0')) return std::string("The hash is zero.");
     if (pack.name.empty()) return "The asset has no name.";
     for (const PackMeshFile& mesh : pack.meshes) {
         const std::string owner = "The mesh " + quotedName(mesh.name) + " ";
@@ -45,6 +49,8 @@ ErrorText verifyNames(const Pack& pack) {
     std::set<std::string_view> names;
     const auto verifyBodyName = [&](const PackBody& body) -> ErrorText {
         if (body.id.empty() || body.name.empty()) return ownerOf(pack, body) + "it has no id or no name.";
+        if (body.name.find(' ') != std::string::npos)
+            return ownerOf(pack, body) + "its name " + quotedName(body.name) + " has a space.";
         if (!ids.insert(body.id).second)
             return ownerOf(pack, body) + "the id " + quotedName(body.id) + " is used twice.";
         if (!names.insert(body.name).second)
@@ -56,6 +62,26 @@ ErrorText verifyNames(const Pack& pack) {
         if (ErrorText error = verifyBodyName(body)) return error;
     }
     return std::nullopt;
+}
+
+/// Whether a part of an id names cells and a piece of them: "5.17", "5.17.1", "5.17+8.2.1".
+bool isPieceName(std::string_view name) {
+    std::size_t numbers = 0;  // since the last '+'
+    for (bool isMore = true; isMore;) {
+        std::size_t digits = 0;
+        while (digits < name.size() && name[digits] >= '0' && name[digits] <= '9') ++digits;
+        if (digits == 0) return false;
+        ++numbers;
+        name.remove_prefix(digits);
+        if (name.empty()) break;
+        const char next = name[0];
+        name.remove_prefix(1);
+        if (next == '+' && numbers != 2) return false;
+        if (next == '+') numbers = 0;
+        isMore = next == '+' || next == '.';
+        if (!isMore || numbers > 2) return false;
+    }
+    return numbers == 2 || numbers == 3;
 }
 
 /// Parents precede their children, whose ids start with the parent's.
@@ -70,6 +96,8 @@ ErrorText verifyParents(const Pack& pack) {
         const PackBody& parent = body.parent == kNone ? pack.whole : pack.fragments[body.parent];
         if (!body.id.starts_with(parent.id + "/"))
             return ownerOf(pack, body) + "its id does not start with its parent's " + quotedName(parent.id) + ".";
+        if (!isPieceName(std::string_view(body.id).substr(parent.id.size() + 1)))
+            return ownerOf(pack, body) + "its id does not name a seed or a cell after its parent's.";
     }
     return std::nullopt;
 }
@@ -92,17 +120,56 @@ ErrorText verifyNeighbours(const Pack& pack, std::uint32_t index) {
     return std::nullopt;
 }
 
-/// The volumes of children sum to their parent's, less the gap.
-ErrorText verifyVolumes(const Pack& pack) {
+/// The masses of children sum to their parent's, less what the gap takes.
+ErrorText verifyMassOfChildren(const PackBody& body, double sum, bool isGapKnown) {
+    if (sum == 0.0) return body.gap == 0.0 ? std::nullopt : ErrorText("it has a gap, but no fragments.");
+    if (!isGapKnown && sum < body.mass) return std::nullopt;
+    if (isNear(sum + body.lostMass, body.mass)) return std::nullopt;
+    const std::string lost =
+        body.gap > 0.0 ? ", and the gap takes " + messageText(body.lostMass) + " kg," : std::string();
+    return "its children have a mass of " + messageText(sum) + " kg" + lost + " instead of " + messageText(body.mass) +
+           " kg.";
+}
+
+/// The gap of the pack is the widest of its bodies. Earlier versions wrote it there only, and without the mortar.
+ErrorText verifyGaps(const Pack& pack) {
+    double widest = pack.whole.gap;
+    for (const PackBody& body : pack.fragments) widest = std::max(widest, body.gap);
+    const bool isGapKnown = widest > 0.0 || pack.gap == 0.0;
+    if (isGapKnown && widest != pack.gap) {
+        return "The gap of the asset is " + messageText(pack.gap) + " m instead of the widest of its bodies, " +
+               messageText(widest) + " m.";
+    }
     std::vector<double> sums(pack.fragments.size() + 1, 0.0);  // the whole's last
     for (const PackBody& body : pack.fragments)
-        sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.volume;
+        sums[std::min<std::size_t>(body.parent, pack.fragments.size())] += body.mass;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const PackBody& body = k < pack.fragments.size() ? pack.fragments[k] : pack.whole;
-        const bool isWithinGap = pack.gap > 0.0 && sums[k] < body.volume;
-        if (sums[k] != 0.0 && !isWithinGap && !isNear(sums[k], body.volume)) {
-            return ownerOf(pack, body) + "its children have a volume of " + messageText(sums[k]) + " m³ instead of " +
-                   messageText(body.volume) + " m³.";
+        if (ErrorText error = verifyMassOfChildren(body, sums[k], isGapKnown)) return ownerOf(pack, body) + *error;
+    }
+    return std::nullopt;
+}
+
+/// The centre of mass of the children is their parent's, up to what a gap may shift it by.
+ErrorText verifyOffsets(const Pack& pack, double size) {
+    const std::size_t count = pack.fragments.size();
+    std::vector<Vec3> sums(count + 1, Vec3(0.0));  // the whole's last
+    std::vector<double> masses(count + 1, 0.0);
+    for (const PackBody& body : pack.fragments) {
+        const std::size_t parent = std::min<std::size_t>(body.parent, count);
+        const Vec3 origin = parent < count ? pack.fragments[parent].offset : pack.whole.offset;
+        sums[parent] += body.mass * (body.offset - origin);
+        masses[parent] += body.mass;
+    }
+    for (std::size_t k = 0; k <= count; ++k) {
+        const PackBody& body = k < count ? pack.fragments[k] : pack.whole;
+        if (masses[k] == 0.0) continue;
+        const double lost = std::max(0.0, body.mass - masses[k]) / body.mass;
+        const double slack =
+            (kTolerance + (pack.gap > 0.0 ? lost : 0.0)) * (size + kTolerance * glm::length(body.offset));
+        if (const double off = glm::length(sums[k]) / masses[k]; !(off <= slack)) {
+            return ownerOf(pack, body) + "the centre of mass of its children is " + messageText(off) +
+                   " m beside its own.";
         }
     }
     return std::nullopt;
@@ -123,7 +190,9 @@ std::optional<std::string> verifyPack(const Pack& pack) {
     for (const PackBody& body : pack.fragments) {
         if (ErrorText error = verifyPackBody(body, scale)) return ownerOf(pack, body) + *error;
     }
-    return verifyVolumes(pack);
+    if (ErrorText error = verifyGaps(pack)) return error;
+    if (ErrorText error = verifyOffsets(pack, scale.size)) return error;
+    return verifyPackContacts(pack);
 }
 
 }  // namespace rubble

@@ -112,6 +112,7 @@ PackScale scaleOf(const Pack& pack) {
 std::optional<std::string> verifyPackBody(const PackBody& body, const PackScale& scale) {
     if (!isFinite(body.offset) || !isFinite(body.centreOfMass))
         return std::string("its offset or centre of mass is not finite.");
+    if (body.centreOfMass != Vec3(0.0)) return std::string("its centre of mass is not the origin of its frame.");
     if (!(body.volume > 0.0 && std::abs(body.mass - scale.density * body.volume) <= kProductTolerance * body.mass)) {
         return "its mass is " + messageText(body.mass) + " kg instead of " + messageText(scale.density * body.volume) +
                " kg.";

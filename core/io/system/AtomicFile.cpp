@@ -115,9 +115,12 @@ Error notAFile(const char* verb, const fs::path& path, mode_t mode) {
             std::string("Cannot ") + verb + " " + quotedPath(path) + ": it is a " + kind + ", not a file."};
 }
 
-/// Opens a file for reading, unless it is a folder, a pipe or a device.
-Result<OpenFile> openRegularFile(const fs::path& path, struct stat& status) {
-    OpenFile file(path, O_RDONLY | O_NONBLOCK);  // opening a pipe would wait for a writer
+/// Opens a file for reading, unless it is a folder, a pipe or a device, or a link that is refused.
+Result<OpenFile> openRegularFile(const fs::path& path, Links links, struct stat& status) {
+    const int flags = links == Links::Refused ? O_NOFOLLOW : 0;
+    OpenFile file(path, O_RDONLY | O_NONBLOCK | flags);  // opening a pipe would wait for a writer
+    if (!file.isOpen() && errno == ELOOP && links == Links::Refused)
+        return Error{ErrorCode::Io, quotedPath(path) + " is a link, which is not followed here; replace it by a file."};
     if (!file.isOpen() || ::fstat(file.descriptor(), &status) != 0) return cannotRead(path, errno);
     if (S_ISDIR(status.st_mode)) return cannotRead(path, EISDIR);
     if (!S_ISREG(status.st_mode)) return notAFile("read", path, status.st_mode);
@@ -186,9 +189,9 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes, Leftove
     return replaceFile(path, target, bytes, old);
 }
 
-Result<std::string> readFile(const fs::path& path) {
+Result<std::string> readFile(const fs::path& path, Links links) {
     struct stat status {};
-    const Result<OpenFile> file = openRegularFile(path, status);
+    const Result<OpenFile> file = openRegularFile(path, links, status);
     if (!file) return file.error();
     std::string bytes(status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : 65536, '\0');
     std::size_t used = 0;
@@ -204,9 +207,9 @@ Result<std::string> readFile(const fs::path& path) {
     return bytes;
 }
 
-Result<FileHash> hashOfFile(const fs::path& path) {
+Result<FileHash> hashOfFile(const fs::path& path, Links links) {
     struct stat status {};
-    const Result<OpenFile> file = openRegularFile(path, status);
+    const Result<OpenFile> file = openRegularFile(path, links, status);
     if (!file) return file.error();
     Hasher hasher;
     FileHash result;

@@ -44,10 +44,13 @@ bool isInterruptedSave(std::string_view bytes);
 /// What a user can do about a file that isInterruptedSave(): sentences that name the copy, if it is there.
 std::string interruptedSaveText(const std::filesystem::path& path);
 
+/// What reading does with a path that is a symbolic link itself.
+enum class Links { Followed, Refused };
+
 /// Returns the contents of a regular file. Never waits: pipes and devices are refused.
 ///
-/// Errors, with the path: NotFound; Io; Limit above 1 GiB.
-Result<std::string> readFile(const std::filesystem::path& path);
+/// Errors, with the path: NotFound; Io, also for links that are refused; Limit above 1 GiB.
+Result<std::string> readFile(const std::filesystem::path& path, Links links = Links::Followed);
 
 struct FileHash {
     std::uint64_t size = 0;  // bytes
@@ -57,6 +60,6 @@ struct FileHash {
 /// The size and the hash of a file, without keeping its bytes in memory.
 ///
 /// Errors: those of readFile().
-Result<FileHash> hashOfFile(const std::filesystem::path& path);
+Result<FileHash> hashOfFile(const std::filesystem::path& path, Links links = Links::Followed);
 
 }  // namespace rubble

@@ -187,6 +187,8 @@ Status flushRenamed(const fs::path& target, const fs::path& path) {
                                     "): a power cut may undo it. Write it again or elsewhere."};
 }
 
+bool isTemporaryName(const std::string& name) { return isTemporary(name, kNewSuffix) || isTemporary(name, kOldSuffix); }
+
 void removeLeftovers(const fs::path& folder) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
     if (!entries) return;  // what is about to be written there will tell

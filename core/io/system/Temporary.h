@@ -85,6 +85,9 @@ int syncFolder(const std::filesystem::path& folder);
 /// Errors: Io, with the system's reason.
 Status flushRenamed(const std::filesystem::path& target, const std::filesystem::path& path);
 
+/// Whether a name is that of a TemporaryFile or a TemporaryFolder, of a running process or a leftover.
+bool isTemporaryName(const std::string& name);
+
 /// Removes the temporary files and folders that killed processes of this user left in a folder. Old contents that a
 /// process had moved away when it was killed are moved back; if their name is taken, they are removed only if it was
 /// taken by their replacement. Those of running processes are locked and stay, as all do where the file system has no

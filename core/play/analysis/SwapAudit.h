@@ -9,7 +9,7 @@ namespace rubble {
 
 // The limits of a clean swap.
 inline constexpr double kCleanSpeed = 1e-3;       // m/s: of the fastest fragment after kAuditSteps without forces
-inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: the same for an asset lying flat under gravity
+inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: on average, for an asset lying flat under gravity
 inline constexpr double kCleanOverlap = 1e-6;     // m
 inline constexpr double kCleanDrift = 1e-5;       // relative, of mass, momenta and energy in a step of single precision
 inline constexpr int kAuditSteps = 30;            // of 1/60 s
@@ -29,7 +29,7 @@ struct SwapAudit {
     double deepestOverlap = 0.0;  // m: of two exact fragments then
     PieceSpeed resting;           // the fastest fragment, kAuditSteps after the swap of any level, without forces
     double restingEnergy = 0.0;   // J: their kinetic energy then; the whole had none
-    PieceSpeed lying;             // the fastest fragment after kAuditSteps, of an asset lying flat on the ground
+    PieceSpeed lying;             // the fastest on average for kAuditSteps, of an asset lying flat on the ground
     double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
     double momentumDrift = 0.0;
     double angularDrift = 0.0;

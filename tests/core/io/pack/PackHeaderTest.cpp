@@ -40,6 +40,7 @@ bool isSame(const rubble_pack::Hull& read, const PackHull& ours) {
 bool isSame(const rubble_pack::Body& read, const PackBody& ours) {
     bool same = read.id == ours.id && read.name == ours.name && read.parent == ours.parent &&
                 isSame(read.offset, ours.offset) && read.volume == ours.volume && read.mass == ours.mass &&
+                read.gap == ours.gap && read.lostMass == ours.lostMass &&
                 isSame(read.centreOfMass, ours.centreOfMass) && read.neighbours.size() == ours.neighbours.size() &&
                 read.hulls.size() == ours.hulls.size();
     for (int row = 0; row < 3; ++row)
@@ -113,6 +114,7 @@ private slots:
         };
         for (const test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink)) {
             if (mutation.name.ends_with("one more key")) continue;  // unknown keys are ignored
+            if (mutation.place == "checksum" || mutation.name == " without checksum") continue;  // as this one
             const std::string fault = headerFault(mutation.document.dump());
             const std::string place = fault.substr(0, fault.find(": "));  // or the path of its container
             QVERIFY2(!fault.empty() && mutation.place.starts_with(place), (mutation.name + " gives: " + fault).c_str());

@@ -1,8 +1,7 @@
-#include "core/io/project/AssetDifferenceJson.h"
+#include "core/io/project/ProjectDifferenceJson.h"
 
 #include "core/io/json/JsonWriter.h"
 
-#include <algorithm>
 #include <array>
 
 namespace rubble {
@@ -50,12 +49,12 @@ void writePiece(JsonWriter& json, const PieceDifference& piece) {
 
 }  // namespace
 
-std::string assetDifferenceJson(std::span<const AssetDifference> differences) {
+std::string projectDifferenceJson(const ProjectDifference& all) {
     JsonWriter json;
     json.openObject();
-    json.boolean("isSame", std::ranges::all_of(differences, &AssetDifference::isEmpty));
+    json.boolean("isSame", all.isEmpty());
     json.openArray("assets");
-    for (const AssetDifference& difference : differences) {
+    for (const AssetDifference& difference : all.assets) {
         json.openObject();
         json.text("name", difference.pair.name());
         json.text("state", stateOf(difference));
@@ -68,6 +67,7 @@ std::string assetDifferenceJson(std::span<const AssetDifference> differences) {
         json.close();
     }
     json.close();
+    json.list("settings", all.settings, writeChange);
     json.close();
     return std::move(json).finished();
 }

@@ -1,0 +1,219 @@
+#include "core/io/pack/VerifyPackContacts.h"
+
+#include "core/base/MessageText.h"
+#include "core/io/pack/ConvexOverlap.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rubble {
+namespace {
+
+using ErrorText = std::optional<std::string>;
+
+constexpr double kDistanceTolerance = 1e-8;  // of the parent's size: between faces that meet
+constexpr double kRounding = 1e-14;          // of coordinates
+constexpr double kAreaTolerance = 1e-5;      // of an area, and of the parent's size times its depth
+constexpr double kHiddenByGap = 4.0;         // gaps: by which the ends of a cut may be farther than the faces tell
+
+/// A box that contains a body, in the asset's frame.
+struct Bounds {
+    Vec3 min, max;
+};
+
+Bounds boundsOf(const PackBody& body) {
+    Bounds bounds{Vec3(1e308), Vec3(-1e308)};
+    for (const PackHull& hull : body.hulls) {
+        for (const Vec3& vertex : hull.polytope.vertices) {
+            bounds.min = glm::min(bounds.min, vertex + body.offset);
+            bounds.max = glm::max(bounds.max, vertex + body.offset);
+        }
+    }
+    return bounds;
+}
+
+bool touch(const Bounds& a, const Bounds& b, double reach) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (a.min[axis] > b.max[axis] + reach || b.min[axis] > a.max[axis] + reach) return false;
+    }
+    return true;
+}
+
+/// Verifies the contacts of the fragments of one body.
+class SiblingContacts {
+public:
+    SiblingContacts(const Pack& pack, const PackBody& parent, std::vector<std::uint32_t> children)
+        : m_pack(pack), m_children(std::move(children)), m_parentId(parent.id), m_parent(boundsOf(parent)) {
+        const bool isGapKnown = parent.gap > 0.0 || pack.gap == 0.0 || hasGaps(pack);
+        m_gap = isGapKnown ? parent.gap : pack.gap;
+        const Vec3 size = m_parent.max - m_parent.min;
+        m_size = glm::length(size);
+        m_depth = size.z;
+        const double farthest = std::max(glm::length(m_parent.min), glm::length(m_parent.max));
+        m_distanceTolerance = kDistanceTolerance * m_size + kRounding * farthest;
+        m_areaTolerance = kAreaTolerance * m_size * m_depth;
+        for (const std::uint32_t child : m_children) {
+            m_bounds.push_back(boundsOf(pack.fragments[child]));
+            std::vector<PlacedFace>& faces = m_faces.emplace_back();
+            for (const PackHull& hull : pack.fragments[child].hulls) {
+                std::ranges::move(placedFaces(hull.polytope, pack.fragments[child].offset), std::back_inserter(faces));
+            }
+        }
+    }
+
+    ErrorText error() {
+        for (std::size_t k = 0; k < m_children.size(); ++k) {
+            if (!isWithinParent(m_bounds[k])) return ownerOf(k) + "it extends beyond its parent.";
+        }
+        for (std::size_t k = 0; k < m_children.size(); ++k) {
+            for (const Bond& bond : fragment(k).neighbours) {
+                const auto other = std::ranges::lower_bound(m_children, bond.fragment) - m_children.begin();
+                const auto index = static_cast<std::size_t>(other);
+                if (index < k) continue;
+                if (ErrorText error = pairError(k, index, bond.area)) return error;
+            }
+        }
+        if (ErrorText error = unlistedError()) return error;
+        if (m_gap == 0.0 || m_isGapSeen || !m_isLongCutSeen) return std::nullopt;
+        return "No fragments of " + quotedName(m_parentId) + " are as far apart as its gap, " + messageText(m_gap) +
+               " m.";
+    }
+
+private:
+    static bool hasGaps(const Pack& pack) {
+        const auto hasGap = [](const PackBody& body) { return body.gap > 0.0; };
+        return hasGap(pack.whole) || std::ranges::any_of(pack.fragments, hasGap);
+    }
+    const PackBody& fragment(std::size_t k) const { return m_pack.fragments[m_children[k]]; }
+    std::string ownerOf(std::size_t k) const {
+        return "Fragment " + std::to_string(m_children[k]) + " " + quotedName(fragment(k).id) + ": ";
+    }
+
+    bool isWithinParent(const Bounds& bounds) const {
+        bool isWithin = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            isWithin &= bounds.min[axis] >= m_parent.min[axis] - m_distanceTolerance &&
+                        bounds.max[axis] <= m_parent.max[axis] + m_distanceTolerance;
+        }
+        return isWithin;
+    }
+
+    /// Calls visit(first, second) for the pairs of children that may touch, each once.
+    template <class Visit>
+    ErrorText forEachNearPair(Visit visit) const {
+        std::vector<std::size_t> order(m_children.size()), open;
+        for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+        std::ranges::sort(order, {}, [&](std::size_t k) { return m_bounds[k].min.x; });
+        const double reach = m_gap + m_distanceTolerance;
+        for (const std::size_t next : order) {
+            std::erase_if(open, [&](std::size_t k) { return m_bounds[k].max.x + reach < m_bounds[next].min.x; });
+            for (const std::size_t before : open) {
+                if (!touch(m_bounds[before], m_bounds[next], reach)) continue;
+                if (ErrorText error = visit(std::min(before, next), std::max(before, next))) return error;
+            }
+            open.push_back(next);
+        }
+        return std::nullopt;
+    }
+
+    /// Siblings that touch are neighbours.
+    ErrorText unlistedError() {
+        return forEachNearPair([&](std::size_t first, std::size_t second) -> ErrorText {
+            const std::vector<Bond>& bonds = fragment(first).neighbours;
+            const auto isListed = std::ranges::find(bonds, m_children[second], &Bond::fragment) != bonds.end();
+            return isListed ? std::nullopt : pairError(first, second, 0.0);
+        });
+    }
+
+    /// The contact of two children.
+    struct Contact {
+        double area = 0.0;    // m^2, of opposite faces as far apart as the gap
+        double nearer = 0.0;  // m^2, of those nearer to each other
+        std::size_t faces = 0;
+    };
+    Contact contactOf(std::size_t first, std::size_t second) const {
+        Contact contact;
+        if (!touch(m_bounds[first], m_bounds[second], m_gap + m_distanceTolerance)) return contact;
+        for (const PlacedFace& one : m_faces[first]) {
+            for (const PlacedFace& other : m_faces[second]) {
+                const auto overlap = overlapOf(one, other, m_gap + m_distanceTolerance);
+                if (!overlap) continue;
+                const bool isNearer = overlap->distance < m_gap - m_distanceTolerance;
+                (isNearer ? contact.nearer : contact.area) += overlap->area;
+                contact.faces += overlap->area > 0.0;
+            }
+        }
+        return contact;
+    }
+
+    /// Compares the contact of two children with the stated area; 0: they are not listed as neighbours.
+    ErrorText pairError(std::size_t first, std::size_t second, double stated) {
+        const Contact contact = contactOf(first, second);
+        const double hidden = m_areaTolerance + m_gap * m_depth * kHiddenByGap * static_cast<double>(contact.faces);
+        const std::string other = ownerOf(first) + "its neighbour " + std::to_string(m_children[second]);
+        if (m_gap > 0.0 && contact.nearer > hidden) return other + " is nearer than the gap.";
+        m_isGapSeen |= contact.area > 0.0;
+        m_isLongCutSeen |= stated > 2.0 * hidden;
+        const double slack = kAreaTolerance * stated + hidden;
+        if (contact.area > stated + slack) {
+            if (stated == 0.0)
+                return ownerOf(first) + "it touches fragment " + std::to_string(m_children[second]) +
+                       ", which is not listed as a neighbour.";
+            return areaError(other, stated, "at least ", contact.area);
+        }
+        if (stated == 0.0) return std::nullopt;
+        if (m_gap == 0.0 && contact.area < stated - slack) return areaError(other, stated, "", contact.area);
+        if (m_gap > 0.0) {
+            const double most = mostBesideGap(first, second);
+            if (stated > most) return areaError(other, stated, "at most ", most);
+        }
+        return std::nullopt;
+    }
+    static std::string areaError(const std::string& other, double stated, const std::string& bound, double expected) {
+        return other + " has a contact area of " + messageText(stated) + " m² instead of " + bound +
+               messageText(expected) + " m².";
+    }
+
+    /// An upper bound of the contact area of two fragments before the gap was taken from them. That of convex ones is a
+    /// part of a straight cut, which lies in both if their sides are moved back.
+    double mostBesideGap(std::size_t first, std::size_t second) const {
+        const double margin = m_gap / 2.0 + m_distanceTolerance;
+        const Box2 box{Vec2(m_parent.min) - Vec2(margin), Vec2(m_parent.max) + Vec2(margin)};
+        const std::vector<PackHull>&own = fragment(first).hulls, &others = fragment(second).hulls;
+        double length = own.size() + others.size() > 2 ? m_size : 0.0;
+        for (const PackHull& one : own) {
+            for (const PackHull& other : others) {
+                length += widenedOverlap(one.polytope, fragment(first).offset, other.polytope, fragment(second).offset,
+                                         margin, box);
+            }
+        }
+        return (length + kHiddenByGap * m_gap) * m_depth + m_areaTolerance;
+    }
+
+    const Pack& m_pack;
+    std::vector<std::uint32_t> m_children;  // ascending
+    std::string m_parentId;
+    Bounds m_parent;
+    double m_gap = 0.0, m_size = 0.0, m_depth = 0.0;          // m
+    double m_distanceTolerance = 0.0, m_areaTolerance = 0.0;  // m, m^2
+    bool m_isGapSeen = false, m_isLongCutSeen = false;
+    std::vector<Bounds> m_bounds;  // this and the following: one per child
+    std::vector<std::vector<PlacedFace>> m_faces;
+};
+
+}  // namespace
+
+std::optional<std::string> verifyPackContacts(const Pack& pack) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> children;
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) children[pack.fragments[k].parent].push_back(k);
+    for (auto& [parent, list] : children) {
+        const PackBody& body = parent == kNone ? pack.whole : pack.fragments[parent];
+        if (ErrorText error = SiblingContacts(pack, body, std::move(list)).error()) return error;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

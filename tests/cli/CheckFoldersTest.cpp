@@ -1,0 +1,132 @@
+// Tests app/cli/verbs/CheckVerb.cpp and core/io/pack/ExportFolder.cpp: folders of packs, names and links in them.
+#include "app/cli/Cli.h"
+#include "core/io/pack/PackExport.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
+#include "tests/support/files/FileBytes.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace rubble;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run of rubble-cli check.
+struct CheckRun {
+    int exit = -1;
+    QString out, err;
+};
+
+void write(const fs::path& path, const QByteArray& bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), bytes.size());
+}
+
+CheckRun check(const fs::path& path) {
+    std::ostringstream out, err;
+    const int exit = runCli({"check", path.string()}, {.in = 0, .out = out, .err = err});
+    return {exit, QString::fromStdString(out.str()), QString::fromStdString(err.str())};
+}
+
+}  // namespace
+
+class CheckFoldersTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_place;
+    fs::path m_packs;
+
+    /// Exports an asset with a name.
+    void exportAsset(const std::string& name, EditedFiles edited = EditedFiles::Kept) {
+        Project project = boxProject(UniformScatter{.count = 3});
+        project.assets[0].name = name;
+        const auto exported = exportPacks(project, std::vector{project.assets[0].id}, m_packs, {}, edited);
+        QVERIFY(exported.hasValue() && exported->size() == 1);
+        m_status = (*exported)[0].status;
+    }
+    Status m_status = success();
+
+private slots:
+    void init() {
+        m_place = std::make_unique<QTemporaryDir>();
+        m_packs = m_place->filePath("packs").toStdString();
+    }
+    void assetsMayHaveTheNamesOfFiles_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"manifest.json", "pack.json", "wall.obj", "pack", "x.import"})
+            QTest::newRow(name) << name;
+    }
+    void assetsMayHaveTheNamesOfFiles() {
+        QFETCH(QString, name);
+        exportAsset("roof");
+        exportAsset(name.toStdString());
+        QVERIFY(m_status.hasValue());
+        for (const fs::path& path :
+             {m_packs, m_packs / name.toStdString(), m_packs / name.toStdString() / "pack.json"}) {
+            const CheckRun run = check(path);
+            QVERIFY2(run.exit == 0, qPrintable(run.err));
+            QVERIFY2(run.out.contains(name + ": 3 fragments"), qPrintable(run.out));
+        }
+        exportAsset(name.toStdString());  // unchanged
+        QVERIFY(m_status.hasValue());
+    }
+    /// What a killed export left, and a running one has written so far.
+    void foldersOfExportsAreNoPacks() {
+        exportAsset("wall");
+        for (const char* name : {".rubble-17-0123456789abcdef.tmp", ".rubble-18-0123456789abcdef.old"}) {
+            fs::create_directory(m_packs / name);
+            write(m_packs / name / "pack.json", "{\"format\": \"rubb");
+        }
+        const CheckRun run = check(m_packs);
+        QCOMPARE(run.err, QString());
+        QCOMPARE(run.exit, 0);
+        fs::create_directory(m_packs / ".rubble-of-a-user");
+        write(m_packs / ".rubble-of-a-user/pack.json", "{");
+        QCOMPARE(check(m_packs).exit, 1);
+    }
+    void linksInPacksAreToldAndNotFollowed_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"wall.obj", "wall.mtl", "pack.json", "manifest.json", "wall.obj.import", "more.txt"})
+            QTest::newRow(name) << name;
+    }
+    void linksInPacksAreToldAndNotFollowed() {
+        QFETCH(QString, name);
+        exportAsset("wall");
+        const fs::path link = m_packs / "wall" / name.toStdString(), target = m_packs / "secret";
+        const QByteArray secret = fs::exists(link) ? bytesOfFile(QString::fromStdString(link)) : "secret";
+        write(target, secret);
+        fs::remove(link);
+        fs::create_symlink(target, link);  // with the very bytes that the manifest lists
+        const CheckRun run = check(m_packs);
+        QCOMPARE(run.exit, 1);
+        QVERIFY2(run.err.contains(name + "\""), qPrintable(run.err));
+        if (name == "wall.obj.import" || name == "more.txt") return;  // an unchanged export does not look at more files
+        exportAsset("wall");
+        QVERIFY2(!m_status.hasValue(), "the export took the link for the file");
+        QVERIFY(fs::is_symlink(link));
+        if (name != "wall.obj" && name != "wall.mtl") return;
+        exportAsset("wall", EditedFiles::Replaced);
+        QVERIFY2(m_status.hasValue(), m_status.hasValue() ? "" : m_status.error().message.c_str());
+        QVERIFY(!fs::is_symlink(link));
+        QCOMPARE(bytesOfFile(QString::fromStdString(target)), secret);
+        QCOMPARE(check(m_packs).exit, 0);
+    }
+    void danglingLinksAreTold() {
+        exportAsset("wall");
+        fs::remove(m_packs / "wall/wall.obj");
+        fs::create_symlink("nowhere", m_packs / "wall/wall.obj");
+        const CheckRun run = check(m_packs / "wall");
+        QCOMPARE(run.exit, 1);
+        QVERIFY2(run.err.contains("is a link"), qPrintable(run.err));
+    }
+};
+
+RUBBLE_TEST_WITH(CheckFoldersTest, QCoreApplication)
+#include "CheckFoldersTest.moc"
