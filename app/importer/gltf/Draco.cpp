@@ -3,6 +3,7 @@
 #include "app/importer/files/AssimpValues.h"
 
 #include <draco/compression/decode.h>
+#include <algorithm>
 
 namespace rubble {
 namespace {
@@ -22,9 +23,17 @@ std::optional<GltfNumbers> numbersOf(const draco::Mesh& mesh, std::uint32_t id) 
     return result;
 }
 
+/// Normalizes integers that the compressed bytes have as they are.
+void normalize(GltfNumbers& numbers, const GltfAccessor& accessor, const draco::PointAttribute& attribute) {
+    const double most = normalizedMost(accessor.componentType);
+    if (!accessor.isNormalized || attribute.normalized() || attribute.data_type() == draco::DT_FLOAT32) return;
+    for (double& number : numbers.numbers) number = std::max(number / most, -1.0);
+}
+
 }  // namespace
 
-std::optional<DracoMesh> dracoDecoded(std::string_view bytes, const GltfAttributes& attributes) {
+std::optional<DracoMesh> dracoDecoded(std::string_view bytes, const GltfPrimitive& primitive,
+                                      const GltfDocument& document) {
     draco::DecoderBuffer buffer;
     buffer.Init(bytes.data(), bytes.size());
     draco::Decoder decoder;
@@ -32,9 +41,12 @@ std::optional<DracoMesh> dracoDecoded(std::string_view bytes, const GltfAttribut
     if (!decoded.ok() || decoded.value() == nullptr) return std::nullopt;
     const draco::Mesh& mesh = *decoded.value();
     DracoMesh result;
-    for (const auto& [name, id] : attributes) {
+    for (const auto& [name, id] : primitive.draco->attributes) {
         std::optional<GltfNumbers> numbers = numbersOf(mesh, id);
         if (!numbers) return std::nullopt;
+        const auto accessor = primitive.attributes.find(name);
+        if (accessor != primitive.attributes.end() && accessor->second < document.accessors.size())
+            normalize(*numbers, document.accessors[accessor->second], *mesh.GetAttributeByUniqueId(id));
         (name == "POSITION" ? result.positions : result.others[name]) = std::move(*numbers);
     }
     if (result.positions.components != 3) return std::nullopt;

@@ -11,8 +11,10 @@ struct DracoMesh {
     std::map<std::string, GltfNumbers, std::less<>> others;  // texture coordinates, joints and weights
 };
 
-/// Decompresses a primitive; nothing if the bytes are damaged or the primitive has no positions.
+/// Decompresses a primitive of a document; nothing if the bytes are damaged or the primitive has no positions. Integers
+/// are normalized where the primitive's accessors say so.
 /// Source: KHR_draco_mesh_compression.
-std::optional<DracoMesh> dracoDecoded(std::string_view bytes, const GltfAttributes& attributes);
+std::optional<DracoMesh> dracoDecoded(std::string_view bytes, const GltfPrimitive& primitive,
+                                      const GltfDocument& document);
 
 }  // namespace rubble

@@ -68,6 +68,11 @@ void appendValues(std::string_view bytes, const Layout& layout, const std::strin
 
 }  // namespace
 
+double normalizedMost(std::uint32_t componentType) {
+    constexpr std::array<double, 7> kMost = {127.0, 255.0, 32767.0, 65535.0, 1.0, 4294967295.0, 1.0};
+    return componentType < 5120 || componentType > 5126 ? 1.0 : kMost[componentType - 5120];
+}
+
 const GltfNumbers& GltfAccessors::numbers(std::uint32_t index, std::uint32_t components) {
     if (index >= m_numbers.size())
         failGltf("it refers to accessor " + std::to_string(index) + " of " + std::to_string(m_numbers.size()));

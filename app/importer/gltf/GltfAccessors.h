@@ -15,6 +15,9 @@ struct GltfNumbers {
     Vec2 vec2(std::size_t i) const { return {numbers[2 * i], numbers[2 * i + 1]}; }
 };
 
+/// The integer that stands for 1 in an accessor of this component type; 1 for floats.
+double normalizedMost(std::uint32_t componentType);
+
 /// Decodes accessors: integers, normalized or not, and floats, which become their shortest decimals; sparse ones; those
 /// without a view are zero. Each is decoded once.
 ///

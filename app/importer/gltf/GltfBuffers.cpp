@@ -29,6 +29,13 @@ std::optional<std::string> dataOf(std::string_view uri) {
     return uri.substr(0, comma).ends_with(";base64") ? base64Decoded(text) : text;
 }
 
+/// Where the chunk behind one that ends at a position begins: there, or at the next multiple of four if a length lacks
+/// its padding.
+std::size_t nextChunk(std::string_view bytes, std::size_t end) {
+    const bool isThere = end + kChunkHeaderSize <= bytes.size() && integerAt(bytes, end + 4) == kBinaryChunk;
+    return isThere ? end : (end + 3) / 4 * 4;
+}
+
 }  // namespace
 
 GltfChunks gltfChunks(std::string_view bytes) {
@@ -45,7 +52,7 @@ GltfChunks gltfChunks(std::string_view bytes) {
         if (size > bytes.size() - at) failGltf("the file ends in a chunk");
         if (kind == kJsonChunk && chunks.json.empty()) chunks.json = bytes.substr(at, size);
         if (kind == kBinaryChunk && !chunks.binary) chunks.binary = bytes.substr(at, size);
-        at += (size + 3) / 4 * 4;
+        at = nextChunk(bytes, at + size);
     }
     while (chunks.json.ends_with('\0')) chunks.json.remove_suffix(1);
     return chunks;

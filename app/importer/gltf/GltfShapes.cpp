@@ -78,7 +78,7 @@ GltfShapes::Source GltfShapes::sourceOf(const GltfPrimitive& primitive) {
     Source source;
     std::vector<std::uint32_t> indices;
     if (primitive.draco) {
-        source.draco = dracoDecoded(m_buffers.view(primitive.draco->view), primitive.draco->attributes);
+        source.draco = dracoDecoded(m_buffers.view(primitive.draco->view), primitive, m_document);
         if (!source.draco) failGltf("the bytes of a mesh that is compressed by Draco are damaged");
         source.triangles = trianglesOf(source.draco->indices, 4);
         return source;

@@ -145,25 +145,27 @@ private:
         }
     }
     /// point, point/uv, point//normal or point/uv/normal
-    ObjCorner corner(std::string_view word, std::string_view line) const {
+    ObjCorner corner(std::string_view word, std::string_view line) {
         const std::size_t slash = std::min(word.find('/'), word.size());
-        ObjCorner corner{.point = index(word.substr(0, slash), m_file.points.size(), "point", line)};
+        const std::string_view point = word.substr(0, slash);
+        const std::optional<std::uint32_t> index = indexOf(point, m_file.points.size(), line);
+        if (!index) fail(line, "refers to point " + std::string(point) + " of " + std::to_string(m_file.points.size()));
+        ObjCorner corner{.point = *index};
         const std::string_view more = word.substr(std::min(slash + 1, word.size()));
         const std::string_view uv = more.substr(0, more.find('/'));
-        if (!uv.empty()) corner.uv = index(uv, m_file.uvs.size(), "texture coordinate", line);
+        if (uv.empty()) return corner;
+        corner.uv = indexOf(uv, m_file.uvs.size(), line).value_or(kNoUv);
+        m_file.lacksUvs |= corner.uv == kNoUv;
         return corner;
     }
-    /// Indices are from one on, or negative from the last one back.
-    std::uint32_t index(std::string_view word, std::size_t count, const char* what, std::string_view line) const {
+    /// Indices are from one on, or negative from the last one back. Nothing if it is out of range.
+    std::optional<std::uint32_t> indexOf(std::string_view word, std::size_t count, std::string_view line) const {
         std::int64_t number = 0;
         const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
         if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) fail(line, "has an invalid corner");
         const auto all = static_cast<std::int64_t>(count);
-        const std::int64_t index = number < 0 ? all + number : number - 1;
-        if (number == 0 || index < 0 || index >= all)
-            fail(line,
-                 "refers to " + std::string(what) + " " + std::to_string(number) + " of " + std::to_string(count));
-        return static_cast<std::uint32_t>(index);
+        if (number == 0 || number > all || number < -all) return std::nullopt;
+        return static_cast<std::uint32_t>(number < 0 ? all + number : number - 1);
     }
 
     void beginPart(const std::string& name) {

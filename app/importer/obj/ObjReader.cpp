@@ -99,6 +99,7 @@ SourceScene readObj(std::string_view text, MeshFiles& files) {
     for (const std::string& name : file.materials) scene.materials.push_back({.name = name});
     for (const std::string& names : file.materialFiles) readMaterials(names, files, scene.materials);
     scene.objects = ObjAssembly(file).objects();
+    if (file.lacksUvs) scene.notes.emplace_back("The file refers to texture coordinates that it does not have.");
     if (file.hasCurves) scene.notes.emplace_back("Free-form curves and surfaces of the file are not read.");
     return scene;
 }

@@ -302,6 +302,11 @@ def nodes():
     body["buffers"] = [{"byteLength": len(BOX)}]
     case("nodes/binary.glb", glb(body, BOX), WALL)
     case("nodes/binary padded with nulls.glb", glb(body, BOX, b"\0"), WALL)
+    for size in (1, 2, 3):  # as trimesh 2 wrote them: the first chunk is not padded
+        odd = json.dumps(body).encode() + b" " * (-len(json.dumps(body)) % 4 + size)
+        chunks = struct.pack("<II", len(odd), 0x4e4f534a) + odd + struct.pack("<II", len(BOX), 0x004e4942) + BOX
+        case("nodes/binary %d behind a multiple of four.glb" % size,
+             b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks, WALL)
     strip = struct.pack("<14H", 4, 5, 6, 7, 3, 5, 1, 4, 0, 6, 2, 3, 0, 1)
     build("strip.gltf", WALL, data=positions() + strip,
           meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 5}]}],
@@ -429,11 +434,14 @@ def obj_text():
             ("missing point", "f 1 2 9", "refers to point 9 of 8"),
             ("point zero", "f 0 1 2", "refers to point 0 of 8"),
             ("missing point from the end", "f 1 2 -9", "refers to point -9 of 8"),
-            ("no corner", "f one two three", "has an invalid corner"),
-            ("missing texture coordinate", "f 1/1 2/1 3/1", "refers to texture coordinate 1 of 0")]:
+            ("no corner", "f one two three", "has an invalid corner")]:
         name = "error " + title + ".obj"
         build(name, head + points + line + "\n",
               error='"%s" cannot be read as OBJ: line 10, "%s", %s.' % (name, line, why))
+    build("missing texture coordinates.obj", head + points + "".join(
+        "f " + " ".join("%d/%d" % (i + 1, i + 1) for i in f) + "\n" for f in FACES))
+    cases["obj-text/missing texture coordinates.obj"]["notes"] = [
+        "The file refers to texture coordinates that it does not have."]
     build("error number.obj", head + "v 1 x 2\n" + faces,
           error='"error number.obj" cannot be read as OBJ: line 2, "v 1 x 2", has an invalid number.')
     build("error too few numbers.obj", head + "v 1 2\n" + faces,
