@@ -2,6 +2,7 @@
 
 #include "app/importer/files/AssimpValues.h"
 #include "app/importer/files/MeshError.h"
+#include "app/importer/files/PolygonTriangles.h"
 #include "app/importer/files/TextWords.h"
 #include "app/importer/gltf/GltfDocument.h"
 #include "app/importer/gltf/GltfReader.h"
@@ -13,7 +14,6 @@
 #include <glm/matrix.hpp>
 
 #include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <algorithm>
 #include <array>
@@ -123,6 +123,14 @@ std::optional<std::string> meshError(const aiMesh& mesh, std::size_t materialCou
     return std::nullopt;
 }
 
+/// The number of triangles that the polygons of a mesh become.
+std::size_t triangleCount(const aiMesh& mesh) {
+    std::size_t count = 0;
+    for (unsigned i = 0; mesh.mFaces != nullptr && i < mesh.mNumFaces; ++i)
+        count += std::max(mesh.mFaces[i].mNumIndices, 2u) - 2;
+    return count;
+}
+
 /// Adds a mesh's triangles to an object. A mirroring transform reverses their winding.
 void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     const auto first = static_cast<std::uint32_t>(object.points.size());
@@ -131,15 +139,20 @@ void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
         object.points.push_back(Vec3(fromMesh * glm::dvec4(pointOf(mesh.mVertices[i]), 1.0)));
     const aiVector3D* uvs = mesh.mTextureCoords[0];
     object.hasUvs |= uvs != nullptr;
+    std::vector<Vec3> polygon;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices != 3) continue;
-        SourceTriangle& triangle = object.triangles.emplace_back();
-        triangle.material = mesh.mMaterialIndex;
-        for (int k = 0; k < 3; ++k) {
-            const unsigned index = face.mIndices[isMirrored ? 2 - k : k];
-            triangle.points[k] = first + index;
-            if (uvs != nullptr) triangle.uvs[k] = Vec2(decimalOf(uvs[index].x), decimalOf(uvs[index].y));
+        if (face.mNumIndices < 3) continue;
+        polygon.clear();
+        for (unsigned k = 0; k < face.mNumIndices; ++k) polygon.push_back(object.points[first + face.mIndices[k]]);
+        for (const auto& corners : polygonTriangles(polygon)) {
+            SourceTriangle& triangle = object.triangles.emplace_back();
+            triangle.material = mesh.mMaterialIndex;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const unsigned index = face.mIndices[corners[isMirrored ? 2 - k : k]];
+                triangle.points[k] = first + index;
+                if (uvs != nullptr) triangle.uvs[k] = Vec2(decimalOf(uvs[index].x), decimalOf(uvs[index].y));
+            }
         }
     }
 }
@@ -158,7 +171,7 @@ public:
                 return Error{ErrorCode::BadInput,
                              "refers to mesh " + std::to_string(index) + " of " + std::to_string(m_source.mNumMeshes)};
             const aiMesh& mesh = *m_source.mMeshes[index];
-            m_triangles += mesh.mNumFaces;
+            m_triangles += triangleCount(mesh);
             if (m_triangles > kMaxTriangles)
                 return Error{ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles"};
             if (std::optional<std::string> error = meshError(mesh, m_scene.materials.size()))
@@ -201,6 +214,9 @@ Error fileError(ErrorCode code, const std::string& name, const std::string& what
 Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const std::string& name) {
     if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, refusalText(files.refused().front()));
     const std::string reason = reasonOf(importer);
+    if (reason.starts_with("FBX-DOM unsupported, old format version"))
+        return fileError(ErrorCode::Unsupported, name,
+                         "has a version of FBX before 7.1 (FBX 2011); export it as FBX 2013 or later, or as glTF");
     if (reason.starts_with("No suitable reader"))
         return fileError(ErrorCode::Unsupported, name,
                          "is not an OBJ, glTF, GLB, FBX, STL or PLY file, or its version is not supported");
@@ -281,7 +297,7 @@ std::optional<SourceScene> ownReading(const std::string& bytes, MeshFiles& files
 /// Reads a file with the library: FBX, PLY and glTF 1.
 Result<SourceScene> libraryReading(Assimp::Importer& importer, const MeshFiles& files) {
     const std::string& name = files.meshName();
-    const aiScene* source = importer.ReadFile(name, aiProcess_Triangulate);  // no path, so that no message holds one
+    const aiScene* source = importer.ReadFile(name, 0);  // no path, so that no message holds one
     if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, files, name);
     const Format format = formatOf(importer, *source);
     SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};

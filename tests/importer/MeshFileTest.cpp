@@ -46,6 +46,11 @@ private slots:
             "scenes":{"s":{"nodes":["n"]}}})");
         QCOMPARE(message, "\"wall.gltf\" has a mesh without points.");
     }
+    void oldFbxIsRejectedWithItsVersion() {
+        QCOMPARE(
+            messageOf("wall.fbx", "; FBX 6.1.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 6100\n}\n"),
+            "\"wall.fbx\" has a version of FBX before 7.1 (FBX 2011); export it as FBX 2013 or later, or as glTF.");
+    }
     void binaryGltf1MustBeAligned() {
         const std::string json = R"({"asset":{"version":"1.0"}})";
         const std::string header =

@@ -44,7 +44,8 @@ struct ObjFile {
 
 /// Reads the text of an OBJ file: points, texture coordinates, faces, objects, groups and materials. Each "o" begins an
 /// object with the rest of the line as its name, also where the name is repeated; groups count where there is no "o",
-/// and one of the same name goes on. Lines may end with a backslash to go on in the next one. Texture coordinates that are missing are left out.
+/// and one of the same name goes on. Lines may end with a backslash to go on in the next one.
+/// Texture coordinates that are missing are left out.
 ///
 /// Errors: throws MeshError with the line if a number or a face is invalid or refers to a missing point.
 /// Source: Alias|Wavefront, "Object Files (.obj)", 1995.

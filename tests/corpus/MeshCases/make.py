@@ -8,7 +8,9 @@ gltf-pipeline 4.3; they stay as they are.
 """
 import base64
 import json
+import math
 import os
+import random
 import struct
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -354,7 +356,8 @@ def objects():
     several("spaces around.obj", "  wall left  ", "\twall right", expected=["wall left", "wall right"])
     build("no names.obj", [asset("no names", (0, 0, 0))], obj_box())
     build("o without a name.obj", [asset("o without a name", (0, 0, 0))], "o\n" + obj_box())
-    build("faces before the first object.obj", [asset("faces before the first object", (0, 0, 0)), asset("B", (2, 0, 0))],
+    build("faces before the first object.obj",
+          [asset("faces before the first object", (0, 0, 0)), asset("B", (2, 0, 0))],
           obj_box() + "o B\n" + obj_box((2, 0, 0), 1))
     build("empty object.obj", [asset("B", (0, 0, 0))], "o A\no B\n" + obj_box())
     build("points first.obj", [asset("A", (0, 0, 0)), asset("B", (2, 0, 0))],
@@ -404,7 +407,8 @@ def obj_text():
     build("comments after points.obj", head + points.replace("\n", " # corner\n") + faces)
     build("colours.obj", head + points.replace("\n", " 0.5 0.25 1\n") + faces)
     build("weights.obj", head + points.replace("\n", " 1.0\n") + faces)
-    build("continued lines.obj", head + points + "".join("f %d %d \\\n%d %d\n" % tuple(i + 1 for i in f) for f in FACES))
+    build("continued lines.obj", head + points +
+          "".join("f %d %d \\\n%d %d\n" % tuple(i + 1 for i in f) for f in FACES))
     build("continued twice.obj", head + points +
           "".join("f %d \\\r\n %d \\\r\n%d %d\r\n" % tuple(i + 1 for i in f) for f in FACES))
     build("crlf.obj", (head + points + faces).replace("\n", "\r\n"))
@@ -448,6 +452,66 @@ def obj_text():
           error='"error too few numbers.obj" cannot be read as OBJ: line 2, "v 1 2", has too few numbers.')
 
 
+def maze(size, seed):
+    """The outline of the corridors of a maze: squares that form a tree, with points on straight edges."""
+    choice = random.Random(seed)
+    squares, path = {(0, 0)}, [(0, 0)]
+    while path:
+        x, y = path[-1]
+        free = [(dx, dy) for dx, dy in ((2, 0), (-2, 0), (0, 2), (0, -2))
+                if 0 <= x + dx < 2 * size and 0 <= y + dy < 2 * size and (x + dx, y + dy) not in squares]
+        if not free:
+            path.pop()
+            continue
+        dx, dy = free[int(choice.random() * len(free))]
+        squares |= {(x + dx // 2, y + dy // 2), (x + dx, y + dy)}
+        path.append((x + dx, y + dy))
+    after = {}
+    for x, y in squares:
+        for start, end, neighbour in [((x, y), (x + 1, y), (x, y - 1)), ((x + 1, y), (x + 1, y + 1), (x + 1, y)),
+                                      ((x + 1, y + 1), (x, y + 1), (x, y + 1)), ((x, y + 1), (x, y), (x - 1, y))]:
+            if neighbour not in squares:
+                after[start] = end
+    ring = [min(after)]
+    while after[ring[-1]] != ring[0]:
+        ring.append(after[ring[-1]])
+    return ring
+
+
+def polygons():
+    """Prisms whose caps are one concave polygon each, counter-clockwise from above."""
+    teeth = 12
+    comb = [(0, 0), (2 * teeth, 0)] + [p for k in reversed(range(teeth)) for p in (
+        (2 * k + 2, 3), (2 * k + 1, 3), (2 * k + 1, 1), (2 * k, 1))]
+    spiral = [(0, 0), (9, 0), (9, 9), (0, 9), (0, 2), (7, 2), (7, 7), (2, 7), (2, 4), (5, 4), (5, 5), (3, 5), (3, 6),
+              (6, 6), (6, 3), (1, 3), (1, 8), (8, 8), (8, 1), (0, 1)]
+    star = [((3 if k % 2 == 0 else 1) * math.cos(math.pi * k / 9), (3 if k % 2 == 0 else 1) * math.sin(math.pi * k / 9))
+            for k in range(18)]
+    points_on_edges = [(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (2, 1), (1, 1), (1, 2), (1, 3), (0, 3), (0, 2), (0, 1)]
+    arrow = [(0, 0), (4, 2), (0, 4), (3, 2)]
+    for name, outline in [("comb", comb), ("spiral", spiral), ("star", star), ("arrow", arrow),
+                          ("points on edges", points_on_edges), ("maze of 9", maze(3, 1)), ("maze of 25", maze(5, 1)),
+                          ("maze of 64", maze(8, 2))]:
+        count = len(outline)
+        area = sum(outline[i - 1][0] * outline[i][1] - outline[i][0] * outline[i - 1][1] for i in range(count)) / 2
+        at = [(min(p[k] for p in outline) + max(p[k] for p in outline)) / 2 for k in range(2)] + [1.0]
+        # Those without an edge along an axis are turned, and so is the box whose centre is their origin.
+        solid = {"volume": 2 * area, "instances": 1, **({} if name in ("star", "arrow") else {"at": at})}
+        points = [(x, y, z) for z in (0, 2) for x, y in outline]
+        for first in (0, 1, count // 2):  # where the polygons begin
+            ring = [(i + first) % count for i in range(count)]
+            faces = [ring[::-1], [i + count for i in ring]] + [[i, (i + 1) % count, (i + 1) % count + count, i + count]
+                                                               for i in range(count)]
+            title = "polygons/%s from %d" % (name, first)
+            named = [{**solid, "name": "%s from %d" % (name, first)}]
+            case(title + ".obj", "".join("v %.9g %.9g %.9g\n" % p for p in points) +
+                 "".join("f " + " ".join(str(i + 1) for i in f) + "\n" for f in faces), named)
+            case(title + ".ply", "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n"
+                 % (len(points), len(faces)) + "".join("%.9g %.9g %.9g\n" % p for p in points) +
+                 "".join("%d " % len(f) + " ".join(map(str, f)) + "\n" for f in faces), named)
+
+
 def far():
     def build(name, at, expected, size=SIZE, unit="obj"):
         content = "o Wall\n" + "".join("v %.6f %.6f %.6f\n" % corner for corner in corners(at, size)) + obj_faces()
@@ -463,8 +527,8 @@ def far():
     build("just beyond.obj", (100001, 0, 0), ("100001, 0, 0", beyond))
     build("just within.obj", (99000, 0, 0), ("99000, 0, 0", "its size of 225 mm is lost in single precision there"),
           (0.2, 0.1, 0.025))
-    build("a small mesh at 5 km.obj", (5000, 0, 0), ("5000, 0, 0", "its size of 22.5 mm is lost in single precision there"),
-          (0.02, 0.01, 0.0025))
+    build("a small mesh at 5 km.obj", (5000, 0, 0),
+          ("5000, 0, 0", "its size of 22.5 mm is lost in single precision there"), (0.02, 0.01, 0.0025))
     build("at 1 km.obj", (1000, 0, 0), None)
     build("at 10 km.obj", (10000, 2000, 0), None)
     build("on a mountain.obj", (0, 2962, 0), None)
@@ -511,7 +575,8 @@ def stl():
     build("without end.stl", plain.replace("endsolid Wall\n", ""))
     build("without a name.stl", plain.replace(" Wall", ""), [asset("without a name", (0, 0, 0))])
     build("name with spaces.stl", plain.replace("Wall", "wall left"), [asset("wall left", (0, 0, 0))])
-    build("two solids.stl", stl_text(["A", "B"], [(0, 0, 0), (2, 0, 0)]), [asset("A", (0, 0, 0)), asset("B", (2, 0, 0))])
+    build("two solids.stl", stl_text(["A", "B"], [(0, 0, 0), (2, 0, 0)]),
+          [asset("A", (0, 0, 0)), asset("B", (2, 0, 0))])
     build("two of one name.stl", stl_text(["A", "A"], [(0, 0, 0), (2, 0, 0)]),
           [asset("A", (0, 0, 0)), asset("A 2", (2, 0, 0))])
     for title, stamp in [("Blender", "Exported from Blender-3.4.1"), ("OpenSCAD", "OpenSCAD_Model"), ("MeshLab", "vcg"),
@@ -529,18 +594,20 @@ def stl():
     binary("binary with colours.stl", stl_binary(b"COLOR=\1\2\3\4", colour=0x8421))
     for count in (1, 2, 7, 50, 51, 1000):
         binary("trailing %d.stl" % count, stl_binary(b"made by hand", behind=b"\0" * count), notes=[
-            "The file has %d byte%s behind its last triangle, which are not read." % (count, "" if count == 1 else "s")])
+            "The file has %d byte%s behind its last triangle, which are not read."
+            % (count, "" if count == 1 else "s")])
     binary("trailing and solid.stl", stl_binary(b"solid Wall", behind=b"\r\n"),
            notes=["The file has 2 bytes behind its last triangle, which are not read."])
     binary("error count.stl", stl_binary(count=13), '"error count.stl" cannot be read as STL: its header tells of 13 '
            'triangles, and the file ends after 12.')
     binary("error none.stl", stl_binary(count=0), '"error none.stl" cannot be read as STL: its header tells of no '
            'triangles.')
-    binary("error short.stl", b"short", '"error short.stl" cannot be read as STL: it has neither text nor the header of '
-           'a binary file.')
-    build("error number.stl", plain.replace("vertex 1.0", "vertex one", 1), error='"error number.stl" cannot be read as '
-          'STL: line %d, "vertex one%s", has an invalid number.' % next(
-              (i + 1, line.split("vertex 1.0", 1)[1]) for i, line in enumerate(plain.splitlines()) if "vertex 1.0" in line))
+    binary("error short.stl", b"short", '"error short.stl" cannot be read as STL: it has neither text nor the header '
+           'of a binary file.')
+    number, line = next((i + 1, line) for i, line in enumerate(plain.splitlines()) if "vertex 1.0" in line)
+    build("error number.stl", plain.replace("vertex 1.0", "vertex one", 1),
+          error='"error number.stl" cannot be read as STL: line %d, "%s", has an invalid number.'
+          % (number, line.strip().replace("vertex 1.0", "vertex one")))
     build("error truncated.stl", plain[:plain.rindex("endloop")], error='"error truncated.stl" cannot be read as STL: '
           'the file ends in a facet.')
 
@@ -554,8 +621,8 @@ def compressed():
                                            "tolerance": 0.02 if "-vp 8" in name else 0.002}
 
 
-for kind in (links, extensions, quantized, instances, morphs_and_skins, nodes, objects, groups, obj_text, far, stl,
-             compressed):
+for kind in (links, extensions, quantized, instances, morphs_and_skins, nodes, objects, groups, obj_text, polygons,
+             far, stl, compressed):
     kind()
 with open(os.path.join(FOLDER, "cases.json"), "w", encoding="utf-8") as file:
     lines = ["  %s: %s" % (json.dumps(name), json.dumps(value)) for name, value in sorted(cases.items())]
