@@ -1,6 +1,6 @@
-#include "app/importer/Descriptor.h"
 #include "app/importer/MeshFile.h"
-#include "app/importer/Sandbox.h"
+#include "app/importer/files/Descriptor.h"
+#include "app/importer/files/Sandbox.h"
 
 #include <fcntl.h>
 

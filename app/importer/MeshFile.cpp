@@ -1,13 +1,19 @@
 #include "app/importer/MeshFile.h"
 
-#include "app/importer/AssimpValues.h"
-#include "app/importer/PlyReader.h"
+#include "app/importer/files/AssimpValues.h"
+#include "app/importer/files/MeshError.h"
+#include "app/importer/files/PolygonTriangles.h"
+#include "app/importer/files/TextWords.h"
+#include "app/importer/gltf/GltfDocument.h"
+#include "app/importer/gltf/GltfReader.h"
+#include "app/importer/obj/ObjReader.h"
+#include "app/importer/ply/PlyReader.h"
+#include "app/importer/stl/StlReader.h"
 #include "core/base/MessageText.h"
 
 #include <glm/matrix.hpp>
 
 #include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <algorithm>
 #include <array>
@@ -31,11 +37,11 @@ namespace {
 /// Returns whether one of a reader's suffixes, which are separated by spaces, is a supported one.
 bool isSupported(const aiImporterDesc& description) {
     const std::string suffixes = std::string(" ") + description.mFileExtensions + " ";
-    return std::ranges::any_of(std::array{" obj ", " gltf ", " glb ", " fbx ", " stl "},
+    return std::ranges::any_of(std::array{" gltf ", " fbx "},
                                [&](const char* suffix) { return suffixes.find(suffix) != std::string::npos; });
 }
 
-/// Unregisters the library's readers of other formats, and that of PLY, which a reader of our own replaces.
+/// Unregisters the library's readers of all formats but FBX and glTF 1; readers of our own replace those of the others.
 void keepSupportedFormats(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         // A reader cannot be deleted, because its type is not public; it leaks until the process ends.
@@ -79,12 +85,6 @@ double metresPerUnit(const aiScene& scene, Format format) {
     return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres / 100.0 : 0.01;
 }
 
-/// Converts linear to sRGB, rounded to three decimals.
-double srgbFromLinear(double linear) {
-    const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    return std::round(1e3 * value) / 1e3;
-}
-
 std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
     std::vector<SourceMaterial> materials;
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
@@ -123,6 +123,14 @@ std::optional<std::string> meshError(const aiMesh& mesh, std::size_t materialCou
     return std::nullopt;
 }
 
+/// The number of triangles that the polygons of a mesh become.
+std::size_t triangleCount(const aiMesh& mesh) {
+    std::size_t count = 0;
+    for (unsigned i = 0; mesh.mFaces != nullptr && i < mesh.mNumFaces; ++i)
+        count += std::max(mesh.mFaces[i].mNumIndices, 2u) - 2;
+    return count;
+}
+
 /// Adds a mesh's triangles to an object. A mirroring transform reverses their winding.
 void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     const auto first = static_cast<std::uint32_t>(object.points.size());
@@ -131,15 +139,20 @@ void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
         object.points.push_back(Vec3(fromMesh * glm::dvec4(pointOf(mesh.mVertices[i]), 1.0)));
     const aiVector3D* uvs = mesh.mTextureCoords[0];
     object.hasUvs |= uvs != nullptr;
+    std::vector<Vec3> polygon;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices != 3) continue;
-        SourceTriangle& triangle = object.triangles.emplace_back();
-        triangle.material = mesh.mMaterialIndex;
-        for (int k = 0; k < 3; ++k) {
-            const unsigned index = face.mIndices[isMirrored ? 2 - k : k];
-            triangle.points[k] = first + index;
-            if (uvs != nullptr) triangle.uvs[k] = Vec2(decimalOf(uvs[index].x), decimalOf(uvs[index].y));
+        if (face.mNumIndices < 3) continue;
+        polygon.clear();
+        for (unsigned k = 0; k < face.mNumIndices; ++k) polygon.push_back(object.points[first + face.mIndices[k]]);
+        for (const auto& corners : polygonTriangles(polygon)) {
+            SourceTriangle& triangle = object.triangles.emplace_back();
+            triangle.material = mesh.mMaterialIndex;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const unsigned index = face.mIndices[corners[isMirrored ? 2 - k : k]];
+                triangle.points[k] = first + index;
+                if (uvs != nullptr) triangle.uvs[k] = Vec2(decimalOf(uvs[index].x), decimalOf(uvs[index].y));
+            }
         }
     }
 }
@@ -158,7 +171,7 @@ public:
                 return Error{ErrorCode::BadInput,
                              "refers to mesh " + std::to_string(index) + " of " + std::to_string(m_source.mNumMeshes)};
             const aiMesh& mesh = *m_source.mMeshes[index];
-            m_triangles += mesh.mNumFaces;
+            m_triangles += triangleCount(mesh);
             if (m_triangles > kMaxTriangles)
                 return Error{ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles"};
             if (std::optional<std::string> error = meshError(mesh, m_scene.materials.size()))
@@ -197,31 +210,102 @@ Error fileError(ErrorCode code, const std::string& name, const std::string& what
     return {code, quotedName(name) + " " + what + "."};
 }
 
-std::string outsideText(const std::string& resource) {
-    return "refers to " + quotedName(resource) +
-           ", which lies outside its folder; only files in the folder of a mesh and below are read";
-}
-
 /// Returns the error for a file that the library rejected.
 Error rejection(const Assimp::Importer& importer, const MeshFiles& files, const std::string& name) {
-    if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, outsideText(files.refused().front()));
+    if (!files.refused().empty()) return fileError(ErrorCode::Unsupported, name, refusalText(files.refused().front()));
     const std::string reason = reasonOf(importer);
+    if (reason.starts_with("FBX-DOM unsupported, old format version"))
+        return fileError(ErrorCode::Unsupported, name,
+                         "has a version of FBX before 7.1 (FBX 2011); export it as FBX 2013 or later, or as glTF");
     if (reason.starts_with("No suitable reader"))
         return fileError(ErrorCode::Unsupported, name,
                          "is not an OBJ, glTF, GLB, FBX, STL or PLY file, or its version is not supported");
     return fileError(ErrorCode::Unsupported, name, "cannot be read as OBJ, glTF, FBX, STL or PLY: " + reason);
 }
 
-std::vector<std::string> notesOf(const std::vector<std::string>& refused) {
-    std::vector<std::string> notes;
-    for (const std::string& resource : refused) {
-        if (notes.size() + 1 == kMaxNotes && refused.size() > kMaxNotes) {
-            notes.push_back(std::to_string(refused.size() - notes.size()) + " more files were not read.");
+/// Adds a note for each file that was not read, and leaves out those above the maximum.
+void addNotes(const std::vector<RefusedFile>& refused, std::vector<std::string>& notes) {
+    const std::size_t room = kMaxNotes - std::min(notes.size(), kMaxNotes);
+    for (std::size_t i = 0; i < refused.size(); ++i) {
+        if (i + 1 == room && refused.size() > room) {
+            notes.push_back(std::to_string(refused.size() - i) + " more files were not read.");
             break;
         }
-        notes.push_back("The file " + outsideText(resource) + ".");
+        notes.push_back("The file " + refusalText(refused[i]) + ".");
     }
-    return notes;
+}
+
+/// Removes names that the library made up, such as "defaultobject" and "nodes[1]".
+void removeInventedNames(SourceScene& scene) {
+    constexpr std::array kInvented = {"defaultobject", "ROOT", "RootNode", "$ColladaAutoName$"};
+    for (SourceObject& object : scene.objects) {
+        const bool isIndexed = object.name.starts_with("nodes[") || object.name.starts_with("meshes[");
+        if (isIndexed || std::ranges::find(kInvented, object.name) != kInvented.end()) object.name.clear();
+    }
+}
+
+/// Tells what the library reads of a file and this program does not.
+void noteUnread(const aiScene& source, SourceScene& scene) {
+    bool hasBones = false, hasMorphs = false;
+    for (unsigned i = 0; i < source.mNumMeshes; ++i) {
+        hasBones |= source.mMeshes[i]->mNumBones > 0;
+        hasMorphs |= source.mMeshes[i]->mNumAnimMeshes > 0;
+    }
+    if (hasBones) scene.notes.emplace_back("Meshes with bones are read as they are without a pose.");
+    if (hasMorphs) scene.notes.emplace_back("Shape keys of the file are not read; meshes have their basis shape.");
+    if (source.mNumAnimations > 0) scene.notes.emplace_back("The animations of the file are not read.");
+}
+
+bool hasSuffix(const std::string& name, std::string_view suffix) {
+    return name.size() > suffix.size() &&
+           isSameWord(std::string_view(name).substr(name.size() - suffix.size()), suffix);
+}
+
+bool isFbx(std::string_view bytes) { return bytes.starts_with("Kaydara FBX") || trimmed(bytes).starts_with("; FBX"); }
+bool isPly(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r"); }
+bool isGltf(std::string_view bytes) { return bytes.starts_with("glTF") || trimmed(bytes).starts_with('{'); }
+
+/// Returns whether text has a line that gives a point, which no other format has.
+bool isObj(std::string_view text) { return text.starts_with("v ") || text.find("\nv ") != std::string_view::npos; }
+
+/// Rejects a binary file of glTF 1 whose bytes do not begin at a multiple of four, as the format requires: the library
+/// would read others. assimp writes such files.
+void checkAlignment(std::string_view bytes) {
+    constexpr std::size_t kHeaderSize = 20, kContentLength = 12;
+    const bool isFirst = bytes.size() > kHeaderSize && bytes.starts_with(std::string_view("glTF\1\0\0\0", 8));
+    if (isFirst && static_cast<unsigned char>(bytes[kContentLength]) % 4 != 0)
+        throw MeshError(ErrorCode::Unsupported,
+                        "is a GLB file of glTF 1 whose content is not aligned; export it as glTF 2");
+}
+
+/// Reads a file with a reader of our own; nothing if the library has to. The content counts, and where that is of no
+/// format for certain, the suffix does.
+std::optional<SourceScene> ownReading(const std::string& bytes, MeshFiles& files) {
+    const std::string& name = files.meshName();
+    if (isFbx(bytes) || isPly(bytes) || hasSuffix(name, ".ply")) return std::nullopt;
+    if (isGltf(bytes)) {
+        checkAlignment(bytes);
+        const bool isFirst =
+            bytes.starts_with("glTF") ? bytes.substr(4, 4) == std::string("\1\0\0\0", 4) : isGltf1(bytes);
+        return isFirst ? std::nullopt : std::optional(readGltf(bytes, files));
+    }
+    if (hasSuffix(name, ".stl") || isStl(bytes)) return readStl(bytes);
+    if (hasSuffix(name, ".obj") || isObj(bytes)) return readObj(bytes, files);
+    return std::nullopt;
+}
+
+/// Reads a file with the library: FBX, PLY and glTF 1.
+Result<SourceScene> libraryReading(Assimp::Importer& importer, const MeshFiles& files) {
+    const std::string& name = files.meshName();
+    const aiScene* source = importer.ReadFile(name, 0);  // no path, so that no message holds one
+    if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, files, name);
+    const Format format = formatOf(importer, *source);
+    SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
+    const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
+    if (!added) return fileError(added.error().code, name, added.error().message);
+    removeInventedNames(scene);
+    noteUnread(*source, scene);
+    return scene;
 }
 
 }  // namespace
@@ -229,21 +313,26 @@ std::vector<std::string> notesOf(const std::vector<std::string>& refused) {
 Result<SourceScene> readMeshFile(MeshPlace place, FileLog log) {
     const std::string name = place.name;
     Assimp::Importer importer;
+    auto* files = new MeshFiles(std::move(place), log);
+    importer.SetIOHandler(files);  // which deletes it
     keepSupportedFormats(importer);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    auto* files = new MeshFiles(std::move(place), log);
-    importer.SetIOHandler(files);                                            // which deletes it
-    const aiScene* source = importer.ReadFile(name, aiProcess_Triangulate);  // no path, so that no message holds one
-    if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, *files, name);
-    const Format format = formatOf(importer, *source);
-    SourceScene scene{.metresPerUnit = metresPerUnit(*source, format), .materials = materialsOf(*source, format)};
-    scene.notes = notesOf(files->refused());
-    const Status added = SceneReader(*source, scene).addNode(*source->mRootNode, Mat4(1.0));
-    if (!added) return fileError(added.error().code, name, added.error().message);
-    if (scene.objects.empty()) return fileError(ErrorCode::Degenerate, name, "has no triangles");
-    if (const std::optional<std::string> error = numberError(scene))
+    std::optional<SourceScene> scene;
+    try {
+        scene = ownReading(files->meshContent(), *files);
+    } catch (const MeshError& error) {
+        return fileError(error.code(), name, error.what());
+    }
+    if (!scene) {
+        Result<SourceScene> read = libraryReading(importer, *files);
+        if (!read) return read;
+        scene = std::move(*read);
+    }
+    addNotes(files->refused(), scene->notes);
+    if (scene->objects.empty()) return fileError(ErrorCode::Degenerate, name, "has no triangles");
+    if (const std::optional<std::string> error = numberError(*scene))
         return fileError(ErrorCode::BadInput, name, *error);
-    return scene;
+    return *scene;
 }
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/importer/MeshFiles.h"
+#include "app/importer/files/MeshFiles.h"
 #include "core/base/Result.h"
 #include "core/geometry/mesh/SourceScene.h"
 

@@ -114,10 +114,11 @@ std::string mutatedPly(const std::string& ply, Random& random) {
 
 std::vector<fs::path> meshFolders() {
     std::vector<fs::path> folders{fs::path(RUBBLE_SOURCE_DIR) / "tests/data/meshes"};
-    const fs::path models = "/usr/share/assimp/models";
-    if (!fs::is_directory(models)) return folders;
-    for (const auto& entry : fs::recursive_directory_iterator(models)) {
-        if (entry.is_directory()) folders.push_back(entry.path());
+    for (const fs::path& root :
+         {fs::path(RUBBLE_SOURCE_DIR) / "tests/corpus/MeshCases", fs::path("/usr/share/assimp/models")}) {
+        if (!fs::is_directory(root)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(root))
+            if (entry.is_directory()) folders.push_back(entry.path());
     }
     std::ranges::sort(folders);
     return folders;

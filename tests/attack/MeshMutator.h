@@ -14,7 +14,8 @@ namespace rubble::attack {
 /// The endings of the meshes that can be imported.
 inline constexpr std::array kMeshEndings = {".obj", ".gltf", ".glb", ".fbx", ".stl", ".ply"};
 
-/// The folders of valid meshes: tests/data/meshes and, where they are installed, the models of assimp's own tests.
+/// The folders of valid meshes: tests/data/meshes, tests/corpus/MeshCases and, where they are installed, the models of
+/// assimp's own tests.
 std::vector<std::filesystem::path> meshFolders();
 
 /// Makes damaged copies of small meshes of one format: those of meshFolders(), and some that refer to files outside of

@@ -1,6 +1,6 @@
 // Enters the importer's sandbox and attempts what it forbids: what a mesh could do that takes the importer over.
-#include "app/importer/Descriptor.h"
-#include "app/importer/Sandbox.h"
+#include "app/importer/files/Descriptor.h"
+#include "app/importer/files/Sandbox.h"
 
 #include <fcntl.h>
 #include <linux/openat2.h>

@@ -46,9 +46,23 @@ private slots:
             "scenes":{"s":{"nodes":["n"]}}})");
         QCOMPARE(message, "\"wall.gltf\" has a mesh without points.");
     }
+    void oldFbxIsRejectedWithItsVersion() {
+        QCOMPARE(
+            messageOf("wall.fbx", "; FBX 6.1.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 6100\n}\n"),
+            "\"wall.fbx\" has a version of FBX before 7.1 (FBX 2011); export it as FBX 2013 or later, or as glTF.");
+    }
+    void binaryGltf1MustBeAligned() {
+        const std::string json = R"({"asset":{"version":"1.0"}})";
+        const std::string header =
+            std::string("glTF\1\0\0\0\xff\0\0\0", 12) + static_cast<char>(json.size()) + std::string(7, '\0');
+        QCOMPARE(messageOf("wall.glb", header + json),
+                 "\"wall.glb\" is a GLB file of glTF 1 whose content is not aligned; export it as glTF 2.");
+    }
     void longReasonsAreShortened() {
         const QString message = messageOf("wall.gltf", gltfWithBuffer(std::string(70000, 'a')));
-        QVERIFY2(message.size() < 400 && message.endsWith(QString::fromUtf8("aaa\u2026.")), qPrintable(message));
+        QVERIFY2(message.size() < 400 && message.contains(QString::fromUtf8("aaa\u2026aaa")), qPrintable(message));
+        const QString line = messageOf("wall.obj", "v " + std::string(70000, 'a') + '\n');
+        QVERIFY2(line.size() < 400 && line.contains(QString::fromUtf8("aaa\u2026\", has")), qPrintable(line));
     }
     void longNamesOutsideAreShortened() {
         const QString message = messageOf("wall.gltf", gltfWithBuffer("../" + std::string(1000, 'a')));

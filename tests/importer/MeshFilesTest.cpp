@@ -1,4 +1,4 @@
-// Tests app/importer/MeshFiles.cpp: which files the importer opens for a mesh.
+// Tests app/importer/files/MeshFiles.cpp: which files the importer opens for a mesh.
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/system/ChildProcess.h"
 #include "tests/support/TestProgram.h"
@@ -96,7 +96,7 @@ private slots:
     void filesOutsideAreRefusedByName_data() {
         QTest::addColumn<QString>("buffer");
         for (const char* buffer : {"../outside.bin", "../../../../../../etc/passwd", "/etc/passwd",
-                                   "sub/../../outside.bin", "out.bin", "/proc/self/environ"})
+                                   "sub/../../outside.bin", "/proc/self/environ", "file:///etc/passwd"})
             QTest::newRow(buffer) << buffer;
     }
     void filesOutsideAreRefusedByName() {
@@ -108,6 +108,61 @@ private slots:
                      "\", which lies outside its folder; only files in the folder of a mesh and below are read.");
         QVERIFY(logOf(mesh).contains("refused " + buffer + '\n'));
         QVERIFY(!logOf(mesh).contains("opened " + buffer));
+    }
+    void escapedNamesOutsideAreRefused_data() {
+        QTest::addColumn<QString>("buffer");
+        QTest::addColumn<QString>("decoded");
+        QTest::newRow("slash") << "..%2Foutside.bin"
+                               << "../outside.bin";
+        QTest::newRow("dots") << "%2e%2e/outside.bin"
+                              << "../outside.bin";
+        QTest::newRow("root") << "%2Fetc%2Fpasswd"
+                              << "/etc/passwd";
+        QTest::newRow("link") << "sub%2F..%2Fout.bin"
+                              << "sub/../out.bin";
+    }
+    void escapedNamesOutsideAreRefused() {
+        QFETCH(const QString, buffer);
+        QFETCH(const QString, decoded);
+        const Folder folder;
+        const std::filesystem::path mesh = folder.writeGltf(buffer.toStdString());
+        const QString message = QString::fromStdString(imported(mesh).error().message);
+        QVERIFY2(message.startsWith("\"wall.gltf\" refers to \"" + buffer + "\", "), qPrintable(message));
+        const QString log = logOf(mesh);
+        QVERIFY2(log.contains("refused " + decoded + '\n') && !log.contains("outside.bin\nopened"), qPrintable(log));
+        QCOMPARE(log.count("opened "), 1);  // the mesh
+    }
+    /// Each sentence is true whether the kernel has openat2 or not.
+    void linksAreRefusedWithTheirReason_data() {
+        QTest::addColumn<QString>("buffer");
+        QTest::addColumn<QString>("reason");
+        const QString absolute =
+            "a link that is absolute or leads out of its folder; only relative links within the folder of a mesh are "
+            "followed.";
+        QTest::newRow("out") << "out.bin" << absolute;
+        QTest::newRow("absolute inside") << "absolute.bin" << absolute;
+        QTest::newRow("absolute folder inside") << "absolute/deep.bin" << absolute;
+        QTest::newRow("loop") << "loop.bin"
+                              << "a link that leads back to itself.";
+        QTest::newRow("loop of two") << "loop-1.bin"
+                                     << "a link that leads back to itself.";
+    }
+    void linksAreRefusedWithTheirReason() {
+        QFETCH(const QString, buffer);
+        QFETCH(const QString, reason);
+        const Folder folder;
+        std::filesystem::create_symlink(folder.path("sub/deep.bin"), folder.path("absolute.bin"));
+        std::filesystem::create_directory_symlink(folder.path("sub"), folder.path("absolute"));
+        std::filesystem::create_symlink("loop.bin", folder.path("loop.bin"));
+        std::filesystem::create_symlink("loop-2.bin", folder.path("loop-1.bin"));
+        std::filesystem::create_symlink("loop-1.bin", folder.path("loop-2.bin"));
+        const std::filesystem::path mesh = folder.writeGltf(buffer.toStdString());
+        const bool areFollowed = imported(folder.writeGltf("in.bin")).hasValue();
+        const QString expected = areFollowed ? reason : "a link; this system cannot follow links within a folder only.";
+        folder.writeGltf(buffer.toStdString());
+        QCOMPARE(QString::fromStdString(imported(mesh).error().message),
+                 "\"wall.gltf\" refers to \"" + buffer + "\", " + expected);
+        QVERIFY(logOf(mesh).contains("refused " + buffer + '\n'));
     }
     void withoutOpenat2LinksAreRefused_data() {
         QTest::addColumn<QString>("buffer");
@@ -162,7 +217,8 @@ private slots:
     void fifoIsNotOpened() {
         const Folder folder;
         const std::filesystem::path mesh = folder.writeGltf("fifo.bin");
-        QVERIFY(QString::fromStdString(imported(mesh).error().message).contains("could not open referenced file"));
+        QCOMPARE(imported(mesh).error().message,
+                 std::string("\"wall.gltf\" refers to \"fifo.bin\", which is no file that can be read."));
         QVERIFY(!logOf(mesh).contains("opened fifo.bin"));
     }
     void unreadMaterialFileIsNoted() {

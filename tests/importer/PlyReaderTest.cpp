@@ -1,4 +1,4 @@
-// Tests app/importer/PlyHeader.cpp and PlyReader.cpp.
+// Tests app/importer/ply/PlyHeader.cpp and PlyReader.cpp.
 #include "core/io/mesh/MeshImport.h"
 #include "tests/support/TestProgram.h"
 

@@ -1,4 +1,4 @@
-// Tests app/importer/Sandbox.cpp by a program that enters the sandbox and attempts what is forbidden.
+// Tests app/importer/files/Sandbox.cpp by a program that enters the sandbox and attempts what is forbidden.
 #include "core/io/system/ChildProcess.h"
 #include "tests/support/TestProgram.h"
 

@@ -8,6 +8,8 @@
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <algorithm>
 
 namespace rubble {
@@ -72,6 +74,12 @@ Pattern defaultPattern(Project& project) {
     return {{{.id = id, .randomSeed = id, .parameters = UniformScatter{}}}};
 }
 
+/// A pose after a motion.
+Pose moved(const Pose& pose, const Pose& motion) {
+    return {motion.orientation * pose.position + motion.position,
+            glm::normalize(motion.orientation * pose.orientation)};
+}
+
 void placeInstance(Project& project, const Asset& asset, const Pose& pose, const ImportOptions& options) {
     const std::string name = uniqueName(project.instances, asset.name);
     project.instances.push_back({.id = allocateId(project),
@@ -106,6 +114,11 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     project.assets.push_back(std::move(asset));
     project.assets.back().pattern = defaultPattern(project);
     placeInstance(project, project.assets.back(), solid.prism.pose, options);
+    for (const Pose& copy : part.copies)
+        placeInstance(project, project.assets.back(), moved(solid.prism.pose, copy), options);
+    if (!part.copies.empty())
+        result.notes.push_back("It stands in " + std::to_string(part.copies.size() + 1) +
+                               " places; each is an instance.");
     return result;
 }
 
@@ -136,9 +149,14 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
     return working;
 }
 
-/// prismFault(), and that of texture coordinates, which may be anything.
-std::optional<std::string> solidFault(const std::string& name, const ImportedSolid& solid) {
+/// prismFault(), and those of copies and of texture coordinates, which may be anything.
+std::optional<std::string> solidFault(const ImportPart& part, const ImportedSolid& solid) {
+    const std::string& name = part.name;
     if (auto fault = prismFault(name, solid.prism)) return fault;
+    for (const Pose& copy : part.copies) {
+        const Vec3 position = moved(solid.prism.pose, copy).position;
+        if (auto fault = rangeFault(quotedName(name), ProjectNumber::InstancePosition, position)) return fault;
+    }
     return solid.surface.surface ? surfaceFault(quotedName(name), *solid.surface.surface) : std::nullopt;
 }
 
@@ -150,7 +168,7 @@ void import(const RequestedPart& part, const SourceScene& scene, const ImportOpt
         RejectedObject& rejected =
             outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}});
         if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
-    } else if (const auto fault = solidFault(part->name, *solid)) {
+    } else if (const auto fault = solidFault(*part, *solid)) {
         outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
     } else {
         outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));

@@ -1,5 +1,6 @@
 #include "core/asset/import/ImportedSolid.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/geometry/mesh/MeshWelding.h"
@@ -26,7 +27,11 @@ std::vector<std::string> weldingNotes(const WeldedMesh& welded) {
 
 /// The triangles of a mesh that belong to one part.
 ImportPart partOf(const ImportPart& whole, const std::vector<std::uint32_t>& parts, std::uint32_t number) {
-    ImportPart part{.name = whole.name, .hasUvs = whole.hasUvs, .tolerance = whole.tolerance, .notes = whole.notes};
+    ImportPart part{.name = whole.name,
+                    .hasUvs = whole.hasUvs,
+                    .tolerance = whole.tolerance,
+                    .copies = whole.copies,
+                    .notes = whole.notes};
     std::vector<std::uint32_t> indices(whole.mesh.points.size(), kNone);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i] != number) continue;
@@ -43,6 +48,40 @@ ImportPart partOf(const ImportPart& whole, const std::vector<std::uint32_t>& par
         part.mesh.triangles.push_back(triangle);
     }
     return part;
+}
+
+Vec3 uprightOf(Vec3 point, UpAxis up) { return up == UpAxis::Z ? Vec3(point.x, point.z, -point.y) : point; }
+
+/// Motions of the file's scene, in the world.
+std::vector<Pose> copiesInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
+    std::vector<Pose> copies;
+    for (const Pose& copy : object.copies) {
+        const Quat& turn = copy.orientation;
+        const Vec3 axis = uprightOf({turn.x, turn.y, turn.z}, up);
+        copies.push_back({metresPerUnit * uprightOf(copy.position, up), Quat(turn.w, axis.x, axis.y, axis.z)});
+    }
+    return copies;
+}
+
+/// An error if a mesh lies where positions of a project end, or where single precision, which most files have, has lost
+/// its shape.
+std::optional<Error> farFault(const TriangleMesh& mesh) {
+    constexpr double kMostLost = 0.01;  // of the diagonal
+    if (mesh.points.empty()) return std::nullopt;
+    const Box3 box = boundsOf(mesh);
+    const Vec3 centre = (box.min + box.max) / 2.0;
+    const double limit = rangeOf(ProjectNumber::InstancePosition).max;
+    const double farthest = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
+    const bool isBeyond = farthest > limit && box.diagonal() < farthest;
+    const bool isLost = 0x1p-22 * farthest > kMostLost * box.diagonal() && box.diagonal() > 0.0;
+    if (!std::isfinite(farthest) || farthest >= kMaxMeshCoordinate || (!isBeyond && !isLost)) return std::nullopt;
+    const std::string place =
+        "(" + roundedNumber(centre.x) + ", " + roundedNumber(centre.y) + ", " + roundedNumber(centre.z) + ") m";
+    const std::string why = isBeyond
+                                ? "positions go up to " + lengthText(limit)
+                                : "its size of " + lengthText(box.diagonal()) + " is lost in single precision there";
+    return Error{ErrorCode::BadInput, "The mesh lies far away from the origin, at " + place + ", and " + why +
+                                          "; move it to the origin in the program that made it, or set its unit."};
 }
 
 bool liesWithin(const Box3& inner, const Box3& outer) {
@@ -111,17 +150,19 @@ Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid,
 TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
     TriangleMesh mesh;
     for (const Vec3 point : object.points) {
-        const Vec3 upright = up == UpAxis::Z ? Vec3(point.x, point.z, -point.y) : point;
-        mesh.points.push_back(metresPerUnit * upright);
+        mesh.points.push_back(metresPerUnit * uprightOf(point, up));
     }
     for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
     return mesh;
 }
 
 Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up) {
-    Result<WeldedMesh> one = welded(meshInWorld(object, metresPerUnit, up));
+    const TriangleMesh mesh = meshInWorld(object, metresPerUnit, up);
+    if (std::optional<Error> fault = farFault(mesh)) return *fault;
+    Result<WeldedMesh> one = welded(mesh);
     if (!one) return one.error();
     ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
+    whole.copies = copiesInWorld(object, metresPerUnit, up);
     whole.notes = weldingNotes(*one);
     whole.mesh = std::move(one->mesh);
     for (const std::uint32_t source : one->sources) whole.triangles.push_back(object.triangles[source]);

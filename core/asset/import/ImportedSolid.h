@@ -12,6 +12,7 @@ struct ImportPart {
     TriangleMesh mesh;                      // welded
     std::vector<SourceTriangle> triangles;  // the triangles of the file, one per triangle of the mesh
     double tolerance = 0.0;                 // m
+    std::vector<Pose> copies;               // motions in the world to where else it stands
     std::vector<std::string> notes;
 };
 
@@ -20,7 +21,8 @@ TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxi
 
 /// Welds an object and splits it into its connected parts.
 ///
-/// Errors: those of welded(); Degenerate if a part is the wall of a cavity; Limit above 1000 parts.
+/// Errors: BadInput with the place of a mesh that lies too far from the origin; those of welded(); Degenerate if a part
+/// is the wall of a cavity; Limit above 1000 parts.
 Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up);
 
 /// Whether all points of a part lie in one plane. Such a part is never imported.

@@ -14,8 +14,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxMeshCoordinate = 1e30;  // m; its square and cube are finite
-
 /// The kept points in a hash grid, with cells of eight tolerances, so that a query rarely visits more than one cell.
 class PointGrid {
 public:

@@ -9,6 +9,9 @@ namespace rubble {
 /// exporters rotate and scale, with errors of about 1e-7.
 inline constexpr double kRelativeMeshTolerance = 1e-5;
 
+/// Coordinates of meshes are smaller, m; the square and cube are finite.
+inline constexpr double kMaxMeshCoordinate = 1e30;
+
 /// The distance, m, below which points of a mesh are welded and faces count as planar: kRelativeMeshTolerance of the
 /// diagonal, or 4 ulp of single precision if the mesh is so far from the origin that this is more.
 double meshTolerance(const TriangleMesh& mesh);

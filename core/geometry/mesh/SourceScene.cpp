@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::string_view kMagic = "rubble mesh 2\n";
+constexpr std::string_view kMagic = "rubble mesh 3\n";
 
 class ByteWriter {
 public:
@@ -87,7 +87,22 @@ private:
 };
 
 constexpr std::size_t kMaterialSize = 4 + 3 * 8, kPointSize = 3 * 8, kTriangleSize = 3 * (4 + 2 * 8) + 4;
-constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4;
+constexpr std::size_t kPoseSize = 7 * 8;
+constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4 + 4;
+
+void add(ByteWriter& writer, const Pose& pose) {
+    writer.add(pose.position);
+    for (int k = 0; k < 4; ++k) writer.add(pose.orientation[k]);
+}
+
+Pose readPose(ByteReader& reader) {
+    constexpr double kUnitTolerance = 1e-9;
+    Pose pose;
+    reader.read(pose.position);
+    for (int k = 0; k < 4; ++k) pose.orientation[k] = reader.number();
+    reader.check(std::abs(glm::length(pose.orientation) - 1.0) <= kUnitTolerance);
+    return pose;
+}
 
 SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size_t& triangleCount) {
     SourceObject object;
@@ -107,6 +122,9 @@ SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size
         for (Vec2& uv : triangle.uvs) reader.read(uv);
         triangle.material = reader.index(materialCount);
     }
+    const std::size_t copies = reader.count(kPoseSize);
+    reader.check(copies <= kMaxCopies);
+    for (std::size_t i = 0; i < copies && reader.isGood(); ++i) object.copies.push_back(readPose(reader));
     return object;
 }
 
@@ -132,6 +150,8 @@ std::string sourceSceneBytes(const SourceScene& scene) {
             for (const Vec2 uv : triangle.uvs) writer.add(uv);
             writer.add(triangle.material, 4);
         }
+        writer.add(object.copies.size());
+        for (const Pose& pose : object.copies) add(writer, pose);
     }
     writer.add(scene.notes.size());
     for (const std::string& note : scene.notes) writer.add(std::string_view(note));

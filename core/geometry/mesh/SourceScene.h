@@ -32,6 +32,7 @@ struct SourceObject {
     bool hasUvs = false;
     std::vector<Vec3> points;  // in the file's unit and axes; finite
     std::vector<SourceTriangle> triangles;
+    std::vector<Pose> copies;  // motions that take the object to the other places where it stands
     bool operator==(const SourceObject&) const = default;
 };
 
@@ -46,6 +47,8 @@ struct SourceScene {
 
 /// The maximum number of triangles of all objects; more would exceed the importer's memory limit.
 inline constexpr std::size_t kMaxTriangles = 2'000'000;
+/// The maximum number of copies of an object.
+inline constexpr std::size_t kMaxCopies = 10'000;
 /// The maximum number of notes; the last one tells how many are left out.
 inline constexpr std::size_t kMaxNotes = 1000;
 
@@ -56,7 +59,8 @@ std::string sourceSceneBytes(const SourceScene& scene);
 /// Deserializes a scene from untrusted bytes.
 ///
 /// Errors: BadInput for truncated or excess bytes, an index out of range, a number that is not finite, text that is
-/// not UTF-8, or more than kMaxTriangles or kMaxNotes. Memory is a few times that of the bytes at most.
+/// not UTF-8, a rotation that is not a unit quaternion, or more than kMaxTriangles, kMaxCopies or kMaxNotes. Memory is
+/// a few times that of the bytes at most.
 Result<SourceScene> readSourceScene(std::string_view bytes);
 
 }  // namespace rubble

@@ -56,6 +56,43 @@ private slots:
         QCOMPARE(project.assets[1].material, project.materials[1].id);
         QCOMPARE(project.materials[0].outside.red, 0.5);
     }
+    void copiesOfAnObjectBecomeInstances() {
+        SourceObject wall = objectOf("Wall", wallMesh());
+        const double half = std::sqrt(0.5);
+        wall.copies = {{{5.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}, {half, 0.0, 0.0, half}}};
+        const Project project = imported({}, sceneOf({wall})).project;
+        QCOMPARE(project.assets.size(), std::size_t{1});
+        QCOMPARE(project.instances.size(), std::size_t{3});
+        QVERIFY(project.instances[1].pose.position == Vec3(16.0, 0.5, 1.0));
+        QVERIFY(glm::distance(project.instances[2].pose.position, Vec3(-0.5, 11.0, 0.0)) < 1e-12);  // a quarter about z
+
+        // In millimetres and z up: z of the file is y, and y is -z.
+        wall.copies = {{{1000.0, 2000.0, 3000.0}, {half, 0.0, 0.0, half}}};
+        const ImportOptions options{.metresPerUnit = 1e-3, .up = UpAxis::Z};
+        const std::vector<Instance> both = imported({}, sceneOf({wall}), options).project.instances;
+        QCOMPARE(both.size(), std::size_t{2});
+        QVERIFY(glm::distance(both[0].pose.position, Vec3(0.011, 0.0, -0.0005)) < 1e-9);
+        QVERIFY(glm::distance(both[1].pose.position, Vec3(0.9995, 3.0, -2.011)) < 1e-9);
+        wall.copies = {{{2e5, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}};
+        QCOMPARE(importFault(sceneOf({wall})),
+                 "\"Wall\": the position is (200011, 0.5, 0), but it must be from -100000 to 100000.");
+    }
+    void farMeshesAreToldWithTheirPlace() {
+        const auto fault = [&](Vec3 at, double scale) {
+            SourceObject wall = objectOf("Wall", wallMesh());
+            for (Vec3& point : wall.points) point = scale * point + at;
+            return importFault(sceneOf({wall}));
+        };
+        QCOMPARE(fault({0.0, 0.0, -2e5}, 1.0),
+                 "\"Wall\": The mesh lies far away from the origin, at (11, 0.5, -200000) m, "
+                 "and positions go up to 100000 m; move it to the origin in the program "
+                 "that made it, or set its unit.");
+        QCOMPARE(fault({4e4, 0.0, 0.0}, 0.01),
+                 "\"Wall\": The mesh lies far away from the origin, at (40000, 0.005, 0) m, "
+                 "and its size of 22.9 mm is lost in single precision there; move it to "
+                 "the origin in the program that made it, or set its unit.");
+        QCOMPARE(fault({4e4, 0.0, 0.0}, 10.0), "");
+    }
     void greatestNextIdReusesIds() {
         Project project;
         project.nextId = std::numeric_limits<Id>::max() - 1;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/importer/files/MeshFiles.h"
+#include "core/geometry/mesh/SourceScene.h"
+
+#include <string_view>
+
+namespace rubble {
+
+/// Reads an OBJ file and its material files. Numbers are read in double precision; polygons are triangulated, points
+/// and lines ignored. A material file that is not read becomes a note.
+///
+/// Errors: throws MeshError; those of readObjText(), and Limit above kMaxTriangles.
+SourceScene readObj(std::string_view text, MeshFiles& files);
+
+}  // namespace rubble
