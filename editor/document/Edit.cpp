@@ -36,11 +36,13 @@ auto positionOf(List& list, Id id) {
     return std::ranges::lower_bound(list, id, {}, [](const auto& element) { return element.id; });
 }
 
-/// Makes room for `count` elements of the kind of a swap, so that adding them cannot fail.
+/// Makes room for the element that a swap adds, if it does, beside `count` others, so that adding it cannot fail.
 template <class Value>
 void reserveFor(Project& project, const Swap<Value>& swap, std::size_t count) {
     auto& list = project.*kElementList<Value>.list;
-    if (swap.value && list.capacity() < list.size() + count) list.reserve(2 * list.size() + count);
+    const auto position = positionOf(list, swap.id);
+    const bool isAdded = position == list.end() || position->id != swap.id;
+    if (isAdded && list.capacity() < list.size() + count) list.reserve(2 * list.size() + count);
 }
 void reserveFor(Project&, const SceneSettings&, std::size_t) {}
 
