@@ -18,13 +18,13 @@ using namespace rubble;
 
 namespace {
 
-/// A project that takes many seconds.
+/// A project that takes seconds, and is not refused for its memory.
 Project largeProject() {
     Asset asset = assetOf(unitSquare(), 0.5);
     asset.id = 2;
     asset.name = "wall";
     asset.material = 1;
-    asset.pattern = scatterOf(2'000'000, 3);
+    asset.pattern = scatterOf(400'000, 3);
     Project project;
     project.materials = {{.id = 1, .name = "brick"}};
     project.assets = {asset};
