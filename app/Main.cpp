@@ -10,11 +10,14 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
+#include <csignal>
 #include <cstdio>
+#include <exception>
 #include <new>
 
-int main(int argumentCount, char** argumentList) {
-    rubble::occupyStandardStreams();
+namespace {
+
+int run(int argumentCount, char** argumentList) {
     QApplication::setOrganizationName("Rubble");
     QApplication::setApplicationName("Rubble");
     QApplication::setApplicationVersion(RUBBLE_VERSION);
@@ -41,6 +44,24 @@ int main(int argumentCount, char** argumentList) {
         rubble::releaseMemoryReserve();
         program.backUp();
         std::fputs("Out of memory. Changes that were not saved are offered as a backup at the next start.\n", stderr);
+        return 1;
+    }
+}
+
+}  // namespace
+
+int main(int argumentCount, char** argumentList) {
+    rubble::occupyStandardStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // writing fails instead, which is told
+    std::set_terminate(&rubble::Application::terminate);
+    if (const auto fault = rubble::Application::startFault()) {
+        std::fprintf(stderr, "%s\n", fault->c_str());
+        return 1;
+    }
+    try {
+        return run(argumentCount, argumentList);
+    } catch (const std::bad_alloc&) {  // before there is a window
+        std::fputs("Out of memory.\n", stderr);
         return 1;
     }
 }

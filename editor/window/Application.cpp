@@ -1,9 +1,16 @@
 #include "editor/window/Application.h"
 
+#include "core/base/Parallel.h"
 #include "core/base/limits/MemoryReserve.h"
+#include "core/base/limits/Threads.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace rubble {
@@ -11,6 +18,10 @@ namespace {
 
 /// After events that are waiting, so that one sentence tells of all that fail.
 constexpr int kNoticeMilliseconds = 100;
+/// Of Qt and of the editor's background jobs; besides, Qt paints with one thread for each processor.
+constexpr int kThreads = 6;
+/// What the program takes until its first window is shown, and more: where Qt and GLib get no memory, they end it.
+constexpr std::size_t kAddressSpaceToStart = std::size_t{400} << 20;
 
 }  // namespace
 
@@ -26,6 +37,29 @@ Application::Application(int& argumentCount, char** arguments)
     m_notice.setSingleShot(true);
     m_notice.setInterval(kNoticeMilliseconds);
     connect(&m_notice, &QTimer::timeout, this, &Application::tell);
+}
+
+std::optional<std::string> Application::startFault() {
+    if (!isAddressSpaceLeft(kAddressSpaceToStart))
+        return "Out of memory: close other programs, then start Rubble again.";
+    const int threads = kThreads + availableProcessors();
+    if (canStartThreads(threads)) return std::nullopt;
+    return "Rubble needs " + std::to_string(threads) +
+           " threads, but the system allows fewer. Close other programs, then start it again.";
+}
+
+void Application::terminate() noexcept {
+    releaseMemoryReserve();
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        constexpr std::string_view kSentence =
+            "Out of memory. The last backup of changes that were not saved is offered at the next start.\n";
+        [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kSentence.data(), kSentence.size());
+        ::_exit(1);
+    } catch (...) {  // a fault of the program
+    }
+    std::abort();
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {

@@ -21,29 +21,22 @@ attempt() {
   runs=$((runs + 1))
   if [ $status = 0 ]; then
     results=$((results + 1))
-  elif [ $status -le 2 ] && tail -n 1 err | grep -q '[.]$'; then
+  elif [ $status -le 2 ] && tail -n 1 err | grep -q '[.?]$'; then
     sentences=$((sentences + 1))
   elif [ "$limit" = time ] && [[ $status = 137 || $status = 152 ]]; then
     sentences=$((sentences + 1))  # the limit itself ends the program
   else
     faults=$((faults + 1))
-    printf '%s: status %s: %s\n%s\n' "$limit" "$status" "${*: -6}" "$(tail -n 3 err)"
+    printf '%s: status %s: %s\n%s\n' "$limit" "$status" "$*" "$(tail -n 3 out err)"
   fi
 }
 
-with() { (ulimit "$1" "$2" && shift 2 && exec timeout -s KILL 120 "$@"); }
+with() { (ulimit "$1" "$2" && shift 2 && exec timeout -s KILL 600 "$@"); }
 with_threads() {
   local user=()
   # Limits of processes do not apply to root.
   [ "$(id -u)" != 0 ] || user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
-  timeout -s KILL 120 "${user[@]}" prlimit --nproc="$1" "${@:2}"
-}
-
-# The editor bakes the project until it is closed, and must still run then.
-editor() {
-  local status=0
-  (ulimit "$1" "$2" && exec timeout 3 "$programs/rubble" project.rubble) || status=$?
-  [ $status = 124 ] || return $status
+  timeout -s KILL 600 "${user[@]}" prlimit --nproc="$1" "${@:2}"
 }
 
 # new_project <seeds> <seeds of the second level>
@@ -58,29 +51,75 @@ new_project() {
   chmod a+rwx . && chmod a+r project.rubble
 }
 
+cat >box.obj <<'END'
+o box
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 1
+v 1 0 1
+v 1 1 1
+v 0 1 1
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+END
+
+# new_input <seeds>: for the verb fracture
+new_input() {
+  awk -v seeds="$1" -v random="$RANDOM" 'BEGIN {
+    srand(random)
+    printf "{\"outline\": [[0, 0], [2, 0], [2, 1], [0, 1]], \"depth\": 0.1, \"seeds\": ["
+    for (k = 0; k < seeds; ++k) printf "%s[%.9f, %.9f]", k ? ", " : "", 2 * rand(), rand()
+    print "]}"
+  }' >input.json
+}
+
+# limited <command>...: under one random limit
+limited() {
+  case $((RANDOM % 6)) in
+    0 | 1) attempt memory with -v $((300000 + RANDOM * 82)) "$@" ;;
+    2) attempt threads with_threads $((1 + RANDOM % 4)) "$@" ;;
+    3) attempt descriptors with -n $((4 + RANDOM % 12)) "$@" ;;
+    4) attempt disk with -f $((RANDOM % 64)) "$@" ;;
+    5) attempt time with -t $((1 + RANDOM % 2)) "$@" ;;
+  esac
+}
+
+# The editor needs some hundred MB and some descriptors to start.
+limited_editor() {
+  local steps=("$programs/editor-steps" project.rubble box.obj)
+  attempt memory with -v $((500000 + RANDOM * 76)) "${steps[@]}"
+  case $((RANDOM % 4)) in
+    0) attempt threads with_threads $((1 + RANDOM % 6)) "${steps[@]}" ;;
+    1) attempt descriptors with -n $((16 + RANDOM % 48)) "${steps[@]}" ;;
+    2) attempt disk with -f $((RANDOM % 64)) "${steps[@]}" ;;
+    3) attempt time with -t $((1 + RANDOM % 3)) "${steps[@]}" ;;
+  esac
+}
+
 cli=$programs/rubble-cli
 for ((project = 0; project < projects; ++project)); do
-  seeds=$((RANDOM % 10 == 0 ? 20000 + RANDOM * 4 : 2 + RANDOM % 5000))
+  seeds=$((RANDOM % 10 == 0 ? 20000 + RANDOM * 2 : 2 + RANDOM % 5000))
+  new_input $seeds
   new_project $seeds $((RANDOM % 3 == 0 ? 2 + RANDOM % 4 : 0))
   verbs=("check project.rubble" "export project.rubble --out packs --overwrite" "draw project.rubble --out wall.svg"
     "simulate project.rubble --steps 1 --record wall.replay" "strength project.rubble" "diff project.rubble project.rubble"
     "materials" "new other$project.rubble" "render project.rubble --out wall.png --samples 1"
     "sheet project.rubble --asset wall --variants 2 --out sheet.png"
     "film project.rubble film$project --steps 1 --samples 1" "test project.rubble" "replay wall.replay"
-    "seeds $cli" "import project.rubble --into project.rubble")
+    "seeds box.obj --into project.rubble --asset wall" "import box.obj --into project.rubble" "fracture input.json")
   [ $seeds -gt 1000 ] || verbs+=("audit project.rubble")
   for verb in "${verbs[@]}"; do
     read -ra words <<<"$verb"
-    case $((RANDOM % 5)) in
-      0 | 1) attempt memory with -v $((300000 + RANDOM * 82)) "$cli" "${words[@]}" ;;
-      2) attempt threads with_threads $((1 + RANDOM % 4)) "$cli" "${words[@]}" ;;
-      3) attempt descriptors with -n $((4 + RANDOM % 12)) "$cli" "${words[@]}" ;;
-      4) attempt disk with -f $((RANDOM % 64)) "$cli" "${words[@]}" ;;
-    esac
+    limited "$cli" "${words[@]}"
     rm -rf "film$project" "other$project.rubble"
   done
-  attempt time with -t 1 "$cli" check project.rubble
-  [ ! -x "$programs/rubble" ] || attempt editor editor -v $((500000 + RANDOM * 76))
+  [ ! -x "$programs/editor-steps" ] || limited_editor
 done
 printf '%s projects, %s runs: %s results, %s sentences, %s faults\n' "$projects" $runs $results $sentences $faults
 [ $faults = 0 ]

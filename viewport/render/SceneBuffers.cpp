@@ -1,9 +1,12 @@
 #include "viewport/render/SceneBuffers.h"
 
+#include "core/base/limits/SoftwareRendererNeeds.h"
+
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 #include <span>
 #include <utility>
 
@@ -18,6 +21,18 @@ GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
     return buffer;
+}
+
+std::size_t bytesOf(const SceneGeometry& geometry) {
+    return std::span(geometry.vertices).size_bytes() + std::span(geometry.indices).size_bytes();
+}
+
+/// What is uploaded of a scene, bytes, counting what several batches share once for each.
+std::size_t geometryBytes(const RenderScene& scene) {
+    std::size_t bytes = 0;
+    for (const SceneBatch& batch : scene.batches)
+        bytes += bytesOf(*batch.geometry) + (batch.hulls ? bytesOf(*batch.hulls) : 0);
+    return bytes;
 }
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
@@ -85,8 +100,10 @@ void SceneBuffers::uploadBatches() {
 
 void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     if (scene == m_scene) return;
-    const std::shared_ptr<const RenderScene> last = std::exchange(m_scene, std::move(scene));
-    if (last == nullptr || last->batches != m_scene->batches) uploadBatches();
+    const bool isNew = m_scene == nullptr || m_scene->batches != scene->batches;
+    if (isNew && !isRendererMemoryLeft(geometryBytes(*scene))) throw std::bad_alloc();
+    m_scene = std::move(scene);
+    if (isNew) uploadBatches();
     const auto write = [&](TexelBuffer& texels, const auto& values) {
         if (values.empty()) return;
         texels.write(std::as_bytes(std::span(values)));

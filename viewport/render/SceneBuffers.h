@@ -18,6 +18,8 @@ class SceneBuffers {
 public:
     SceneBuffers();
 
+    /// Errors: throws std::bad_alloc, and keeps the scene that it has, if the scene's geometry is new and there is not
+    /// the memory to draw it in software.
     void upload(std::shared_ptr<const RenderScene> scene);
     const std::shared_ptr<const RenderScene>& scene() const { return m_scene; }
 

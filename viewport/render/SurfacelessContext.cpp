@@ -2,8 +2,7 @@
 
 #include "core/base/OutOfMemory.h"
 #include "core/base/Parallel.h"
-#include "core/base/limits/MemoryReserve.h"
-#include "core/base/limits/Threads.h"
+#include "core/base/limits/SoftwareRendererNeeds.h"
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
@@ -27,17 +26,11 @@ Error noContext(const std::string& reason) {
     return {ErrorCode::Unsupported, "This machine has no OpenGL 3.3 to render images with: " + reason + "."};
 }
 
-/// What Mesa starts besides one thread for each processor: its queues.
-constexpr int kFurtherThreads = 4;
-/// What Mesa's software renderer takes for a picture and its compiled shaders, and more, bytes.
-constexpr std::size_t kAddressSpace = std::size_t{768} << 20;
-
 /// EGL's only display without a screen. It is never terminated: that would end the contexts of other threads.
 Result<EGLDisplay> initializedDisplay() {
-    // Check first: Mesa's software renderer waits forever for threads that cannot be started.
-    if (!canStartThreads(availableProcessors() + kFurtherThreads)) return outOfThreads("rendering images");
-    // Likewise, it crashes where it gets no memory.
-    if (!isAddressSpaceLeft(kAddressSpace)) return outOfMemory("rendering images");
+    // Check both first: without them, Mesa hangs or crashes.
+    if (!areRendererThreadsLeft(availableProcessors())) return outOfThreads("rendering images");
+    if (!isRendererMemoryLeft()) return outOfMemory("rendering images");
     // Check first: epoxy aborts the program if the library or a function is missing.
     if (dlopen("libEGL.so.1", RTLD_LAZY) == nullptr) return noContext("libEGL.so.1 is not installed");
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") ||

@@ -1,7 +1,7 @@
 #include "viewport/widget/OpenGlProbe.h"
 
 #include "core/base/Parallel.h"
-#include "core/base/limits/Threads.h"
+#include "core/base/limits/SoftwareRendererNeeds.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
@@ -15,16 +15,17 @@ struct Probe {
     Q_DECLARE_TR_FUNCTIONS(rubble::OpenGlProbe)
 };
 
-/// What Mesa starts besides one thread for each processor. Where it cannot, it waits forever.
-constexpr int kFurtherThreads = 4;
-
 std::optional<QString> probed() {
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal") {
         return Probe::tr("The 3D view is unavailable: the platform \"%1\" does not support OpenGL.").arg(platform);
     }
-    if (!canStartThreads(availableProcessors() + kFurtherThreads))
+    if (!areRendererThreadsLeft(availableProcessors()))
         return Probe::tr("The 3D view is unavailable: the system allows no more threads.");
+    if (!isRendererMemoryLeft()) {
+        return Probe::tr(
+            "The 3D view is unavailable: too little memory is left. Close other programs, then start Rubble again.");
+    }
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);

@@ -148,8 +148,16 @@ void measureLying(Session session, SwapAudit& audit) {
     }
 }
 
-/// An off-centre hammer blow on the front, which makes the asset fly and rotate about all axes.
-Hammer offCentreBlow(const PlayAsset& asset, double mass) {
+/// The speed, m/s, at which fragments of an asset move by their width in a step, 1 at most: faster ones sweep over so
+/// many others that memory and time grow with the square of their number.
+double flightSpeed(const PlayAsset& asset, double depth) {
+    const double area = asset.bake->whole.volume / depth;
+    const double width = std::sqrt(area / std::max(1.0, static_cast<double>(asset.bake->fragmentCount())));
+    return std::min(1.0, width / SessionSettings().dt);
+}
+
+/// An off-centre hammer blow on the front, which makes the asset fly and rotate about all axes. `momentum` in N·s.
+Hammer offCentreBlow(const PlayAsset& asset, double momentum) {
     const Shape& shape = *asset.whole.shape;
     const Hull& hull = shape.hulls[0];
     const Vec3f front(0.0f, 0.0f, 1.0f);
@@ -157,7 +165,7 @@ Hammer offCentreBlow(const PlayAsset& asset, double mass) {
     Vec3 middle(0.0);
     for (const std::uint16_t corner : face) middle += toDouble(hull.corner(corner)) / static_cast<double>(face.size());
     const Vec3 beside = middle + 0.7 * (toDouble(hull.corner(face[0])) - middle);
-    return {.at = beside + shape.mass.centre, .impulse = mass * Vec3(0.5, 0.3, -1.0)};
+    return {.at = beside + shape.mass.centre, .impulse = momentum * Vec3(0.5, 0.3, -1.0)};
 }
 
 /// Advice for a fragment that is pushed.
@@ -215,8 +223,9 @@ double driftOf(Vec3 now, Vec3 before, double scale) { return glm::length(now - b
 
 /// Measures the drift in the step of the swap in flight.
 Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
-    const double mass = massOf(session);
-    if (const Status added = session.add(ShotInput{"blow", offCentreBlow(asset, mass)}); !added) return added;
+    const double mass = massOf(session), depth = session.scene().project.assets[0].prism.depth;
+    const Hammer blow = offCentreBlow(asset, mass * flightSpeed(asset, depth));
+    if (const Status added = session.add(ShotInput{"blow", blow}); !added) return added;
     step(session, 2);
     const Momenta before = session.world().momenta();
     if (!(before.kinetic > 0.0)) {

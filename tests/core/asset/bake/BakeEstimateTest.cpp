@@ -84,7 +84,7 @@ private slots:
     void tenMillionSeedsAreRefusedAtOnce() {
         const Result<Bake> made = bake(layered(10'000'000, 1), cancelledTask());
         QCOMPARE(made.error().code, ErrorCode::Limit);
-        QVERIFY(made.error().message.starts_with("Asset \"box\": about 10000000 fragments would take 9.6 GiB"));
+        QVERIFY(made.error().message.starts_with("Asset \"box\": about 10000000 fragments would take 7.1 GiB"));
     }
     void slicesThatCrossAreRefusedAtOnce() {
         Asset asset = boxAsset(2, 3, Slices{.cuts = 2000, .angle = 0.0});
