@@ -85,7 +85,7 @@ limited() {
     0 | 1) attempt memory with -v $((300000 + RANDOM * 82)) "$@" ;;
     2) attempt threads with_threads $((1 + RANDOM % 4)) "$@" ;;
     3) attempt descriptors with -n $((4 + RANDOM % 12)) "$@" ;;
-    4) attempt disk with -f $((RANDOM % 64)) "$@" ;;
+    4) attempt disk with -f $((1 + RANDOM % 63)) "$@" ;;
     5) attempt time with -t $((1 + RANDOM % 2)) "$@" ;;
   esac
 }
@@ -97,12 +97,24 @@ limited_editor() {
   case $((RANDOM % 4)) in
     0) attempt threads with_threads $((1 + RANDOM % 6)) "${steps[@]}" ;;
     1) attempt descriptors with -n $((16 + RANDOM % 48)) "${steps[@]}" ;;
-    2) attempt disk with -f $((RANDOM % 64)) "${steps[@]}" ;;
+    2) attempt disk with -f $((1 + RANDOM % 63)) "${steps[@]}" ;;
     3) attempt time with -t $((1 + RANDOM % 3)) "${steps[@]}" ;;
   esac
 }
 
 cli=$programs/rubble-cli
+# What once ended with a signal, or never.
+new_project 60000 0
+attempt memory with -v 1100000 "$cli" render project.rubble --out wall.png --samples 1
+if [ -x "$programs/editor-steps" ]; then
+  steps=("$programs/editor-steps" project.rubble box.obj)
+  new_project 50 0
+  attempt threads with_threads 4 "${steps[@]}"
+  attempt memory with -v 524092 "${steps[@]}"
+  attempt disk with -f 1 "${steps[@]}"
+  new_project 20000 0
+  attempt memory with -v 580000 "${steps[@]}"
+fi
 for ((project = 0; project < projects; ++project)); do
   seeds=$((RANDOM % 10 == 0 ? 20000 + RANDOM * 2 : 2 + RANDOM % 5000))
   new_input $seeds

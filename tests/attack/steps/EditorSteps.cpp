@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -132,20 +133,28 @@ void EditorSteps::end(const QString& outcome) {
     QApplication::exit(0);
 }
 
+/// Answers in an event of its own: a dialog that follows runs an event loop in it, in which this one looks on.
 void EditorSteps::answerDialog(QWidget& dialog) {
+    const auto click = [](QAbstractButton* button) { QTimer::singleShot(0, button, &QAbstractButton::click); };
     if (qobject_cast<QProgressDialog*>(&dialog) != nullptr) return;
+    if (auto* file = qobject_cast<QFileDialog*>(&dialog)) {
+        if (m_sentence.isEmpty()) note("Another file is asked for.");
+        QTimer::singleShot(0, file, &QDialog::reject);
+        return;
+    }
     if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
         note(box->text());
         for (QAbstractButton* button : box->buttons()) {
-            if (box->buttonRole(button) == QMessageBox::DestructiveRole) return button->click();
+            if (box->buttonRole(button) == QMessageBox::DestructiveRole) return click(button);
         }
-        return box->accept();
+        QTimer::singleShot(0, box, &QDialog::accept);
+        return;
     }
     auto* buttons = dialog.findChild<QDialogButtonBox*>();
     if (buttons == nullptr) return;
     for (QAbstractButton* button : buttons->buttons()) {
         const bool accepts = buttons->buttonRole(button) == QDialogButtonBox::AcceptRole;
-        if (accepts && button->isEnabled()) return button->click();
+        if (accepts && button->isEnabled()) return click(button);
     }
 }
 
