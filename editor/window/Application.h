@@ -19,8 +19,8 @@ public:
     /// painting waits forever for threads that the system does not allow.
     static std::optional<std::string> startFault();
 
-    /// The program's terminate handler: where memory runs out in functions that may not throw, as many of Qt, it ends the
-    /// process with a sentence instead of a signal. The last backup is offered at the next start.
+    /// The program's terminate handler: where memory runs out in functions that may not throw, as many of Qt, it ends
+    /// the process with a sentence instead of a signal. The last backup is offered at the next start.
     [[noreturn]] static void terminate() noexcept;
 
     bool notify(QObject* receiver, QEvent* event) override;
