@@ -331,16 +331,32 @@ private:
         m_at = end;
         return true;
     }
-    /// The nearest double, whatever the locale.
+    /// The nearest double, whatever the locale; 0 for what is too small for one.
     static bool toDouble(std::string_view digits, double& value) {
 #if defined(__cpp_lib_to_chars)
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        return error == std::errc() && end == digits.data() + digits.size();
+        if (error == std::errc()) return end == digits.data() + digits.size();
 #else
         std::istringstream stream{std::string(digits)};
         stream.imbue(std::locale::classic());
-        return (stream >> value) && std::isfinite(value);
+        if (stream >> value) return std::isfinite(value);
 #endif
+        value = 0.0;
+        return isBelowOne(digits);
+    }
+
+    /// Whether the magnitude of a number is below 1.
+    static bool isBelowOne(std::string_view digits) {
+        const std::size_t e = std::min(digits.find_first_of("eE"), digits.size());
+        const std::size_t point = std::min(digits.find('.'), e);
+        const std::size_t first = digits.find_first_of("123456789");
+        if (first >= e) return true;
+        long exponent = 0;
+        for (const char digit : digits.substr(e)) {
+            if (digit >= '0' && digit <= '9') exponent = std::min(10 * exponent + (digit - '0'), 1000000000L);
+        }
+        if (digits.find('-', e) != digits.npos) exponent = -exponent;
+        return exponent + static_cast<long>(point) - static_cast<long>(first) <= 0;
     }
 
     std::string_view m_text;

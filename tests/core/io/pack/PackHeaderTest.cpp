@@ -107,6 +107,26 @@ private slots:
             QCOMPARE(pack.name, name);
         }
     }
+    /// As the JSON reader of the program: what is too small for a double is 0.
+    void smallNumbersAreRead() {
+        const std::string json = packOf(boxAsset(3, 4, PlacedSeeds{}));
+        const std::string zeros(400, '0');
+        const std::pair<std::string, double> numbers[] = {{"1e-999", 0.0},
+                                                          {"2e-324", 0.0},
+                                                          {"5e-324", 5e-324},
+                                                          {"-1.5E-400", 0.0},
+                                                          {"0." + zeros + "1", 0.0},
+                                                          {"0." + zeros + "1e401", 1.0},
+                                                          {"0e9999999999999999999", 0.0}};
+        for (const auto& [digits, value] : numbers) {
+            std::string changed = json;
+            changed.replace(changed.find("\"offset\":[0.5"), 13, "\"offset\":[" + digits);
+            rubble_pack::Pack pack;
+            std::string fault;
+            QVERIFY2(rubble_pack::parse(changed, pack, fault), (digits + ": " + fault).c_str());
+            QCOMPARE(pack.whole.offset.x, value);
+        }
+    }
     void everyWrongTypeIsReportedWithItsPath() {
         const Asset halves = boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.75}}}});
         const auto isLink = [](const std::string& place, const nlohmann::json& value) {
