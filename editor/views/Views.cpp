@@ -140,6 +140,11 @@ void Views::addDocks() {
     connect(m_playTools, &PlayToolsPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
     connect(strength, &StrengthPanel::refused, this, &Views::showRefusal);
+    connect(strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
+        setSceneVisible(true);
+        m_workspace.play().playShot(shot);
+        m_scene->viewport().setFocus();
+    });
     connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
     connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
     connect(play, &PlayPanel::statusMessage, this, &Views::statusMessage);

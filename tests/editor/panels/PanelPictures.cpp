@@ -1,5 +1,6 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/panels/docks/ProjectTree.h"
+#include "editor/panels/docks/StrengthPanel.h"
 #include "editor/panels/inspector/Inspector.h"
 #include "editor/widgets/Theme.h"
 
@@ -19,6 +20,25 @@ void save(QWidget& widget, QSize size, const QString& path) {
     widget.show();
     for (int k = 0; k < 5; ++k) QCoreApplication::processEvents();
     widget.grab().save(path);
+}
+
+/// Requirements of the first asset, one of each kind.
+void saveStrength(Document& document, const QString& path) {
+    Asset asset = document.project().assets[0];
+    asset.requirements = {{RequirementOutcome::Survives, HitRequirement{.mass = 0.43, .speed = 20.0}},
+                          {RequirementOutcome::Breaks, DropRequirement{.height = 1.0}},
+                          {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 800.0}}};
+    document.push({.text = "Require", .swaps = {Swap<Asset>{asset.id, asset}}});
+    Bakes bakes;
+    if (const Result<Bake> made = bake(asset)) {
+        bakes.set(asset.id, std::make_shared<const BakedAsset>(BakedAsset{
+                                std::make_shared<const Asset>(asset), std::make_shared<const Bake>(*made), {}}));
+    }
+    Selection selection;
+    selection.setAsset(asset.id);
+    SwapAuditRunner audits(document, bakes);
+    StrengthPanel panel(document, selection, bakes, audits);
+    save(panel, {300, 560}, path);
 }
 
 }  // namespace
@@ -48,5 +68,6 @@ int main(int argc, char* argv[]) {
     save(inspector, {300, 480}, path("instances"));
     selection.setSubject(Part::Scene);
     save(inspector, {300, 480}, path("scene"));
+    saveStrength(document, path("strength"));
     return 0;
 }
