@@ -124,6 +124,8 @@ void replaceLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::
 void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
     for (FragmentLevel& leaf : asset.leaves) leaf.fragment = withLayers(leaf.fragment, layers);
     std::ranges::sort(asset.leaves, {}, &FragmentLevel::fragment);
+    for (FragmentThreshold& own : asset.fragmentThresholds) own.fragment = withLayers(own.fragment, layers);
+    std::ranges::sort(asset.fragmentThresholds, {}, &FragmentThreshold::fragment);
     for (FragmentEdit& edit : asset.edits) {
         if (auto* split = std::get_if<FragmentSplit>(&edit)) {
             split->fragment = withLayers(split->fragment, layers);

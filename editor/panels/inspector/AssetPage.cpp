@@ -34,7 +34,7 @@ bool isRectangle(const Ring& ring) {
 
 }  // namespace
 
-AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* parent)
+AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
@@ -42,12 +42,15 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
           document, [this] { return selected(); }, pushOf<Asset>(document)) {
     m_asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
+    m_fragments = new FragmentSection(document, selection, bakes, this);
     m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {m_asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
+    for (Section* section :
+         {m_asset, static_cast<Section*>(m_fragments), shape, static_cast<Section*>(m_shaping), pattern})
+        layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
@@ -56,6 +59,7 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
     m_pattern = new PatternEditor(document);
     pattern->addWide(m_pattern);
     connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+    connect(m_fragments, &FragmentSection::refused, this, &AssetPage::refused);
     connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
 }
 
@@ -227,6 +231,7 @@ void AssetPage::refresh() {
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
     if (!assets.empty()) showThreshold(assets.front());
     m_outline->refresh(m_selection.asset());
+    m_fragments->refresh();
     m_shaping->refresh();
     m_pattern->refresh(m_selection.asset(), m_selection.enteredFragment());
 }

@@ -54,7 +54,8 @@ int main(int argc, char* argv[]) {
     Selection selection;
     selection.prune(document.project());
     ProjectTree tree(document, selection);
-    Inspector inspector(document, selection);
+    const Bakes noBakes;
+    Inspector inspector(document, selection, noBakes);
     const QString folder = QDir(argv[2]).absolutePath() + '/';
     const auto path = [&](const QString& name) { return folder + name + '-' + theme + ".png"; };
     const Project& shown = document.project();
