@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
+#include "core/asset/project/Threshold.h"
 #include "editor/commands/AssetPatterns.h"
 
 #include <QCoreApplication>
@@ -155,6 +156,7 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
     Addition addition{{.text = ProjectEditsTexts::tr("Add Asset")}};
     Asset asset{.name = uniqueName(project.assets, name), .prism = prism};
     asset.material = firstOrNewMaterial(project, addition.edit);
+    if (const Material* material = findMaterial(project, asset.material)) deriveThresholdIfKnown(asset, *material);
     asset.id = addition.id = addition.edit.allocateId(project);
     const Id layer = addition.edit.allocateId(project);
     asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};

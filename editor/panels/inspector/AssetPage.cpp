@@ -136,11 +136,18 @@ void AssetPage::showThreshold(const Asset& asset) {
     const bool isDerived = derivedThreshold(asset, material).has_value();
     m_threshold->setEnabled(!isDerived);
     m_asset->setRowVisible(m_contactTime, asset.contactTime.has_value());
-    m_derivation->setVisible(asset.contactTime.has_value());
-    if (!asset.contactTime) return;
     const auto text = [&](QuantityKind kind, double value) {
         return localizedQuantity(kind, value, m_units, locale());
     };
+    if (!asset.contactTime) {
+        Asset derived = asset;
+        deriveThreshold(derived);
+        const std::optional<double> other = derivedThreshold(derived, material);
+        m_derivation->setVisible(other.has_value());
+        if (other) m_derivation->setText(tr("From its strength: %1").arg(text(QuantityKind::Impulse, *other)));
+        return;
+    }
+    m_derivation->setVisible(true);
     if (!isDerived) {
         return m_derivation->setText(
             tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")

@@ -29,9 +29,10 @@ private slots:
         QCOMPARE(again.id, first.id);
     }
     void takenNameGetsANumber() {
-        const Addition added =
-            addMaterial(starterProject(), preset("plaster"));  // differs from the starter project's plaster
-        const Project project = test::editedProject(starterProject(), added.edit);
+        Project before = starterProject();
+        before.materials[0].density = 1300.0;  // differs from the plaster of the library
+        const Addition added = addMaterial(before, preset("plaster"));
+        const Project project = test::editedProject(before, added.edit);
         QCOMPARE(findMaterial(project, added.id)->name, std::string("plaster 2"));
     }
     void appliesPatternAndThreshold() {
@@ -60,7 +61,8 @@ private slots:
         QCOMPARE(anew.assets[0].contactTime.value_or(0.0), kDefaultContactTime);
     }
     void appliesOnlyWhatTheOptionsSay() {
-        const Project before = starterProject();
+        Project before = starterProject();
+        enterThreshold(before.assets[0], 100.0);
         const Id wall = before.assets[0].id;
         const Project project = test::editedProject(before, applyPreset(before, wall, preset("ice"), {}));
         QVERIFY(findAsset(project, wall)->pattern == before.assets[0].pattern);
