@@ -85,6 +85,7 @@ struct Body {
     double mass = 0.0;                               // kg
     Vec3 centreOfMass;                               // in its own frame, m
     std::array<std::array<double, 3>, 3> inertia{};  // kg m^2, about the centre of mass, by rows
+    double threshold = 0.0;                          // N·s, its own; 0: see Pack::thresholdOf()
     double gap = 0.0;                                // m between its fragments
     double lostMass = 0.0;                           // kg that the gap takes from them
     std::vector<Neighbour> neighbours;               // ascending
@@ -121,6 +122,13 @@ struct Pack {
     Body whole;
     std::vector<Body> fragments;  // parents before their children
 
+    /// The impact that breaks a body, N·s: its own threshold, or one that follows from its volume. `body`: an index in
+    /// `fragments`, or kNone: the whole. Only of bodies that break.
+    double thresholdOf(std::uint32_t body) const {
+        if (body == kNone) return threshold;
+        const Body& one = fragments[body];
+        return one.threshold > 0.0 ? one.threshold : threshold * std::pow(one.volume / whole.volume, 2.0 / 3.0);
+    }
     /// The fragments of a body; kNone: of the whole. Empty if it does not break.
     std::vector<std::uint32_t> piecesOf(std::uint32_t parent) const {
         std::vector<std::uint32_t> pieces;
@@ -553,6 +561,7 @@ public:
             forEach(v, [&](const Value& row) { read.inertia[row.number] = numbers<3>(row); });
             return 0;
         });
+        read.threshold = optionalAt(value, "threshold");
         read.gap = optionalAt(value, "gap");
         read.lostMass = optionalAt(value, "lostMass");
         read.neighbours = listAt(value, "neighbours", [&](const Value& v) { return neighbour(v, count); });

@@ -17,6 +17,12 @@ constexpr double kTypicalFragmentSize = 0.25;  // of the length of its parent
 /// The position in Asset::leaves of a pattern index behind those of the levels.
 std::size_t leafAt(const Asset& asset, std::size_t index) { return index - asset.levels.size() - 1; }
 
+/// Null where levelAt() is.
+Level* mutableLevelAt(Asset& asset, std::size_t index) {
+    if (levelAt(asset, index) == nullptr) return nullptr;
+    return index <= asset.levels.size() ? &asset.levels[index - 1] : &*asset.leaves[leafAt(asset, index)].level;
+}
+
 struct AssetPatternsTexts {
     Q_DECLARE_TR_FUNCTIONS(AssetPatterns)
 };
@@ -73,12 +79,11 @@ Pattern& ownPattern(Asset& asset, const FragmentPath& fragment) {
 }
 
 void setMinimumVolume(Asset& asset, std::size_t index, double volume) {
-    if (!levelAt(asset, index)) return;
-    if (index <= asset.levels.size()) {
-        asset.levels[index - 1].minimumVolume = volume;
-    } else {
-        asset.leaves[leafAt(asset, index)].level->minimumVolume = volume;
-    }
+    if (Level* level = mutableLevelAt(asset, index)) level->minimumVolume = volume;
+}
+
+void setLevelThreshold(Asset& asset, std::size_t index, std::optional<double> threshold) {
+    if (Level* level = mutableLevelAt(asset, index)) level->threshold = threshold;
 }
 
 void removeLevelAt(Asset& asset, std::size_t index) {

@@ -25,6 +25,9 @@ Pattern& ownPattern(Asset& asset, const FragmentPath& fragment);
 const Level* levelAt(const Asset& asset, std::size_t index);
 /// Sets the volume (m^3) below which fragments are not fractured; does nothing if there is no level.
 void setMinimumVolume(Asset& asset, std::size_t index, double volume);
+/// Sets the threshold, N·s, of the fragments that are fractured; none: it follows from their volumes. Does nothing if
+/// there is no level.
+void setLevelThreshold(Asset& asset, std::size_t index, std::optional<double> threshold);
 /// Removes a level, or a fragment's own pattern.
 void removeLevelAt(Asset& asset, std::size_t index);
 

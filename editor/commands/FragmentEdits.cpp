@@ -45,6 +45,7 @@ struct EditFilter {
         return name && seeds.contains(name->seed);
     }
     bool matches(const FragmentLevel& leaf) const { return matches(leaf.fragment); }
+    bool matches(const FragmentThreshold& own) const { return matches(own.fragment); }
     bool matches(const FragmentEdit& edit) const {
         if (const auto* split = std::get_if<FragmentSplit>(&edit)) return matches(split->fragment);
         const auto& merge = std::get<FragmentMerge>(edit);
@@ -112,18 +113,31 @@ Edit splitFragments(const Project& project, Id asset, const std::vector<Selected
     return modify(FragmentEditsTexts::tr("Split Fragments"), std::move(changed));
 }
 
+void setFragmentThreshold(Asset& asset, const FragmentPath& fragment, std::optional<double> threshold) {
+    std::vector<FragmentThreshold>& all = asset.fragmentThresholds;
+    const auto place = std::ranges::lower_bound(all, fragment, {}, &FragmentThreshold::fragment);
+    const bool exists = place != all.end() && place->fragment == fragment;
+    if (threshold) {
+        (exists ? place : all.insert(place, {fragment, {}}))->threshold = *threshold;
+    } else if (exists) {
+        all.erase(place);
+    }
+}
+
 Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
     Asset changed = *findAsset(project, asset);
     const EditFilter filter{seeds, parent};
     std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); });
     std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
+    std::erase_if(changed.fragmentThresholds, [&](const FragmentThreshold& own) { return filter.matches(own); });
     return modify(FragmentEditsTexts::tr("Restore Fragments"), std::move(changed));
 }
 
 bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
     const EditFilter filter{seeds, parent};
-    return std::ranges::any_of(asset.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); }) ||
-           std::ranges::any_of(asset.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
+    const auto matches = [&](const auto& setting) { return filter.matches(setting); };
+    return std::ranges::any_of(asset.edits, matches) || std::ranges::any_of(asset.leaves, matches) ||
+           std::ranges::any_of(asset.fragmentThresholds, matches);
 }
 
 }  // namespace rubble

@@ -34,8 +34,11 @@ Edit mergeFragments(const Project& project, Id asset, const std::vector<Selected
 /// Splits each fragment in two, across its longest dimension.
 Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces);
 
-/// Removes all merges, splits and own patterns of fragments that come from these seeds of the pattern of `parent`
-/// (empty: the whole asset).
+/// Sets the threshold of a single fragment, N·s; none: it follows from its level or its volume again.
+void setFragmentThreshold(Asset& asset, const FragmentPath& fragment, std::optional<double> threshold);
+
+/// Removes all merges, splits, own patterns and own thresholds of fragments that come from these seeds of the pattern
+/// of `parent` (empty: the whole asset).
 Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});
 /// Whether restoreFragments() would remove anything.
 bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});

@@ -35,6 +35,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
         layer.randomSeed = layer.id;
     }
     asset.leaves.clear();
+    asset.fragmentThresholds.clear();
     asset.edits.clear();
 }
 

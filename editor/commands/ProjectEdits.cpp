@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
+#include "core/asset/project/Threshold.h"
 #include "editor/commands/AssetPatterns.h"
 
 #include <QCoreApplication>
@@ -124,6 +125,8 @@ void replaceLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::
 void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
     for (FragmentLevel& leaf : asset.leaves) leaf.fragment = withLayers(leaf.fragment, layers);
     std::ranges::sort(asset.leaves, {}, &FragmentLevel::fragment);
+    for (FragmentThreshold& own : asset.fragmentThresholds) own.fragment = withLayers(own.fragment, layers);
+    std::ranges::sort(asset.fragmentThresholds, {}, &FragmentThreshold::fragment);
     for (FragmentEdit& edit : asset.edits) {
         if (auto* split = std::get_if<FragmentSplit>(&edit)) {
             split->fragment = withLayers(split->fragment, layers);
@@ -153,6 +156,7 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
     Addition addition{{.text = ProjectEditsTexts::tr("Add Asset")}};
     Asset asset{.name = uniqueName(project.assets, name), .prism = prism};
     asset.material = firstOrNewMaterial(project, addition.edit);
+    if (const Material* material = findMaterial(project, asset.material)) deriveThresholdIfKnown(asset, *material);
     asset.id = addition.id = addition.edit.allocateId(project);
     const Id layer = addition.edit.allocateId(project);
     asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};

@@ -29,7 +29,7 @@ struct Addition {
 };
 
 /// Adds an asset with the first material and 20 scattered seeds, and an instance of it on the ground beside the scene.
-/// Gets a number if its name is taken.
+/// Its threshold is derived if the strength of the material is known. Gets a number if its name is taken.
 Addition addAsset(const Project& project, const std::string& name, const Prism& prism);
 /// Adds a copy of an asset, whose layers get fresh ids.
 Addition duplicateAsset(const Project& project, Id asset);

@@ -1,10 +1,12 @@
 #include "editor/dialogs/MaterialDialog.h"
 
+#include "core/asset/project/Threshold.h"
 #include "core/base/MessageText.h"
 #include "editor/dialogs/MaterialSummary.h"
 #include "editor/dialogs/PatternPreview.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
+#include "editor/widgets/LocalizedQuantity.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -20,7 +22,9 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kMaterialDialogSize{760, 560};
+constexpr QSize kMaterialDialogSize{760, 600};
+constexpr int kNoteIndent = 24;                          // pixels, below the text of a check box
+constexpr double kStoneMass = 0.05, kStoneSpeed = 20.0;  // kg and m/s, of a thrown stone
 
 }  // namespace
 
@@ -66,8 +70,16 @@ QWidget* MaterialDialog::createOptions() {
     m_derivesThreshold = new QCheckBox(tr("Derive the &threshold from the strength"));
     m_derivesThreshold->setToolTip(
         tr("Compute the threshold from strength, thickness and contact time instead of using the entered one"));
+    m_derivesThreshold->setChecked(asset() == nullptr || hasDefaultThreshold(*asset()));
+    connect(m_derivesThreshold, &QCheckBox::toggled, this, &MaterialDialog::showThreshold);
+    m_thresholdNote = new QLabel;
+    m_thresholdNote->setObjectName("threshold-note");
+    m_thresholdNote->setTextFormat(Qt::PlainText);
+    m_thresholdNote->setWordWrap(true);
+    m_thresholdNote->setIndent(kNoteIndent);
     layout->addWidget(m_appliesPattern);
     layout->addWidget(m_derivesThreshold);
+    layout->addWidget(m_thresholdNote);
     auto* folder = new QLabel(tr("Preset folder: %1").arg(pathText(m_folder)));
     folder->setTextFormat(Qt::PlainText);
     folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -120,6 +132,29 @@ void MaterialDialog::showSelected() {
     m_apply->setEnabled(asset() != nullptr);
     m_appliesPattern->setEnabled(asset() != nullptr && !material->preset.pattern.layers.empty());
     m_derivesThreshold->setEnabled(asset() != nullptr && material->preset.tensileStrength.has_value());
+    showThreshold();
+}
+
+/// Says at what the active asset will break.
+void MaterialDialog::showThreshold() {
+    const LibraryMaterial* material = selected();
+    m_thresholdNote->setVisible(material != nullptr && asset() != nullptr);
+    if (material && asset()) m_thresholdNote->setText(thresholdNote(*asset(), material->preset));
+}
+
+QString MaterialDialog::thresholdNote(const Asset& asset, const MaterialPreset& preset) const {
+    const auto text = [](double impulse) { return localizedQuantity(QuantityKind::Impulse, impulse); };
+    const Material material = materialOf(preset, 0);
+    const double before = thresholdOf(m_document.project(), asset);
+    Asset changed = asset;
+    if (m_derivesThreshold->isChecked()) deriveThresholdIfKnown(changed, material);
+    const double after = thresholdOf(changed, material);
+    const QString effect = after == before ? tr("It breaks at %1, as before.").arg(text(after))
+                                           : tr("It will break at %1 instead of %2.").arg(text(after), text(before));
+    const double stone = (1.0 + preset.restitution.value) * kStoneMass * kStoneSpeed;  // at what is held in place
+    return effect + ' ' +
+           (stone >= after ? tr("A thrown stone, 50 g at 20 m/s, breaks it.")
+                           : tr("A thrown stone, 50 g at 20 m/s, does not break it."));
 }
 
 void MaterialDialog::applyToAsset() {

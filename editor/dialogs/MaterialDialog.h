@@ -31,6 +31,8 @@ private:
     QWidget* createOptions();
     void fill();
     void showSelected();
+    void showThreshold();
+    QString thresholdNote(const Asset& asset, const MaterialPreset& preset) const;
     void applyToAsset();
     void addToProject();
     const LibraryMaterial* selected() const;
@@ -45,6 +47,7 @@ private:
     PatternPreview* m_preview;
     QCheckBox* m_appliesPattern = nullptr;
     QCheckBox* m_derivesThreshold = nullptr;
+    QLabel* m_thresholdNote = nullptr;
     QPushButton* m_apply = nullptr;
     QPushButton* m_add = nullptr;
 };

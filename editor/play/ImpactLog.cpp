@@ -10,10 +10,11 @@ constexpr double kSameImpact = 0.25;  // s: a weaker impact this soon belongs to
 
 /// A record of an impact on a breakable body in the session's last step.
 ImpactRecord recordOf(const Session& session, const PlayBody& body) {
-    return {.step = session.stepsDone(),
-            .name = session.nameOf(body),
-            .asset = body.asset->bake->asset,
-            .scale = body.asset->piece(body.fragment).thresholdScale};
+    return {
+        .step = session.stepsDone(),
+        .name = session.nameOf(body),
+        .asset = body.asset->bake->asset,
+        .scale = body.asset->piece(body.fragment).threshold ? 0.0 : body.asset->piece(body.fragment).thresholdScale};
 }
 
 ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {

@@ -218,6 +218,12 @@ void PlayController::fire(const Shot& shot) {
     post([shot](PlayEngine& engine) { engine.fire(shot.name, shot.action); });
 }
 
+void PlayController::playShot(const Shot& shot) {
+    m_startsPlaying = true;
+    restart();
+    fire(shot);
+}
+
 void PlayController::requestScript(std::function<void(PlayScript)> receive) {
     if (!hasSession()) return;
     m_thread.post(

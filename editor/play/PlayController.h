@@ -82,6 +82,8 @@ public:
     void showForecast(const Throw& thrown, std::vector<BodyForecast> bodies);
     /// Fires a shot of the project now.
     void fire(const Shot& shot);
+    /// Starts, or restarts from the document's state, and fires a shot before the first step.
+    void playShot(const Shot& shot);
 
     /// The newest frame; nothing before the first.
     const std::optional<PlayFrame>& frame() const { return m_frame; }

@@ -42,7 +42,7 @@ struct ImpactRecord {
     std::uint32_t pieces = 0;  // 0: it stayed whole
     double milliseconds = 0.0;
     Id asset = 0;        // that the body is made of
-    double scale = 1.0;  // its threshold relative to that of the whole asset
+    double scale = 1.0;  // its threshold relative to that of the whole asset; 0: it has its own
     bool isBreak() const { return pieces > 0; }
     double ratio() const { return impact / threshold; }
 };

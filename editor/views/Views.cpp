@@ -127,7 +127,7 @@ void Views::addDocks() {
     Document& document = m_workspace.document();
     Selection& selection = m_workspace.selection();
     m_tree = new ProjectTree(document, selection);
-    m_inspector = new Inspector(document, selection);
+    m_inspector = new Inspector(document, selection, m_workspace.bakes());
     m_fragments = new FragmentTable(document, selection, m_workspace.bakes());
     auto* messages = new MessagesPanel(m_messages, document);
     auto* play = new PlayPanel(document, m_workspace.play());
@@ -140,6 +140,11 @@ void Views::addDocks() {
     connect(m_playTools, &PlayToolsPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
     connect(strength, &StrengthPanel::refused, this, &Views::showRefusal);
+    connect(strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
+        setSceneVisible(true);
+        m_workspace.play().playShot(shot);
+        m_scene->viewport().setFocus();
+    });
     connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
     connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
     connect(play, &PlayPanel::statusMessage, this, &Views::statusMessage);

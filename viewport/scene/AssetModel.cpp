@@ -30,6 +30,7 @@ public:
         m_model.pieces.push_back({.fragment = number,
                                   .offset = solid.offset(),
                                   .volume = solid.volume(),
+                                  .parent = fragment.parent,
                                   .parentVolumeFraction = parent / m_model.bake->whole.volume,
                                   .aspect = aspectRatio(solid.outline()),
                                   .level = fragment.level,

@@ -9,6 +9,7 @@ struct ModelPiece {
     std::uint32_t fragment = kNone;     // index in the bake; kNone: the whole
     Vec3 offset{0.0, 0.0, 0.0};         // origin of its frame in the prism's frame, m
     double volume = 0.0;                // m^3
+    std::uint32_t parent = kNone;       // fragment of the bake that it is a piece of; kNone: the whole
     double parentVolumeFraction = 1.0;  // volume of its parent ÷ volume of the whole
     double aspect = 1.0;                // see aspectRatio()
     std::uint32_t level = 0;

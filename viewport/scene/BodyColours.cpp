@@ -2,6 +2,7 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/Threshold.h"
+#include "core/asset/project/Variants.h"
 #include "core/play/scene/PlayAsset.h"
 
 #include <algorithm>
@@ -38,7 +39,10 @@ class PieceQuantity {
 public:
     PieceQuantity(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
         : m_colouring(colouring) {
-        if (colouring == SceneColouring::Threshold) m_factor = thresholdOf(project, model, instance);
+        if (colouring == SceneColouring::Threshold) {
+            m_factor = thresholdOf(project, model, instance);
+            keepThresholds(project, model);
+        }
         if (colouring != SceneColouring::Mass) return;
         const Material* material = materialOf(model, project);
         m_factor = material != nullptr ? material->density : 0.0;
@@ -50,7 +54,7 @@ public:
             case SceneColouring::Volume: return piece.volume;
             case SceneColouring::Mass: return piece.volume * m_factor;
             case SceneColouring::Aspect: return piece.aspect;
-            case SceneColouring::Threshold: return thresholdScaleOf(piece.parentVolumeFraction) * m_factor;
+            case SceneColouring::Threshold: return thresholdOfParent(piece);
             case SceneColouring::Material:
             case SceneColouring::Piece: break;
         }
@@ -58,8 +62,33 @@ public:
     }
 
 private:
+    /// Keeps the asset as it is now if it sets thresholds of fragments.
+    void keepThresholds(const Project& project, const AssetModel& model) {
+        const Asset* asset = findAsset(project, model.asset.id);
+        if (asset == nullptr || model.bake == nullptr || project.damage.isThesis) return;
+        const auto isSet = [](const Level& level) { return level.threshold.has_value(); };
+        const auto isLeafSet = [&](const FragmentLevel& leaf) { return leaf.level && isSet(*leaf.level); };
+        if (asset->fragmentThresholds.empty() && std::ranges::none_of(asset->levels, isSet) &&
+            std::ranges::none_of(asset->leaves, isLeafSet)) {
+            return;
+        }
+        m_asset = variantOf(*asset, model.variant);
+        m_bake = model.bake;
+    }
+
+    /// The threshold of what breaks into the piece.
+    double thresholdOfParent(const ModelPiece& piece) const {
+        if (m_asset && piece.parent != kNone) {
+            const FragmentPath path = pathOfId(m_bake->fragmentId(piece.parent));
+            if (const std::optional<double> set = fragmentThreshold(*m_asset, path, levelOf(path))) return *set;
+        }
+        return thresholdScaleOf(piece.parentVolumeFraction) * m_factor;
+    }
+
     SceneColouring m_colouring;
     double m_factor = 1.0;
+    std::optional<Asset> m_asset;  // none: no fragment has a threshold that is set
+    std::shared_ptr<const Bake> m_bake;
 };
 
 /// Calls visit(model, instance, first body) for each instance in a scene.

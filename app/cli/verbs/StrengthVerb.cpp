@@ -14,9 +14,10 @@ namespace {
 
 constexpr const char* kStrengthFooter =
     R"(A strength requirement states that an asset survives or breaks when it falls from a height onto level ground in
-its own orientation, or when a body of a given mass and speed hits the centre of its front. Prints the impulse of each
-requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints
-both and the gap between them, and exits with 1.
+its own orientation, or when a body of a given mass and speed hits the centre of its front squarely: off-centre hits do
+less. An asset is free to move, or held in place where its instances are fixed. Prints the impulse of each requirement,
+and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints both and the gap
+between them, and exits with 1.
 
 Examples:
   rubble-cli strength house.rubble

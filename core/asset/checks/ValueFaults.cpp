@@ -26,8 +26,26 @@ Sentence colourFault(const std::string& owner, const Colour& colour) {
 }
 
 Sentence levelFault(const std::string& owner, const Level& level) {
-    if (Sentence fault = rangeFault(owner, {{ProjectNumber::MinimumVolume, level.minimumVolume}})) return fault;
+    if (Sentence fault = rangeFault(owner, {{ProjectNumber::MinimumVolume, level.minimumVolume},
+                                            {ProjectNumber::Threshold, level.threshold.value_or(1.0)}})) {
+        return fault;
+    }
     if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
+    return std::nullopt;
+}
+
+/// Checks the paths of settings of single fragments, which must ascend.
+template <class Setting>
+Sentence pathFault(const std::vector<Setting>& settings, const std::string& what) {
+    const FragmentPath* before = nullptr;
+    for (const Setting& setting : settings) {
+        if (!isFragmentPath(setting.fragment)) return quotedName(setting.fragment) + " is not a fragment path.";
+        if (before && *before >= setting.fragment) {
+            return "the " + what + " of fragment " + setting.fragment + " come" + (what.back() == 's' ? "" : "s") +
+                   " after " + (what.back() == 's' ? "those" : "that") + " of " + *before + "; paths must ascend.";
+        }
+        before = &setting.fragment;
+    }
     return std::nullopt;
 }
 
@@ -37,16 +55,8 @@ Sentence shapeFault(const Asset& asset) {
     for (const FragmentEdit& edit : asset.edits) {
         if (Sentence fault = verifyEdit(edit)) return fault;
     }
-    const FragmentPath* before = nullptr;
-    for (const FragmentLevel& leaf : asset.leaves) {
-        if (!isFragmentPath(leaf.fragment)) return quotedName(leaf.fragment) + " is not a fragment path.";
-        if (before && *before >= leaf.fragment) {
-            return "the settings of fragment " + leaf.fragment + " come after those of " + *before +
-                   "; paths must ascend.";
-        }
-        before = &leaf.fragment;
-    }
-    return std::nullopt;
+    if (Sentence fault = pathFault(asset.leaves, "settings")) return fault;
+    return pathFault(asset.fragmentThresholds, "threshold");
 }
 
 /// Calls report(sentence) with each fault until it returns false.
@@ -102,6 +112,9 @@ std::optional<std::string> faultOf(const Asset& asset) {
     for (const FragmentLevel& leaf : asset.leaves) {
         if (!leaf.level) continue;
         if (Sentence fault = levelFault(owner, *leaf.level)) return fault;
+    }
+    for (const FragmentThreshold& own : asset.fragmentThresholds) {
+        if (Sentence fault = rangeFault(owner, {{ProjectNumber::Threshold, own.threshold}})) return fault;
     }
     return playFault(asset);
 }

@@ -76,6 +76,16 @@ std::string thresholdText(const Project& project, const Asset& asset) {
            messageText(*asset.contactTime) + " s; entered " + entered;
 }
 
+std::string thresholdText(std::optional<double> set) { return set ? messageText(*set) + " N·s" : "by volume"; }
+
+std::string thresholdsText(const std::vector<FragmentThreshold>& thresholds) {
+    std::string text;
+    for (const FragmentThreshold& own : thresholds) {
+        text += (text.empty() ? "" : ", ") + own.fragment + " " + messageText(own.threshold) + " N·s";
+    }
+    return text.empty() ? "none" : text;
+}
+
 std::string materialText(const Project& project, Id id) {
     const Material* material = findMaterial(project, id);
     return material ? shownName(material->name) + " (" + messageText(material->density) + " kg/m³)" : "none";
@@ -149,6 +159,8 @@ public:
             compare(earlier.pattern, later.pattern, where);
             add("minimum volume of fractured fragments" + where, messageText(earlier.minimumVolume) + " m³",
                 messageText(later.minimumVolume) + " m³");
+            add("threshold of fractured fragments" + where, thresholdText(earlier.threshold),
+                thresholdText(later.threshold));
         }
     }
 
@@ -193,6 +205,8 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
     changes.compare(earlier.shaping, later.shaping);
     changes.add(earlier.leaves == later.leaves, "fragments with their own pattern",
                 std::to_string(earlier.leaves.size()), std::to_string(later.leaves.size()));
+    changes.add("thresholds of single fragments", thresholdsText(earlier.fragmentThresholds),
+                thresholdsText(later.fragmentThresholds));
     changes.add(earlier.edits == later.edits, "fragments merged or split", std::to_string(earlier.edits.size()),
                 std::to_string(later.edits.size()));
     changes.add(earlier.requirements == later.requirements, "strength requirements",

@@ -5,6 +5,7 @@
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
 #include "core/asset/project/SurfaceFault.h"
+#include "core/asset/project/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
@@ -110,6 +111,8 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
         result.notes.push_back("The name " + quotedName(part.name) + " is taken; the asset is named " +
                                quotedName(asset.name) + ".");
     asset.material = materialFor(scene.materials[solid.material], project, result.notes);
+    // Reused ids are sorted at the end.
+    deriveThresholdIfKnown(asset, *std::ranges::find(project.materials, asset.material, &Material::id));
     asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
     project.assets.back().pattern = defaultPattern(project);

@@ -46,7 +46,8 @@ struct Material {
 /// The settings by which the fragments of one level, or a single fragment, are fractured further.
 struct Level {
     Pattern pattern;
-    double minimumVolume = 0.0;  // m³; smaller fragments are not fractured
+    double minimumVolume = 0.0;       // m³; smaller fragments are not fractured
+    std::optional<double> threshold;  // N·s, > 0, of each fragment that it fractures; none: follows from its volume
     bool operator==(const Level&) const = default;
 };
 
@@ -55,6 +56,13 @@ struct FragmentLevel {
     FragmentPath fragment;
     std::optional<Level> level;  // none: it is not fractured
     bool operator==(const FragmentLevel&) const = default;
+};
+
+/// The threshold of a single fragment, instead of that of its level.
+struct FragmentThreshold {
+    FragmentPath fragment;
+    double threshold = 0.0;  // N·s, > 0
+    bool operator==(const FragmentThreshold&) const = default;
 };
 
 /// Fracture around the point of impact when the asset breaks, instead of into the pieces of its pattern.
@@ -111,6 +119,7 @@ struct Asset {
     Shaping shaping;                                    // of all levels
     std::vector<Level> levels;                          // levels[0] fractures the pattern's fragments
     std::vector<FragmentLevel> leaves;                  // settings of single fragments; ascending path
+    std::vector<FragmentThreshold> fragmentThresholds;  // of single fragments; ascending path
     std::vector<FragmentEdit> edits;                    // merges and splits by hand, in the order of editing
     double threshold = 100.0;                           // N·s, > 0, as entered; thresholdOf() gives the effective one
     std::optional<double> contactTime;                  // s, > 0: derive the threshold from the material's strength

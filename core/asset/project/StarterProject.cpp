@@ -6,10 +6,10 @@ namespace rubble {
 namespace {
 
 /// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
-Project withWall(Project project, Pattern pattern, bool isDerived) {
+Project withWall(Project project, Pattern pattern) {
     Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
     wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
-    if (isDerived) deriveThreshold(wall);
+    deriveThresholdIfKnown(wall, project.materials[0]);
     wall.pattern = std::move(pattern);
     if (wall.pattern.layers.empty()) {
         wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
@@ -28,9 +28,14 @@ Project emptyProject() {
     Project project;
     project.materials = {{.id = project.nextId++,
                           .name = "plaster",
-                          .density = 1200.0,
-                          .outside = {0.87, 0.84, 0.78},
-                          .inside = {0.68, 0.62, 0.55}}};
+                          .density = 1250.0,
+                          .friction = 0.6,
+                          .restitution = 0.2,
+                          .tensileStrength = 1e6,
+                          .fractureToughness = 1.5e5,
+                          .youngsModulus = 4e9,
+                          .outside = {0.91, 0.89, 0.84},
+                          .inside = {0.8, 0.77, 0.71}}};
     return project;
 }
 
@@ -40,11 +45,10 @@ Project emptyProject(const MaterialPreset& material) {
     return project;
 }
 
-Project starterProject() { return withWall(emptyProject(), {}, false); }
+Project starterProject() { return withWall(emptyProject(), {}); }
 
 Project starterProject(const MaterialPreset& material) {
-    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}),
-                    material.tensileStrength.has_value());
+    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}));
 }
 
 }  // namespace rubble

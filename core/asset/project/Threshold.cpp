@@ -45,6 +45,15 @@ void deriveThreshold(Asset& asset) {
     asset.strengthRule = StrengthRule::Bending;
 }
 
+void deriveThresholdIfKnown(Asset& asset, const Material& material) {
+    if (material.tensileStrength) deriveThreshold(asset);
+}
+
+bool hasDefaultThreshold(const Asset& asset) {
+    if (asset.contactTime) return asset.strengthRule == StrengthRule::Bending;
+    return asset.threshold == Asset{}.threshold;
+}
+
 void enterThreshold(Asset& asset, double threshold) {
     asset.threshold = threshold;
     asset.contactTime.reset();

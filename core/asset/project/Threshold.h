@@ -58,6 +58,10 @@ std::optional<double> derivedThreshold(const Asset& asset, const Material& mater
 
 /// Derives the threshold of an asset from the strength of its material from now on.
 void deriveThreshold(Asset& asset);
+/// The same if the strength of its material is known: for new assets.
+void deriveThresholdIfKnown(Asset& asset, const Material& material);
+/// True if nobody entered the threshold: it is that of a new asset, or derived by StrengthRule::Bending.
+bool hasDefaultThreshold(const Asset& asset);
 /// Gives an asset an entered threshold.
 void enterThreshold(Asset& asset, double threshold);
 

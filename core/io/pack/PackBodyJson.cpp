@@ -50,6 +50,7 @@ void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource&
     json.number("mass", density * body.mass.volume);
     writeVector(json, "centreOfMass", {0.0, 0.0, 0.0});
     writeInertia(json, body.mass.inertia, density);
+    if (body.threshold) json.number("threshold", *body.threshold);
     if (body.gap > 0.0) {
         json.number("gap", body.gap);
         json.number("lostMass", density * body.lostVolume);

@@ -18,8 +18,9 @@ struct PackBodySource {
     std::vector<Bond> bonds;
     std::uint32_t firstSibling = 0;  // index of the fragment that is 0 in the bonds
     std::vector<Polytope> hulls;
-    double gap = 0.0;         // m between its fragments; 0: none
-    double lostVolume = 0.0;  // m^3 that the gap takes from them
+    std::optional<double> threshold;  // N·s, that is set for it
+    double gap = 0.0;                 // m between its fragments; 0: none
+    double lostVolume = 0.0;          // m^3 that the gap takes from them
 };
 
 /// Writes a body as an object. `density` in kg/m^3.

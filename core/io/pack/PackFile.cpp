@@ -110,6 +110,9 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
                           .firstSibling = fragment.firstSibling,
                           .hulls = solid.hulls()});
         setGap(bake, k, bodies.back());
+        if (fragment.childCount > 0) {
+            bodies.back().threshold = fragmentThreshold(asset, pathOfId(bodies.back().id), fragment.level);
+        }
     }
     std::size_t size = 0;
     for (const PackBodySource& body : bodies) size += packBodySize(body);
@@ -123,6 +126,21 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
 void addText(Hasher& hasher, std::string_view text) {
     hasher.add(std::uint64_t{text.size()});
     hasher.add(text);
+}
+
+/// Adds nothing where none is set, so that packs without any keep their hashes.
+void addFragmentThresholds(Hasher& hasher, const Asset& asset) {
+    const auto add = [&](std::string_view of, double threshold) {
+        addText(hasher, of);
+        hasher.add(threshold);
+    };
+    for (std::size_t k = 0; k < asset.levels.size(); ++k) {
+        if (asset.levels[k].threshold) add("level " + std::to_string(k), *asset.levels[k].threshold);
+    }
+    for (const FragmentLevel& leaf : asset.leaves) {
+        if (leaf.level && leaf.level->threshold) add("leaf " + leaf.fragment, *leaf.level->threshold);
+    }
+    for (const FragmentThreshold& own : asset.fragmentThresholds) add(own.fragment, own.threshold);
 }
 
 void addColour(Hasher& hasher, const Colour& colour) {
@@ -142,6 +160,7 @@ ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::sp
     addText(hasher, bakeInputHash(asset).hex());
     addText(hasher, asset.name);
     hasher.add(thresholdOf(asset, material.own));
+    addFragmentThresholds(hasher, asset);
     addText(hasher, material.own.name);
     for (const double value : {material.own.density, material.own.friction, material.own.restitution})
         hasher.add(value);

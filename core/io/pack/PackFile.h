@@ -63,6 +63,7 @@ struct PackBody {
     Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
     Mat3 inertia{0.0};                 // kg m^2, about the centre of mass, in its own axes
     std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
+    std::optional<double> threshold;   // N·s, that is set for it; none: follows from its volume
     double gap = 0.0;                  // m between its fragments; 0: none
     double lostMass = 0.0;             // kg that the gap takes from them
     std::vector<PackHull> hulls;       // in its own frame

@@ -60,8 +60,8 @@ Bond readNeighbour(const JsonValue& value) {
 PackBody readPackBody(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"},
-        {"gap", "lostMass"});
-    const JsonValue gap = value["gap"], lostMass = value["lostMass"];
+        {"threshold", "gap", "lostMass"});
+    const JsonValue threshold = value["threshold"], gap = value["gap"], lostMass = value["lostMass"];
     return {.id = value["id"].text(),
             .name = value["name"].text(),
             .parent = readOptionalIndex(value["parent"]),
@@ -71,6 +71,7 @@ PackBody readPackBody(const JsonValue& value) {
             .centreOfMass = readVector(value["centreOfMass"]),
             .inertia = readInertia(value["inertia"]),
             .neighbours = value["neighbours"].list(readNeighbour),
+            .threshold = threshold.isPresent() ? std::optional(threshold.number(above(0.0))) : std::nullopt,
             .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
             .lostMass = lostMass.isPresent() ? lostMass.number(atLeast(0.0)) : 0.0,
             .hulls = value["hulls"].list(readHull)};

@@ -29,6 +29,7 @@ Prism readPrism(const JsonValue& value) {
 
 void writeMembers(JsonWriter& json, const Level& level) {
     json.number("minimumVolume", level.minimumVolume);
+    if (level.threshold) json.number("threshold", *level.threshold);
     writePattern(json, level.pattern);
 }
 
@@ -39,8 +40,23 @@ void writeLevel(JsonWriter& json, const Level& level) {
 }
 
 Level readLevel(const JsonValue& value) {
-    value.requireObject({"minimumVolume", "pattern"});
-    return {.pattern = readPattern(value["pattern"]), .minimumVolume = value["minimumVolume"].number()};
+    value.requireObject({"minimumVolume", "pattern"}, {"threshold"});
+    const JsonValue threshold = value["threshold"];
+    return {.pattern = readPattern(value["pattern"]),
+            .minimumVolume = value["minimumVolume"].number(),
+            .threshold = threshold.isPresent() ? std::optional(threshold.number()) : std::nullopt};
+}
+
+void writeFragmentThreshold(JsonWriter& json, const FragmentThreshold& own) {
+    json.openObject({}, JsonLayout::Inline);
+    json.text("fragment", own.fragment);
+    json.number("threshold", own.threshold);
+    json.close();
+}
+
+FragmentThreshold readFragmentThreshold(const JsonValue& value) {
+    value.requireObject({"fragment", "threshold"});
+    return {.fragment = value["fragment"].text(), .threshold = value["threshold"].number()};
 }
 
 void writeLeaf(JsonWriter& json, const FragmentLevel& leaf) {
@@ -233,6 +249,8 @@ void writeAsset(JsonWriter& json, const Asset& asset) {
     writeShaping(json, asset.shaping);
     json.list("levels", asset.levels, writeLevel);
     json.list("leaves", asset.leaves, writeLeaf);
+    if (!asset.fragmentThresholds.empty())
+        json.list("fragmentThresholds", asset.fragmentThresholds, writeFragmentThreshold);
     json.list("edits", asset.edits, writeEdit);
     writeCutAtImpact(json, asset.cutAtImpact);
     json.list("intents", asset.requirements, writeRequirement);
@@ -266,9 +284,11 @@ Asset readAsset(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial", "prism", "pattern",
          "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"},
-        {"strengthRule"});
+        {"strengthRule", "fragmentThresholds"});
     Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
+    const JsonValue thresholds = value["fragmentThresholds"];
+    if (thresholds.isPresent()) asset.fragmentThresholds = thresholds.list(readFragmentThreshold);
     const JsonValue rule = value["strengthRule"];
     if (rule.isPresent()) {
         asset.strengthRule = static_cast<StrengthRule>(rule.oneOf(kStrengthRules));

@@ -18,9 +18,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxShown = 4;  // elements of a list; longer ones are counted
 
 /// The keys of an asset whose changes recipeChanges() describes.
-constexpr std::array<std::string_view, 15> kInRecipe{
-    "name",    "prism",  "material", "insideMaterial", "threshold", "contactTime", "insideUvScale", "cutAtImpact",
-    "pattern", "levels", "shaping",  "leaves",         "edits",     "intents",     "surface"};
+constexpr std::array<std::string_view, 16> kInRecipe{"name",      "prism",       "material",      "insideMaterial",
+                                                     "threshold", "contactTime", "insideUvScale", "cutAtImpact",
+                                                     "pattern",   "levels",      "shaping",       "leaves",
+                                                     "edits",     "intents",     "surface",       "fragmentThresholds"};
 
 /// Keys that are no words for users, and the lists whose elements are called by another word.
 constexpr std::array<std::array<std::string_view, 2>, 11> kWords{{{"materials", "material"},

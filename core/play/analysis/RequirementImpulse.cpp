@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/play/breaking/Damage.h"
+#include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/Projectile.h"
 
 #include <algorithm>
@@ -19,16 +20,6 @@ const Asset& assetOf(const Project& project, const PlayAsset& asset) {
     const Asset* found = findAsset(project, asset.bake->asset);
     RUBBLE_ASSERT(found != nullptr);
     return *found;
-}
-
-/// The support value of a shape along a direction, from its frame's origin, m.
-double supportAlong(const Shape& shape, Vec3 direction) {
-    double support = -1e308;
-    for (const Hull& hull : shape.hulls) {
-        const Vec3 corner = toDouble(hull.corner(hull.farthest(toFloat(direction))));
-        support = std::max(support, glm::dot(corner + shape.mass.centre, direction));
-    }
-    return support;
 }
 
 Vec2 nearestOnRing(const Ring& ring, Vec2 point, Vec2 nearest) {
@@ -50,9 +41,10 @@ Vec2 hitPoint(const Polygon& outline, Vec2 point) {
 }
 
 /// The asset as a body in the prism's frame.
-BodyDefinition standing(const Project& project, const PlayAsset& asset) {
+BodyDefinition standing(const Project& project, const PlayAsset& asset, Support support) {
     const Material& material = *findMaterial(project, assetOf(project, asset).material);
     return {.shape = asset.whole.shape,
+            .kind = support == Support::Fixed ? BodyKind::Static : BodyKind::Dynamic,
             .density = material.density,
             .friction = material.friction,
             .restitution = material.restitution};
@@ -86,31 +78,57 @@ Result<BodyDefinition> groundBelow(const Project& project, const Shape& shape) {
         .restitution = project.ground.restitution};
 }
 
-Result<double> impulseOf(const Project& project, const PlayAsset& asset, const DropRequirement& drop) {
+Result<double> impulseOf(const Project& project, const PlayAsset& asset, const DropRequirement& drop, Support support) {
     const Vec3 gravity = project.gravity;
     if (gravity.x != 0.0 || gravity.z != 0.0 || !(gravity.y < 0.0)) {
         return Error{ErrorCode::BadInput, "A drop needs gravity that points straight down, along -y."};
     }
     const Result<BodyDefinition> ground = groundBelow(project, *asset.whole.shape);
     if (!ground) return ground.error();
-    BodyDefinition falling = standing(project, asset);
+    BodyDefinition falling = standing(project, asset, support);
     falling.velocity = {0.0, -std::sqrt(-2.0 * gravity.y * drop.height), 0.0};
     return damageAtContact(falling, *ground, project.damage.rule);
 }
 
-Result<double> impulseOf(const Project& project, const PlayAsset& asset, const HitRequirement& hit) {
+Result<double> impulseOf(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support) {
     const Result<BodyDefinition> cube = projectileBody(hitThrow(project, asset, hit), nullptr, nullptr);
     if (!cube) return cube.error();
-    return damageAtContact(standing(project, asset), *cube, project.damage.rule);
+    return damageAtContact(standing(project, asset, support), *cube, project.damage.rule);
 }
 
-Result<double> impulseOf(const Project&, const PlayAsset&, const ImpulseRequirement& impact) { return impact.impulse; }
+Result<double> impulseOf(const Project&, const PlayAsset&, const ImpulseRequirement& impact, Support) {
+    return impact.impulse;
+}
 
 }  // namespace
 
+Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
+    if (!std::holds_alternative<HitRequirement>(requirement.event)) return Support::Free;
+    const auto isBreakable = [&](const Instance& one) { return one.asset == asset.id && !one.isUnbreakable; };
+    const auto fixed = [&](const Instance& one) { return isBreakable(one) && one.isFixed; };
+    const auto free = [&](const Instance& one) { return isBreakable(one) && !one.isFixed; };
+    if (std::ranges::none_of(project.instances, fixed)) return Support::Free;
+    const bool areMixed = std::ranges::any_of(project.instances, free);
+    return areMixed && requirement.outcome == RequirementOutcome::Breaks ? Support::Free : Support::Fixed;
+}
+
 Result<double> requirementImpulse(const Project& project, const PlayAsset& asset,
                                   const StrengthRequirement& requirement) {
-    return std::visit([&](const auto& event) { return impulseOf(project, asset, event); }, requirement.event);
+    const Support support = supportOf(project, assetOf(project, asset), requirement);
+    return std::visit([&](const auto& event) { return impulseOf(project, asset, event, support); }, requirement.event);
+}
+
+double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support) {
+    if (support == Support::Fixed || project.damage.rule == DamageRule::Momentum) return 1.0;
+    const Asset& authored = assetOf(project, asset);
+    const MovingMass struck = restingMass(*asset.whole.shape, findMaterial(project, authored.material)->density, {});
+    const Vec2 centre(struck.centre);
+    Vec2 farthest = centre;
+    for (const Vec2& corner : authored.prism.outline.outer) {
+        if (glm::distance(corner, centre) > glm::distance(farthest, centre)) farthest = corner;
+    }
+    const double atCorner = struck.inverseEffectiveMass({farthest, struck.centre.z}, {0.0, 0.0, 1.0}) + 1.0 / hit.mass;
+    return (struck.inverseMass + 1.0 / hit.mass) / atCorner;
 }
 
 Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirement& hit) {
@@ -125,6 +143,15 @@ Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirem
             .from = {point, front + side / 2.0},
             .to = {point, front - side / 2.0},
             .speed = hit.speed};
+}
+
+double supportAlong(const Shape& shape, Vec3 direction) {
+    double support = -1e308;
+    for (const Hull& hull : shape.hulls) {
+        const Vec3 corner = toDouble(hull.corner(hull.farthest(toFloat(direction))));
+        support = std::max(support, glm::dot(corner + shape.mass.centre, direction));
+    }
+    return support;
 }
 
 }  // namespace rubble

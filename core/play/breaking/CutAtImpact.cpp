@@ -79,7 +79,8 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 po
     Random random(randomSeed);
     const std::uint32_t pieces = asset.cutAtImpact->pieces;
     Asset cut = asset;
-    cut.leaves.clear();  // this and the next: they refer to the pattern's fragments
+    cut.leaves.clear();  // this and the next two: they refer to the pattern's fragments
+    cut.fragmentThresholds.clear();
     cut.edits.clear();
     DistantSeeds seeds(asset, point, random);
     for (std::uint32_t k = 0; k < pieces / 2; ++k) seeds.add();

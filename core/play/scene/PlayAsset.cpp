@@ -4,6 +4,8 @@
 #include "core/base/Roots.h"
 #include "core/play/scene/BodyShape.h"
 
+#include <set>
+
 namespace rubble {
 namespace {
 
@@ -38,7 +40,7 @@ void findContacts(PlayAsset& ready, PlayFracture& fracture) {
     }
 }
 
-Status appendPieces(const BakedFracture& baked, const TaskContext& task, PlayAsset& ready) {
+Status appendPieces(const Asset& asset, const BakedFracture& baked, const TaskContext& task, PlayAsset& ready) {
     const Bake& bake = *ready.bake;
     for (std::uint32_t k = 0; k < baked.fragments.count(); ++k) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -52,12 +54,32 @@ Status appendPieces(const BakedFracture& baked, const TaskContext& task, PlayAss
         if (!shape) return shape.error();
         ready.pieces.push_back({.shape = std::move(*shape),
                                 .offset = solid.offset(),
-                                .thresholdScale = thresholdScaleOf(mass.volume / bake.whole.volume)});
+                                .thresholdScale = thresholdScaleOf(mass.volume / bake.whole.volume),
+                                .threshold = fragmentThreshold(asset, place.path, baked.level)});
     }
     return success();
 }
 
+/// Reports thresholds of fragments that do not exist, or do not break.
+void reportLostThresholds(const Asset& asset, PlayAsset& ready) {
+    if (asset.fragmentThresholds.empty()) return;
+    std::set<FragmentPath> broken;
+    for (const BakedFracture& baked : ready.bake->fractures) {
+        if (baked.parent != kNone) broken.insert(pathOfId(ready.bake->fragmentId(baked.parent)));
+    }
+    for (const FragmentThreshold& own : asset.fragmentThresholds) {
+        if (broken.contains(own.fragment)) continue;
+        ready.diagnostics.push_back(
+            diagnostic(DiagnosticCode::LostPiece, {.asset = asset.id, .path = own.fragment},
+                       "Fragment " + own.fragment + " has its own threshold, but does not exist or does not break."));
+    }
+}
+
 }  // namespace
+
+double thresholdOf(const PlayPiece& piece, double whole) {
+    return piece.threshold ? *piece.threshold : whole * piece.thresholdScale;
+}
 
 double thresholdScaleOf(double volumeFraction) {
     const double root = cubeRoot(volumeFraction);
@@ -90,7 +112,7 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
     if (!whole) return whole.error();
     const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
     for (const BakedFracture& baked : ready->bake->fractures) {
-        if (const Status appended = appendPieces(baked, task, *ready); !appended) {
+        if (const Status appended = appendPieces(asset, baked, task, *ready); !appended) {
             return appended.error().code == ErrorCode::Cancelled ? appended.error() : ofAsset(asset, appended.error());
         }
         if (baked.fragments.count() < 2) continue;
@@ -99,6 +121,7 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
         ready->fractures.push_back(playFracture(baked));
         if (when == FindContacts::InAdvance) findContacts(*ready, ready->fractures.back());
     }
+    reportLostThresholds(asset, *ready);
     return std::shared_ptr<const PlayAsset>(ready);
 }
 

@@ -16,7 +16,8 @@ namespace rubble {
 struct PlayPiece {
     std::shared_ptr<const Shape> shape;  // in its own frame: the prism's for the whole, else the fragment's
     Vec3 offset{0.0, 0.0, 0.0};          // m, of that frame in the prism's; the axes are the same
-    double thresholdScale = 1.0;         // its threshold relative to the whole's
+    double thresholdScale = 1.0;         // its threshold relative to the whole's, unless it has one
+    std::optional<double> threshold;     // N·s, that is set for it
     std::uint32_t fracture = kNone;      // index in PlayAsset::fractures; kNone: it does not break
 };
 
@@ -40,13 +41,16 @@ struct PlayAsset {
     PlayPiece whole;
     std::vector<PlayPiece> pieces;  // one per fragment of the bake
     std::vector<PlayFracture> fractures;
-    std::vector<Diagnostic> diagnostics;  // SimplifiedShape
+    std::vector<Diagnostic> diagnostics;  // SimplifiedShape; LostPiece of thresholds
 
     /// A fragment; kNone: the whole.
     const PlayPiece& piece(std::uint32_t fragment) const { return fragment == kNone ? whole : pieces[fragment]; }
     /// The fragments that replace it; null if it does not break.
     const PlayFracture* fractureOf(std::uint32_t fragment) const;
 };
+
+/// The threshold of a piece where that of the whole is `whole`, N·s.
+double thresholdOf(const PlayPiece& piece, double whole);
 
 /// The thresholdScale of a fragment with this fraction of the whole's volume: the fraction to the power of 2/3, since
 /// breaking energy scales with area.

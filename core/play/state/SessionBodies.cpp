@@ -83,7 +83,7 @@ double thresholdOf(const SessionState& state, const PlayScene& scene, const Play
     const PlayOrigin& origin = state.origins[body.origin];
     const auto own = state.instanceThresholds.find(origin.instance);
     const double whole = own != state.instanceThresholds.end() ? own->second : state.assetThresholds.at(origin.asset);
-    return whole * body.asset->piece(body.fragment).thresholdScale;
+    return thresholdOf(body.asset->piece(body.fragment), whole);
 }
 
 PlayBody* findBody(SessionState& state, std::uint32_t number) {

@@ -44,7 +44,10 @@ void CanvasContentsUpdater::refreshMaterial() {
     const Asset* asset = m_state.asset();
     const Material* material = asset ? findMaterial(m_state.document.project(), asset->material) : nullptr;
     m_contents.density = material ? material->density : 0.0;
-    m_contents.threshold = material ? thresholdOf(*asset, *material) : 0.0;
+    const FragmentPath& entered = m_state.selection.enteredFragment();
+    const std::optional<double> set =
+        asset && !entered.empty() ? fragmentThreshold(*asset, entered, levelOf(entered)) : std::nullopt;
+    m_contents.threshold = material ? set.value_or(thresholdOf(*asset, *material)) : 0.0;
 }
 
 void CanvasContentsUpdater::refreshPattern() {

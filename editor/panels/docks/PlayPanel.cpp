@@ -109,7 +109,8 @@ const ImpactRecord* PlayPanel::selectedImpact() const {
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     if (rows.isEmpty()) return nullptr;
     const ImpactRecord& impact = m_model->impact(rows.front().row());
-    return findAsset(m_document.project(), impact.asset) != nullptr ? &impact : nullptr;
+    const bool hasAsset = findAsset(m_document.project(), impact.asset) != nullptr;
+    return hasAsset && impact.scale > 0.0 ? &impact : nullptr;
 }
 
 void PlayPanel::addRequirement(RequirementOutcome outcome) {

@@ -2,13 +2,18 @@
 
 #include "core/asset/project/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
+#include "core/play/analysis/RequirementImpulse.h"
+#include "core/play/analysis/RequirementShot.h"
+#include "editor/commands/InstanceEdits.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/ShownText.h"
 #include "editor/panels/docks/IntervalBar.h"
+#include "editor/panels/docks/RequirementPresets.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberField.h"
+#include "editor/widgets/NumberText.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
 
@@ -20,13 +25,16 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
 namespace {
 
-/// The first of the two grid rows of a requirement.
-int rowOf(std::size_t index) { return 2 * static_cast<int>(index); }
+enum Column { kFirst, kSecond, kRest, kPlay, kDelete, kColumns };
+
+/// The first of the three grid rows of a requirement.
+int rowOf(std::size_t index) { return 3 * static_cast<int>(index); }
 
 const PieceSpeed& fastestOf(const SwapAudit& audit) {
     return audit.resting.speed > kCleanSpeed ? audit.resting : audit.lying;
@@ -59,6 +67,7 @@ StrengthPanel::StrengthPanel(Document& document, const Selection& selection, con
     whole->addWidget(verticalScrollArea(content));
     connect(&document, &Document::changed, this, &StrengthPanel::refresh);
     connect(&selection, &Selection::assetChanged, this, &StrengthPanel::refresh);
+    connect(&selection, &Selection::instancesChanged, this, &StrengthPanel::refresh);
     connect(&bakes, &Bakes::changed, this, &StrengthPanel::refresh);
     connect(&audits, &SwapAuditRunner::changed, this, &StrengthPanel::refreshAudit);
     connect(&audits, &SwapAuditRunner::statusMessage, this, &StrengthPanel::refused);
@@ -86,22 +95,24 @@ QWidget* StrengthPanel::makeRequirements() {
 
 QToolButton* StrengthPanel::makeAddButton() {
     auto* button = new QToolButton;
+    button->setObjectName("add-requirement");
     button->setIcon(iconNamed("add"));
     button->setText(tr("Add Requirement"));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(tr("Add an event that the asset must survive or break in"));
     auto* menu = new QMenu(button);
-    const std::pair<QString, StrengthRequirement> kinds[] = {
-        {tr("Survives &Drop"), {RequirementOutcome::Survives, DropRequirement{}}},
-        {tr("&Breaks in Drop"), {RequirementOutcome::Breaks, DropRequirement{.height = 3.0}}},
-        {tr("Survives &Impact"), {RequirementOutcome::Survives, HitRequirement{}}},
-        {tr("B&reaks in Impact"), {RequirementOutcome::Breaks, HitRequirement{.speed = 20.0}}},
-        {tr("Survives I&mpulse"), {RequirementOutcome::Survives, ImpulseRequirement{}}},
-        {tr("Breaks &at Impulse"), {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 50.0}}}};
-    for (const auto& [text, requirement] : kinds) {
-        connect(menu->addAction(text), &QAction::triggered, this,
-                [this, added = requirement] { addRequirement(added); });
+    const std::pair<QString, RequirementOutcome> outcomes[] = {{tr("Must &Survive"), RequirementOutcome::Survives},
+                                                               {tr("Must &Break"), RequirementOutcome::Breaks}};
+    for (const auto& [text, outcome] : outcomes) {
+        QMenu* events = menu->addMenu(text);
+        events->setToolTipsVisible(true);
+        for (const RequirementPreset& preset : requirementPresets()) {
+            QAction* action = events->addAction(preset.name);
+            action->setToolTip(assumptionDescription(preset.event, false));
+            connect(action, &QAction::triggered, this,
+                    [this, added = StrengthRequirement{outcome, preset.event}] { addRequirement(added); });
+        }
     }
     button->setMenu(menu);
     return button;
@@ -132,14 +143,16 @@ void StrengthPanel::refresh() {
     m_title->setText(shown ? tr("<b>%1</b>").arg(nameText(shown->name).toHtmlEscaped()) : tr("No asset selected"));
     setEnabled(shown != nullptr);
     m_suggested.reset();
+    m_whole.reset();
     m_bar->setVisible(shown != nullptr);
     if (!shown) return;
     std::optional<ThresholdInterval> interval;
     const auto baked = m_bakes.find(shown->id);
     if (baked && baked->bake && baked->asset->prism == shown->prism) {
-        if (const Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
+        if (Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
             const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), *whole);
             if (found) interval = *found;
+            m_whole = std::move(*whole);
             m_verdict->setText(found ? QString() : QString::fromStdString(found.error().message));
         }
     }
@@ -166,9 +179,17 @@ QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& inte
         .arg(QString::fromStdString(intervalText(interval)));
 }
 
-/// Rebuilds the rows, two per requirement, if what they show has changed.
+/// Rebuilds the rows, three per requirement, if what they show has changed.
 void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* interval) {
-    Shown shown{asset.id, asset.requirements, interval ? interval->impulses : std::vector<double>{}};
+    Shown shown{.asset = asset.id,
+                .requirements = asset.requirements,
+                .impulses = interval ? interval->impulses : std::vector<double>{},
+                .threshold = thresholdOf(m_document.project(), asset)};
+    for (const StrengthRequirement& requirement : asset.requirements) {
+        shown.assumptions.append(assumption(asset, requirement));
+        const Instance* tried = instanceToTry(m_document.project(), asset, requirement, selectedInstance());
+        shown.tried.push_back(tried ? tried->id : 0);
+    }
     if (shown == m_shown) return;
     m_shown = std::move(shown);
     while (QLayoutItem* item = m_grid->takeAt(0)) {
@@ -177,9 +198,10 @@ void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* int
     }
     for (std::size_t k = 0; k < asset.requirements.size(); ++k) {
         addRow(k, asset.requirements[k]);
-        if (interval) addImpulse(k, interval->impulses[k]);
+        addFigure(asset, k);
+        addPlayButton(asset, k);
     }
-    m_grid->setColumnStretch(2, 1);
+    m_grid->setColumnStretch(kRest, 1);
     m_rows->setVisible(!asset.requirements.empty());
 }
 
@@ -187,20 +209,20 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
     addOutcomeBox(index, requirement.outcome);
     const int row = rowOf(index);
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
-        m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
-        addField(index, 0, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
+        m_grid->addWidget(new QLabel(tr("a drop of")), row, kSecond, 1, 2);
+        addField(index, kFirst, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
                  [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
     } else if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) {
-        m_grid->addWidget(new QLabel(tr("an impulse of")), row, 1);
+        m_grid->addWidget(new QLabel(tr("an impulse of")), row, kSecond, 1, 2);
         addField(
-            index, 0, ProjectNumber::Threshold, impact->impulse, tr("N·s"), tr("Impulse"),
+            index, kFirst, ProjectNumber::Threshold, impact->impulse, tr("N·s"), tr("Impulse"),
             [](StrengthRequirement& changed, double to) { std::get<ImpulseRequirement>(changed.event).impulse = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
-        m_grid->addWidget(new QLabel(tr("an impact of")), row, 1);
-        addField(index, 0, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
+        m_grid->addWidget(new QLabel(tr("an impact of")), row, kSecond, 1, 2);
+        addField(index, kFirst, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).mass = to; });
-        addField(index, 1, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
+        addField(index, kSecond, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).speed = to; });
     }
     addDeleteButton(index);
@@ -214,7 +236,7 @@ void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome)
         change(tr("Change Requirement"),
                [=](Asset& changed) { changed.requirements[index].outcome = static_cast<RequirementOutcome>(row); });
     });
-    m_grid->addWidget(box, rowOf(index), 0);
+    m_grid->addWidget(box, rowOf(index), kFirst);
 }
 
 /// Connections are queued, since each change rebuilds the rows.
@@ -235,11 +257,68 @@ void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number
     m_grid->addWidget(field, rowOf(index) + 1, column);
 }
 
-void StrengthPanel::addImpulse(std::size_t index, double impulse) {
-    auto* label = new QLabel(localizedQuantity(QuantityKind::Impulse, impulse));
-    label->setToolTip(tr("Impulse of this event on the asset"));
-    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_grid->addWidget(label, rowOf(index) + 1, 2, 1, 2);
+/// What the figure assumes and, for a hit on an asset that is free to move, what is left of it at a corner.
+QString StrengthPanel::assumption(const Asset& asset, const StrengthRequirement& requirement) const {
+    const Support support = supportOf(m_document.project(), asset, requirement);
+    const QString text = assumptionText(requirement.event, support == Support::Fixed);
+    const auto* hit = std::get_if<HitRequirement>(&requirement.event);
+    if (!hit || !m_whole || support == Support::Fixed) return text;
+    const double fraction = cornerFraction(m_document.project(), *m_whole, *hit, support);
+    const long percent = std::lround(100.0 * fraction);
+    return percent < 100 ? tr("%1; %L2\u00a0% of it at a corner").arg(text).arg(percent) : text;
+}
+
+/// The impulse of the event, its ratio to the threshold, and what they assume.
+void StrengthPanel::addFigure(const Asset& asset, std::size_t index) {
+    QString text = m_shown.assumptions[static_cast<int>(index)];
+    if (!m_shown.impulses.empty()) {
+        const double impulse = m_shown.impulses[index];
+        text = tr("%1 = %2×: %3")
+                   .arg(localizedQuantity(QuantityKind::Impulse, impulse), roundedText(impulse / m_shown.threshold, {}),
+                        text);
+    }
+    auto* label = new QLabel(text);
+    const StrengthRequirement& requirement = asset.requirements[index];
+    const bool isFixed = supportOf(m_document.project(), asset, requirement) == Support::Fixed;
+    label->setToolTip(tr("The impulse on the asset and its ratio to the threshold: it breaks from 1× on.") + ' ' +
+                      assumptionDescription(requirement.event, isFixed));
+    label->setWordWrap(true);
+    m_grid->addWidget(label, rowOf(index) + 2, kFirst, 1, kColumns);
+}
+
+void StrengthPanel::addPlayButton(const Asset& asset, std::size_t index) {
+    const RequirementEvent& event = asset.requirements[index].event;
+    const Id tried = m_shown.tried[index];
+    const bool needsInstance = !std::holds_alternative<DropRequirement>(event);
+    QString tip = tr("Start the simulation with exactly this event");
+    if (needsInstance && tried == 0) tip = tr("No instance of the asset in the scene can break");
+    if (const Instance* instance = needsInstance ? findInstance(m_document.project(), tried) : nullptr) {
+        tip = tr("Start the simulation with exactly this hit on \"%1\"").arg(nameText(instance->name));
+        if (instance->threshold) {
+            tip +=
+                tr(", whose own threshold is %1").arg(localizedQuantity(QuantityKind::Impulse, *instance->threshold));
+        }
+    }
+    QToolButton* button = panelButton("play-shot", tr("Play Event"), tip, m_rows);
+    button->setObjectName("play-event");
+    button->setEnabled(m_whole.has_value() && (!needsInstance || tried != 0));
+    connect(
+        button, &QToolButton::clicked, this, [this, index] { play(index); }, Qt::QueuedConnection);
+    m_grid->addWidget(button, rowOf(index), kPlay);
+}
+
+Id StrengthPanel::selectedInstance() const {
+    return m_selection.instances().empty() ? 0 : *m_selection.instances().begin();
+}
+
+void StrengthPanel::play(std::size_t index) {
+    const Asset* played = asset();
+    if (!played || !m_whole || index >= played->requirements.size()) return;
+    const StrengthRequirement& requirement = played->requirements[index];
+    const Instance* instance = findInstance(m_document.project(), m_shown.tried[index]);
+    const Result<ShotAction> shot = requirementShot(m_document.project(), *m_whole, requirement, instance);
+    if (!shot) return emit refused(QString::fromStdString(shot.error().message));
+    emit trialRequested({.name = shotNameOf(requirement.event).toStdString(), .action = *shot});
 }
 
 void StrengthPanel::addDeleteButton(std::size_t index) {
@@ -250,7 +329,7 @@ void StrengthPanel::addDeleteButton(std::size_t index) {
         });
     };
     connect(button, &QToolButton::clicked, this, remove, Qt::QueuedConnection);
-    m_grid->addWidget(button, rowOf(index), 3);
+    m_grid->addWidget(button, rowOf(index), kDelete);
 }
 
 void StrengthPanel::change(const QString& text, const std::function<void(Asset&)>& change) {

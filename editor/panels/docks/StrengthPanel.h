@@ -28,6 +28,8 @@ public:
 
 signals:
     void refused(const QString& sentence);
+    /// A simulation is to be started with a shot, which plays the event of a requirement.
+    void trialRequested(const rubble::Shot& shot);
 
 private:
     QWidget* makeRequirements();
@@ -39,8 +41,11 @@ private:
     void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
     void addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
                   const QString& name, const std::function<void(StrengthRequirement& changed, double value)>& set);
-    void addImpulse(std::size_t index, double impulse);
+    void addFigure(const Asset& asset, std::size_t index);
+    QString assumption(const Asset& asset, const StrengthRequirement& requirement) const;
+    void addPlayButton(const Asset& asset, std::size_t index);
     void addDeleteButton(std::size_t index);
+    void play(std::size_t index);
     QString verdict(const Asset& asset, const ThresholdInterval& interval) const;
     void refreshAudit();
     void addRequirement(const StrengthRequirement& requirement);
@@ -50,6 +55,7 @@ private:
     /// The seed of the fastest fragment, if the audit failed and the fragment is of the asset's own pattern.
     std::optional<SeedId> faultySeed() const;
     const Asset* asset() const;
+    Id selectedInstance() const;
 
     Document& m_document;
     const Selection& m_selection;
@@ -65,11 +71,15 @@ private:
     QPushButton* m_fix = nullptr;
     QLabel* m_auditText;
     std::optional<double> m_suggested;  // N·s
+    std::optional<PlayAsset> m_whole;   // of the active asset; none until it is baked
     /// The contents of the rows.
     struct Shown {
         Id asset = 0;
         std::vector<StrengthRequirement> requirements;
         std::vector<double> impulses;  // N·s
+        double threshold = 0.0;        // N·s
+        QStringList assumptions;       // one per requirement
+        std::vector<Id> tried;         // the instances that the buttons play on
         bool operator==(const Shown&) const = default;
     };
     Shown m_shown;

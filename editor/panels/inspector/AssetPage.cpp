@@ -34,7 +34,7 @@ bool isRectangle(const Ring& ring) {
 
 }  // namespace
 
-AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* parent)
+AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
@@ -42,12 +42,15 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
           document, [this] { return selected(); }, pushOf<Asset>(document)) {
     m_asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
+    m_fragments = new FragmentSection(document, selection, bakes, this);
     m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {m_asset, shape, static_cast<Section*>(m_shaping), pattern}) layout->addWidget(section);
+    for (Section* section :
+         {m_asset, static_cast<Section*>(m_fragments), shape, static_cast<Section*>(m_shaping), pattern})
+        layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
@@ -56,6 +59,7 @@ AssetPage::AssetPage(Document& document, const Selection& selection, QWidget* pa
     m_pattern = new PatternEditor(document);
     pattern->addWide(m_pattern);
     connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+    connect(m_fragments, &FragmentSection::refused, this, &AssetPage::refused);
     connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
 }
 
@@ -132,11 +136,18 @@ void AssetPage::showThreshold(const Asset& asset) {
     const bool isDerived = derivedThreshold(asset, material).has_value();
     m_threshold->setEnabled(!isDerived);
     m_asset->setRowVisible(m_contactTime, asset.contactTime.has_value());
-    m_derivation->setVisible(asset.contactTime.has_value());
-    if (!asset.contactTime) return;
     const auto text = [&](QuantityKind kind, double value) {
         return localizedQuantity(kind, value, m_units, locale());
     };
+    if (!asset.contactTime) {
+        Asset derived = asset;
+        deriveThreshold(derived);
+        const std::optional<double> other = derivedThreshold(derived, material);
+        m_derivation->setVisible(other.has_value());
+        if (other) m_derivation->setText(tr("From its strength: %1").arg(text(QuantityKind::Impulse, *other)));
+        return;
+    }
+    m_derivation->setVisible(true);
     if (!isDerived) {
         return m_derivation->setText(
             tr("Material \"%1\" has no strength, so the entered threshold is used. Enter its strength.")
@@ -227,6 +238,7 @@ void AssetPage::refresh() {
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
     if (!assets.empty()) showThreshold(assets.front());
     m_outline->refresh(m_selection.asset());
+    m_fragments->refresh();
     m_shaping->refresh();
     m_pattern->refresh(m_selection.asset(), m_selection.enteredFragment());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/Selection.h"
+#include "editor/panels/inspector/FragmentSection.h"
 #include "editor/panels/inspector/OutlineEditor.h"
 #include "editor/panels/inspector/PatternEditor.h"
 #include "editor/panels/inspector/ShapingSection.h"
@@ -13,7 +14,7 @@ namespace rubble {
 class AssetPage : public QWidget {
     Q_OBJECT
 public:
-    AssetPage(Document& document, const Selection& selection, QWidget* parent = nullptr);
+    AssetPage(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
 
     void refresh();
     /// Sets the action that opens the material library, shown as a button.
@@ -46,6 +47,7 @@ private:
     QLabel* m_derivation = nullptr;  // formula of the derived threshold, or why there is none
     QLabel* m_summary = nullptr;
     std::array<NumberField*, 3> m_size{};
+    FragmentSection* m_fragments = nullptr;
     OutlineEditor* m_outline = nullptr;
     ShapingSection* m_shaping = nullptr;
     PatternEditor* m_pattern = nullptr;

@@ -11,11 +11,11 @@
 
 namespace rubble {
 
-Inspector::Inspector(Document& document, Selection& selection, QWidget* parent)
+Inspector::Inspector(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
-      m_asset(new AssetPage(document, selection)),
+      m_asset(new AssetPage(document, selection, bakes)),
       m_material(new MaterialPage(document, selection)),
       m_instance(new InstancePage(document, selection)),
       m_scene(new ScenePage(document)),

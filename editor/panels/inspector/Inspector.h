@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
 #include "editor/widgets/Units.h"
@@ -23,7 +24,7 @@ class ScenePage;
 class Inspector : public QWidget {
     Q_OBJECT
 public:
-    Inspector(Document& document, Selection& selection, QWidget* parent = nullptr);
+    Inspector(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
     /// Sets the actions shown as buttons: all on a material's page, the first (the material library) on an asset's

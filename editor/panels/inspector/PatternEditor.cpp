@@ -1,5 +1,6 @@
 #include "editor/panels/inspector/PatternEditor.h"
 
+#include "core/asset/project/Threshold.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/widgets/Buttons.h"
@@ -31,6 +32,8 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
           document, [this] { return selected(); }, pushOf<Asset>(document)),
       m_levelSettings(new Section(this)),
       m_minimumVolume(new NumberField),
+      m_hasThreshold(new QCheckBox(tr("Override Threshold"))),
+      m_threshold(thresholdField()),
       m_view(new QListView(this)),
       m_page(new LayerPage(document, this)) {
     buildView();
@@ -78,6 +81,30 @@ void PatternEditor::buildLevelSettings() {
             return level ? level->minimumVolume : 0.0;
         },
         [this](Asset& asset, double entered) { setMinimumVolume(asset, m_pattern.index, entered); });
+    m_hasThreshold->setToolTip(
+        tr("Give every fragment that breaks at this level the same threshold, instead of one "
+           "that follows from its volume"));
+    m_hasThreshold->setObjectName("override-level-threshold");
+    m_levelSettings->addWide(m_hasThreshold);
+    m_form.bind(
+        m_hasThreshold, tr("Override Threshold of Level"),
+        [this](const Asset& asset) { return levelThreshold(asset).has_value(); },
+        [this](Asset& asset, bool isOn) {
+            const double whole = thresholdOf(m_document.project(), asset);
+            setLevelThreshold(asset, m_pattern.index,
+                              isOn ? std::optional(levelThreshold(asset).value_or(whole)) : std::nullopt);
+        });
+    m_levelSettings->addRow(tr("Threshold"), m_threshold, tr("Impulse at which a fragment breaks at this level"));
+    m_threshold->setAccessibleName(tr("Threshold of level"));
+    m_form.bind(
+        m_threshold, tr("Set Threshold of Level"),
+        [this](const Asset& asset) { return levelThreshold(asset).value_or(thresholdOf(m_document.project(), asset)); },
+        [this](Asset& asset, double entered) { setLevelThreshold(asset, m_pattern.index, entered); });
+}
+
+std::optional<double> PatternEditor::levelThreshold(const Asset& asset) const {
+    const Level* level = levelAt(asset, m_pattern.index);
+    return level ? level->threshold : std::nullopt;
 }
 
 QWidget* PatternEditor::patternRow() {
@@ -201,7 +228,9 @@ void PatternEditor::showPatternList() {
     m_removeLevel->setEnabled(m_pattern.index > 0);
     const bool hasLevel = levelAt(asset, m_pattern.index) != nullptr;
     m_levelSettings->setVisible(hasLevel);
-    if (hasLevel) m_form.refresh();
+    if (!hasLevel) return;
+    m_form.refresh();
+    m_levelSettings->setRowVisible(m_threshold, levelThreshold(asset).has_value());
 }
 
 void PatternEditor::refresh(Id asset, const FragmentPath& enteredFragment) {

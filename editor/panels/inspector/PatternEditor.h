@@ -38,6 +38,7 @@ private:
     void setPattern(std::size_t index);
     void showPattern();
     std::vector<Asset> selected() const;
+    std::optional<double> levelThreshold(const Asset& asset) const;
 
     Document& m_document;
     PatternRef m_pattern;
@@ -49,6 +50,8 @@ private:
     Form<Asset> m_form;
     Section* m_levelSettings;
     NumberField* m_minimumVolume;
+    QCheckBox* m_hasThreshold;
+    SliderField* m_threshold;
     QListView* m_view;
     LayerPage* m_page;
 };

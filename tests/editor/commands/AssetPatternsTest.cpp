@@ -46,6 +46,16 @@ private slots:
         QCOMPARE(asset.leaves[0].level->minimumVolume, 0.25);
         QVERIFY(!asset.leaves[1].level);
     }
+    void thresholdIsSetPerLevel() {
+        Asset asset = wallWithLeaves();
+        setLevelThreshold(asset, 1, 5.0);
+        setLevelThreshold(asset, 2, 2.5);
+        setLevelThreshold(asset, 3, 1.25);  // kept whole: no level
+        QCOMPARE(asset.levels[0].threshold, std::optional(5.0));
+        QCOMPARE(asset.leaves[0].level->threshold, std::optional(2.5));
+        setLevelThreshold(asset, 1, std::nullopt);
+        QVERIFY(!asset.levels[0].threshold);
+    }
     void removesLevelsAndOwnPatterns() {
         Asset asset = wallWithLeaves();
         removeLevelAt(asset, 2);

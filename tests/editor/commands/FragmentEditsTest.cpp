@@ -135,6 +135,17 @@ private slots:
         QVERIFY(!canRestoreFragments(wall(), {seed(3)}));
         QVERIFY(canRestoreFragments(wall(), {seed(0)}));
     }
+    void restoreRemovesThresholdsOfTheseSeeds() {
+        Asset asset = wall();
+        for (const char* path : {"3.1", "3.0", "3.1"}) setFragmentThreshold(asset, path, 2.5);
+        QCOMPARE(asset.fragmentThresholds, (std::vector<FragmentThreshold>{{"3.0", 2.5}, {"3.1", 2.5}}));
+        m_document.push(modify("Set Threshold", asset));
+        QVERIFY(canRestoreFragments(wall(), {seed(1)}) && !canRestoreFragments(wall(), {seed(2)}));
+        m_document.push(restoreFragments(m_document.project(), kWall, {seed(1)}));
+        QCOMPARE(wall().fragmentThresholds, (std::vector<FragmentThreshold>{{"3.0", 2.5}}));
+        setFragmentThreshold(asset, "3.0", std::nullopt);
+        QCOMPARE(asset.fragmentThresholds, (std::vector<FragmentThreshold>{{"3.1", 2.5}}));
+    }
     void ownPatternKeepsTheFragmentsOfTheLevel() {
         m_document.push(addLevel(m_document.project(), kWall));
         m_document.push(addLevel(m_document.project(), kWall));
@@ -205,12 +216,16 @@ private slots:
     void duplicateRenamesItsFragments() {
         m_document.push(fractureFragments(m_document.project(), kWall, pieces({seed(1)})));
         m_document.push(mergeFragments(m_document.project(), kWall, pieces({seed(2), seed(3)})));
+        Asset asset = wall();
+        setFragmentThreshold(asset, "3.1", 2.5);
+        m_document.push(modify("Set Threshold", std::move(asset)));
         Addition copy = duplicateAsset(m_document.project(), kWall);
         const Id id = copy.id;
         m_document.push(std::move(copy.edit));
         const Asset& copied = *findAsset(m_document.project(), id);
         const std::string layer = std::to_string(copied.pattern.layers[0].id);
         QVERIFY(layer != "3");
+        QCOMPARE(copied.fragmentThresholds, (std::vector<FragmentThreshold>{{layer + ".1", 2.5}}));
         QCOMPARE(copied.leaves[0].fragment, layer + ".1");
         QCOMPARE(std::get<FragmentMerge>(copied.edits[0]).into, layer + ".3");
         QCOMPARE(bake(copied)->fragmentCount(), bake(wall())->fragmentCount());

@@ -29,9 +29,10 @@ private slots:
         QCOMPARE(again.id, first.id);
     }
     void takenNameGetsANumber() {
-        const Addition added =
-            addMaterial(starterProject(), preset("plaster"));  // differs from the starter project's plaster
-        const Project project = test::editedProject(starterProject(), added.edit);
+        Project before = starterProject();
+        before.materials[0].density = 1300.0;  // differs from the plaster of the library
+        const Addition added = addMaterial(before, preset("plaster"));
+        const Project project = test::editedProject(before, added.edit);
         QCOMPARE(findMaterial(project, added.id)->name, std::string("plaster 2"));
     }
     void appliesPatternAndThreshold() {
@@ -60,7 +61,8 @@ private slots:
         QCOMPARE(anew.assets[0].contactTime.value_or(0.0), kDefaultContactTime);
     }
     void appliesOnlyWhatTheOptionsSay() {
-        const Project before = starterProject();
+        Project before = starterProject();
+        enterThreshold(before.assets[0], 100.0);
         const Id wall = before.assets[0].id;
         const Project project = test::editedProject(before, applyPreset(before, wall, preset("ice"), {}));
         QVERIFY(findAsset(project, wall)->pattern == before.assets[0].pattern);
@@ -72,9 +74,11 @@ private slots:
         const std::string layer = std::to_string(wall.pattern.layers[0].id);
         wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
         wall.leaves = {{.fragment = layer + ".3", .level = {}}};
+        wall.fragmentThresholds = {{layer + ".4", 2.5}};
         const Project project =
             test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
         QVERIFY(project.assets[0].edits.empty() && project.assets[0].leaves.empty());
+        QVERIFY(project.assets[0].fragmentThresholds.empty());
         const Project kept = test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {}));
         QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].leaves.empty());
     }

@@ -1,5 +1,6 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/panels/docks/ProjectTree.h"
+#include "editor/panels/docks/StrengthPanel.h"
 #include "editor/panels/inspector/Inspector.h"
 #include "editor/widgets/Theme.h"
 
@@ -21,6 +22,25 @@ void save(QWidget& widget, QSize size, const QString& path) {
     widget.grab().save(path);
 }
 
+/// Requirements of the first asset, one of each kind.
+void saveStrength(Document& document, const QString& path) {
+    Asset asset = document.project().assets[0];
+    asset.requirements = {{RequirementOutcome::Survives, HitRequirement{.mass = 0.43, .speed = 20.0}},
+                          {RequirementOutcome::Breaks, DropRequirement{.height = 1.0}},
+                          {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 800.0}}};
+    document.push({.text = "Require", .swaps = {Swap<Asset>{asset.id, asset}}});
+    Bakes bakes;
+    if (const Result<Bake> made = bake(asset)) {
+        bakes.set(asset.id, std::make_shared<const BakedAsset>(BakedAsset{
+                                std::make_shared<const Asset>(asset), std::make_shared<const Bake>(*made), {}}));
+    }
+    Selection selection;
+    selection.setAsset(asset.id);
+    SwapAuditRunner audits(document, bakes);
+    StrengthPanel panel(document, selection, bakes, audits);
+    save(panel, {300, 560}, path);
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -34,7 +54,8 @@ int main(int argc, char* argv[]) {
     Selection selection;
     selection.prune(document.project());
     ProjectTree tree(document, selection);
-    Inspector inspector(document, selection);
+    const Bakes noBakes;
+    Inspector inspector(document, selection, noBakes);
     const QString folder = QDir(argv[2]).absolutePath() + '/';
     const auto path = [&](const QString& name) { return folder + name + '-' + theme + ".png"; };
     const Project& shown = document.project();
@@ -48,5 +69,6 @@ int main(int argc, char* argv[]) {
     save(inspector, {300, 480}, path("instances"));
     selection.setSubject(Part::Scene);
     save(inspector, {300, 480}, path("scene"));
+    saveStrength(document, path("strength"));
     return 0;
 }

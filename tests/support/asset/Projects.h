@@ -53,7 +53,8 @@ inline Project fullProject() {
         {.id = 5, .isOn = false, .parameters = BlueNoise{0.2, 12, ScatterDomain::BoundingBox}},
         {.id = 6, .randomSeed = 9007199254740993u, .parameters = PlacedSeeds{{{0, {0.1, 0.2}}, {5, {3.5, 3.5}}}}},
         {.id = 7, .parameters = LloydRelaxation{4}}};
-    wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}}, .minimumVolume = 1e-3}, {}};
+    wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}}, .minimumVolume = 1e-3, .threshold = 17.25},
+                   {}};
     wall.levels[1].pattern.layers = {
         {.id = 13, .parameters = UniformScatter{.count = {CountBy::Density, 8.0}}},
         {.id = 14, .parameters = BlueNoise{.count = {CountBy::PieceSize, 0.35}}},
@@ -75,6 +76,7 @@ inline Project fullProject() {
         {.fragment = "4.3.1", .level = {}},
         {.fragment = "6.0",
          .level = Level{.pattern = {{{.id = 22, .parameters = UniformScatter{.count = 3}}}}, .minimumVolume = 1e-4}}};
+    wall.fragmentThresholds = {{"4.3.1", 2.5}, {"6.0", 1.0 / 3.0}};
     wall.edits = {FragmentMerge{.into = "4.2", .merged = {"6.5", "4.6"}},
                   FragmentSplit{.fragment = "4.2/8.1", .line = {{0.1, -2.5}, {1.0, 1.0 / 3.0}}}};
     wall.insideMaterial = 2;

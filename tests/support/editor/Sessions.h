@@ -24,6 +24,8 @@ inline Session sessionOf(const Project& project, const SessionSettings& settings
     return std::move(*session);
 }
 
+inline const PlayAsset& onlyAsset(const PlayScene& scene) { return *scene.assets.begin()->second; }
+
 /// A block of 1 x 1 x 0.5 m in `pieces` fragments, of density 1000 and threshold 100 N·s, above the ground, without
 /// gravity.
 inline Project floatingBlock(std::uint32_t pieces = 5) {

@@ -140,6 +140,23 @@ private slots:
         }
         QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Piece}).colourRange);
     }
+    /// Pieces have the threshold of what breaks into them.
+    void thresholdColoursShowThresholdsThatAreSet() {
+        Project project = starterProject();
+        Asset& wall = project.assets[0];
+        wall.levels = {{.pattern = {{{.id = 70, .parameters = UniformScatter{.count = 3}}}}, .threshold = 5.0}};
+        const AssetBakes bakes = allBakes(project);
+        const FragmentPath own = pathOfId(bakes.begin()->second->fragmentId(0));
+        wall.fragmentThresholds = {{own, 2.0}};
+        wall.threshold = 90.0;
+        const RenderScene scene = sceneOf(project, bakes, {.colouring = SceneColouring::Threshold});
+        QCOMPARE(scene.colourRange->least, 2.0);
+        QCOMPARE(scene.colourRange->most, 5.0);
+        for (std::size_t body = 0; body < scene.picks.size(); ++body) {
+            const bool isOwn = bakes.begin()->second->fragment(scene.picks[body].fragment).parent == 0;
+            QCOMPARE(scene.appearances[body].outside, packed(rampColour(isOwn ? 0.0 : 1.0)));
+        }
+    }
     void bondLinesJoinCentres() {
         const Project project = starterProject();
         const AssetBakes bakes = allBakes(project);

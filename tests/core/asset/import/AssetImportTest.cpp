@@ -108,6 +108,13 @@ private slots:
         QCOMPARE(project.assets[0].material, 2u);
         QCOMPARE(project.assets[1].material, 1u);  // without a name: the project's first
     }
+    void thresholdsAreDerivedWhereTheStrengthIsKnown() {
+        const Project project{.nextId = 2, .materials = {{.id = 1, .name = "Slate", .tensileStrength = 1e7}}};
+        const ImportOutcome outcome =
+            imported(project, sceneOf({objectOf("a", wallMesh(), 0), objectOf("b", wallMesh(), 1)}));
+        QVERIFY(!outcome.project.assets[0].contactTime);
+        QVERIFY(outcome.project.assets[1].contactTime);
+    }
     /// Assets that differ in capitals only could not be exported side by side.
     void namesAreComparedWithoutCase() {
         const SourceScene scene = sceneOf({objectOf("wall", wallMesh()), objectOf("Wall", wallMesh())});

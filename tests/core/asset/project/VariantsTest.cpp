@@ -32,6 +32,11 @@ private slots:
         QVERIFY(!asset.pattern.layers[0].overrides.empty() && variant.pattern.layers[0].overrides.empty());
         QVERIFY(variant.pattern.layers[2].parameters == asset.pattern.layers[2].parameters);
     }
+    void thresholdsOfSingleFragmentsAreDroppedAndThoseOfLevelsKept() {
+        const Asset variant = variantOf(fullProject().assets[0], 1);
+        QVERIFY(variant.fragmentThresholds.empty());
+        QCOMPARE(variant.levels[0].threshold, std::optional(17.25));
+    }
     void usedVariantsAreAllAssetsAndThoseOfInstances() {
         Project project = fullProject();  // assets 3, 9 and 11; an instance of 3, and one of 9 in variant 3
         project.instances.push_back(project.instances[1]);

@@ -1,6 +1,7 @@
 // Tests core/io/pack/PackFile.cpp and PackBodyJson.cpp.
 #include "core/io/pack/PackFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/Schemas.h"
 
@@ -37,6 +38,24 @@ private slots:
         QCOMPARE(whole["hulls"].size(), std::size_t{1});
         QVERIFY(whole["hulls"][0]["planes"][0] == nlohmann::json({0.0, 0.0, 1.0, 0.25}));
         QVERIFY(whole["hulls"][0]["signedEdges"][1] == nlohmann::json::parse("[[6,-1],[5,-1],[4,-1],[7,-1]]"));
+    }
+    void thresholdsAreWrittenWhereSetOnly() {
+        Asset asset = layeredBox();
+        QVERIFY(packOf(asset).find("\"threshold\"") == packOf(asset).rfind("\"threshold\""));  // the whole's
+        const ContentHash hash = packHash(asset, heavyBrick(), packMeshes());
+        asset.levels[0].threshold = 12.5;
+        const ContentHash ofLevel = packHash(asset, heavyBrick(), packMeshes());
+        QVERIFY(ofLevel != hash);
+        asset.fragmentThresholds = {{"5.1", 3.25}};
+        QVERIFY(packHash(asset, heavyBrick(), packMeshes()) != ofLevel);
+        const std::string json = packOf(asset);
+        QCOMPARE(test::Schema("pack.schema.json").fault(nlohmann::json::parse(json)), std::string());
+        const Pack pack = *readPack(json);
+        QVERIFY(!pack.whole.threshold);
+        QCOMPARE(pack.fragments[0].threshold, std::optional(12.5));
+        QCOMPARE(pack.fragments[1].threshold, std::optional(3.25));
+        for (std::size_t k = 2; k < pack.fragments.size(); ++k) QVERIFY(!pack.fragments[k].threshold);
+        QCOMPARE(verifyPack(pack).value_or(""), std::string());
     }
     void hashDependsOnAllInputs() {
         const Asset asset = twoLevelRing();

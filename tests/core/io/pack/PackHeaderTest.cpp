@@ -1,6 +1,7 @@
 // Tests docs/formats/rubble_pack.hpp and pack_example.cpp.
 #include "docs/formats/rubble_pack.hpp"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/WrongValues.h"
 
@@ -95,6 +96,18 @@ private slots:
         QCOMPARE(pack.fragments.size(), ours.fragments.size());
         for (std::size_t k = 0; k < ours.fragments.size(); ++k) QVERIFY(isSame(pack.fragments[k], ours.fragments[k]));
         QCOMPARE(pack.piecesOf(rubble_pack::kNone).size() + pack.piecesOf(0).size() > 5, true);
+    }
+    /// Halves of half the volume.
+    void thresholdsAreSetOrFollowFromTheVolume() {
+        Asset asset = layeredBox();
+        asset.threshold = 80.0;
+        asset.fragmentThresholds = {{"5.1", 3.25}};
+        rubble_pack::Pack pack;
+        std::string fault;
+        QVERIFY2(rubble_pack::parse(packOf(asset), pack, fault), fault.c_str());
+        QCOMPARE(pack.thresholdOf(rubble_pack::kNone), 80.0);
+        QCOMPARE(pack.thresholdOf(0), 80.0 * std::pow(0.5, 2.0 / 3.0));
+        QCOMPARE(pack.thresholdOf(1), 3.25);
     }
     void allEscapesAreRead() {
         nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));

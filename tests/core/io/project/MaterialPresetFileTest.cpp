@@ -196,6 +196,10 @@ private slots:
         QCOMPARE(*copy.tensileStrength, 1.43e6);
         QCOMPARE(*copy.fractureToughness, 1e5);
     }
+    void newProjectsHaveThePlasterOfTheLibrary() {
+        const Material plaster = emptyProject().materials[0];
+        QVERIFY(plaster == materialOf(findMaterial(materialLibrary(), "plaster")->preset, plaster.id));
+    }
     void savedMaterialsRoundTrip() {
         const Project project = starterProject();
         const MaterialPreset preset = presetOf(project.materials[0], project.assets[0].pattern);
@@ -203,7 +207,7 @@ private slots:
         QVERIFY(saveMaterialPreset(file, preset));
         QVERIFY(*loadMaterialPreset(file) == preset);
         QCOMPARE(preset.pattern.layers[0].id, Id{1});
-        QVERIFY(!preset.tensileStrength);
+        QCOMPARE(preset.tensileStrength->value, 1e6);
         const Material again = materialOf(preset, project.materials[0].id);
         QVERIFY(again == project.materials[0]);
     }

@@ -122,7 +122,8 @@ bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (value.is_discarded()) {
         if (place == "shots[2].action.radius") return true;  // the hammer's
         return place.ends_with("].unbreakable") || place.ends_with("].youngsModulus") ||
-               place.ends_with("].strengthRule");
+               place.ends_with("].strengthRule") || place.ends_with("].fragmentThresholds") ||
+               (place.find("].level") != std::string::npos && place.ends_with(".threshold"));
     }
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
     if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
@@ -269,6 +270,19 @@ private slots:
         QCOMPARE(thresholdOf(*read, read->assets[0]), 4.5e7 * (0.25 * 2.0) * 0.00125);
         QVERIFY(nlohmann::json::parse(projectText(*read)) == json);
     }
+    void thresholdsOfLevelsAndFragmentsAreWrittenWhereSetOnly() {
+        nlohmann::json json = fullJson();
+        QVERIFY(json["assets"][0]["levels"][0]["threshold"] == 17.25);
+        QVERIFY(!json["assets"][0]["levels"][1].contains("threshold"));
+        QVERIFY(json["assets"][0]["fragmentThresholds"][0] ==
+                nlohmann::json({{"fragment", "4.3.1"}, {"threshold", 2.5}}));
+        QVERIFY(!json["assets"][1].contains("fragmentThresholds"));
+        json["assets"][0]["levels"][0].erase("threshold");  // as in files written before there were such keys
+        json["assets"][0].erase("fragmentThresholds");
+        const Result<Project> read = readProjectText(json.dump());
+        QVERIFY(read && !read->assets[0].levels[0].threshold && read->assets[0].fragmentThresholds.empty());
+        QVERIFY(nlohmann::json::parse(projectText(*read)) == json);
+    }
     void keysAreReadInAnyOrder() {
         QVERIFY(*readProjectText(fullJson().dump()) == fullProject());  // sorted there
     }
@@ -340,6 +354,13 @@ private slots:
         test::addWrongValue(
             "Asset 3 \"wall\": the settings of fragment 6.0 come after those of 6.0; paths must ascend.",
             "/assets/0/leaves/0/fragment", "\"6.0\"");
+        test::addWrongValue(
+            "Asset 3 \"wall\": the threshold of fragment 6.0 comes after that of 6.0; paths must ascend.",
+            "/assets/0/fragmentThresholds/0/fragment", "\"6.0\"");
+        test::addWrongValue("Asset 3 \"wall\": the threshold is -1, but it must be from 1e-09 to 1e+24.",
+                            "/assets/0/fragmentThresholds/1/threshold", "-1");
+        test::addWrongValue("Asset 3 \"wall\": the threshold is 0, but it must be from 1e-09 to 1e+24.",
+                            "/assets/0/levels/0/threshold", "0");
         test::addWrongValue("Asset 3 \"wall\": the minimum volume is -1, but it must be from 0 to 1000000000000.",
                             "/assets/0/leaves/1/level/minimumVolume", "-1");
         test::addWrongValue("Asset 3 \"wall\": Fragment 6.5/8.0 cannot be merged into 4.2: they are not siblings.",

@@ -10,6 +10,7 @@
 
 using namespace rubble;
 using test::floatingBlock;
+using test::onlyAsset;
 
 namespace {
 
@@ -22,8 +23,6 @@ Project block() {
     project.gravity = {0.0, -9.81, 0.0};
     return project;
 }
-
-const PlayAsset& onlyAsset(const PlayScene& scene) { return *scene.assets.begin()->second; }
 
 double impulseOf(const Project& project, const StrengthRequirement& requirement) {
     const Result<double> impulse = requirementImpulse(project, onlyAsset(*test::playSceneOf(project)), requirement);

@@ -4,7 +4,9 @@
 #include "core/base/Roots.h"
 #include "core/base/Trigonometry.h"
 #include "core/play/scene/BodyShape.h"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/LayeredBox.h"
 #include "tests/support/editor/Sessions.h"
 
 #include <numbers>
@@ -64,6 +66,40 @@ private slots:
         for (const double number : {1e-300, 1e-9, 0.001, 0.3, 1.0, 2.0, 27.0, 12345.678, 1e300}) {
             QVERIFY(std::abs(cubeRoot(number) - std::cbrt(number)) <= 3e-16 * std::cbrt(number));
         }
+    }
+    /// Two halves with a level below them.
+    void thresholdsOfFragmentsTakePrecedence() {
+        Project project;
+        project.nextId = 100;
+        project.materials = {{.id = 1, .name = "stone"}};
+        project.assets = {layeredBox()};
+        Asset& asset = project.assets[0];
+        asset.threshold = 80.0;
+        const auto thresholds = [&] {
+            const auto scene = test::playSceneOf(project);
+            const PlayAsset& ready = test::onlyAsset(*scene);
+            return std::array{thresholdOf(ready.whole, 80.0), thresholdOf(ready.pieces[0], 80.0),
+                              thresholdOf(ready.pieces[1], 80.0)};
+        };
+        const double byVolume = 80.0 * thresholdScaleOf(0.5);
+        QVERIFY(isNear(thresholds()[1], byVolume) && isNear(thresholds()[2], byVolume));
+        asset.fragmentThresholds = {{"5.1", 3.25}};
+        QVERIFY(isNear(thresholds()[1], byVolume));
+        QCOMPARE(thresholds()[2], 3.25);
+        asset.levels[0].threshold = 12.5;
+        QCOMPARE(thresholds(), (std::array{80.0, 12.5, 3.25}));
+    }
+    void thresholdsOfMissingFragmentsAreReported() {
+        Project project;
+        project.nextId = 100;
+        project.materials = {{.id = 1, .name = "stone"}};
+        project.assets = {layeredBox()};
+        project.assets[0].fragmentThresholds = {{"5.1", 3.25}, {"5.1/6.0", 2.0}, {"5.7", 1.0}};
+        const auto scene = test::playSceneOf(project);
+        const std::vector<Diagnostic>& reports = test::onlyAsset(*scene).diagnostics;
+        QCOMPARE(reports.size(), std::size_t{2});
+        QCOMPARE(reports[1].message,
+                 std::string("Fragment 5.7 has its own threshold, but does not exist or does not break."));
     }
     void instanceWithoutABakeIsRejected() {
         const Project project = test::floatingBlock();

@@ -4,6 +4,7 @@
 #include "core/asset/project/Threshold.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
+#include "tests/support/asset/Projects.h"
 #include "tests/support/editor/Sessions.h"
 
 using namespace rubble;
@@ -295,6 +296,28 @@ private slots:
             session.nameOf(*session.body(broken[1].firstPiece)).starts_with(session.nameOf(broken[1].body) + "/99."));
     }
 
+    /// Each half of a floating box gets a blow of 20 N·s after the box is broken: only one of them is weak enough.
+    void fragmentsBreakAtTheirOwnThresholds() {
+        Project project = boxProject(PlacedSeeds{{{0, {0.125, 0.5}}, {1, {0.875, 0.5}}}});
+        project.gravity = Vec3(0.0);
+        project.instances[0].pose.position.y = 5.0;
+        project.assets[0].levels = {
+            {.pattern = {{{.id = 6, .parameters = UniformScatter{.count = 4}}}}, .threshold = 30.0}};
+        project.assets[0].fragmentThresholds = {{"3.1", 15.0}};
+        Session session = test::sessionOf(project);
+        test::addInput(session, BreakInput{session.bodies().back().number});
+        session.step();
+        const std::vector<PlayBody> halves(session.bodies().end() - 2, session.bodies().end());
+        QCOMPARE(session.thresholdOf(halves[0]), 30.0);
+        QCOMPARE(session.thresholdOf(halves[1]), 15.0);
+        for (const PlayBody& half : halves) {
+            const Vec3 front = session.world().state(half.body).centre + Vec3(0.0, 0.0, 0.25);
+            test::addInput(session, ShotInput{"blow", Hammer{.at = front, .impulse = {0.0, 0.0, -20.0}}});
+        }
+        const std::vector<PlayBreak> breaks = test::breaksWithin(session, 3);
+        QCOMPARE(breaks.size(), std::size_t{1});
+        QCOMPARE(breaks[0].body.number, halves[1].number);
+    }
     void hammersAndExplosionsBreak() {
         Project project = floatingBlock();
         Session struck = sessionOf(project, {.sleeping = false});

@@ -6,9 +6,11 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 using namespace rubble;
 
@@ -79,6 +81,57 @@ private slots:
         QVERIFY(outcome != nullptr);
         QVERIFY(desk.button("set-threshold").isHidden());
         QVERIFY(desk.says("survives"));
+    }
+    void presetsSayWhichHitTheyAssume() {
+        Desk desk;
+        const QMenu* menu = desk.panel->findChild<QToolButton*>("add-requirement")->menu();
+        QCOMPARE(menu->actions().size(), 2);
+        for (const QAction* outcome : menu->actions()) {
+            QVERIFY(outcome->menu()->toolTipsVisible());
+            QStringList names;
+            for (const QAction* preset : outcome->menu()->actions()) {
+                names.append(QString(preset->text()).remove('&'));
+                QVERIFY2(preset->toolTip().size() > 30, qPrintable(preset->toolTip()));
+            }
+            for (const char* name : {"Pushed by Hand", "Football at 20 m/s", "Dropped from 1 m", "Thrown Stone"}) {
+                QVERIFY2(!names.filter(name).isEmpty(), name);
+            }
+        }
+        menu->actions()[1]->menu()->actions()[1]->trigger();
+        QCOMPARE(desk.asset().requirements.size(), std::size_t{2});
+        QCOMPARE(desk.asset().requirements[1].outcome, RequirementOutcome::Breaks);
+        QCOMPARE(std::get<HitRequirement>(desk.asset().requirements[1].event).mass, 0.05);
+    }
+    void rowsSayWhatTheirFigureAssumes() {
+        Desk desk;
+        QVERIFY(desk.says("square hit on the centre, free to move; 74\u00a0% of it at a corner"));
+        Instance fixed = desk.stage.document.project().instances[0];
+        fixed.isFixed = true;
+        desk.stage.document.push({.text = "Fix", .swaps = {Swap<Instance>{fixed.id, fixed}}});
+        QVERIFY(desk.says("square hit on the centre, held in place"));
+        QVERIFY(desk.says("560\u00a0N·s = 5.6×"));  // 40 kg at 14 m/s
+    }
+    void buttonPlaysExactlyTheEvent() {
+        Desk desk;
+        QSignalSpy trials(desk.panel.get(), &StrengthPanel::trialRequested);
+        connect(desk.panel.get(), &StrengthPanel::trialRequested, &desk.stage.controller, &PlayController::playShot);
+        QVERIFY(desk.says("= 5.185×"));  // 40 kg and 500 kg at 14 m/s: 518.5 N·s at a threshold of 100
+        QTest::mouseClick(desk.panel->findChild<QToolButton*>("play-event"), Qt::LeftButton);
+        QTRY_COMPARE(trials.size(), 1);
+        desk.stage.settle();
+        QVERIFY(desk.stage.controller.isPlaying());
+        desk.stage.advance(10);
+        const std::vector<ImpactRecord> breaks = desk.stage.controller.breaks();
+        QVERIFY(!breaks.empty());
+        QVERIFY2(std::abs(breaks[0].ratio() - 5.185) < 0.01 * 5.185, QByteArray::number(breaks[0].ratio()));
+    }
+    void withoutAnInstanceThereIsNothingToPlayOn() {
+        Desk desk;
+        desk.stage.document.push(
+            {.text = "Delete", .swaps = {Swap<Instance>{desk.stage.document.project().instances[0].id, std::nullopt}}});
+        const auto* button = desk.panel->findChildren<QToolButton*>("play-event").last();
+        QVERIFY(!button->isEnabled());
+        QVERIFY2(button->toolTip().contains("No instance"), qPrintable(button->toolTip()));
     }
     void swapAuditFollowsTheAsset() {
         Desk desk;

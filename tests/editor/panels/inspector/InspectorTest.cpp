@@ -31,7 +31,8 @@ namespace {
 struct InspectorDesk {
     Document document;
     Selection selection;
-    Inspector inspector{document, selection};
+    Bakes bakes;
+    Inspector inspector{document, selection, bakes};
     QSignalSpy refusals{&inspector, &Inspector::refused};
 
     explicit InspectorDesk(Project project = fullProject()) : document(std::move(project)) {

@@ -1,0 +1,98 @@
+#include "editor/panels/inspector/FragmentSection.h"
+
+#include "core/asset/project/Threshold.h"
+#include "core/play/scene/PlayAsset.h"
+#include "editor/commands/FragmentEdits.h"
+
+#include <QLabel>
+
+namespace rubble {
+
+FragmentSection::FragmentSection(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent)
+    : Section("fragments", tr("Selected Fragments"), parent),
+      m_document(document),
+      m_selection(selection),
+      m_bakes(bakes),
+      m_form(
+          document, [this] { return selected(); },
+          [this](const std::vector<BreakingFragment>& fragments, const QString& text, quint64 mergeKey) {
+              push(fragments, text, mergeKey);
+          }),
+      m_isOwn(new QCheckBox(tr("Override Threshold"))),
+      m_threshold(thresholdField()),
+      m_note(new QLabel) {
+    m_isOwn->setToolTip(tr("Override the threshold that follows from the fragment's volume or is set for its level"));
+    m_isOwn->setObjectName("override-fragment-threshold");
+    addWide(m_isOwn);
+    m_form.bind(
+        m_isOwn, tr("Override Threshold of Fragments"),
+        [](const BreakingFragment& fragment) { return fragment.threshold.has_value(); },
+        [](BreakingFragment& fragment, bool isOn) {
+            fragment.threshold = isOn ? std::optional(fragment.threshold.value_or(fragment.automatic)) : std::nullopt;
+        });
+    addRow(tr("Threshold"), m_threshold, tr("Impulse at which the fragment breaks further"));
+    m_threshold->setAccessibleName(tr("Threshold of fragments"));
+    m_form.bind(
+        m_threshold, tr("Set Threshold of Fragments"),
+        [](const BreakingFragment& fragment) { return fragment.threshold.value_or(fragment.automatic); },
+        [](BreakingFragment& fragment, double entered) { fragment.threshold = entered; });
+    m_note->setWordWrap(true);
+    addWide(m_note);
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    connect(&selection, &Selection::seedsChanged, this, &FragmentSection::refresh);
+    connect(&bakes, &Bakes::changed, this, &FragmentSection::refresh);
+    refresh();
+}
+
+/// Only what breaks further has a threshold.
+std::vector<BreakingFragment> FragmentSection::selected() const {
+    std::vector<BreakingFragment> fragments;
+    const Asset* asset = findAsset(m_document.project(), m_selection.asset());
+    const auto baked = m_bakes.find(m_selection.asset());
+    if (asset == nullptr || !baked || !baked->bake || m_selection.fragments().isEmpty()) return fragments;
+    const Bake& bake = *baked->bake;
+    const FragmentSet isSelected = fragmentsOf(m_selection.fragments(), bake);
+    const double whole = thresholdOf(m_document.project(), *asset);
+    Asset automatic = *asset;
+    automatic.fragmentThresholds.clear();
+    for (const BakedFracture& fracture : bake.fractures) {
+        if (fracture.parent == kNone || !isSelected[fracture.parent]) continue;
+        const BakedFragment fragment = bake.fragment(fracture.parent);
+        const FragmentPath path = pathOfId(bake.fragmentId(fracture.parent));
+        const double byVolume = whole * thresholdScaleOf(fragment.solid.volume() / bake.whole.volume);
+        fragments.push_back({.path = path,
+                             .threshold = ownThreshold(*asset, path),
+                             .automatic = fragmentThreshold(automatic, path, fragment.level).value_or(byVolume)});
+    }
+    return fragments;
+}
+
+void FragmentSection::push(const std::vector<BreakingFragment>& fragments, const QString& text, quint64 mergeKey) {
+    Asset changed = *findAsset(m_document.project(), m_selection.asset());
+    for (const BreakingFragment& fragment : fragments) {
+        setFragmentThreshold(changed, fragment.path, fragment.threshold);
+    }
+    Edit edit{.text = text, .mergeKey = mergeKey};
+    const Id id = changed.id;
+    edit.swaps.push_back(Swap<Asset>{id, std::move(changed)});
+    m_document.push(std::move(edit));
+}
+
+void FragmentSection::refresh() {
+    setVisible(!m_selection.fragments().isEmpty());
+    if (m_selection.fragments().isEmpty()) return;
+    const std::vector<BreakingFragment> fragments = selected();
+    const bool doBreak = !fragments.empty();
+    m_isOwn->setVisible(doBreak);
+    setRowVisible(m_threshold, doBreak);
+    m_note->setText(doBreak ? tr("%Ln selected fragment(s) break further.", nullptr, static_cast<int>(fragments.size()))
+                            : tr("None of the selected fragments breaks further. Fracture them, or add a level."));
+    if (!doBreak) return;
+    m_form.refresh();
+    m_threshold->setEnabled(
+        std::ranges::all_of(fragments, [](const BreakingFragment& one) { return one.threshold.has_value(); }));
+}
+
+}  // namespace rubble
+
+#include "moc_FragmentSection.cpp"

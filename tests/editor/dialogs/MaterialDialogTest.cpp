@@ -1,0 +1,108 @@
+#include "editor/dialogs/MaterialDialog.h"
+
+#include "core/asset/project/StarterProject.h"
+#include "core/asset/project/Threshold.h"
+#include "core/play/analysis/RequirementImpulse.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/Sessions.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+/// A project with a pane of 8 mm, whose material has no strength, held in place.
+Project paneProject() {
+    Project project = test::floatingBlock();
+    project.assets[0].prism.depth = 0.008;
+    project.instances[0].isFixed = true;
+    return project;
+}
+
+/// The library, with the pane active.
+struct Library {
+    explicit Library(const Project& project = paneProject()) : document(project) {
+        selection.setAsset(project.assets[0].id);
+        dialog = std::make_unique<MaterialDialog>(document, selection, "/nowhere");
+        dialog->show();
+    }
+    void select(const char* material) {
+        auto* list = dialog->findChild<QListWidget*>();
+        list->setCurrentItem(list->findItems(material, Qt::MatchExactly).front());
+    }
+    QCheckBox& derives() {
+        const QList<QCheckBox*> boxes = dialog->findChildren<QCheckBox*>();
+        return **std::ranges::find_if(boxes, [](QCheckBox* box) { return box->text().contains("threshold"); });
+    }
+    QString note() { return dialog->findChild<QLabel*>("threshold-note")->text(); }
+    void apply() {
+        const QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
+        (*std::ranges::find_if(buttons, [](QPushButton* button) { return button->text().contains("pply"); }))->click();
+    }
+    const Asset& pane() const { return document.project().assets[0]; }
+
+    Document document;
+    Selection selection;
+    std::unique_ptr<MaterialDialog> dialog;
+};
+
+}  // namespace
+
+class MaterialDialogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void glassBreaksUnderAThrownStone() {
+        Library library;
+        library.select("glass");
+        QVERIFY(library.derives().isChecked());
+        QVERIFY2(library.note().contains("instead of 100\u00a0N·s") && library.note().endsWith("breaks it."),
+                 qPrintable(library.note()));
+        library.apply();
+        const Project& project = library.document.project();
+        const double threshold = thresholdOf(project, library.pane());
+        QVERIFY2(threshold < 1.0, QByteArray::number(threshold));
+        const StrengthRequirement stone{RequirementOutcome::Breaks, HitRequirement{.mass = 0.05, .speed = 20.0}};
+        const auto scene = test::playSceneOf(project);
+        QVERIFY(requirementImpulse(project, test::onlyAsset(*scene), stone).value() >= threshold);
+    }
+    void enteredThresholdsAreKept() {
+        Project project = paneProject();
+        project.assets[0].threshold = 42.0;
+        Library library(project);
+        library.select("glass");
+        QVERIFY(!library.derives().isChecked());
+        QVERIFY2(library.note().startsWith("It breaks at 42\u00a0N·s, as before.") &&
+                     library.note().endsWith("does not break it."),
+                 qPrintable(library.note()));
+        library.derives().click();
+        QVERIFY(library.note().contains("instead of 42\u00a0N·s"));
+        library.derives().click();
+        library.apply();
+        QCOMPARE(thresholdOf(library.document.project(), library.pane()), 42.0);
+    }
+    void olderRuleIsKept() {
+        Project project = paneProject();
+        project.materials[0].tensileStrength = 1e6;
+        project.assets[0].contactTime = 0.001;
+        project.assets[0].strengthRule = StrengthRule::CrossSection;
+        Library library(project);
+        library.select("glass");
+        QVERIFY(!library.derives().isChecked());
+        library.apply();
+        QCOMPARE(library.pane().strengthRule, StrengthRule::CrossSection);
+    }
+    void newProjectsHaveThePlasterOfTheLibrary() {
+        Library library(starterProject());
+        library.select("plaster");
+        library.apply();
+        QCOMPARE(library.document.project().materials.size(), std::size_t{1});
+    }
+};
+
+RUBBLE_TEST_WITH(MaterialDialogTest, QApplication)
+#include "MaterialDialogTest.moc"
