@@ -4,6 +4,8 @@ uniform sampler2D normals;
 in vec2 place;
 out vec4 texel;
 
+const float kFarAway = 1e6;  // m, of the sky
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 surface = texelFetch(normals, at, 0);
@@ -17,6 +19,7 @@ void main() {
     }
     vec3 point = sight.from + d * sight.along;
     float turn = fract(gradientNoise(gl_FragCoord.xy) + jitter.z);
+    if (!isSeen) d = kFarAway;
     bool isFacing = dot(n, keyDirection.xyz) > 0.0;
     float sky = isSeen ? skyReached(point + skyCount.y * n, n, (at.x + at.y) & 1, turn) : 1.0;
     float key = isSeen && isFacing ? keyReachedSoftly(point + skyCount.z * n, n, turn) : isSeen ? 0.0 : 1.0;

@@ -27,8 +27,8 @@ glm::vec4 withOpacity(glm::vec4 colour, float opacity) { return {glm::vec3(colou
 
 void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
     summary = summaryOf(*made);
-    keyContent.reset();
-    singleMaps.sky.invalidate();
+    keyContent = {};
+    singleSky.invalidate();
     sceneLines.write(std::span(made->lines));
     sceneBoxes.write(std::span(made->boxes));
     puffs.write(std::span(made->puffs));
@@ -63,23 +63,26 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     hasShadows = isDrawn && !summary.bounds.isEmpty();
     setFrame(frame);
     if (!hasShadows) return;
-    const LightRegion region = lightRegion(summary.bounds, view.camera);
-    const std::pair content{scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction, region};
-    shadows = isSingle ? &singleMaps : &sampledMaps;
+    key = isSingle && view.resolution == 1.0 ? &singleKey : &smallKey;
+    sky = isSingle ? &singleSky : &sampledSky;
+    const KeyContent content{.map = key,
+                             .stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction,
+                             .region = lightRegion(summary.bounds, view.camera)};
     if (!isSingle || keyContent != content) {
-        shadows->key.draw(scene, programs, sample.keyDirection, region, summary.hasTransparent);
-        shadows->sky.invalidate();
+        key->draw(scene, programs, sample.keyDirection, content.region, summary.hasTransparent);
+        keyContent = isSingle ? content : KeyContent{};
     }
-    shadows->sky.draw(scene, programs, sample.sky, region, view.skyMaps);
-    if (isSingle) keyContent = content;
-    frame.keyFromScene = shadows->key.textureFromScene();
+    if (!isSingle || skyStepFraction != content.stepFraction) sky->invalidate();
+    if (isSingle) skyStepFraction = content.stepFraction;
+    sky->draw(scene, programs, sample.sky, content.region, view.skyMaps);
+    frame.keyFromScene = key->textureFromScene();
     setFrame(frame);
 }
 
 void RenderPasses::setLight(const RenderView& view) {
     if (!hasShadows) return;
-    shadows->key.bind();
-    shadows->sky.bind(scene.scene()->origin);
+    key->bind();
+    sky->bind(scene.scene()->origin);
     lightBuffer.draw(scene, programs, view.size);
     lightBuffer.bind();
 }

@@ -11,9 +11,6 @@
 #include "viewport/render/SkyMaps.h"
 #include "viewport/render/TransparencyPass.h"
 
-#include <optional>
-#include <utility>
-
 namespace rubble {
 
 /// A rectangle of an image, pixels from the lower left corner.
@@ -23,7 +20,7 @@ struct PixelBox {
 };
 
 // Texels of shadow maps on each side: about 5 mm, 9 mm and 4 cm for a house.
-inline constexpr int kKeyWidth = 2048, kSampledKeyWidth = 1024, kSkyWidth = 256;
+inline constexpr int kKeyWidth = 2048, kSmallKeyWidth = 1024, kSkyWidth = 256;
 
 struct EdgePass;
 
@@ -65,15 +62,21 @@ struct RenderPasses {
     InstanceBuffer puffs{4, 4, 4};
     DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
-    /// The shadow maps of images by themselves, or of one of many.
-    struct ShadowMaps {
-        ShadowMap key;
-        SkyMaps sky;
+    /// Shadow maps of an image by itself, which stay as long as its scene does, and of one of many, or of one at a low
+    /// resolution.
+    ShadowMap singleKey{kKeyWidth}, smallKey{kSmallKeyWidth};
+    SkyMaps singleSky{kSkyWidth}, sampledSky{kSkyWidth};
+    /// What a shadow map of the key light holds for an image by itself.
+    struct KeyContent {
+        ShadowMap* map = nullptr;
+        double stepFraction = 1.0;
+        LightRegion region;
+        bool operator==(const KeyContent&) const = default;
     };
-    ShadowMaps singleMaps{ShadowMap(kKeyWidth), SkyMaps(kSkyWidth)};
-    ShadowMaps sampledMaps{ShadowMap(kSampledKeyWidth), SkyMaps(kSkyWidth)};
-    ShadowMaps* shadows = &singleMaps;                         // of the image
-    std::optional<std::pair<double, LightRegion>> keyContent;  // of singleMaps: step fraction and region
+    KeyContent keyContent;
+    double skyStepFraction = 1.0;  // of singleSky
+    ShadowMap* key = &singleKey;   // of the image, as the next
+    SkyMaps* sky = &singleSky;
     LightBuffer lightBuffer;
     bool hasShadows = false;
     FrameBlock frame{};

@@ -153,6 +153,8 @@ void Renderer::State::drawHovered(const RenderView& view, std::uint32_t framebuf
     setFrame(before);
 }
 
+void Renderer::finish() { glFinish(); }
+
 const RenderCounts& Renderer::counts() const { return m_state->scene.counts(); }
 
 bool Renderer::isSoftware() const {

@@ -51,6 +51,9 @@ public:
     /// Draws the mean of the accumulated samples.
     void drawMean(const RenderView& view, std::uint32_t framebuffer);
 
+    /// Waits until everything is drawn.
+    void finish();
+
     const RenderCounts& counts() const;
 
     /// Whether a software rasterizer is used.

@@ -101,6 +101,19 @@ private slots:
         QVERIFY2(step < 0.8, qPrintable(QString::number(step)));
         QVERIFY(means.back() < means.front() - 3.0);  // darker near the wall
     }
+    void silhouettesBeforeTheSkyAreNotDark() {
+        const RenderScene scene = wallAt(0.0);
+        RenderView view{.camera = orbited({}, 0.3, 0.1), .size = kGroundPicture};
+        view.camera = framing(view.camera, boundsOf(scene), kGroundPicture);
+        view.settings.hasAxes = view.settings.hasEdges = false;
+        view.settings.msaa = 1;
+        const QImage seen = drawn(scene, view, 0);
+        int least = 255;
+        for (int y = 0; y < seen.height(); ++y) {
+            for (int x = 0; x < seen.width(); ++x) least = std::min(least, seen.pixelColor(x, y).lightness());
+        }
+        QVERIFY2(least > 40, qPrintable(QString::number(least)));
+    }
     void shadowOfGlassHasNoPattern_data() { addSampleCounts(); }
     void shadowOfGlassHasNoPattern() {
         QFETCH(int, samples);
