@@ -34,8 +34,9 @@ void PreferencesDialog::addFields() {
                  tr("Select the mouse controls of the 3D view"));
     m_smooth = new QCheckBox(tr("S&mooth view changes"));
     m_smooth->setToolTip(tr("Move the camera smoothly instead of jumping"));
-    m_msaa = comboBox({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
-                      tr("Select the anti-aliasing of the 3D view; automatic means 4× with a graphics card"));
+    m_msaa =
+        comboBox({tr("Automatic"), tr("Off"), tr("2×"), tr("4×"), tr("8×")},
+                 tr("Select the anti-aliasing of the 3D view; automatic means 4× with a graphics card, none without"));
     m_refining = comboBox({tr("Never"), tr("With a graphics card"), tr("Always")},
                           tr("Refine light and edges of the 3D view while nothing moves"));
     m_autosave = new QSpinBox;

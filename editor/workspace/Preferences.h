@@ -16,8 +16,8 @@ struct Preferences {
     LengthUnit unit = LengthUnit::Metre;
     int autosaveSeconds = 60;  // from a change to the backup; 0: no backups
     int msaa = 0;              // samples per pixel of the 3D view: 1, 2, 4 or 8; 0: automatic
-    ProgressiveRendering refining = ProgressiveRendering::WithGpu;  // of the 3D view while nothing moves
-    bool isSmooth = true;                                           // the camera moves smoothly to a new view
+    ProgressiveRendering refining = ProgressiveRendering::Always;  // of the 3D view while nothing moves
+    bool isSmooth = true;                                          // the camera moves smoothly to a new view
     bool operator==(const Preferences&) const = default;
 };
 

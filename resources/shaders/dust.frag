@@ -15,12 +15,6 @@ float noise(vec2 p) {
                mix(random(cell + vec2(0.0, 1.0)), random(cell + vec2(1.0, 1.0)), part.x), part.y);
 }
 
-// The view depth of the solid surface.
-float solidDistance() {
-    float device = 2.0 * texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r - 1.0;
-    return eye.w > 0.5 ? depth.y / (device + depth.x) : (depth.y - device) / depth.x;
-}
-
 void main() {
     float radial = length(corner);
     if (radial >= 1.0) discard;
@@ -28,7 +22,7 @@ void main() {
     float cloud = 0.65 * noise(p) + 0.35 * noise(2.3 * p + 5.0);
     float density = (1.0 - smoothstep(0.15, 1.0, radial)) * smoothstep(0.1, 0.7, cloud + 0.35 * (1.0 - radial));
     float thickness = max(puffRadius * sqrt(1.0 - radial * radial), 1e-4);  // of a sphere
-    float soft = clamp(0.5 + 0.5 * (solidDistance() - eyeDistance) / thickness, 0.0, 1.0);
+    float soft = clamp(0.5 + 0.5 * (viewDepthOf(texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r) - eyeDistance) / thickness, 0.0, 1.0);
     float low = clamp(0.5 + height / puffRadius, 0.0, 1.0);
     float light = (0.80 + 0.16 * corner.y + 0.10 * (cloud - 0.5)) * depth.w;
     pixel = vec4(min(puffColour.rgb * light, vec3(1.0)), puffColour.a * density * soft * low);

@@ -12,4 +12,8 @@ float pixelsAcross(vec2 placeAcross) {
     vec2 perPixel = sqrt(stepX * stepX + stepY * stepY);
     return 1.0 / max(max(perPixel.x, perPixel.y), 1e-6);
 }
-float lineCover(float pixels, float width) { return 1.0 - smoothstep(width - 0.5, width + 0.5, pixels); }
+// The part of a pixel that a line of a width on each side of an edge covers; thinner than a pixel it grows fainter.
+float lineCover(float pixels, float width) {
+    float drawn = max(width, 0.5);
+    return (1.0 - smoothstep(drawn - 0.5, drawn + 0.5, pixels)) * width / drawn;
+}

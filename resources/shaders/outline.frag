@@ -3,6 +3,8 @@ uniform usampler2D mask;
 uniform float lineWidth;  // pixels, on each side of an outline
 out vec4 pixel;
 
+const float kBrighter = 0.14;  // opacity of the white over a hovered surface
+
 const ivec2 kAround[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, -1),
                                   ivec2(1, -1), ivec2(-1, 1));
 
@@ -26,7 +28,10 @@ void main() {
         }
     }
     float cover = 1.0 - smoothstep(lineWidth - 0.6, lineWidth + 0.6, nearest);
-    if (cover <= 0.0) discard;
+    bool isBrighter = number != 0u && (here & kOutlineHovered) != 0u && (here & kOutlineOccluded) == 0u;
+    if (cover <= 0.0 && !isBrighter) discard;
     vec3 colour = (found & kOutlineHovered) != 0u ? mix(accent.rgb, vec3(1.0), 0.45) : accent.rgb;
-    pixel = vec4(colour, cover * (isVisible ? 1.0 : 0.4));
+    float line = cover * (isVisible ? 1.0 : 0.4), fill = isBrighter ? kBrighter : 0.0;
+    float opacity = line + fill * (1.0 - line);
+    pixel = vec4(mix(vec3(1.0), colour, line / opacity), opacity);
 }

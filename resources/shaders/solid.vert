@@ -1,9 +1,13 @@
+layout(location = 7) in float sizeCode;  // see SceneVertex
 out vec3 scenePoint;
 out vec3 sceneNormal;
 out vec2 placeAcross;
+out float edgeWidth;  // pixels, on each side of an edge
 flat out vec3 colour;  // sRGB
 flat out float opacity;
-flat out uint marks;
+
+const float kEdgeWidth = 0.0065;  // of the size of its fragment
+const float kThinnest = 0.12, kWidest = 0.75;  // points
 
 vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u) / 255.0; }
 
@@ -13,8 +17,9 @@ void main() {
     scenePoint = pointInScene(pose);
     sceneNormal = rotated(pose.orientation, normal);
     placeAcross = across;
+    float size = exp2((sizeCode - 128.0) / 8.0) * pixelsPerMetre(max(dot(eye.xyz - scenePoint, back.xyz), 1e-6));
+    edgeWidth = clamp(kEdgeWidth * size, kThinnest * edges.x, kWidest * edges.x);
     colour = unpackedColour(side == 0u ? appearance.x : appearance.y);
     opacity = opacityOf(appearance);
-    marks = appearance.z;
     gl_Position = isShown(appearance) ? clipFromScene * vec4(scenePoint, 1.0) : kClipped;
 }

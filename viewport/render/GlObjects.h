@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-enum class GlKind { Buffer, Texture, VertexArray, Framebuffer, Renderbuffer, Shader, Program };
+enum class GlKind { Buffer, Texture, Sampler, VertexArray, Framebuffer, Renderbuffer, Shader, Program };
 
 /// Owns an OpenGL object name. Its context must be current on destruction.
 template <GlKind kind>
@@ -30,6 +30,7 @@ private:
 
 using GlBuffer = GlObject<GlKind::Buffer>;
 using GlTexture = GlObject<GlKind::Texture>;
+using GlSampler = GlObject<GlKind::Sampler>;
 using GlVertexArray = GlObject<GlKind::VertexArray>;
 using GlFramebuffer = GlObject<GlKind::Framebuffer>;
 using GlRenderbuffer = GlObject<GlKind::Renderbuffer>;

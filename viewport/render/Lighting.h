@@ -1,34 +1,56 @@
 #pragma once
 
-#include "core/geometry/predicates/Vec.h"
+#include "core/geometry/mesh/TriangleMesh.h"
 #include "viewport/render/RenderSettings.h"
+#include "viewport/scene/Camera.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <vector>
+
 namespace rubble {
 
-/// The colours of a theme for everything but the bodies. sRGB.
+/// The colours and lights of a theme for everything but the bodies. Colours are sRGB, lights linear.
 struct Environment {
     glm::vec4 backgroundTop, backgroundBottom, grid, hulls, wires;
-    float shadowStrength = 0.0f;      // on the ground
-    glm::vec3 zenith, horizon, soil;  // outdoors
-    float dustLight = 1.0f;           // brightness of dust
+    glm::vec3 zenith, horizon, soil;            // soil: the ground in full light
+    glm::vec3 keyLight, skyLight, bounceLight;  // bounceLight: from below
+    float headlight = 0.0f;                     // from the eye
+    float dustLight = 1.0f;                     // brightness of dust
 };
 Environment environmentOf(Theme theme);
 
-/// The light directions and the subpixel offset of one of many samples. Their mean is lit by the whole sky and an area
-/// key light, and is antialiased. The sequence is the same on every machine.
+/// The directions of light and the subpixel offset of an image. Many with different indices are averaged: their mean is
+/// lit by the whole sky and by all of the key light, and is antialiased. The sequence is the same on every machine.
 struct LightSample {
     int index = 0;
-    Vec3 keyDirection;  // towards the light, length 1
-    Vec3 skyDirection;  // uniform over the upper hemisphere
-    Vec2 pixelOffset;   // in [-0.5, 0.5)
+    Vec3 keyDirection;          // towards the light, length 1
+    double keyRadius = 0.0;     // of the part of the key light that this sample stands for, of its distance
+    std::vector<Vec3> sky;      // directions, evenly spread over the upper hemisphere
+    Vec2 pixelOffset{0.0};      // in [-0.5, 0.5)
+    double patternPhase = 0.0;  // in [0, 1), of the patterns that spread samples over pixels
 };
+
+/// The light of an image by itself: all of the key light, as seen from its centre, and many directions of the sky.
+LightSample singleSample();
+/// The light of the image with an index among many.
 /// Source: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
 LightSample lightSample(int index);
 
+/// The number of sky directions of singleSample(), and of lightSample().
+inline constexpr int kSkyDirections = 32, kSampledSkyDirections = 8;
+
 /// The direction towards the centre of the key light: left, front and above.
 Vec3 keyDirection();
+
+/// The part of the scene that shadow maps hold: a sphere around all bodies, or around what the camera looks at where
+/// that is much less. It moves in steps, so that maps seldom change with the camera.
+struct LightRegion {
+    Vec3 centre{0.0};  // m, in the world
+    double radius = 1.0;
+    bool operator==(const LightRegion&) const = default;
+};
+LightRegion lightRegion(const Box3& bounds, const Camera& camera);
 
 }  // namespace rubble

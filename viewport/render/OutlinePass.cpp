@@ -39,13 +39,11 @@ Result<OutlinePass> OutlinePass::create() {
     return OutlinePass(std::move(*mask), std::move(*line));
 }
 
-void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const Box3& outlined) {
+void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const OutlineTarget& target) {
     const ImageSize size = view.size;
-    setScissor(view, outlined);
+    m_depths.copy(target.depths, size);  // first: the scissor would cut it
+    setScissor(view, target.outlined);
     glEnable(GL_SCISSOR_TEST);
-    GLint image = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &image);
-    m_depths.copyBound(size);
     if (!m_mask.matches(size, 1)) m_mask = RenderTarget(size, PixelFormat::BodyIndex, 1);
     m_mask.bind();
     m_depths.bind();
@@ -59,7 +57,7 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     m_maskProgram.use();
     scene.draw(SceneBuffers::Part::Bodies);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(image));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.image);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Mask));
     glBindTexture(GL_TEXTURE_2D, m_mask.colourTexture());
     glDisable(GL_DEPTH_TEST);

@@ -7,16 +7,22 @@
 
 namespace rubble {
 
-/// Draws the silhouettes of the selected bodies and of the hovered one over an image, fainter where something occludes
-/// them. Their surfaces stay as they are.
+/// The bodies whose silhouettes an OutlinePass draws, and where.
+struct OutlineTarget {
+    Box3 outlined;             // bounds of the bodies, in the world; nothing beyond their pixels is touched
+    std::uint32_t depths = 0;  // framebuffer with the depths of the solid surfaces
+    std::uint32_t image = 0;   // framebuffer to draw to
+};
+
+/// Draws the silhouettes of the selected bodies, or of the hovered one, over an image, fainter where something occludes
+/// them. The surfaces of selected bodies stay as they are, that of a hovered one becomes brighter.
 class OutlinePass {
 public:
     /// Errors: see ShaderProgram::create().
     static Result<OutlinePass> create();
 
-    /// Draws to the bound framebuffer, whose depths are those of the solid surfaces. `outlined`: bounds of the bodies,
-    /// in the world; nothing beyond their pixels is touched.
-    void draw(const SceneBuffers& scene, const RenderView& view, const Box3& outlined);
+    /// The frame's uniforms are set: with a hovered body, it alone is drawn.
+    void draw(const SceneBuffers& scene, const RenderView& view, const OutlineTarget& target);
 
 private:
     OutlinePass(ShaderProgram maskProgram, ShaderProgram lineProgram)

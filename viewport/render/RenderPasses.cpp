@@ -27,7 +27,8 @@ glm::vec4 withOpacity(glm::vec4 colour, float opacity) { return {glm::vec3(colou
 
 void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
     summary = summaryOf(*made);
-    shadowStepFraction.reset();
+    keyContent = {};
+    singleSky.invalidate();
     sceneLines.write(std::span(made->lines));
     sceneBoxes.write(std::span(made->boxes));
     puffs.write(std::span(made->puffs));
@@ -56,32 +57,38 @@ void RenderPasses::drawScaled(const RenderTarget& source, float weight) const {
     drawFullscreen();
 }
 
-void RenderPasses::drawShadows(const RenderView& view, const std::optional<LightSample>& lightSample) {
-    light = Light::Plain;
-    if (!view.settings.hasShadows || view.settings.shading != Shading::Faces || summary.bounds.isEmpty()) return;
-    light = lightSample ? Light::Sampled : Light::Shadowed;
-    const double stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction;
-    if (!lightSample && shadowStepFraction == stepFraction) return;
-    setFrame(frame);  // its explode factor and step fraction are used
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    const int pattern = lightSample ? lightSample->index : 0;
-    keyShadow.draw(scene, programs, lightSample ? lightSample->keyDirection : keyDirection(), summary, pattern);
-    if (lightSample) skyShadow.draw(scene, programs, lightSample->skyDirection, summary, pattern);
-    shadowStepFraction = lightSample ? std::nullopt : std::optional(stepFraction);
+void RenderPasses::setShadows(const RenderView& view, const LightSample& sample, bool isSingle) {
+    frame = frameBlock(view, *scene.scene(), summary, sample);
+    const bool isDrawn = view.settings.hasShadows && view.settings.shading == Shading::Faces;
+    hasShadows = isDrawn && !summary.bounds.isEmpty();
+    setFrame(frame);
+    if (!hasShadows) return;
+    key = isSingle && view.resolution == 1.0 ? &singleKey : &smallKey;
+    sky = isSingle ? &singleSky : &sampledSky;
+    const KeyContent content{.map = key,
+                             .stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction,
+                             .region = lightRegion(summary.bounds, view.camera)};
+    if (!isSingle || keyContent != content) {
+        key->draw(scene, programs, sample.keyDirection, content.region, summary.hasTransparent);
+        keyContent = isSingle ? content : KeyContent{};
+    }
+    if (!isSingle || skyStepFraction != content.stepFraction) sky->invalidate();
+    if (isSingle) skyStepFraction = content.stepFraction;
+    sky->draw(scene, programs, sample.sky, content.region, view.skyMaps);
+    frame.keyFromScene = key->textureFromScene();
+    setFrame(frame);
+}
+
+void RenderPasses::setLight(const RenderView& view) {
+    if (!hasShadows) return;
+    key->bind();
+    sky->bind(scene.scene()->origin);
+    lightBuffer.draw(scene, programs, view.size);
+    lightBuffer.bind();
 }
 
 const ShaderProgram& RenderPasses::lit(const LitPrograms& variants) const {
-    return light == Light::Plain ? variants.plain : light == Light::Shadowed ? variants.shadowed : variants.sampled;
-}
-
-void RenderPasses::drawBackground() {
-    glDisable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    programs.sky.use();
-    drawFullscreen();
-    glDepthMask(GL_TRUE);
-    glEnable(GL_DEPTH_TEST);
+    return hasShadows ? variants.shadowed : variants.plain;
 }
 
 void RenderPasses::drawSolid() {
@@ -115,13 +122,7 @@ void RenderPasses::drawEdges(const EdgePass& pass) {
 
 void RenderPasses::drawWireframe(const RenderView& view) {
     const glm::vec4 colour = environmentOf(view.settings.theme).wires;
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    programs.depth.use();
-    programs.depth.set("clipFromSceneOfLight", frame.clipFromScene);
-    programs.depth.set("surfaces", kAllSurfaces);
-    glDepthFunc(GL_LESS);
-    scene.draw(SceneBuffers::Part::Bodies);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    drawDepths();
     drawEdges({.line = withOpacity(colour, 0.16f), .width = 0.6f, .depthFunction = GL_ALWAYS});
     drawEdges({.line = withOpacity(colour, 0.85f), .fill = withOpacity(colour, 0.03f), .width = 0.7f});
 }
@@ -133,25 +134,13 @@ void RenderPasses::drawHulls(const RenderView& view) {
     drawEdges({.line = withOpacity(colour, 1.0f), .fill = withOpacity(colour, 0.14f), .width = 1.3f, .part = part});
 }
 
-void RenderPasses::drawGround(const RenderView& view) {
-    if (!scene.scene()->hasGround) return;
-    glEnable(GL_BLEND);
-    glEnable(GL_DEPTH_CLAMP);  // the depth range is fitted to the bodies, and the ground is larger
+/// Where there are no bodies.
+void RenderPasses::drawGround() {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
-    glBindVertexArray(emptyArray.id());
-    if (light != Light::Plain && !summary.bounds.isEmpty()) {
-        lit(programs.groundShadow).use();
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
-    if (view.settings.hasGrid) {
-        programs.grid.use();
-        programs.grid.set("worldOrigin", gridOrigin(frame, *scene.scene()));
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
+    lit(programs.ground).use();
+    drawFullscreen();
     glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_CLAMP);
-    glDisable(GL_BLEND);
 }
 
 void RenderPasses::drawSceneLines() {
@@ -189,10 +178,29 @@ void RenderPasses::drawDust(const RenderView& view) {
     glDisable(GL_BLEND);
 }
 
+/// Of the selected bodies, over the bound framebuffer.
 void RenderPasses::drawOutlines(const RenderView& view) {
-    Box3 outlined = summary.selected;
-    if (view.hovered) outlined.include(boundsOfBody(*scene.scene(), *view.hovered));
-    if (!outlined.isEmpty()) outlines.draw(scene, view, outlined);
+    if (summary.selected.isEmpty()) return;
+    GLint image = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &image);
+    const auto bound = static_cast<std::uint32_t>(image);
+    outlines.draw(scene, view, {.outlined = summary.selected, .depths = bound, .image = bound});
+}
+
+/// The depths of all bodies alone.
+void RenderPasses::drawDepths() {
+    glDepthMask(GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    programs.depth.use();
+    programs.depth.set("clipFromSceneOfLight", frame.clipFromScene);
+    programs.depth.set("surfaces", kAllSurfaces);
+    programs.depth.set("pattern", 0u);
+    glDepthFunc(GL_LESS);
+    scene.draw(SceneBuffers::Part::Bodies);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void RenderPasses::drawAxes(const RenderView& view) {
@@ -225,21 +233,15 @@ void RenderPasses::drawScreenLines(const std::vector<ScreenLine>& lines) {
 }
 
 void RenderPasses::drawImage(const RenderView& view) {
-    keyShadow.bind(TextureUnit::KeyShadow);
-    skyShadow.bind(TextureUnit::SkyShadow);
-    frame.keyFromScene = keyShadow.textureFromScene();
-    frame.skyFromScene = skyShadow.textureFromScene();
-    setFrame(frame);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
     glClear(GL_DEPTH_BUFFER_BIT);
-    drawBackground();
     const bool isSolid = view.settings.shading == Shading::Faces;
-    if (isSolid)
-        drawSolid();
-    else
-        drawWireframe(view);
-    drawGround(view);
+    if (isSolid) drawSolid();
+    drawGround();
+    if (!isSolid) drawWireframe(view);
     if (isSolid) drawTransparent(view);
     drawHulls(view);
     drawSceneLines();
@@ -249,7 +251,7 @@ void RenderPasses::drawImage(const RenderView& view) {
 }
 
 void RenderPasses::drawBodies(const RenderView& view, const PixelBox& part) {
-    setFrame(frameBlock(view, *scene.scene(), summary.bounds, {}));
+    setFrame(frameBlock(view, *scene.scene(), summary, singleSample()));
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.x, part.y, part.width, part.height);
     glEnable(GL_DEPTH_TEST);

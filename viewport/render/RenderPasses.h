@@ -3,14 +3,13 @@
 #include "viewport/render/AxesIndicator.h"
 #include "viewport/render/FrameBlock.h"
 #include "viewport/render/InstanceBuffer.h"
+#include "viewport/render/LightBuffer.h"
 #include "viewport/render/OutlinePass.h"
 #include "viewport/render/RenderPrograms.h"
 #include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
-#include "viewport/render/ShadowMap.h"
+#include "viewport/render/SkyMaps.h"
 #include "viewport/render/TransparencyPass.h"
-
-#include <optional>
 
 namespace rubble {
 
@@ -20,8 +19,8 @@ struct PixelBox {
     bool contains(int px, int py) const { return px >= x && py >= y && px < x + width && py < y + height; }
 };
 
-inline constexpr int kShadowWidth = 2048;    // texels: about 5 mm for a house
-inline constexpr int kSkyShadowWidth = 512;  // soft anyway: the mean over the whole sky
+// Texels of shadow maps on each side: about 5 mm, 9 mm and 4 cm for a house.
+inline constexpr int kKeyWidth = 2048, kSmallKeyWidth = 1024, kSkyWidth = 256;
 
 struct EdgePass;
 
@@ -32,16 +31,19 @@ struct RenderPasses {
 
     void setScene(std::shared_ptr<const RenderScene> made);
     void setFrame(const FrameBlock& block);
-    void drawShadows(const RenderView& view, const std::optional<LightSample>& lightSample);
+    /// Begins an image: sets its frame and renders its shadow maps. For one by itself, they stay as long as the scene.
+    void setShadows(const RenderView& view, const LightSample& sample, bool isSingle);
+    /// Fills the light buffer for it.
+    void setLight(const RenderView& view);
     void drawImage(const RenderView& view);
     const ShaderProgram& lit(const LitPrograms& variants) const;
-    void drawBackground();
     void drawSolid();
     void drawTransparent(const RenderView& view);
+    void drawDepths();
     void drawWireframe(const RenderView& view);
     void drawHulls(const RenderView& view);
     void drawEdges(const EdgePass& pass);
-    void drawGround(const RenderView& view);
+    void drawGround();
     void drawSceneLines();
     void drawDust(const RenderView& view);
     void drawOutlines(const RenderView& view);
@@ -60,10 +62,23 @@ struct RenderPasses {
     InstanceBuffer puffs{4, 4, 4};
     DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
-    ShadowMap keyShadow{kShadowWidth};
-    ShadowMap skyShadow{kSkyShadowWidth};
-    std::optional<double> shadowStepFraction;  // of the content of keyShadow, if from the key light's centre
-    Light light = Light::Plain;
+    /// Shadow maps of an image by itself, which stay as long as its scene does, and of one of many, or of one at a low
+    /// resolution.
+    ShadowMap singleKey{kKeyWidth}, smallKey{kSmallKeyWidth};
+    SkyMaps singleSky{kSkyWidth}, sampledSky{kSkyWidth};
+    /// What a shadow map of the key light holds for an image by itself.
+    struct KeyContent {
+        ShadowMap* map = nullptr;
+        double stepFraction = 1.0;
+        LightRegion region;
+        bool operator==(const KeyContent&) const = default;
+    };
+    KeyContent keyContent;
+    double skyStepFraction = 1.0;  // of singleSky
+    ShadowMap* key = &singleKey;   // of the image, as the next
+    SkyMaps* sky = &singleSky;
+    LightBuffer lightBuffer;
+    bool hasShadows = false;
     FrameBlock frame{};
     GlBuffer frameUniforms = GlBuffer::create();
     GlVertexArray emptyArray = GlVertexArray::create();  // for draws without vertex attributes

@@ -17,8 +17,7 @@ public:
         return {};
     }
     LitPrograms compileLit(Files vertex, Files fragment) {
-        return {compile(vertex, fragment, "WITHOUT_SHADOWS"), compile(vertex, fragment),
-                compile(vertex, fragment, "BY_SAMPLES")};
+        return {compile(vertex, fragment, "WITHOUT_SHADOWS"), compile(vertex, fragment)};
     }
     const std::optional<Error>& error() const { return m_error; }
 
@@ -32,19 +31,23 @@ Result<RenderPrograms> compilePrograms() {
     ProgramCompiler compiler;
     RenderPrograms programs{
         .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                     {"shadow.glsl", "edge.glsl", "surface.glsl", "solid.frag"}),
-        .transparent = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                           {"shadow.glsl", "edge.glsl", "surface.glsl", "transparent.frag"}),
-        .groundShadow = compiler.compileLit({"ground_shadow.vert"}, {"shadow.glsl", "ground_shadow.frag"}),
+                                     {"light.glsl", "lit_by_buffer.glsl", "edge.glsl", "surface.glsl", "solid.frag"}),
+        .transparent = compiler.compileLit(
+            {"bodies.glsl", "solid.vert"},
+            {"key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "surface.glsl", "transparent.frag"}),
+        .ground = compiler.compileLit({"fullscreen.vert"},
+                                      {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "ground.frag"}),
+        .surfaces = compiler.compile({"bodies.glsl", "solid.vert"}, {"surfaces.frag"}),
+        .light = compiler.compile({"fullscreen.vert"},
+                                  {"camera.glsl", "key_shadow.glsl", "sky.glsl", "light.glsl", "light.frag"}),
+        .lightBlur = compiler.compile({"fullscreen.vert"}, {"camera.glsl", "light.glsl", "light_blur.frag"}),
         .wires = compiler.compile({"bodies.glsl", "solid.vert"}, {"edge.glsl", "wires.frag"}),
         .depth = compiler.compile({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
-        .ditheredDepth = compiler.compile({"bodies.glsl", "depth.vert"}, {"dither.frag"}),
+        .glassShadow = compiler.compile({"bodies.glsl", "glass_shadow.vert"}, {"glass_shadow.frag"}),
         .pick = compiler.compile({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
-        .sky = compiler.compile({"fullscreen.vert"}, {"sky.frag"}),
-        .grid = compiler.compile({"grid.vert"}, {"grid.frag"}),
         .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
-        .dust = compiler.compile({"dust.vert"}, {"dust.frag"}),
+        .dust = compiler.compile({"dust.vert"}, {"camera.glsl", "dust.frag"}),
         .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
     if (compiler.error()) return *compiler.error();

@@ -4,17 +4,16 @@
 
 namespace rubble {
 
-enum class Light { Plain, Shadowed, Sampled };
-
-/// The three lighting variants of a program: see shadow.glsl.
+/// The variants of a program without and with shadows: a software rasterizer pays for branches that are not taken.
 struct LitPrograms {
-    ShaderProgram plain, shadowed, sampled;
+    ShaderProgram plain, shadowed;
 };
 
 /// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, transparent, groundShadow;
-    ShaderProgram wires, depth, ditheredDepth, pick, sky, grid, screenLines, sceneLines, dust, mean;
+    LitPrograms solid, transparent, ground;
+    ShaderProgram surfaces, light, lightBlur;  // of the light buffer
+    ShaderProgram wires, depth, glassShadow, pick, screenLines, sceneLines, dust, mean;
 };
 
 /// Errors: see ShaderProgram::create(), for the first program that fails.

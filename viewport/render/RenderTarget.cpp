@@ -38,6 +38,7 @@ RenderTarget::RenderTarget(ImageSize size, PixelFormat format, int samples)
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
     if (count == 0) {
         m_colour = GlTexture::create();
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Source));
         glBindTexture(GL_TEXTURE_2D, m_colour.id());
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(gl.internal), size.width, size.height, 0, gl.components,
                      gl.type, nullptr);
@@ -60,14 +61,26 @@ void RenderTarget::bind() const {
     glViewport(0, 0, m_size.width, m_size.height);
 }
 
+void RenderTarget::copyColours(std::uint32_t framebuffer, ImageSize size) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, m_size.width, m_size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                      size == m_size ? GL_NEAREST : GL_LINEAR);
+}
+
 void DepthCopy::copyBound(ImageSize size) {
     GLint bound = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    copy(static_cast<GLuint>(bound), size);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+void DepthCopy::copy(std::uint32_t framebuffer, ImageSize size) {
     if (m_size != size) {
         m_size = size;
         m_framebuffer = GlFramebuffer::create();
         m_depths = GlTexture::create();
-        glBindTexture(GL_TEXTURE_2D, m_depths.id());
+        bind();
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size.width, size.height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                      nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -77,21 +90,14 @@ void DepthCopy::copyBound(ImageSize size) {
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
     }
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_framebuffer.id());
     glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
 void DepthCopy::bind() const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Depths));
     glBindTexture(GL_TEXTURE_2D, m_depths.id());
-}
-
-void copyColours(std::uint32_t from, std::uint32_t to, ImageSize size) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace rubble

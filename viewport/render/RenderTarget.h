@@ -16,6 +16,8 @@ public:
     /// Whether it was created with these arguments.
     bool matches(ImageSize size, int samples) const { return m_size == size && m_samples == samples; }
     void bind() const;
+    /// Copies the colours to a framebuffer, scaled to a size, which must be its own if there are several samples.
+    void copyColours(std::uint32_t framebuffer, ImageSize size) const;
     std::uint32_t framebuffer() const { return m_framebuffer.id(); }
     std::uint32_t colourTexture() const { return m_colour.id(); }  // only if samples is 1
 
@@ -33,6 +35,8 @@ class DepthCopy {
 public:
     /// Copies the depths of the bound framebuffer of a size, which stays bound.
     void copyBound(ImageSize size);
+    /// Copies those of another one.
+    void copy(std::uint32_t framebuffer, ImageSize size);
     /// Binds the texture to TextureUnit::Depths.
     void bind() const;
 
@@ -41,8 +45,5 @@ private:
     GlFramebuffer m_framebuffer;
     GlTexture m_depths;
 };
-
-/// Copies the colours of one framebuffer to another of the same size.
-void copyColours(std::uint32_t from, std::uint32_t to, ImageSize size);
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "viewport/render/Lighting.h"
 #include "viewport/render/RenderCounts.h"
 #include "viewport/render/RenderSettings.h"
 #include "viewport/scene/Camera.h"
@@ -19,6 +20,8 @@ struct RenderView {
     RenderSettings settings;
     std::optional<std::uint32_t> hovered;  // body under the pointer, drawn brighter
     double stepFraction = 1.0;             // in [0, 1]: interpolates from the previous poses to the current ones
+    int skyMaps = kSkyDirections;          // that may be rendered for this image; others stay as they were before
+    double resolution = 1.0;               // in (0, 1]: of the image that is drawn and scaled up to `size`
     bool operator==(const RenderView&) const = default;
 };
 
@@ -34,14 +37,22 @@ public:
     /// independent of the number of bodies if the scene has a summary.
     void setScene(std::shared_ptr<const RenderScene> scene);
 
-    /// Draws to a framebuffer in one pass, with an unoccluded sky light.
+    /// Draws to a framebuffer in one pass.
     void draw(const RenderView& view, std::uint32_t framebuffer);
+    /// Draws the last image again; the view may differ in the hovered body alone.
+    void drawAgain(const RenderView& view, std::uint32_t framebuffer);
 
-    /// Accumulates sample `index` (0 restarts) of a view, each lit from one point of the sky: more samples give softer
-    /// light and smoother edges.
+    /// Accumulates sample `index` (0 restarts) of a view, each with light from other points of the sky and of the lamp:
+    /// more samples give softer light and smoother edges.
     void addSample(const RenderView& view, int index);
+    /// The same in several short steps, between which the last image may be drawn again and bodies be picked; true
+    /// after the last one. A sample that was begun is dropped by draw() and by one with another index.
+    bool continueSample(const RenderView& view, int index);
     /// Draws the mean of the accumulated samples.
     void drawMean(const RenderView& view, std::uint32_t framebuffer);
+
+    /// Waits until everything is drawn.
+    void finish();
 
     const RenderCounts& counts() const;
 

@@ -46,10 +46,11 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
     glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, at(offsetof(SceneVertex, piece)));
     glVertexAttribPointer(4, 2, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SceneVertex, across)));
     glVertexAttribIPointer(5, 1, GL_UNSIGNED_BYTE, kStride, at(offsetof(SceneVertex, side)));
+    glVertexAttribPointer(7, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(SceneVertex, sizeCode)));
     glBindBuffer(GL_ARRAY_BUFFER, firstBodies.id());
     glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), nullptr);
     glVertexAttribDivisor(6, 1);
-    for (GLuint attribute = 0; attribute <= 6; ++attribute) glEnableVertexAttribArray(attribute);
+    for (GLuint attribute = 0; attribute <= 7; ++attribute) glEnableVertexAttribArray(attribute);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
 }
 

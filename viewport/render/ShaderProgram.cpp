@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <iterator>
 #include <string>
 
 namespace rubble {
@@ -18,11 +19,19 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"explodeOffsets", TextureUnit::ExplodeOffsets},
                                  {"appearances", TextureUnit::Appearances},
                                  {"keyShadow", TextureUnit::KeyShadow},
-                                 {"skyShadow", TextureUnit::SkyShadow},
+                                 {"keyDepths", TextureUnit::KeyDepths},
+                                 {"keyGlass", TextureUnit::KeyGlass},
+                                 {"keyGlassShadow", TextureUnit::KeyGlassShadow},
+                                 {"skyShadows", TextureUnit::SkyShadows},
+                                 {"lightBuffer", TextureUnit::LightBuffer},
                                  {"source", TextureUnit::Source},
                                  {"depths", TextureUnit::Depths},
                                  {"mask", TextureUnit::Mask},
-                                 {"weights", TextureUnit::Mask}};
+                                 {"weights", TextureUnit::Mask},
+                                 {"normals", TextureUnit::Mask}};
+
+/// The uniform blocks and their binding points.
+constexpr const char* kBlocks[] = {"Frame", "Sky"};
 
 /// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {
@@ -82,8 +91,10 @@ Result<ShaderProgram> ShaderProgram::create(std::initializer_list<std::string_vi
     for (const Sampler& sampler : kSamplers) {
         glUniform1i(result.location(sampler.name), static_cast<GLint>(sampler.unit));
     }
-    const GLuint block = glGetUniformBlockIndex(result.m_program.id(), "Frame");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(result.m_program.id(), block, 0);
+    for (GLuint point = 0; point < std::size(kBlocks); ++point) {
+        const GLuint block = glGetUniformBlockIndex(result.m_program.id(), kBlocks[point]);
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(result.m_program.id(), block, point);
+    }
     return result;
 }
 

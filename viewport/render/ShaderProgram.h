@@ -47,7 +47,11 @@ enum class TextureUnit : std::uint32_t {
     ExplodeOffsets,
     Appearances,
     KeyShadow,
-    SkyShadow,
+    KeyDepths,
+    KeyGlass,
+    KeyGlassShadow,
+    SkyShadows,
+    LightBuffer,
     Source,
     Depths,
     Mask

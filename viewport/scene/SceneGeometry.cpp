@@ -3,6 +3,7 @@
 #include "viewport/scene/PieceBuilder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rubble {
@@ -40,9 +41,18 @@ void addFaces(const Mesh& mesh, std::size_t first, std::size_t end, PieceBuilder
     }
 }
 
+/// Sets the size code of the last piece's vertices, from `first`.
+void setSizeCode(SceneGeometry& geometry, std::size_t first) {
+    const double code = 128.0 + 8.0 * std::log2(std::max(geometry.boxes.back().diagonal(), 1e-5));
+    for (std::size_t k = first; k < geometry.vertices.size(); ++k) {
+        geometry.vertices[k].sizeCode = static_cast<std::uint8_t>(std::clamp(code, 0.0, 255.0));
+    }
+}
+
 }  // namespace
 
 void addPiece(SceneGeometry& geometry, const Mesh& mesh) {
+    const std::size_t firstVertex = geometry.vertices.size();
     PieceBuilder builder(geometry);
     for (std::size_t first = 0; first < mesh.faces.size();) {
         std::size_t end = first + 1;
@@ -50,9 +60,11 @@ void addPiece(SceneGeometry& geometry, const Mesh& mesh) {
         addFaces(mesh, first, end, builder);
         first = end;
     }
+    setSizeCode(geometry, firstVertex);
 }
 
 void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls) {
+    const std::size_t firstVertex = geometry.vertices.size();
     PieceBuilder builder(geometry);
     for (const Polytope& hull : hulls) {
         for (std::size_t f = 0; f < hull.faces.size(); ++f) {
@@ -63,6 +75,7 @@ void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls) {
             builder.endFace();
         }
     }
+    setSizeCode(geometry, firstVertex);
 }
 
 }  // namespace rubble

@@ -22,7 +22,7 @@ struct SceneVertex {
     /// geometry.
     std::array<std::uint8_t, 2> across{128, 128};
     FaceSide side = FaceSide::Outside;
-    std::uint8_t unused = 0;
+    std::uint8_t sizeCode = 0;  // of the piece's bounding box: a diagonal of 2^((sizeCode - 128) / 8) m
 };
 
 /// The triangles of many pieces, immutable and shared by all instances of an asset; poses, visibility and colours are

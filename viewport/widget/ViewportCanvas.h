@@ -1,8 +1,10 @@
 #pragma once
 
 #include "viewport/render/Renderer.h"
+#include "viewport/widget/AdaptiveResolution.h"
 #include "viewport/widget/ProgressiveRendering.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -12,7 +14,7 @@
 namespace rubble {
 
 /// The OpenGL surface of a viewport: renders a view of a scene, only when something has changed, and finds the body at
-/// a point.
+/// a point. While something moves, the resolution may be lower; at rest, the picture is refined.
 class ViewportCanvas : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -41,7 +43,10 @@ protected:
 private:
     void invalidate();
     bool canAccumulate() const;
-    void accumulate();
+    int sampleLimit() const;
+    void draw();
+    void measure();
+    void rest();
     void release();
     RenderView sizedView() const;
 
@@ -50,7 +55,14 @@ private:
     RenderView m_view;
     bool m_hasGpu = false;  // known once there is a renderer
     ProgressiveRendering m_progressive = ProgressiveRendering::Never;
-    int m_samples = 0;  // accumulated since the last change
+    enum class Drawn { Nothing, Moving, Resting };
+    Drawn m_drawn = Drawn::Nothing;  // since the last change
+    int m_samples = 0;               // accumulated since the last change
+    bool m_isMoving = false;         // changes follow one another
+    bool m_isAtRest = false;         // since the last change, rest() was called
+    AdaptiveResolution m_resolution;
+    QElapsedTimer m_begun;  // since an image was begun, until it is shown
+    QElapsedTimer m_shown;  // since one that a change made was
     QTimer m_idle;
 };
 

@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -105,6 +106,7 @@ private:
     void begin() {
         QStandardPaths::setTestModeEnabled(true);
         test::keepSettingsIn(m_folder.path());
+        QSettings().setValue("preferences/softLight", "never");  // what refines pictures takes time from all else
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         QApplication::setQuitOnLastWindowClosed(false);
         m_program = std::make_unique<Program>();

@@ -23,7 +23,10 @@ namespace {
 constexpr QSize kWidgetSize(480, 360);
 const QPoint kMiddle(240, 180), kCorner(5, 5);
 
-/// The wall from the front, in its own window, without animation.
+/// Longer than the time after which changes are no motion, ms.
+constexpr int kRest = 250;
+
+/// The wall from the front at rest, in its own window, without animation.
 std::unique_ptr<ViewportWidget> shownWall() {
     auto viewport = std::make_unique<ViewportWidget>();
     viewport->setCameraAnimation(false);
@@ -34,6 +37,8 @@ std::unique_ptr<ViewportWidget> shownWall() {
     viewport->alignTo(StandardView::Front);
     viewport->frameAll();
     viewport->setFocus();
+    QTest::mouseMove(viewport.get(), kCorner);  // no fragment is under the pointer
+    test::runTimersDueWithin(kRest);
     return viewport;
 }
 
@@ -250,6 +255,37 @@ private slots:
         test::runTimersDueWithin(300);
         QCOMPARE(frames.count(), 0);
         QVERIFY(viewport->grab().toImage() != before);
+    }
+    void hoveringKeepsTheRefinedPicture() {
+        const auto viewport = shownWall();
+        viewport->resize(160, 120);
+        auto* timer = viewport->findChild<QOpenGLWidget*>()->findChild<QTimer*>();
+        viewport->setProgressiveRendering(ProgressiveRendering::Always);
+        QTRY_VERIFY(timer->isActive());
+        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
+        const QImage refined = viewport->grab().toImage();
+        QSignalSpy hovers(viewport.get(), &ViewportWidget::hovered);
+        QTest::mouseMove(viewport.get(), {80, 60});
+        QTRY_COMPARE(hovers.count(), 1);
+        QVERIFY(viewport->grab().toImage() != refined);
+        QVERIFY(!timer->isActive());
+        QTest::mouseMove(viewport.get(), kCorner);
+        QTRY_COMPARE(hovers.count(), 2);
+        QCOMPARE(viewport->grab().toImage(), refined);
+        QVERIFY(!timer->isActive());
+    }
+    void pictureIsSharpAfterAMotion() {
+        const auto viewport = shownWall();
+        const Camera end = orbited(viewport->camera(), 0.3, 0.2);
+        viewport->setCamera(end);
+        const QImage sharp = viewport->grab().toImage();
+        QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
+        for (int image = 1; image <= 30; ++image) {
+            const qsizetype before = frames.count();
+            viewport->setCamera(image < 30 ? orbited(end, 0.01 * image, 0.0) : end);
+            QTRY_VERIFY(frames.count() > before);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(viewport->grab().toImage(), sharp, kPatience);
     }
     void resizedViewIsDrawnAnew() {
         const auto viewport = shownWall();
