@@ -65,6 +65,11 @@ StrengthPanel::StrengthPanel(Document& document, const Selection& selection, con
     refresh();
 }
 
+void StrengthPanel::setUnits(const Units& units) {
+    m_units = units;
+    refresh();
+}
+
 QWidget* StrengthPanel::makeRequirements() {
     auto* section = new Section("requirements", tr("Requirements"));
     m_rows = new QWidget;
@@ -168,7 +173,7 @@ QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& inte
 
 /// Rebuilds the rows, two per requirement, if what they show has changed.
 void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* interval) {
-    Shown shown{asset.id, asset.requirements, interval ? interval->impulses : std::vector<double>{}};
+    Shown shown{asset.id, asset.requirements, interval ? interval->impulses : std::vector<double>{}, m_units};
     if (shown == m_shown) return;
     m_shown = std::move(shown);
     while (QLayoutItem* item = m_grid->takeAt(0)) {
@@ -188,19 +193,19 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
     const int row = rowOf(index);
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
         m_grid->addWidget(new QLabel(tr("a drop of")), row, 1);
-        addField(index, 0, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
+        addField(index, 0, ProjectNumber::DropHeight, drop->height, m_units.lengths(), tr("Height"),
                  [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
     } else if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) {
         m_grid->addWidget(new QLabel(tr("an impulse of")), row, 1);
         addField(
-            index, 0, ProjectNumber::Threshold, impact->impulse, tr("N·s"), tr("Impulse"),
+            index, 0, ProjectNumber::Threshold, impact->impulse, Units::impulses(), tr("Impulse"),
             [](StrengthRequirement& changed, double to) { std::get<ImpulseRequirement>(changed.event).impulse = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
         m_grid->addWidget(new QLabel(tr("an impact of")), row, 1);
-        addField(index, 0, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
+        addField(index, 0, ProjectNumber::Mass, hit.mass, Units::masses(), tr("Mass"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).mass = to; });
-        addField(index, 1, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
+        addField(index, 1, ProjectNumber::HitSpeed, hit.speed, Units::speeds(), tr("Speed"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).speed = to; });
     }
     addDeleteButton(index);
@@ -218,12 +223,12 @@ void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome)
 }
 
 /// Connections are queued, since each change rebuilds the rows.
-void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
-                             const QString& name,
+void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value,
+                             const NumberFormat& format, const QString& name,
                              const std::function<void(StrengthRequirement& changed, double value)>& set) {
     auto* field = new NumberField;
     field->setRange(fieldRange(number));
-    field->setFormat({.unit = unit});
+    field->setFormat(format);
     field->setValue(value);
     field->setAccessibleName(name);
     field->setToolTip(name);
@@ -284,7 +289,7 @@ void StrengthPanel::refreshAudit() {
     }
     lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
                  .arg(audit->contacts)
-                 .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap));
+                 .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap, m_units));
     lines << tr("Highest speed after %1 steps: floating %2, lying on the ground %3")
                  .arg(kAuditSteps)
                  .arg(localizedQuantity(QuantityKind::Speed, audit->resting.speed),

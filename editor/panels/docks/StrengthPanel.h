@@ -26,6 +26,8 @@ public:
     StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
                   QWidget* parent = nullptr);
 
+    void setUnits(const Units& units);
+
 signals:
     void refused(const QString& sentence);
 
@@ -37,7 +39,7 @@ private:
     void refreshRows(const Asset& asset, const ThresholdInterval* interval);
     void addRow(std::size_t index, const StrengthRequirement& requirement);
     void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
-    void addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
+    void addField(std::size_t index, int column, ProjectNumber number, double value, const NumberFormat& format,
                   const QString& name, const std::function<void(StrengthRequirement& changed, double value)>& set);
     void addImpulse(std::size_t index, double impulse);
     void addDeleteButton(std::size_t index);
@@ -65,11 +67,13 @@ private:
     QPushButton* m_fix = nullptr;
     QLabel* m_auditText;
     std::optional<double> m_suggested;  // N·s
+    Units m_units;
     /// The contents of the rows.
     struct Shown {
         Id asset = 0;
         std::vector<StrengthRequirement> requirements;
         std::vector<double> impulses;  // N·s
+        Units units;
         bool operator==(const Shown&) const = default;
     };
     Shown m_shown;

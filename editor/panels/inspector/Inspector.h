@@ -41,6 +41,7 @@ signals:
 
 private:
     void showPage();
+    void showSubject();
     void refresh();
 
     Document& m_document;
