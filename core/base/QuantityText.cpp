@@ -61,9 +61,9 @@ ScaledQuantity scaledQuantity(QuantityKind kind, double value) {
     if (value == 0.0 || !std::isfinite(value)) return {value, baseUnit(units).name};
     const double size = std::abs(value) * (1.0 + 1e-9);  // 0.1 - 1e-17 is 0.1
     for (const Unit& unit : units) {
-        if (size >= unit.least) return {value / unit.size, unit.name};
+        if (size >= unit.least) return {value / unit.size, unit.name, unit.size};
     }
-    return {value / units.back().size, units.back().name};
+    return {value / units.back().size, units.back().name, units.back().size};
 }
 
 std::string roundedNumber(double value) {

@@ -13,6 +13,7 @@ enum class QuantityKind { Length, Area, Volume, Mass, Density, Time, Speed, Impu
 struct ScaledQuantity {
     double value = 0.0;
     std::string_view unit;  // "cm²", UTF-8
+    double size = 1.0;      // of the unit in SI units, a power of ten
 };
 
 /// A quantity in SI units, scaled to a unit that suits its magnitude: 0.0191 m² becomes 191 cm².

@@ -161,7 +161,7 @@ void AssetActions::reseed() {
 }
 
 void AssetActions::showContactSheet() {
-    auto* sheet = new ContactSheetWindow(m_workspace, &m_views.window());
+    auto* sheet = new ContactSheetWindow(m_workspace, m_views.units(), &m_views.window());
     sheet->show();
     sheet->generate();
 }

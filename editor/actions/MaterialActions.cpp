@@ -27,7 +27,8 @@ MaterialActions::MaterialActions(Views& views)
 void MaterialActions::openLibrary() {
     m_views.showProject();
     Workspace& workspace = m_views.workspace();
-    MaterialDialog(workspace.document(), workspace.selection(), materialFolder(), &m_views.window()).exec();
+    MaterialDialog(workspace.document(), workspace.selection(), materialFolder(), m_views.units(), &m_views.window())
+        .exec();
 }
 
 /// Saves the selected material, or that of the active asset.

@@ -1,12 +1,12 @@
 #include "editor/dialogs/ArrayDialogs.h"
 
 #include "editor/widgets/NumberField.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <QtMath>
 
@@ -41,12 +41,12 @@ ArrayDialog::ArrayDialog(const QString& title, QWidget* parent)
 
 bool ArrayDialog::haveVariants() const { return m_variants->isChecked(); }
 
-QSpinBox* ArrayDialog::addCount(const QString& label, int value) {
-    auto* box = new QSpinBox;
-    box->setRange(1, kMaxCopies);
-    box->setValue(value);
-    m_form->addRow(label, box);
-    return box;
+NumberField* ArrayDialog::addCount(const QString& label, int value) {
+    auto* field = new NumberField;
+    field->setRange(FieldRange::whole(1, kMaxCopies));
+    field->setValue(value);
+    m_form->addRow(label, field);
+    return field;
 }
 
 NumberField* ArrayDialog::addNumber(const QString& label, const NumberFormat& format, double value) {
@@ -77,7 +77,7 @@ GridArrayDialog::GridArrayDialog(Vec3 steps, const Units& units, QWidget* parent
 GridArray GridArrayDialog::array() const {
     GridArray array;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        array.counts[axis] = m_counts[axis]->value();
+        array.counts[axis] = static_cast<int>(m_counts[axis]->value());
         array.steps[static_cast<int>(axis)] = m_steps[axis]->value();
     }
     return array;
@@ -88,13 +88,13 @@ RingArrayDialog::RingArrayDialog(const Units& units, QWidget* parent) : ArrayDia
     m_x = addNumber(tr("Axis at &x:"), units.lengths(), 0.0);
     m_z = addNumber(tr("Axis at &z:"), units.lengths(), 0.0);
     m_degrees = addNumber(tr("&Angle between copies:"), Units::angles(), 360.0 / kDefaultRingCount);
-    connect(m_count, &QSpinBox::valueChanged, this, [this](int count) { m_degrees->setValue(360.0 / count); });
+    connect(m_count, &NumberField::edited, this, [this](double count) { m_degrees->setValue(360.0 / count); });
     m_count->selectAll();
     m_count->setFocus();
 }
 
 RingArray RingArrayDialog::array() const {
-    return {m_count->value(), {m_x->value(), m_z->value()}, qDegreesToRadians(m_degrees->value())};
+    return {static_cast<int>(m_count->value()), {m_x->value(), m_z->value()}, qDegreesToRadians(m_degrees->value())};
 }
 
 Vec3 sizeOf(const Project& project, std::span<const Id> instances) {

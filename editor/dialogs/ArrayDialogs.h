@@ -7,7 +7,6 @@
 
 class QCheckBox;
 class QFormLayout;
-class QSpinBox;
 
 namespace rubble {
 
@@ -23,7 +22,7 @@ public:
     void accept() override;
 
 protected:
-    QSpinBox* addCount(const QString& label, int value);
+    NumberField* addCount(const QString& label, int value);
     NumberField* addNumber(const QString& label, const NumberFormat& format, double value);
 
 private:
@@ -39,7 +38,7 @@ public:
     GridArray array() const;
 
 private:
-    std::array<QSpinBox*, 3> m_counts{};
+    std::array<NumberField*, 3> m_counts{};
     std::array<NumberField*, 3> m_steps{};
 };
 
@@ -50,7 +49,7 @@ public:
     RingArray array() const;
 
 private:
-    QSpinBox* m_count;
+    NumberField* m_count;
     NumberField* m_x;
     NumberField* m_z;
     NumberField* m_degrees;

@@ -13,13 +13,13 @@ struct ContactSheetTexts {
     Q_DECLARE_TR_FUNCTIONS(ContactSheet)
 };
 
-QString shotText(const SheetFigures& figures) {
+QString shotText(const SheetFigures& figures, const Units& units) {
     if (!figures.breakImpact) return ContactSheetTexts::tr("did not break");
     const QString broke =
         ContactSheetTexts::tr("broke at %1").arg(localizedQuantity(QuantityKind::Impulse, *figures.breakImpact));
     if (!figures.debrisHeight) return broke;
     return ContactSheetTexts::tr("%1, up to %2")
-        .arg(broke, localizedQuantity(QuantityKind::Length, *figures.debrisHeight));
+        .arg(broke, localizedQuantity(QuantityKind::Length, *figures.debrisHeight, units));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ QString measureName(SheetMeasure measure) {
     return {};
 }
 
-QString captionOf(const SheetEntry& entry) {
+QString captionOf(const SheetEntry& entry, const Units& units) {
     const QString name =
         entry.number == 0 ? ContactSheetTexts::tr("Current") : ContactSheetTexts::tr("No. %1").arg(entry.number);
     if (entry.fault) return name + '\n' + QString::fromStdString(*entry.fault);
@@ -44,9 +44,9 @@ QString captionOf(const SheetEntry& entry) {
     const int count = static_cast<int>(figures.pieces);
     QString text = name + " · " + ContactSheetTexts::tr("%Ln fragment(s)", nullptr, count) + '\n' +
                    ContactSheetTexts::tr("smallest %1, longest %2 : 1")
-                       .arg(localizedQuantity(QuantityKind::Volume, figures.smallestPiece),
+                       .arg(localizedQuantity(QuantityKind::Volume, figures.smallestPiece, units),
                             QLocale().toString(figures.aspect, 'f', 1));
-    if (figures.isPlayed) text += '\n' + shotText(figures);
+    if (figures.isPlayed) text += '\n' + shotText(figures, units);
     return text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/play/analysis/ContactSheet.h"
+#include "editor/widgets/Units.h"
 
 #include <QString>
 
@@ -11,6 +12,6 @@ QString measureName(SheetMeasure measure);
 
 /// Returns the caption of a variant: its number, the number of its fragments, the smallest and the longest one, and the
 /// effect of the shot.
-QString captionOf(const SheetEntry& entry);
+QString captionOf(const SheetEntry& entry, const Units& units);
 
 }  // namespace rubble

@@ -66,9 +66,10 @@ QPixmap pictureOf(const SheetCell& cell, double ratio) {
 
 }  // namespace
 
-ContactSheetWindow::ContactSheetWindow(Workspace& workspace, QWidget* parent)
+ContactSheetWindow::ContactSheetWindow(Workspace& workspace, const Units& units, QWidget* parent)
     : QWidget(parent, Qt::Window),
       m_workspace(workspace),
+      m_units(units),
       m_asset(workspace.selection().asset()),
       m_variations(new VariationTree),
       m_variants(new QSpinBox),
@@ -258,7 +259,8 @@ void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
 
 void ContactSheetWindow::add(const SheetCell& cell) {
     m_cells.push_back(cell);
-    auto* item = new QListWidgetItem(QIcon(pictureOf(cell, devicePixelRatioF())), captionOf(cell.entry), m_list);
+    auto* item =
+        new QListWidgetItem(QIcon(pictureOf(cell, devicePixelRatioF())), captionOf(cell.entry, m_units), m_list);
     item->setData(kNumberRole, cell.entry.number);
     item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     item->setToolTip(toolTipText(item->text()));

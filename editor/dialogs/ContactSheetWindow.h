@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/background/ContactSheetGenerator.h"
+#include "editor/widgets/Units.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -24,7 +25,7 @@ class ContactSheetWindow : public QWidget {
     Q_OBJECT
 public:
     /// Shows variants of the active asset.
-    ContactSheetWindow(Workspace& workspace, QWidget* parent);
+    ContactSheetWindow(Workspace& workspace, const Units& units, QWidget* parent);
 
     QListWidget& list() { return *m_list; }
     const ContactSheetGenerator& generator() const { return m_generator; }
@@ -63,6 +64,7 @@ private:
     const SheetEntry& entryOf(const QListWidgetItem& item) const;
 
     Workspace& m_workspace;
+    Units m_units;
     Id m_asset;
     ContactSheetGenerator m_generator;
     std::vector<SheetCell> m_cells;    // in the order they were finished

@@ -30,12 +30,14 @@ constexpr double kStoneMass = 0.05, kStoneSpeed = 20.0;  // kg and m/s, of a thr
 
 QString materialFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/materials"; }
 
-MaterialDialog::MaterialDialog(Document& document, Selection& selection, const QString& folder, QWidget* parent)
+MaterialDialog::MaterialDialog(Document& document, Selection& selection, const QString& folder, const Units& units,
+                               QWidget* parent)
     : QDialog(parent),
       m_document(document),
       m_selection(selection),
       m_library(materialLibrary(toPath(folder))),
       m_folder(folder),
+      m_units(units),
       m_list(new QListWidget),
       m_summary(new QTextBrowser),
       m_preview(new PatternPreview) {
@@ -127,7 +129,7 @@ const Asset* MaterialDialog::asset() const { return findAsset(m_document.project
 void MaterialDialog::showSelected() {
     const LibraryMaterial* material = selected();
     if (material == nullptr) return;
-    m_summary->setHtml(materialSummary(*material, locale()));
+    m_summary->setHtml(materialSummary(*material, m_units, locale()));
     m_preview->setPreset(material->preset);
     m_apply->setEnabled(asset() != nullptr);
     m_appliesPattern->setEnabled(asset() != nullptr && !material->preset.pattern.layers.empty());

@@ -4,6 +4,7 @@
 #include "editor/commands/MaterialEdits.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
+#include "editor/widgets/Units.h"
 
 #include <QDialog>
 
@@ -25,7 +26,8 @@ QString materialFolder();
 class MaterialDialog : public QDialog {
     Q_OBJECT
 public:
-    MaterialDialog(Document& document, Selection& selection, const QString& folder, QWidget* parent = nullptr);
+    MaterialDialog(Document& document, Selection& selection, const QString& folder, const Units& units,
+                   QWidget* parent = nullptr);
 
 private:
     QWidget* createOptions();
@@ -42,6 +44,7 @@ private:
     Selection& m_selection;
     MaterialLibrary m_library;
     QString m_folder;
+    Units m_units;
     QListWidget* m_list;
     QTextBrowser* m_summary;
     PatternPreview* m_preview;

@@ -49,25 +49,22 @@ QString layerNames(const Pattern& pattern) {
 
 }  // namespace
 
-QString materialSummary(const LibraryMaterial& material, const QLocale& locale) {
+QString materialSummary(const LibraryMaterial& material, const Units& units, const QLocale& locale) {
     const MaterialPreset& preset = material.preset;
     QString summary = QString("<h3>%1</h3>").arg(htmlText(preset.name));
     if (!preset.note.empty()) summary += QString("<p>%1</p>").arg(htmlText(preset.note));
-    const NumberFormat density{MaterialSummaryTexts::tr("kg/m³")};
-    summary += "<table>" + rowOf(MaterialSummaryTexts::tr("Density"), preset.density, density, locale) +
+    summary += "<table>" + rowOf(MaterialSummaryTexts::tr("Density"), preset.density, Units::densities(), locale) +
                rowOf(MaterialSummaryTexts::tr("Friction"), preset.friction, {}, locale) +
                rowOf(MaterialSummaryTexts::tr("Restitution"), preset.restitution, {}, locale);
     if (preset.tensileStrength)
-        summary += rowOf(MaterialSummaryTexts::tr("Strength"), *preset.tensileStrength,
-                         {MaterialSummaryTexts::tr("MPa"), -6}, locale);
+        summary += rowOf(MaterialSummaryTexts::tr("Strength"), *preset.tensileStrength, Units::megapascals(), locale);
     if (preset.fractureToughness)
-        summary += rowOf(MaterialSummaryTexts::tr("Toughness"), *preset.fractureToughness,
-                         {MaterialSummaryTexts::tr("MPa√m"), -6}, locale);
+        summary +=
+            rowOf(MaterialSummaryTexts::tr("Toughness"), *preset.fractureToughness, Units::toughnesses(), locale);
     if (preset.youngsModulus)
-        summary += rowOf(MaterialSummaryTexts::tr("Stiffness"), *preset.youngsModulus,
-                         {MaterialSummaryTexts::tr("GPa"), -9}, locale);
+        summary += rowOf(MaterialSummaryTexts::tr("Stiffness"), *preset.youngsModulus, Units::gigapascals(), locale);
     if (const std::optional<double> limit = transitionCrackLength(materialOf(preset, 0))) {
-        const QString text = localizedQuantity(QuantityKind::Length, *limit, {}, locale);
+        const QString text = localizedQuantity(QuantityKind::Length, *limit, units, locale);
         summary += rowOf(MaterialSummaryTexts::tr("Crack limit"), "<b>" + text + "</b>",
                          MaterialSummaryTexts::tr("(toughness / strength)² / π: deeper cracks lower the strength"));
     }

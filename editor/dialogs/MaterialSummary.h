@@ -10,7 +10,7 @@ namespace rubble {
 
 /// Returns the properties of a material as rich text: values with ranges and sources, the layers of its pattern, its
 /// file.
-QString materialSummary(const LibraryMaterial& material, const QLocale& locale);
+QString materialSummary(const LibraryMaterial& material, const Units& units, const QLocale& locale);
 
 inline constexpr QSize kMaterialSwatchSize{28, 20};  // pixels at scale 1
 /// Returns a swatch of the colour of a material's surface, with that of its inside in a corner.

@@ -1,13 +1,14 @@
 #include "editor/dialogs/PreferencesDialog.h"
 
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/NumberField.h"
+#include "editor/widgets/TypedFields.h"
 #include "editor/workspace/PreferenceStore.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
-#include <QSpinBox>
 
 #include <bit>
 
@@ -22,12 +23,12 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& store, QWidget* parent)
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::apply);
     }
     connect(m_smooth, &QCheckBox::toggled, this, &PreferencesDialog::apply);
-    connect(m_autosave, &QSpinBox::valueChanged, this, &PreferencesDialog::apply);
+    connect(m_autosave, &NumberField::edited, this, &PreferencesDialog::apply);
 }
 
 void PreferencesDialog::addFields() {
     m_theme = comboBox({tr("System"), tr("Light"), tr("Dark")}, tr("Select the colours of all windows"));
-    m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
+    m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres"), tr("Feet")},
                       tr("Select the unit of length for all windows; files use metres"));
     m_navigation =
         comboBox({tr("Blender: middle button orbits, Shift+middle button pans"), tr("Maya: Alt and mouse buttons")},
@@ -39,17 +40,18 @@ void PreferencesDialog::addFields() {
                  tr("Select the anti-aliasing of the 3D view; automatic means 4× with a graphics card, none without"));
     m_refining = comboBox({tr("Never"), tr("With a graphics card"), tr("Always")},
                           tr("Refine light and edges of the 3D view while nothing moves"));
-    m_autosave = new QSpinBox;
-    m_autosave->setRange(0, 3600);
-    m_autosave->setSuffix(tr(" s"));
-    m_autosave->setSpecialValueText(tr("Never"));
-    m_autosave->setToolTip(tr("Set the delay between a change and its backup"));
+    m_autosave = new NumberField;
+    m_autosave->setRange(FieldRange::whole(0, kMaxAutosaveSeconds));
+    m_autosave->setFormat(Units::seconds());
+    m_autosave->setHint(tr("Set the delay between a change and its backup; 0 for no backups"));
     auto* buttons =
         new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-            [this] { showPreferences({}); });
+    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
+        showPreferences({});
+        apply();
+    });
 
     auto* form = new QFormLayout(this);
     form->addRow(tr("&Theme:"), m_theme);
@@ -80,8 +82,12 @@ void PreferencesDialog::apply() {
     preferences.isSmooth = m_smooth->isChecked();
     preferences.msaa = (1 << m_msaa->currentIndex()) / 2;  // 0, 1, 2, 4, 8
     preferences.refining = static_cast<ProgressiveRendering>(m_refining->currentIndex());
-    preferences.autosaveSeconds = m_autosave->value();
+    preferences.autosaveSeconds = static_cast<int>(m_autosave->value());
     m_store.setPreferences(preferences);
+}
+
+void PreferencesDialog::accept() {
+    if (commitFields(*this)) QDialog::accept();
 }
 
 void PreferencesDialog::reject() {

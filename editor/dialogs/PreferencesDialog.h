@@ -6,10 +6,10 @@
 
 class QCheckBox;
 class QComboBox;
-class QSpinBox;
 
 namespace rubble {
 
+class NumberField;
 class PreferenceStore;
 
 /// Edits the preferences. Changes apply at once; Cancel restores the previous ones.
@@ -17,6 +17,8 @@ class PreferencesDialog : public QDialog {
     Q_OBJECT
 public:
     PreferencesDialog(PreferenceStore& store, QWidget* parent);
+    /// Stays open while a field's text is refused.
+    void accept() override;
     void reject() override;
 
 private:
@@ -32,7 +34,7 @@ private:
     QCheckBox* m_smooth = nullptr;
     QComboBox* m_msaa = nullptr;
     QComboBox* m_refining = nullptr;
-    QSpinBox* m_autosave = nullptr;
+    NumberField* m_autosave = nullptr;
 };
 
 }  // namespace rubble

@@ -3,12 +3,12 @@
 #include "core/asset/bake/FragmentSets.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/RandomSeedField.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,6 +39,7 @@ void addButtons(QDialog& dialog, QVBoxLayout& rows) {
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     rows.addWidget(buttons);
+    select->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
     select->setDefault(true);
     dialog.setMinimumWidth(kMinSelectDialogWidth);
 }
@@ -71,6 +72,10 @@ NumberField* VolumeRangeDialog::addField(double value, const Units& units) {
     return field;
 }
 
+void VolumeRangeDialog::accept() {
+    if (commitFields(*this)) QDialog::accept();
+}
+
 double VolumeRangeDialog::min() const { return m_min->value(); }
 double VolumeRangeDialog::max() const { return m_max->value(); }
 
@@ -81,10 +86,10 @@ void VolumeRangeDialog::updateCount() {
 }
 
 RandomFractionDialog::RandomFractionDialog(int percent, quint64 randomSeed, QWidget* parent)
-    : QDialog(parent), m_percent(new QSpinBox), m_seed(new RandomSeedField) {
+    : QDialog(parent), m_percent(new NumberField), m_seed(new RandomSeedField) {
     setWindowTitle(tr("Select Randomly"));
-    m_percent->setRange(0, 100);
-    m_percent->setSuffix(tr(" %"));
+    m_percent->setRange(FieldRange::whole(0, 100));
+    m_percent->setFormat({QStringLiteral("%")});
     m_percent->setValue(percent);
     m_seed->setValue(randomSeed);
     auto* form = new QFormLayout;
@@ -97,7 +102,11 @@ RandomFractionDialog::RandomFractionDialog(int percent, quint64 randomSeed, QWid
     m_percent->setFocus();
 }
 
-int RandomFractionDialog::percent() const { return m_percent->value(); }
+void RandomFractionDialog::accept() {
+    if (commitFields(*this)) QDialog::accept();
+}
+
+int RandomFractionDialog::percent() const { return static_cast<int>(m_percent->value()); }
 quint64 RandomFractionDialog::randomSeed() const { return m_seed->value(); }
 
 }  // namespace rubble

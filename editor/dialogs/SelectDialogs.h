@@ -6,7 +6,6 @@
 #include <QDialog>
 
 class QLabel;
-class QSpinBox;
 
 namespace rubble {
 
@@ -21,6 +20,9 @@ public:
 
     double min() const;  // m^3
     double max() const;  // m^3
+
+    /// Stays open while a field's text is refused.
+    void accept() override;
 
 private:
     NumberField* addField(double value, const Units& units);
@@ -41,8 +43,11 @@ public:
     int percent() const;
     quint64 randomSeed() const;
 
+    /// Stays open while a field's text is refused.
+    void accept() override;
+
 private:
-    QSpinBox* m_percent;
+    NumberField* m_percent;
     RandomSeedField* m_seed;
 };
 

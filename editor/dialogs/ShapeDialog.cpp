@@ -1,11 +1,11 @@
 #include "editor/dialogs/ShapeDialog.h"
 
 #include "editor/widgets/NumberField.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 namespace rubble {
@@ -45,8 +45,8 @@ ShapeDialog::ShapeDialog(const QString& title, const QList<Length>& lengths, con
 }
 
 void ShapeDialog::addCorners(int value) {
-    m_corners = new QSpinBox;
-    m_corners->setRange(3, kMaxCorners);
+    m_corners = new NumberField;
+    m_corners->setRange(FieldRange::whole(3, kMaxCorners));
     m_corners->setValue(value);
     m_form->insertRow(0, tr("&Corners:"), m_corners);
     setTabOrder(m_corners, m_lengths.front());
@@ -60,7 +60,7 @@ void ShapeDialog::accept() {
 
 double ShapeDialog::length(int index) const { return m_lengths[index]->value(); }
 
-int ShapeDialog::corners() const { return m_corners->value(); }
+int ShapeDialog::corners() const { return static_cast<int>(m_corners->value()); }
 
 }  // namespace rubble
 

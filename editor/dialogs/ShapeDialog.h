@@ -5,7 +5,6 @@
 #include <QDialog>
 
 class QFormLayout;
-class QSpinBox;
 
 namespace rubble {
 
@@ -33,7 +32,7 @@ public:
 private:
     QFormLayout* m_form;
     QList<NumberField*> m_lengths;
-    QSpinBox* m_corners = nullptr;
+    NumberField* m_corners = nullptr;
 };
 
 }  // namespace rubble

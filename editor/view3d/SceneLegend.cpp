@@ -33,12 +33,14 @@ QString titleOf(SceneColouring colouring) {
     return {};
 }
 
-QString valueText(SceneColouring colouring, double value, const Units& units) {
+/// A value at an end of the scale, in the unit that suits the larger end.
+QString valueText(SceneColouring colouring, double value, double largest, const Units& units) {
+    const auto text = [&](QuantityKind kind) { return roundedQuantity(value, quantityFormat(kind, largest, units)); };
     switch (colouring) {
-        case SceneColouring::Volume: return localizedQuantity(QuantityKind::Volume, value, units);
-        case SceneColouring::Mass: return localizedQuantity(QuantityKind::Mass, value);
+        case SceneColouring::Volume: return text(QuantityKind::Volume);
+        case SceneColouring::Mass: return text(QuantityKind::Mass);
         case SceneColouring::Aspect: return QLocale().toString(value, 'f', 1);
-        case SceneColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, value);
+        case SceneColouring::Threshold: return text(QuantityKind::Impulse);
         default: return QLocale().toString(value, 'f', 0);
     }
 }
@@ -60,8 +62,8 @@ QStringList SceneLegend::texts() const {
     QStringList texts;
     if (m_content.range) {
         const auto& [least, most] = *m_content.range;
-        texts = {titleOf(m_content.colouring), valueText(m_content.colouring, least, m_units)};
-        if (most > least) texts.append(valueText(m_content.colouring, most, m_units));
+        texts = {titleOf(m_content.colouring), valueText(m_content.colouring, least, most, m_units)};
+        if (most > least) texts.append(valueText(m_content.colouring, most, most, m_units));
     }
     if (m_content.largestBondArea > 0.0)
         texts.append(

@@ -132,15 +132,15 @@ void Views::addDocks() {
     auto* messages = new MessagesPanel(m_messages, document);
     auto* play = new PlayPanel(document, m_workspace.play());
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
-    auto* tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
-    auto* strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
+    auto* tests = m_tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
+    m_strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
     connect(&document, &Document::refused, this, &Views::showRefusal);
     connect(m_tree, &ProjectTree::refused, this, &Views::showRefusal);
     connect(m_inspector, &Inspector::refused, this, &Views::showRefusal);
     connect(m_playTools, &PlayToolsPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
-    connect(strength, &StrengthPanel::refused, this, &Views::showRefusal);
-    connect(strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
+    connect(m_strength, &StrengthPanel::refused, this, &Views::showRefusal);
+    connect(m_strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
         setSceneVisible(true);
         m_workspace.play().playShot(shot);
         m_scene->viewport().setFocus();
@@ -164,7 +164,7 @@ void Views::addDocks() {
     m_docks.add(DockId::Play, tr("Play"), play);
     m_docks.add(DockId::PlayTools, tr("Play Tools"), m_playTools);
     m_docks.add(DockId::Tests, tr("Tests"), tests);
-    m_docks.add(DockId::Strength, tr("Strength"), strength);
+    m_docks.add(DockId::Strength, tr("Strength"), m_strength);
     addProblemDock();
 }
 
@@ -274,6 +274,8 @@ void Views::applyPreferences(const Preferences& preferences) {
     m_fragments->setUnits(units);
     m_problems->setUnits(units);
     m_playTools->setUnits(units);
+    m_strength->setUnits(units);
+    m_tests->setUnits(units);
     m_scene->applyPreferences(preferences);
 }
 

@@ -17,7 +17,9 @@ class PatternCanvas;
 class ProblemPanel;
 class ProjectTree;
 class SceneView;
+class PlayTestPanel;
 class PlayToolsPanel;
+class StrengthPanel;
 class Workspace;
 
 /// The actions on selected fragments, grouped as in context menus.
@@ -119,6 +121,8 @@ private:
     Inspector* m_inspector = nullptr;
     FragmentTable* m_fragments = nullptr;
     PlayToolsPanel* m_playTools = nullptr;
+    PlayTestPanel* m_tests = nullptr;
+    StrengthPanel* m_strength = nullptr;
     ProblemPanel* m_problems = nullptr;
     QMenu* m_fragmentMenu;
     Units m_units;

@@ -4,8 +4,6 @@
 #include "editor/document/Document.h"
 #include "editor/widgets/FormControls.h"
 
-#include <QToolTip>
-
 #include <algorithm>
 #include <vector>
 
@@ -28,7 +26,7 @@ public:
         : m_document(document), m_selected(std::move(selected)), m_push(std::move(push)) {}
 
     void setFault(Fault fault) { m_fault = std::move(fault); }
-    /// Sets a function that is called with the fault of an edit that was refused.
+    /// Sets a function that is called with the reason for which a text or an edit is refused.
     void setRefused(std::function<void(const QString&)> refused) { m_refused = std::move(refused); }
 
     /// `text` names the undo step.
@@ -38,6 +36,9 @@ public:
             const auto first = read(values.front());
             const bool isCommon = std::ranges::all_of(values, [&](const Value& value) { return read(value) == first; });
             isCommon ? showIn(*control, first) : showMixedIn(*control);
+        });
+        connectRefused(*control, [this](const QString& sentence) {
+            if (m_refused) m_refused(sentence);
         });
         connectTo(
             *control, [this] { m_mergeKey = m_document.newMergeKey(); },
@@ -63,12 +64,13 @@ public:
     }
 
 private:
-    void enter(Values values, const QString& text, QWidget& control) {
+    template <class Control>
+    void enter(Values values, const QString& text, Control& control) {
         for (const Value& value : values) {
             const QString fault = m_fault ? m_fault(value) : QString();
             if (fault.isEmpty()) continue;
             refresh();
-            QToolTip::showText(control.mapToGlobal(QPoint(0, control.height())), fault, &control);
+            refuseIn(control, fault);
             if (m_refused) m_refused(fault);
             return;
         }

@@ -7,6 +7,7 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QToolTip>
 
 #include <functional>
 
@@ -15,12 +16,25 @@ namespace rubble {
 /// The interface that Form expects of a control, overloaded for each class of controls:
 ///   showIn        shows a value without emitting a signal
 ///   showMixedIn   shows that the edited values differ
+///   refuseIn      keeps the value that was entered as text and says why it is refused, where a control can
+///   connectRefused  calls `refused` with the reason when a typed text is no value
 ///   connectTo     calls `begin` before edits that merge into one undo step, and `enter` with each value entered
 
 using Begin = std::function<void()>;
 
+using OnRefused = std::function<void(const QString&)>;
+
+inline void connectRefused(QWidget&, const OnRefused&) {}
+inline void refuseIn(QWidget& control, const QString& sentence) {
+    QToolTip::showText(control.mapToGlobal(QPoint(0, control.height())), sentence, &control);
+}
+
 inline void showIn(NumberField& field, double value) { field.setValue(value); }
 inline void showMixedIn(NumberField& field) { field.setMixed(); }
+inline void connectRefused(NumberField& field, const OnRefused& refused) {
+    QObject::connect(&field, &NumberField::refused, &field, refused);
+}
+inline void refuseIn(NumberField& field, const QString& sentence) { field.refuseEntered(sentence); }
 inline void connectTo(NumberField& field, const Begin& begin, const std::function<void(double)>& enter) {
     QObject::connect(&field, &NumberField::editingStarted, &field, begin);
     QObject::connect(&field, &NumberField::edited, &field, enter);
@@ -28,6 +42,8 @@ inline void connectTo(NumberField& field, const Begin& begin, const std::functio
 
 inline void showIn(SliderField& field, double value) { field.setValue(value); }
 inline void showMixedIn(SliderField& field) { field.setMixed(); }
+inline void connectRefused(SliderField& field, const OnRefused& refused) { connectRefused(field.field(), refused); }
+inline void refuseIn(SliderField& field, const QString& sentence) { field.field().refuseEntered(sentence); }
 inline void connectTo(SliderField& field, const Begin& begin, const std::function<void(double)>& enter) {
     QObject::connect(&field, &SliderField::editingStarted, &field, begin);
     QObject::connect(&field, &SliderField::edited, &field, enter);
@@ -42,6 +58,9 @@ inline void connectTo(ColourButton& button, const Begin& begin, const std::funct
 
 inline void showIn(RandomSeedField& field, quint64 value) { field.setValue(value); }
 inline void showMixedIn(RandomSeedField& field) { field.setMixed(); }
+inline void connectRefused(RandomSeedField& field, const OnRefused& refused) {
+    QObject::connect(&field, &RandomSeedField::refused, &field, refused);
+}
 inline void connectTo(RandomSeedField& field, const Begin& begin, const std::function<void(quint64)>& enter) {
     QObject::connect(&field, &RandomSeedField::edited, &field, [=](quint64 value) {
         begin();

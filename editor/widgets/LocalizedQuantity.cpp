@@ -9,9 +9,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMinInPreferredUnit = 0.01;
-constexpr double kMaxInPreferredUnit = 1e5;
-
 /// Nothing if the user has no preference for the kind, or prefers metres.
 std::optional<NumberFormat> preferredFormat(QuantityKind kind, const Units& units) {
     if (units.length == LengthUnit::Metre) return std::nullopt;
@@ -25,16 +22,19 @@ std::optional<NumberFormat> preferredFormat(QuantityKind kind, const Units& unit
 
 }  // namespace
 
-QString localizedQuantity(QuantityKind kind, double value, const Units& units, const QLocale& locale) {
-    if (const std::optional<NumberFormat> format = preferredFormat(kind, units)) {
-        const double shown = std::abs(value) * std::pow(10.0, format->exponent);
-        if (shown >= kMinInPreferredUnit && shown < kMaxInPreferredUnit) {
-            return withUnit(roundedText(value, *format, locale), *format);
-        }
-    }
-    const ScaledQuantity scaled = scaledQuantity(kind, value);
+NumberFormat quantityFormat(QuantityKind kind, double largest, const Units& units) {
+    if (const std::optional<NumberFormat> format = preferredFormat(kind, units)) return *format;
+    const ScaledQuantity scaled = scaledQuantity(kind, largest);
     const auto unit = QString::fromUtf8(scaled.unit.data(), static_cast<qsizetype>(scaled.unit.size()));
-    return withUnit(roundedText(scaled.value, {}, locale), {unit, 0});
+    return {unit, -static_cast<int>(std::lround(std::log10(scaled.size)))};
+}
+
+QString roundedQuantity(double value, const NumberFormat& format, const QLocale& locale) {
+    return withUnit(roundedText(value, format, locale), format);
+}
+
+QString localizedQuantity(QuantityKind kind, double value, const Units& units, const QLocale& locale) {
+    return roundedQuantity(value, quantityFormat(kind, value, units), locale);
 }
 
 }  // namespace rubble

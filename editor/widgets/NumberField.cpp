@@ -1,7 +1,11 @@
 #include "editor/widgets/NumberField.h"
 
+#include "editor/widgets/Theme.h"
+#include "editor/widgets/UnitNames.h"
+
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPainter>
 #include <QStyleOptionSpinBox>
 #include <QToolTip>
 
@@ -15,7 +19,8 @@ constexpr int kShownDigits = 5;                 // significant, without focus
 constexpr qint64 kMaxPauseMilliseconds = 3000;  // between steps of one group: clicks with a look at the result
 constexpr int kStepDigits = 12;                 // significant, of sums of steps: 0.1 + 0.2 is 0.3
 
-constexpr int kCursorWidth = 6;  // pixels, with the line edit's margins
+constexpr int kCursorWidth = 6;        // pixels, with the line edit's margins
+constexpr double kRefusalFrame = 2.0;  // pixels, as wide as its corners
 
 double roundedTo(int digits, double value) { return QString::number(value, 'g', digits).toDouble(); }
 
@@ -30,6 +35,9 @@ double stepOf(const FieldRange& range, double value, int direction) {
     const double step = value == 0.0 ? range.stepAtZero : adaptiveStep(value, (value > 0.0) == (direction < 0));
     return range.isWhole ? std::max(step, 1.0) : step;
 }
+
+/// The frame of a text that is refused.
+QColor refusalColour(const QPalette& palette) { return isDark(palette) ? QColor(255, 107, 97) : QColor(196, 30, 20); }
 
 }  // namespace
 
@@ -60,11 +68,13 @@ void NumberField::setValue(double value) {
 }
 
 void NumberField::setMixed() {
+    if (m_isMixed) return;
     m_isMixed = true;
     showValue();
 }
 
 void NumberField::setFormat(const NumberFormat& format) {
+    if (format == m_format) return;
     m_format = format;
     updateGeometry();
     showValue();
@@ -75,11 +85,12 @@ void NumberField::setRange(const FieldRange& range) { m_range = range; }
 void NumberField::setHint(const QString& hint) {
     m_hint = hint;
     setStatusTip(hint);
-    showValue();
+    if (m_refusal.isEmpty()) showValue();
 }
 
 /// Shows the number: exact with focus, rounded without.
 void NumberField::showValue() {
+    setRefusal({});
     lineEdit()->setPlaceholderText(m_isMixed ? tr("Mixed") : QString());
     const QString exact = exactText(m_value, m_format, locale());
     const QString rounded = exactText(roundedTo(kShownDigits, m_value), m_format, locale());
@@ -107,12 +118,42 @@ QString NumberField::rangeSentence() const {
 QString NumberField::refusalOf(const QString& text) const {
     const QString example = locale().toString(12.5);
     if (m_format.unit.isEmpty()) return tr("\"%1\" is not a number. Enter a number such as %2.").arg(text, example);
-    return tr("\"%1\" is not a number with a known unit. Enter a number such as %2.")
-        .arg(text, withUnit(example, m_format));
+    const QStringList units = unitNames(m_format.family);
+    if (units.isEmpty()) {
+        return tr("\"%1\" is not a number with a known unit. Enter a number such as %2.")
+            .arg(text, withUnit(example, m_format));
+    }
+    return tr("\"%1\" is not a number with a unit that this field knows. Enter a number such as %2; units: %3.")
+        .arg(text, withUnit(example, m_format), units.join(", "));
+}
+
+void NumberField::setRefusal(const QString& sentence) {
+    if (sentence == m_refusal) return;
+    m_refusal = sentence;
+    setAccessibleDescription(sentence);
+    if (!sentence.isEmpty()) setToolTip(sentence);
+    update();
+}
+
+void NumberField::refuseEntered(const QString& sentence) {
+    if (!m_typed.isEmpty()) {
+        lineEdit()->setText(m_typed);
+        lineEdit()->setModified(true);
+    }
+    showRefusal(sentence);
+}
+
+void NumberField::discardTyping() {
+    if (lineEdit()->isModified()) showValue();
+}
+
+void NumberField::showRefusal(const QString& sentence) {
+    setRefusal(sentence);
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence, this);
 }
 
 void NumberField::refuse(const QString& sentence) {
-    QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence, this);
+    showRefusal(sentence);
     emit refused(sentence);
 }
 
@@ -131,8 +172,10 @@ bool NumberField::commit() {
     }
     m_steps.end();
     emit editingStarted();
+    m_typed = text;
     enter(*typed);
-    return true;
+    m_typed.clear();
+    return m_refusal.isEmpty();
 }
 
 void NumberField::enter(double value) {
@@ -179,6 +222,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
             return;
         case Qt::Key_Escape:
             if (!lineEdit()->isModified()) return event->ignore();
+            QToolTip::hideText();
             showValue();
             lineEdit()->selectAll();
             return;
@@ -199,15 +243,25 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
-    commit();
+    const bool isApplied = commit();
     m_steps.end();
     QAbstractSpinBox::focusOutEvent(event);
-    showValue();
+    if (isApplied) showValue();
 }
 
 void NumberField::changeEvent(QEvent* event) {
     QAbstractSpinBox::changeEvent(event);
     if (event->type() == QEvent::LocaleChange) showValue();
+}
+
+void NumberField::paintEvent(QPaintEvent* event) {
+    QAbstractSpinBox::paintEvent(event);
+    if (m_refusal.isEmpty()) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(refusalColour(palette()), kRefusalFrame));
+    const double half = kRefusalFrame / 2.0;
+    painter.drawRoundedRect(QRectF(rect()).adjusted(half, half, -half, -half), kRefusalFrame, kRefusalFrame);
 }
 
 void NumberField::clear() { lineEdit()->clear(); }
@@ -224,15 +278,6 @@ QSize NumberField::sizeFor(const QString& number) const {
 
 QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.000")); }
 QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("000.00")); }
-
-bool commitFields(const QWidget& dialog) {
-    for (NumberField* field : dialog.findChildren<NumberField*>()) {
-        if (field->commit()) continue;
-        field->setFocus();
-        return false;
-    }
-    return true;
-}
 
 }  // namespace rubble
 

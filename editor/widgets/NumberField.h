@@ -42,8 +42,9 @@ private:
 /// A spin box for a number with a unit, typed in the user's locale. It keeps the value exactly: without focus it shows
 /// a rounded number and has all digits in its tooltip, with focus it shows all digits.
 ///
-/// Text that is not a number in range is rejected with a message, and the value is kept. The wheel changes the value
-/// only with focus, so that the panel scrolls otherwise.
+/// Text that is not a number in range, or has a unit of another family, is refused with a message. It stays in the
+/// field, which is red and says in its tooltip what is wrong, until it is corrected, discarded with Esc, or another
+/// value is shown. The wheel changes the value only with focus, so that the panel scrolls otherwise.
 class NumberField : public QAbstractSpinBox {
     Q_OBJECT
 public:
@@ -54,10 +55,17 @@ public:
     void setValue(double value);
     /// Applies the typed text. Returns false if it is refused, and keeps the text then.
     bool commit();
+    /// Shows why the number that was entered last is refused, and keeps it in the field as text. Emits no signal.
+    void refuseEntered(const QString& sentence);
+    /// What is wrong with the text in the field; empty if nothing is.
+    const QString& refusal() const { return m_refusal; }
+    /// Shows the value in place of text that was typed.
+    void discardTyping();
     /// Shows that the selected values differ.
     void setMixed();
     bool isMixed() const { return m_isMixed; }
     void setFormat(const NumberFormat& format);
+    const NumberFormat& format() const { return m_format; }
     void setRange(const FieldRange& range);
     const FieldRange& range() const { return m_range; }
     /// Sets the tooltip and status tip; the tooltip adds all digits of a rounded number.
@@ -81,11 +89,14 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void clear() override;
 
 private:
     QSize sizeFor(const QString& number) const;
     void showValue();
+    void setRefusal(const QString& sentence);
+    void showRefusal(const QString& sentence);
     void refuse(const QString& sentence);
     void enter(double value);
     QString rangeSentence() const;
@@ -96,10 +107,9 @@ private:
     NumberFormat m_format;
     FieldRange m_range;
     QString m_hint;
+    QString m_typed;    // the text that gave the value
+    QString m_refusal;  // what is wrong with the text
     StepSequence m_steps;
 };
-
-/// Applies the typed texts of all fields in a dialog. Returns false if one is refused, which then has the focus.
-bool commitFields(const QWidget& dialog);
 
 }  // namespace rubble

@@ -1,53 +1,27 @@
 #include "editor/widgets/NumberText.h"
 
 #include "core/base/QuantityText.h"
+#include "editor/widgets/Decimal.h"
+#include "editor/widgets/UnitNames.h"
 
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
+#include <limits>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kMinPlainExponent = -6;  // outside of these, numbers have an exponent: 1.5e-7
-constexpr int kMaxPlainExponent = 15;
+constexpr int kMaxDigits = 20;    // significant, that tell all numbers apart in any unit
+constexpr int kCleanDigits = 15;  // significant, of sums such as 5' 3"
 
-/// A decimal number: 0.d1d2d3... times a power of ten.
-struct Decimal {
-    bool isNegative = false;
-    QString digits;  // without leading and trailing zeros; empty: zero
-    int exponent = 0;
-};
+constexpr const char* kNumberPattern = "(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d{1,4})?";
 
-/// Parses "-1.25e-07".
-Decimal decimalOf(const QString& scientific) {
-    const qsizetype e = scientific.indexOf('e');
-    Decimal decimal{.isNegative = scientific.startsWith('-'), .digits = scientific.left(e)};
-    decimal.digits.remove('-').remove('.');
-    while (decimal.digits.endsWith('0')) decimal.digits.chop(1);
-    decimal.exponent = decimal.digits.isEmpty() ? 0 : scientific.mid(e + 1).toInt() + 1;
-    return decimal;
-}
-
-/// The text in the C locale.
-QString textOf(const Decimal& decimal) {
-    const QString sign = decimal.isNegative ? "-" : "";
-    const QString& digits = decimal.digits;
-    const int exponent = decimal.exponent;
-    const int count = static_cast<int>(digits.size());
-    if (digits.isEmpty()) return sign + '0';
-    if (exponent < kMinPlainExponent || exponent > kMaxPlainExponent) {
-        const QString rest = count > 1 ? '.' + digits.mid(1) : QString();
-        return sign + digits[0] + rest + 'e' + QString::number(exponent - 1);
-    }
-    if (exponent <= 0) return sign + "0." + QString(-exponent, '0') + digits;
-    if (exponent >= count) return sign + digits + QString(exponent - count, '0');
-    return sign + digits.left(exponent) + '.' + digits.mid(exponent);
+/// The value in the format's unit; powers of ten are multiplied, which keeps more digits than a division.
+double shownValue(double value, const NumberFormat& format) {
+    return value * std::pow(10.0, format.exponent) / static_cast<double>(format.multiple);
 }
 
 QString localised(QString text, const QLocale& locale) {
@@ -76,66 +50,74 @@ QString delocalised(const QString& text, const QLocale& locale) {
     return result;
 }
 
-QString shiftedText(const QString& scientific, const NumberFormat& format, const QLocale& locale) {
-    Decimal decimal = decimalOf(scientific);
-    decimal.exponent += format.exponent;
-    return localised(textOf(decimal), locale);
+/// The stored number of a decimal in this format.
+std::optional<double> storedValue(Decimal shown, const NumberFormat& format) {
+    shown = product(shown, format.multiple);
+    shown.exponent -= format.exponent;
+    return valueOf(shown);
 }
 
-/// The formats in which a number of this format may be typed, longer unit names first.
-std::vector<NumberFormat> alternatives(const NumberFormat& format) {
-    for (NumberFormat (Units::*const kind)() const : {&Units::lengths, &Units::areas, &Units::volumes}) {
-        std::vector<NumberFormat> formats;
-        for (const LengthUnit length : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre}) {
-            formats.push_back((Units{length}.*kind)());
-        }
-        if (std::ranges::find(formats, format) != formats.end()) return formats;
+/// The decimal with the fewest digits that storedValue() turns into the value.
+Decimal shownDecimal(double value, const NumberFormat& format) {
+    Decimal exact = shortestDecimal(value);
+    exact.exponent += format.exponent;
+    if (format.multiple == 1) return exact;
+    for (int digits = 1; digits < kMaxDigits; ++digits) {
+        const Decimal shown = quotient(exact, format.multiple, digits);
+        if (storedValue(shown, format) == value) return shown;
     }
-    return {format};
+    return quotient(exact, format.multiple, kMaxDigits);
 }
 
-/// The metres of an inch or a foot at the end of a text, as in 3', 3 ft, 2" or 2 in, which is removed; nothing if there
-/// is none.
-std::optional<double> removeImperialUnit(QString& text) {
-    constexpr double kInch = 0.0254, kFoot = 0.3048;  // m
-    const std::pair<QString, double> units[] = {{"''", kInch}, {"\"", kInch}, {QChar(0x2033), kInch},
-                                                {"in", kInch}, {"'", kFoot},  {QChar(0x2032), kFoot},
-                                                {"ft", kFoot}};
-    for (const auto& [unit, metres] : units) {
-        if (!text.endsWith(unit)) continue;
-        text = text.chopped(unit.size()).trimmed();
-        return metres;
+/// The format of a unit that is typed in a field of this one; nothing if the field cannot take it.
+std::optional<NumberFormat> typedFormat(const QString& unit, const NumberFormat& format) {
+    if (unit.isEmpty() || unit == format.unit) return format;
+    return unitNamed(format.family, unit);
+}
+
+/// Reads a number with one unit or none, such as "-1.5 cm2", in the C locale's digits.
+std::optional<double> parseSingle(const QString& text, const NumberFormat& format) {
+    static const QRegularExpression kSingle(
+        QRegularExpression::anchoredPattern(QString("([+-]?%1)(.*)").arg(kNumberPattern)));
+    const QRegularExpressionMatch match = kSingle.match(text);
+    if (!match.hasMatch()) return std::nullopt;
+    const std::optional<NumberFormat> typed = typedFormat(match.captured(2).trimmed(), format);
+    return typed ? storedValue(decimalOf(match.captured(1)), *typed) : std::nullopt;
+}
+
+/// Reads a sum of numbers with ever smaller units, such as 5' 3" or "2 lb 5 oz".
+std::optional<double> parseSum(const QString& text, const NumberFormat& format) {
+    static const QRegularExpression kPart(
+        QString("\\G(%1)[\\s\\x{a0}]*([^\\d\\s\\x{a0}.+-]+)[\\s\\x{a0}]*").arg(kNumberPattern));
+    const bool isNegative = text.startsWith('-');
+    qsizetype end = isNegative || text.startsWith('+') ? 1 : 0;
+    double sum = 0.0, last = std::numeric_limits<double>::max();
+    for (auto parts = kPart.globalMatch(text, end); parts.hasNext();) {
+        const QRegularExpressionMatch part = parts.next();
+        const std::optional<NumberFormat> typed = unitNamed(format.family, part.captured(2));
+        const std::optional<double> value = typed ? storedValue(decimalOf(part.captured(1)), *typed) : std::nullopt;
+        if (!value || typed->size() >= last) return std::nullopt;
+        sum += *value;
+        last = typed->size();
+        end = part.capturedEnd();
     }
-    return std::nullopt;
-}
-
-bool isLength(const NumberFormat& format) {
-    return std::ranges::any_of(std::array{LengthUnit::Metre, LengthUnit::Centimetre, LengthUnit::Millimetre},
-                               [&](LengthUnit unit) { return Units{unit}.lengths() == format; });
-}
-
-/// Removes the unit from the end of a text. Returns the unit's exponent.
-int removeUnit(QString& text, const NumberFormat& format) {
-    for (const NumberFormat& other : alternatives(format)) {
-        if (!text.endsWith(other.unit)) continue;
-        text = text.chopped(other.unit.size()).trimmed();
-        return other.exponent;
-    }
-    return format.exponent;
+    if (end < text.size() || !std::isfinite(sum)) return std::nullopt;
+    return QString::number(isNegative ? -sum : sum, 'g', kCleanDigits).toDouble();
 }
 
 }  // namespace
 
 QString exactText(double value, const NumberFormat& format, const QLocale& locale) {
-    return shiftedText(QLocale::c().toString(value, 'e', QLocale::FloatingPointShortest), format, locale);
+    return localised(textOf(shownDecimal(value, format)), locale);
 }
 
 QString roundedText(double value, const NumberFormat& format, const QLocale& locale) {
-    return localised(QString::fromStdString(roundedNumber(value * std::pow(10.0, format.exponent))), locale);
+    return localised(QString::fromStdString(roundedNumber(shownValue(value, format))), locale);
 }
 
 QString fixedText(double value, int decimals, const NumberFormat& format, const QLocale& locale) {
-    return locale.toString(value * std::pow(10.0, format.exponent), 'f', std::max(0, decimals - format.exponent));
+    const int unitDecimals = static_cast<int>(std::lround(-std::log10(format.size())));
+    return locale.toString(shownValue(value, format), 'f', std::max(0, decimals - unitDecimals));
 }
 
 QString withUnit(const QString& number, const NumberFormat& format) {
@@ -144,23 +126,9 @@ QString withUnit(const QString& number, const NumberFormat& format) {
 }
 
 std::optional<double> parseNumber(const QString& text, const NumberFormat& format, const QLocale& locale) {
-    static const QRegularExpression kNumber(
-        QRegularExpression::anchoredPattern("([+-]?(?:\\d+\\.?\\d*|\\.\\d+))(?:[eE]([+-]?\\d{1,4}))?"));
-    QString number = text.trimmed();
-    if (isLength(format)) {
-        if (const std::optional<double> metres = removeImperialUnit(number)) {
-            const std::optional<double> count = parseNumber(number, {}, locale);
-            return count ? std::optional(*count * *metres) : std::nullopt;
-        }
-    }
-    const int exponent = removeUnit(number, format);
-    const QRegularExpressionMatch match = kNumber.match(delocalised(number, locale));
-    if (!match.hasMatch()) return std::nullopt;
-    const int power = match.captured(2).toInt() - exponent;
-    bool isNumber = false;
-    const double value = QLocale::c().toDouble(match.captured(1) + 'e' + QString::number(power), &isNumber);
-    if (!isNumber || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const QString number = delocalised(text.trimmed(), locale);
+    const std::optional<double> single = parseSingle(number, format);
+    return single || number.isEmpty() ? single : parseSum(number, format);
 }
 
 }  // namespace rubble

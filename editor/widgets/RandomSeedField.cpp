@@ -1,7 +1,9 @@
 #include "editor/widgets/RandomSeedField.h"
 
 #include "editor/widgets/Buttons.h"
+#include "editor/widgets/Icon.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QRandomGenerator>
 #include <QToolTip>
@@ -17,6 +19,7 @@ constexpr int kRandomSeeds = 1'000'000;  // few digits, easy to tell and type
 RandomSeedField::RandomSeedField(QWidget* parent)
     : QWidget(parent),
       m_line(new QLineEdit(this)),
+      m_refusal(m_line->addAction(iconNamed("message-error"), QLineEdit::TrailingPosition)),
       m_randomize(panelButton("dice", tr("Randomize"), tr("Randomize the seed"), this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -26,35 +29,59 @@ RandomSeedField::RandomSeedField(QWidget* parent)
     connect(m_line, &QLineEdit::editingFinished, this, &RandomSeedField::commit);
     connect(m_randomize, &QToolButton::clicked, this,
             [this] { enter(static_cast<quint64>(QRandomGenerator::global()->bounded(kRandomSeeds))); });
-    setValue(0);
+    showValue();
 }
 
 void RandomSeedField::setValue(quint64 value) {
+    if (value == m_value && !m_isMixed) return;  // keeps text that is being typed
+    m_isMixed = false;
     m_value = value;
-    m_line->setPlaceholderText({});
-    m_line->setText(QString::number(value));
-    m_line->setModified(false);
+    showValue();
 }
 
 void RandomSeedField::setMixed() {
-    m_line->clear();
-    m_line->setPlaceholderText(tr("Mixed"));
+    if (m_isMixed) return;
+    m_isMixed = true;
+    showValue();
 }
 
-void RandomSeedField::commit() {
-    if (!m_line->isModified()) return;
+void RandomSeedField::showValue() {
+    setRefusal({});
+    m_line->setPlaceholderText(m_isMixed ? tr("Mixed") : QString());
+    m_line->setText(m_isMixed ? QString() : QString::number(m_value));
+    m_line->setModified(false);
+}
+
+void RandomSeedField::setRefusal(const QString& sentence) {
+    m_refusal->setVisible(!sentence.isEmpty());
+    m_refusal->setToolTip(sentence);
+    m_line->setAccessibleDescription(sentence);
+}
+
+void RandomSeedField::discardTyping() {
+    if (m_line->isModified()) showValue();
+}
+
+bool RandomSeedField::commit() {
+    if (!m_line->isModified()) return true;
     bool isSeed = false;
     const quint64 typed = m_line->text().trimmed().toULongLong(&isSeed);
-    if (isSeed) return enter(typed);
+    if (isSeed) {
+        enter(typed);
+        return true;
+    }
     const QString sentence = tr("Enter a whole number from 0 to %1 as the random seed.").arg(~quint64{0});
-    setValue(m_value);
+    setRefusal(sentence);
     QToolTip::showText(m_line->mapToGlobal(QPoint(0, m_line->height())), sentence, m_line);
     emit refused(sentence);
+    return false;
 }
 
 void RandomSeedField::enter(quint64 value) {
-    const bool isChanged = value != m_value;
-    setValue(value);
+    const bool isChanged = m_isMixed || value != m_value;
+    m_isMixed = false;
+    m_value = value;
+    showValue();
     if (isChanged) emit edited(value);
 }
 

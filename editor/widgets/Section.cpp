@@ -74,6 +74,11 @@ void Section::setRowVisible(QWidget* control, bool isVisible) {
     if (QWidget* label = m_rows->labelForField(control)) label->setVisible(isVisible);
 }
 
+void Section::setRowLabel(QWidget* control, const QString& label) {
+    if (auto* text = qobject_cast<QLabel*>(m_rows->labelForField(control))) text->setText(label);
+    control->setAccessibleName(label);
+}
+
 void Section::nameRow(const QString& label, QWidget* control, const QString& hint) {
     QWidget* text = m_rows->labelForField(control);
     text->setToolTip(hint);

@@ -27,6 +27,7 @@ public:
     /// Adds a control as wide as the section.
     void addWide(QWidget* control) { m_rows->addRow(control); }
     void setRowVisible(QWidget* control, bool isVisible);
+    void setRowLabel(QWidget* control, const QString& label);
 
     void setCollapsed(bool isCollapsed);
     bool isCollapsed() const { return !m_head->isChecked(); }

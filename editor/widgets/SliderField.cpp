@@ -121,7 +121,7 @@ int SliderField::positionOf(double value) const {
 SliderField* thresholdField() {
     auto* field =
         new SliderField(fieldRange(ProjectNumber::Threshold), kMinThreshold, kMaxThreshold, SliderScale::Logarithmic);
-    field->setFormat({QObject::tr("N·s"), 0});
+    field->setFormat(Units::impulses());
     return field;
 }
 

@@ -18,10 +18,9 @@ constexpr const char* kSmoothKey = "preferences/smoothCamera";
 // Stored names, in the order of the enumerators: settings stay valid when enumerators are added.
 constexpr std::array kThemeNames = {"system", "light", "dark"};
 constexpr std::array kNavigationNames = {"blender", "maya"};
-constexpr std::array kUnitNames = {"m", "cm", "mm"};
+constexpr std::array kUnitNames = {"m", "cm", "mm", "ft"};
 constexpr std::array kRefiningNames = {"never", "with-card", "always"};
 constexpr std::array kMsaaSamples = {0, 1, 2, 4, 8};
-constexpr int kMaxAutosaveSeconds = 3600;
 
 /// Returns the enumerator whose stored name is set, or `fallback`.
 template <class Enum, std::size_t Count>

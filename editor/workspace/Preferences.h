@@ -9,6 +9,8 @@
 
 namespace rubble {
 
+constexpr int kMaxAutosaveSeconds = 3600;
+
 /// The user's preferences, the same in all windows.
 struct Preferences {
     ColourScheme theme = ColourScheme::System;

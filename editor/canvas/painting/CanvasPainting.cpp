@@ -354,7 +354,7 @@ void paintContents(QPainter& painter, const QRectF& part, const CanvasView& view
     painter.save();
     painter.setClipRect(part);
     painter.fillRect(part, colours.background);
-    if (contents.overlays.hasGrid) paintGrid(painter, part, view, colours);
+    if (contents.overlays.hasGrid) paintGrid(painter, part, view, contents.units, colours);
     if (contents.overlays.hasCells) paintFaintEdges(painter, part, view, contents.surroundings, colours.label);
     if (contents.pattern) paintPattern(painter, part, view, contents, colours);
     painter.restore();

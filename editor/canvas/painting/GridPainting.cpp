@@ -11,17 +11,24 @@ namespace {
 constexpr double kMinMinorStep = 14.0;  // pixels
 
 /// The number of minor steps between two major lines.
-double majorEvery(const CanvasView& view) { return std::round(roundStep(4.0 * gridStep(view)) / gridStep(view)); }
+double majorEvery(double step, const Units& units) {
+    const double unit = units.roundLength();
+    return std::round(unit * roundStep(4.0 * step / unit) / step);
+}
 
 }  // namespace
 
 double onPixel(double coordinate) { return std::floor(coordinate + 1e-3) + 0.5; }
 
-double gridStep(const CanvasView& view) { return roundStep(kMinMinorStep / view.scale); }
+double gridStep(const CanvasView& view, const Units& units) {
+    const double unit = units.roundLength();
+    return unit * roundStep(kMinMinorStep / view.scale / unit);
+}
 
-void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasColours& colours) {
+void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, const Units& units,
+               const CanvasColours& colours) {
     painter.setRenderHint(QPainter::Antialiasing, false);
-    const double step = gridStep(view), every = majorEvery(view);
+    const double step = gridStep(view, units), every = majorEvery(step, units);
     const Vec2 low = view.metres(part.bottomLeft() + QPointF(-1.0, 1.0));
     const Vec2 high = view.metres(part.topRight() + QPointF(1.0, -1.0));
     for (const bool isMajor : {false, true}) {

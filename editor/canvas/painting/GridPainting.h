@@ -2,6 +2,7 @@
 
 #include "editor/canvas/painting/CanvasColours.h"
 #include "editor/canvas/painting/CanvasView.h"
+#include "editor/widgets/Units.h"
 
 #include <QPainter>
 
@@ -9,11 +10,13 @@
 
 namespace rubble {
 
-/// The spacing of the grid lines in a view, m: 1, 2 or 5 times a power of ten, wide enough on screen to point at.
-double gridStep(const CanvasView& view);
+/// The spacing of the grid lines in a view, m: 1, 2 or 5 times a power of ten of metres or feet, wide enough on screen
+/// to point at.
+double gridStep(const CanvasView& view, const Units& units);
 
 /// Paints the grid into `part`: minor lines, every fourth or fifth one stronger, and the axes.
-void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, const CanvasColours& colours);
+void paintGrid(QPainter& painter, const QRectF& part, const CanvasView& view, const Units& units,
+               const CanvasColours& colours);
 
 /// Moves a coordinate to the centre of its pixel. Lines are one pixel wide; equal coordinates up to rounding share a
 /// pixel.

@@ -53,12 +53,16 @@ QString scaleTitle(CellColouring colouring) {
     return {};
 }
 
+/// A value at an end of the scale, in the unit that suits the larger end.
 QString scaleText(CellColouring colouring, double value, const CanvasContents& contents) {
+    const auto text = [&](QuantityKind kind, double factor) {
+        return roundedQuantity(factor * value, quantityFormat(kind, factor * contents.range.most, contents.units));
+    };
     switch (colouring) {
-        case CellColouring::Area: return localizedQuantity(QuantityKind::Area, value, contents.units);
-        case CellColouring::Volume: return localizedQuantity(QuantityKind::Volume, value, contents.units);
-        case CellColouring::Mass: return localizedQuantity(QuantityKind::Mass, contents.density * value);
-        case CellColouring::Threshold: return localizedQuantity(QuantityKind::Impulse, contents.threshold * value);
+        case CellColouring::Area: return text(QuantityKind::Area, 1.0);
+        case CellColouring::Volume: return text(QuantityKind::Volume, 1.0);
+        case CellColouring::Mass: return text(QuantityKind::Mass, contents.density);
+        case CellColouring::Threshold: return text(QuantityKind::Impulse, contents.threshold);
         case CellColouring::Neighbours:
         case CellColouring::Level: return QLocale().toString(value, 'f', 0);
         default: return QLocale().toString(value, 'f', 1);

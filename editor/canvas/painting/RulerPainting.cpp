@@ -22,8 +22,8 @@ constexpr int kMaxFontSize = 16;      // pixels, with room for capitals and tick
 constexpr double kLabelOffset = 3.0;  // pixels between a tick and its label
 
 QString lengthText(double metres, double step, const NumberFormat& format) {
-    const int decimals = static_cast<int>(-std::floor(std::log10(step) + 1e-9));
-    return fixedText(metres == 0.0 ? 0.0 : metres, decimals, format);
+    const int decimals = static_cast<int>(-std::floor(std::log10(step / format.size()) + 1e-9));
+    return QLocale().toString(metres == 0.0 ? 0.0 : metres / format.size(), 'f', std::max(0, decimals));
 }
 
 double baseline(const QPainter& painter) { return kTextTop + painter.fontMetrics().capHeight(); }
@@ -48,10 +48,11 @@ void paintLeft(QPainter& painter, const RulerTick& tick) {
 
 }  // namespace
 
-std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const NumberFormat& format,
+std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const Units& units,
                                   const QFontMetrics& metrics) {
     const bool isTop = ruler == Ruler::Top;
-    const double labelStep = roundStep(kMinLabelStep / view.scale), step = labelStep / kTicksPerLabel;
+    const double unit = units.roundLength();
+    const double labelStep = unit * roundStep(kMinLabelStep / view.scale / unit), step = labelStep / kTicksPerLabel;
     const double end = isTop ? view.size.width() : view.size.height();
     const Box2 shown = view.visibleBox();
     std::vector<RulerTick> ticks;
@@ -61,7 +62,7 @@ std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const Num
         tick.at = onPixel(isTop ? pixels.x() : pixels.y());
         tick.isLabelled = std::fmod(k, kTicksPerLabel) == 0.0;
         if (!tick.isLabelled) return;
-        tick.label = lengthText(k / kTicksPerLabel * labelStep, labelStep, format);
+        tick.label = lengthText(k / kTicksPerLabel * labelStep, labelStep, units.lengths());
         const double length = metrics.horizontalAdvance(tick.label);
         tick.from = isTop ? tick.at + kLabelOffset : tick.at - kLabelOffset - length;
         tick.to = tick.from + length;
@@ -76,7 +77,7 @@ QFont rulerFont(const QFont& font) {
     return smaller;
 }
 
-void paintRulers(QPainter& painter, const CanvasView& view, const NumberFormat& format, const CanvasColours& colours,
+void paintRulers(QPainter& painter, const CanvasView& view, const Units& units, const CanvasColours& colours,
                  QPointF pointer) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
@@ -85,13 +86,13 @@ void paintRulers(QPainter& painter, const CanvasView& view, const NumberFormat& 
     painter.setPen(colours.label);
     painter.setClipRect(QRectF(kRulerWidth, 0.0, width, kRulerWidth));
     painter.fillRect(QRectF(0.0, 0.0, width, kRulerWidth), colours.panel);
-    for (const RulerTick& tick : rulerTicks(Ruler::Top, view, format, painter.fontMetrics())) paintTop(painter, tick);
+    for (const RulerTick& tick : rulerTicks(Ruler::Top, view, units, painter.fontMetrics())) paintTop(painter, tick);
     painter.setClipRect(QRectF(0.0, kRulerWidth, kRulerWidth, height));
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, height), colours.panel);
-    for (const RulerTick& tick : rulerTicks(Ruler::Left, view, format, painter.fontMetrics())) paintLeft(painter, tick);
+    for (const RulerTick& tick : rulerTicks(Ruler::Left, view, units, painter.fontMetrics())) paintLeft(painter, tick);
     painter.setClipping(false);
     painter.fillRect(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), colours.panel);
-    painter.drawText(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), Qt::AlignCenter, format.unit);
+    painter.drawText(QRectF(0.0, 0.0, kRulerWidth, kRulerWidth), Qt::AlignCenter, units.lengths().unit);
     painter.setPen(colours.panelEdge);
     painter.drawLine(QPointF(0.0, kRulerWidth - 0.5), QPointF(width, kRulerWidth - 0.5));
     painter.drawLine(QPointF(kRulerWidth - 0.5, 0.0), QPointF(kRulerWidth - 0.5, height));

@@ -23,14 +23,13 @@ struct RulerTick {
     double to = 0.0;
 };
 /// The ticks of a ruler in a view: five per label; the labels are 1, 2 or 5 times a power of ten apart.
-std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const NumberFormat& format,
-                                  const QFontMetrics& metrics);
+std::vector<RulerTick> rulerTicks(Ruler ruler, const CanvasView& view, const Units& units, const QFontMetrics& metrics);
 
 /// The font of the rulers: somewhat smaller than that of the window, as far as their width allows.
 QFont rulerFont(const QFont& font);
 
 /// Paints rulers along the top and left edges and marks the pointer's position on them; `format` is that of lengths.
-void paintRulers(QPainter& painter, const CanvasView& view, const NumberFormat& format, const CanvasColours& colours,
+void paintRulers(QPainter& painter, const CanvasView& view, const Units& units, const CanvasColours& colours,
                  QPointF pointer);
 inline constexpr double kRulerWidth = 22.0;  // pixels
 

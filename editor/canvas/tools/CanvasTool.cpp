@@ -47,7 +47,7 @@ std::optional<Vec2> nudgeStep(const QKeyEvent& event, const CanvasState& state) 
     const std::optional<Vec2> direction = directionOf(event.key());
     if (!direction) return std::nullopt;
     const bool isLarge = event.modifiers().testFlag(Qt::ShiftModifier);
-    if (state.isSnapping && !isLarge) return *direction * gridStep(state.view);
+    if (state.isSnapping && !isLarge) return *direction * gridStep(state.view, state.units);
     return *direction * ((isLarge ? kLargeNudge : kNudge) / state.view.scale);
 }
 

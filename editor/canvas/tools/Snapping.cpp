@@ -66,7 +66,7 @@ Vec2 snapped(const CanvasState& state, const CanvasPointer& pointer, const SnapT
     if (point.isFound()) return point.point();
     for (const auto& [from, to] : targets.edges) edge.offer(nearestOnEdge(pointer.metres, from, to));
     if (edge.isFound()) return edge.point();
-    const double step = gridStep(state.view);
+    const double step = gridStep(state.view, state.units);
     return {std::round(pointer.metres.x / step) * step, std::round(pointer.metres.y / step) * step};
 }
 

@@ -255,8 +255,7 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
         paintPrompt(painter, m_tool->hint(), top, m_pointer ? m_pointer->pixels : rect().center(), m_state.view,
                     m_colours);
     }
-    paintRulers(painter, m_state.view, m_state.units.lengths(), m_colours,
-                m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
+    paintRulers(painter, m_state.view, m_state.units, m_colours, m_pointer ? m_pointer->pixels : QPointF(-10.0, -10.0));
 }
 
 void PatternCanvas::paintHighlights(QPainter& painter) const {

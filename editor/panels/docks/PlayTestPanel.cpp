@@ -4,9 +4,11 @@
 #include "editor/commands/Renaming.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
+#include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -34,33 +36,47 @@ constexpr int kRowRole = Qt::UserRole + 1;  // of an expectation; -1: the test i
 constexpr int kMinFormWidth = 260;          // pixels
 constexpr int kShotRows = 4;                // visible rows
 
-/// The texts of a kind of expectation, and the unit of its value; null: it has no value.
+/// What the value of an expectation is.
+enum class ValueKind { None, Count, Time, Length, Speed };
+
+/// The texts of a kind of expectation.
 struct Kind {
     const char* name;
     const char* ofInstance;  // %1: the instance's name, %2: the value
     const char* ofAll;       // %1: the value
-    const char* unit;
+    ValueKind value;
 };
 constexpr std::array<Kind, 6> kKinds{
     {{QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Stays intact"),
       QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 stays intact for %2"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything stays intact for %1"), "s"},
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything stays intact for %1"), ValueKind::Time},
      {QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Breaks"), QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 breaks"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Something breaks"), nullptr},
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Something breaks"), ValueKind::None},
      {QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Does not break"),
       QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 does not break"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Nothing breaks"), nullptr},
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Nothing breaks"), ValueKind::None},
      {QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Breaks into at least"),
       QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 breaks into at least %2 fragments"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Something breaks into at least %1 fragments"), ""},
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Something breaks into at least %1 fragments"), ValueKind::Count},
      {QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Ends below height"),
       QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 ends below a height of %2"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything ends below a height of %1"), "m"},
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything ends below a height of %1"), ValueKind::Length},
      {QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Ends below speed"),
       QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "%1 ends below a speed of %2"),
-      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything ends below a speed of %1"), "m/s"}}};
+      QT_TRANSLATE_NOOP("rubble::PlayTestPanel", "Everything ends below a speed of %1"), ValueKind::Speed}}};
 
 const Kind& kindOf(ExpectationKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+
+NumberFormat formatOf(ValueKind kind, const Units& units) {
+    switch (kind) {
+        case ValueKind::Time: return Units::seconds();
+        case ValueKind::Length: return units.lengths();
+        case ValueKind::Speed: return Units::speeds();
+        case ValueKind::None:
+        case ValueKind::Count: break;
+    }
+    return {};
+}
 
 /// The value of a new expectation.
 double defaultValue(ExpectationKind kind) {
@@ -102,6 +118,7 @@ PlayTestPanel::PlayTestPanel(Document& document, PlayController& controller, Pla
     rows->addWidget(parts, 1);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, [this] {
         if (m_isFilling) return;
+        discardTyping(*this);
         fillForm();
         update();
     });
@@ -129,6 +146,11 @@ QToolButton* PlayTestPanel::addButton(const char* icon, const QString& text, con
     button->setStatusTip(tip);
     connect(button, &QToolButton::clicked, this, slot);
     return button;
+}
+
+void PlayTestPanel::setUnits(const Units& units) {
+    m_units = units;
+    fill();
 }
 
 QWidget* PlayTestPanel::makeBar() {
@@ -181,7 +203,7 @@ QWidget* PlayTestPanel::makeTestForm() {
     });
     m_duration = m_testForm->addRow(tr("Duration"), new NumberField, tr("Duration of the play-test"));
     m_duration->setRange(fieldRange(ProjectNumber::TestDuration));
-    m_duration->setFormat({.unit = tr("s")});
+    m_duration->setFormat(Units::seconds());
     connect(m_duration, &NumberField::edited, this, [this](double value) {
         changeTest(tr("Set Duration"), [value](PlayTest& test) { test.duration = value; });
     });
@@ -233,10 +255,11 @@ std::optional<std::size_t> PlayTestPanel::expectation() const {
 
 QString PlayTestPanel::expectationText(const Expectation& expectation) const {
     const Kind& kind = kindOf(expectation.kind);
-    const QString value = kind.unit ? withUnit(roundedText(expectation.value, {}), {kind.unit}) : QString();
-    if (expectation.instance == 0) return kind.unit ? tr(kind.ofAll).arg(value) : tr(kind.ofAll);
+    const bool hasValue = kind.value != ValueKind::None;
+    const QString value = roundedQuantity(expectation.value, formatOf(kind.value, m_units));
+    if (expectation.instance == 0) return hasValue ? tr(kind.ofAll).arg(value) : tr(kind.ofAll);
     const QString name = nameText(nameOf(m_document.project(), Part::Instance, expectation.instance).toStdString());
-    return kind.unit ? tr(kind.ofInstance).arg(name, value) : tr(kind.ofInstance).arg(name);
+    return hasValue ? tr(kind.ofInstance).arg(name, value) : tr(kind.ofInstance).arg(name);
 }
 
 /// Lists the tests with their results and keeps the selection.
@@ -300,9 +323,9 @@ void PlayTestPanel::fillForm() {
     }
     m_instance->setCurrentIndex(m_instance->findData(one.instance));
     m_kind->setCurrentIndex(static_cast<int>(one.kind));
-    const char* unit = kindOf(one.kind).unit;
-    m_expectationForm->setRowVisible(m_value, unit != nullptr);
-    m_value->setFormat({.unit = unit != nullptr ? QString(unit) : QString()});
+    const ValueKind value = kindOf(one.kind).value;
+    m_expectationForm->setRowVisible(m_value, value != ValueKind::None);
+    m_value->setFormat(formatOf(value, m_units));
     const ProjectNumber number = numberOf(one.kind);
     m_value->setRange(number == ProjectNumber::ExpectedPieces ? wholeFieldRange(number) : fieldRange(number));
     m_value->setValue(one.value);

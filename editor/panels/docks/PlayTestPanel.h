@@ -2,6 +2,7 @@
 
 #include "editor/background/PlayTestRunner.h"
 #include "editor/play/PlayController.h"
+#include "editor/widgets/Units.h"
 
 #include <QWidget>
 
@@ -28,6 +29,7 @@ public:
 
     /// Runs all tests in the background, or cancels the run.
     void runAll();
+    void setUnits(const Units& units);
 
 signals:
     void refused(const QString& sentence);
@@ -74,6 +76,7 @@ private:
     QComboBox* m_instance = nullptr;
     NumberField* m_value = nullptr;
     bool m_isFilling = false;
+    Units m_units;
 };
 
 }  // namespace rubble

@@ -43,13 +43,14 @@ PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& control
     rows->addWidget(m_hammer);
     auto* blast = new Section("blast", tr("Blast (X)"));
     addField(*blast, tr("Impulse"), tr("Impulse per square metre at the centre, falling to 0 at the radius"),
-             tr("N·s/m²"), ProjectNumber::ExplosionImpulse,
+             Units::impulsesPerArea(), ProjectNumber::ExplosionImpulse,
              [](PlayToolSettings& tools) -> double& { return tools.explosion.impulse; });
-    addField(*blast, tr("Radius"), tr("Radius of the blast"), tr("m"), ProjectNumber::ExplosionRadius,
-             [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });
+    m_lengths << addField(*blast, tr("Radius"), tr("Radius of the blast"), Units().lengths(),
+                          ProjectNumber::ExplosionRadius,
+                          [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });
     rows->addWidget(blast);
     auto* grip = new Section("grip", tr("Grab (drag)"));
-    addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), tr("N"), ProjectNumber::GrabForce,
+    addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), Units::forces(), ProjectNumber::GrabForce,
              [](PlayToolSettings& tools) -> double& { return tools.grabForce; });
     rows->addWidget(grip);
     rows->addStretch(1);
@@ -67,11 +68,11 @@ void PlayToolsPanel::addThrow(Section& section) {
     connect(m_kind, &QComboBox::activated, this, &PlayToolsPanel::applyKind);
     const std::array labels{tr("Width"), tr("Height"), tr("Length")};
     for (int axis = 0; axis < 3; ++axis) {
-        m_sizes << addField(section, labels[static_cast<std::size_t>(axis)], tr("Size of the projectile"), tr("m"),
-                            ProjectNumber::ProjectileSize,
+        m_sizes << addField(section, labels[static_cast<std::size_t>(axis)], tr("Size of the projectile"),
+                            Units().lengths(), ProjectNumber::ProjectileSize,
                             [axis](PlayToolSettings& tools) -> double& { return tools.projectile.size[axis]; });
     }
-    m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), tr("kg"), ProjectNumber::Mass,
+    m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), Units::masses(), ProjectNumber::Mass,
                       [](PlayToolSettings& tools) -> double& { return tools.projectile.mass; });
     addSpeed(section);
 }
@@ -88,12 +89,12 @@ void PlayToolsPanel::addSpeed(Section& section) {
         m_controller.setToolSettings(tools);
     });
     m_speed = addField(section, tr("Speed"), tr("Speed of a tapped throw; holding F for a second gives 2.5 times it"),
-                       tr("m/s"), ProjectNumber::ProjectileSpeed,
+                       Units::speeds(), ProjectNumber::ProjectileSpeed,
                        [](PlayToolSettings& tools) -> double& { return tools.projectile.speed; });
 }
 
 void PlayToolsPanel::addHammer(Section& section) {
-    addField(section, tr("Impulse"), tr("Impulse of a blow"), tr("N·s"), ProjectNumber::HammerBlow,
+    addField(section, tr("Impulse"), tr("Impulse of a blow"), Units::impulses(), ProjectNumber::HammerBlow,
              [](PlayToolSettings& tools) -> double& { return tools.hammerImpulse; });
     m_isRadiusAutomatic = new QCheckBox(tr("Automatic Radius"));
     m_isRadiusAutomatic->setObjectName("automaticRadius");
@@ -106,15 +107,17 @@ void PlayToolsPanel::addHammer(Section& section) {
         m_controller.setToolSettings(tools);
     });
     m_hammerRadius =
-        addField(section, tr("Head Radius"), tr("Radius of the patch that a blow strikes"), tr("m"),
+        addField(section, tr("Head Radius"), tr("Radius of the patch that a blow strikes"), Units().lengths(),
                  ProjectNumber::HammerRadius, [](PlayToolSettings& tools) -> double& { return tools.hammerRadius; });
+    m_lengths << m_hammerRadius;
 }
 
-NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint, const QString& unit,
-                                      ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member) {
+NumberField* PlayToolsPanel::addField(Section& section, const QString& label, const QString& hint,
+                                      const NumberFormat& format, ProjectNumber number,
+                                      const std::function<double&(PlayToolSettings&)>& member) {
     auto* field = new NumberField;
     field->setRange(fieldRange(number));
-    field->setFormat({.unit = unit});
+    field->setFormat(format);
     section.addRow(label, field, hint);
     connect(field, &NumberField::edited, this, [this, member](double value) {
         PlayToolSettings tools = m_controller.toolSettings();
@@ -127,8 +130,7 @@ NumberField* PlayToolsPanel::addField(Section& section, const QString& label, co
 }
 
 void PlayToolsPanel::setUnits(const Units& units) {
-    for (NumberField* field : m_sizes) field->setFormat(units.lengths());
-    m_hammerRadius->setFormat(units.lengths());
+    for (NumberField* field : m_lengths + m_sizes) field->setFormat(units.lengths());
 }
 
 /// Lists the three basic shapes, then the project's assets.
@@ -168,10 +170,9 @@ void PlayToolsPanel::refresh() {
     m_kind->setCurrentIndex(isAsset ? m_kind->findData(tools.projectile.asset)
                                     : static_cast<int>(tools.projectile.kind));
     for (const auto& [field, member] : m_fields) field->setValue(member(tools));
-    for (NumberField* field : m_sizes) {
-        const bool isDiameter = tools.projectile.kind == ProjectileKind::Ball && field != m_sizes.front();
-        m_throw->setRowVisible(field, !isAsset && !isDiameter);
-    }
+    const bool isBall = tools.projectile.kind == ProjectileKind::Ball;
+    m_throw->setRowLabel(m_sizes.front(), isBall ? tr("Diameter") : tr("Width"));
+    for (NumberField* field : m_sizes) m_throw->setRowVisible(field, !isAsset && (!isBall || field == m_sizes.front()));
     m_throw->setRowVisible(m_mass, !isAsset);
     m_isSpeedAutomatic->setChecked(tools.isSpeedAutomatic);
     m_throw->setRowVisible(m_speed, !tools.isSpeedAutomatic);

@@ -27,7 +27,7 @@ signals:
     void refused(const QString& sentence);
 
 private:
-    NumberField* addField(Section& section, const QString& label, const QString& hint, const QString& unit,
+    NumberField* addField(Section& section, const QString& label, const QString& hint, const NumberFormat& format,
                           ProjectNumber number, const std::function<double&(PlayToolSettings&)>& member);
     void addThrow(Section& section);
     void addSpeed(Section& section);
@@ -45,7 +45,8 @@ private:
     PlayController& m_controller;
     Section* m_throw;
     QComboBox* m_kind;
-    QList<NumberField*> m_sizes;
+    QList<NumberField*> m_sizes;    // width, height and length; for a ball, the first is the diameter
+    QList<NumberField*> m_lengths;  // the fields that follow the unit of length
     NumberField* m_mass = nullptr;
     QCheckBox* m_isSpeedAutomatic = nullptr;
     NumberField* m_speed = nullptr;

@@ -74,6 +74,11 @@ StrengthPanel::StrengthPanel(Document& document, const Selection& selection, con
     refresh();
 }
 
+void StrengthPanel::setUnits(const Units& units) {
+    m_units = units;
+    refresh();
+}
+
 QWidget* StrengthPanel::makeRequirements() {
     auto* section = new Section("requirements", tr("Requirements"));
     m_rows = new QWidget;
@@ -184,7 +189,8 @@ void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* int
     Shown shown{.asset = asset.id,
                 .requirements = asset.requirements,
                 .impulses = interval ? interval->impulses : std::vector<double>{},
-                .threshold = thresholdOf(m_document.project(), asset)};
+                .threshold = thresholdOf(m_document.project(), asset),
+                .units = m_units};
     for (const StrengthRequirement& requirement : asset.requirements) {
         shown.assumptions.append(assumption(asset, requirement));
         const Instance* tried = instanceToTry(m_document.project(), asset, requirement, selectedInstance());
@@ -210,19 +216,19 @@ void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& require
     const int row = rowOf(index);
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
         m_grid->addWidget(new QLabel(tr("a drop of")), row, kSecond, 1, 2);
-        addField(index, kFirst, ProjectNumber::DropHeight, drop->height, tr("m"), tr("Height"),
+        addField(index, kFirst, ProjectNumber::DropHeight, drop->height, m_units.lengths(), tr("Height"),
                  [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
     } else if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) {
         m_grid->addWidget(new QLabel(tr("an impulse of")), row, kSecond, 1, 2);
         addField(
-            index, kFirst, ProjectNumber::Threshold, impact->impulse, tr("N·s"), tr("Impulse"),
+            index, kFirst, ProjectNumber::Threshold, impact->impulse, Units::impulses(), tr("Impulse"),
             [](StrengthRequirement& changed, double to) { std::get<ImpulseRequirement>(changed.event).impulse = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
         m_grid->addWidget(new QLabel(tr("an impact of")), row, kSecond, 1, 2);
-        addField(index, kFirst, ProjectNumber::Mass, hit.mass, tr("kg"), tr("Mass"),
+        addField(index, kFirst, ProjectNumber::Mass, hit.mass, Units::masses(), tr("Mass"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).mass = to; });
-        addField(index, kSecond, ProjectNumber::HitSpeed, hit.speed, tr("m/s"), tr("Speed"),
+        addField(index, kSecond, ProjectNumber::HitSpeed, hit.speed, Units::speeds(), tr("Speed"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).speed = to; });
     }
     addDeleteButton(index);
@@ -240,12 +246,12 @@ void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome)
 }
 
 /// Connections are queued, since each change rebuilds the rows.
-void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
-                             const QString& name,
+void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value,
+                             const NumberFormat& format, const QString& name,
                              const std::function<void(StrengthRequirement& changed, double value)>& set) {
     auto* field = new NumberField;
     field->setRange(fieldRange(number));
-    field->setFormat({.unit = unit});
+    field->setFormat(format);
     field->setValue(value);
     field->setAccessibleName(name);
     field->setToolTip(name);
@@ -363,7 +369,7 @@ void StrengthPanel::refreshAudit() {
     }
     lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
                  .arg(audit->contacts)
-                 .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap));
+                 .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap, m_units));
     lines << tr("Highest speed after %1 steps: floating %2, lying on the ground %3")
                  .arg(kAuditSteps)
                  .arg(localizedQuantity(QuantityKind::Speed, audit->resting.speed),

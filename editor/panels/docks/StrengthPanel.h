@@ -26,6 +26,8 @@ public:
     StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
                   QWidget* parent = nullptr);
 
+    void setUnits(const Units& units);
+
 signals:
     void refused(const QString& sentence);
     /// A simulation is to be started with a shot, which plays the event of a requirement.
@@ -39,7 +41,7 @@ private:
     void refreshRows(const Asset& asset, const ThresholdInterval* interval);
     void addRow(std::size_t index, const StrengthRequirement& requirement);
     void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
-    void addField(std::size_t index, int column, ProjectNumber number, double value, const QString& unit,
+    void addField(std::size_t index, int column, ProjectNumber number, double value, const NumberFormat& format,
                   const QString& name, const std::function<void(StrengthRequirement& changed, double value)>& set);
     void addFigure(const Asset& asset, std::size_t index);
     QString assumption(const Asset& asset, const StrengthRequirement& requirement) const;
@@ -72,6 +74,7 @@ private:
     QLabel* m_auditText;
     std::optional<double> m_suggested;  // N·s
     std::optional<PlayAsset> m_whole;   // of the active asset; none until it is baked
+    Units m_units;
     /// The contents of the rows.
     struct Shown {
         Id asset = 0;
@@ -80,6 +83,7 @@ private:
         double threshold = 0.0;        // N·s
         QStringList assumptions;       // one per requirement
         std::vector<Id> tried;         // the instances that the buttons play on
+        Units units;
         bool operator==(const Shown&) const = default;
     };
     Shown m_shown;

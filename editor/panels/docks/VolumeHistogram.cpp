@@ -42,7 +42,7 @@ void VolumeHistogram::setVolumes(std::vector<double> volumes, std::vector<bool> 
 
 void VolumeHistogram::setUnits(const Units& units) {
     m_units = units;
-    update();
+    updateBars();
 }
 
 void VolumeHistogram::setAxis(HistogramAxis axis) {
@@ -88,7 +88,11 @@ int VolumeHistogram::barAt(double x) const {
                       static_cast<int>(m_bars.size()) - 1);
 }
 
-QString VolumeHistogram::volume(double value) const { return localizedQuantity(QuantityKind::Volume, value, m_units); }
+/// A volume in the unit that suits the largest one.
+QString VolumeHistogram::volume(double value) const {
+    const double largest = m_bars.empty() ? value : m_bars.back().max;
+    return roundedQuantity(value, quantityFormat(QuantityKind::Volume, largest, m_units));
+}
 
 void VolumeHistogram::selectRange(bool isExtending) {
     const auto [first, last] = std::minmax(m_range->from, m_range->to);

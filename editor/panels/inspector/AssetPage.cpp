@@ -85,7 +85,7 @@ void AssetPage::buildAsset(Section& section) {
     buildThreshold(section);
     auto* scale =
         section.addRow(tr("Inside UVs"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
-    scale->setFormat({tr("per m"), 0});
+    scale->setFormat(Units::perMetre());
     scale->setRange(fieldRange(ProjectNumber::InsideUvScale));
     m_form.bind(scale, tr("Set Inside UV Scale"), &Asset::insideUvScale);
     m_inside = section.addRow(tr("Inside material"), new QComboBox,
@@ -108,7 +108,7 @@ void AssetPage::buildThreshold(Section& section) {
     });
     m_contactTime = section.addRow(tr("Contact time"), new NumberField,
                                    tr("Duration of an impact; the longer it is, the larger the impulse that breaks"));
-    m_contactTime->setFormat({tr("ms"), 3});
+    m_contactTime->setFormat(Units::milliseconds());
     m_contactTime->setRange(fieldRange(ProjectNumber::ContactTime));
     m_form.bind(
         m_contactTime, tr("Set Contact Time"),
@@ -198,9 +198,6 @@ void AssetPage::buildShape(Section& section) {
 
 QString AssetPage::summary(const Asset& asset) const {
     const Polygon& outline = asset.prism.outline;
-    const auto text = [&](QuantityKind kind, double value) {
-        return localizedQuantity(kind, value, m_units, locale());
-    };
     const double size = area(outline);
     const Material* material = findMaterial(m_document.project(), asset.material);
     const double mass = size * asset.prism.depth * (material ? material->density : 0.0);
@@ -209,8 +206,9 @@ QString AssetPage::summary(const Asset& asset) const {
     if (outline.outer.size() == 3) kind = tr("Triangle");
     if (!outline.holes.empty()) kind += ", " + tr("%Ln hole(s)", nullptr, static_cast<int>(outline.holes.size()));
     return tr("%1 · %2 · %3 · %4")
-        .arg(kind, text(QuantityKind::Area, size), text(QuantityKind::Volume, size * asset.prism.depth),
-             text(QuantityKind::Mass, mass));
+        .arg(kind, roundedQuantity(size, m_units.areas(), locale()),
+             roundedQuantity(size * asset.prism.depth, m_units.volumes(), locale()),
+             localizedQuantity(QuantityKind::Mass, mass, m_units, locale()));
 }
 
 void AssetPage::setUnits(const Units& units) {

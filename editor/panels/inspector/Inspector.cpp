@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/MaterialPage.h"
 #include "editor/panels/inspector/ScenePage.h"
 #include "editor/widgets/Section.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -31,12 +32,13 @@ Inspector::Inspector(Document& document, Selection& selection, const Bakes& bake
     connect(m_asset, &AssetPage::refused, this, &Inspector::refused);
     connect(m_material, &MaterialPage::refused, this, &Inspector::refused);
     connect(m_instance, &InstancePage::refused, this, &Inspector::refused);
+    connect(m_scene, &ScenePage::refused, this, &Inspector::refused);
     connect(&document, &Document::changed, this, &Inspector::refresh);
     connect(&selection, &Selection::subjectChanged, this, &Inspector::showPage);
-    connect(&selection, &Selection::assetChanged, this, &Inspector::refresh);
-    connect(&selection, &Selection::enteredFragmentChanged, this, &Inspector::refresh);
-    connect(&selection, &Selection::materialChanged, this, &Inspector::refresh);
-    connect(&selection, &Selection::instancesChanged, this, &Inspector::refresh);
+    connect(&selection, &Selection::assetChanged, this, &Inspector::showSubject);
+    connect(&selection, &Selection::enteredFragmentChanged, this, &Inspector::showSubject);
+    connect(&selection, &Selection::materialChanged, this, &Inspector::showSubject);
+    connect(&selection, &Selection::instancesChanged, this, &Inspector::showSubject);
     showPage();
 }
 
@@ -61,6 +63,12 @@ void Inspector::showPage() {
         case Part::Instance: m_pages->setCurrentIndex(2); break;
         default: m_pages->setCurrentIndex(3); break;
     }
+    showSubject();
+}
+
+/// Shows what is selected now; texts that were typed for another subject are discarded.
+void Inspector::showSubject() {
+    discardTyping(*this);
     refresh();
 }
 
@@ -81,6 +89,7 @@ void Inspector::setMaterialActions(const QList<QAction*>& actions) {
 
 void Inspector::setUnits(const Units& units) {
     m_asset->setUnits(units);
+    m_material->setUnits(units);
     m_instance->setUnits(units);
     m_scene->setUnits(units);
     refresh();

@@ -42,6 +42,7 @@ signals:
 
 private:
     void showPage();
+    void showSubject();
     void refresh();
 
     Document& m_document;

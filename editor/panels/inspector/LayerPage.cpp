@@ -4,6 +4,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/inspector/LayerSection.h"
 #include "editor/panels/inspector/PictureField.h"
+#include "editor/widgets/TypedFields.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -26,6 +27,7 @@ LayerPage::LayerPage(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_common);
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
     buildPicture();
     buildRandomSeed();
     m_placed = m_common->addRow(tr("Seeds"), new QLabel, tr("Number of seeds placed by hand in the canvas"));
@@ -55,7 +57,6 @@ void LayerPage::buildRandomSeed() {
     m_form.bind(
         m_randomSeed, tr("Set Random Seed"), [](const PatternLayer& layer) { return quint64{layer.randomSeed}; },
         [](PatternLayer& layer, quint64 entered) { layer.randomSeed = entered; });
-    connect(m_randomSeed, &RandomSeedField::refused, this, &LayerPage::refused);
 }
 
 void LayerPage::buildOverrides() {
@@ -119,6 +120,7 @@ void LayerPage::push(std::vector<PatternLayer> layers, const QString& text, quin
 }
 
 void LayerPage::setLayer(PatternRef pattern, Id layer) {
+    if (layer != m_layer) discardTyping(*this);  // it was meant for the other layer
     m_pattern = pattern;
     m_layer = layer;
     refresh();

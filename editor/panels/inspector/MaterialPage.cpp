@@ -76,7 +76,7 @@ void MaterialPage::bindDynamics(Section& section) {
         tr("Density"),
         new SliderField(fieldRange(ProjectNumber::Density), kMinDensity, kMaxDensity, SliderScale::Logarithmic),
         tr("Mass per volume"));
-    density->setFormat({tr("kg/m³"), 0});
+    density->setFormat(Units::densities());
     m_form.bind(density, tr("Set Density"), &Material::density);
     auto* friction =
         section.addRow(tr("Friction"), new SliderField(fieldRange(ProjectNumber::Friction, 0.05), 0.0, kMaxFriction),
@@ -109,13 +109,13 @@ void MaterialPage::bindStrength(Section& section) {
             field, step, [member](const Material& material) { return shown(material.*member); },
             [member](Material& material, double value) { material.*member = entered(value); });
     };
-    add(tr("Strength"), kMinStrength, kMaxStrength, {tr("MPa"), -6},
+    add(tr("Strength"), kMinStrength, kMaxStrength, Units::megapascals(),
         tr("Tensile strength, from which thresholds of assets can be derived; 0 if unknown"),
         tr("Set Tensile Strength"), ProjectNumber::TensileStrength, &Material::tensileStrength);
-    add(tr("Toughness"), kMinToughness, kMaxToughness, {tr("MPa√m"), -6},
+    add(tr("Toughness"), kMinToughness, kMaxToughness, Units::toughnesses(),
         tr("Fracture toughness, the resistance to crack growth; 0 if unknown"), tr("Set Fracture Toughness"),
         ProjectNumber::FractureToughness, &Material::fractureToughness);
-    add(tr("Stiffness"), kMinModulus, kMaxModulus, {tr("GPa"), -9},
+    add(tr("Stiffness"), kMinModulus, kMaxModulus, Units::gigapascals(),
         tr("Young's modulus, with which derived thresholds of thick assets include their inertia; 0 if unknown"),
         tr("Set Young's Modulus"), ProjectNumber::YoungsModulus, &Material::youngsModulus);
     section.addRow(tr("Crack limit"), m_crackLimit,
@@ -131,7 +131,7 @@ void MaterialPage::refresh() {
     m_form.refresh();
     const Material* material = findMaterial(m_document.project(), m_selection.material());
     const std::optional<double> limit = material != nullptr ? transitionCrackLength(*material) : std::nullopt;
-    m_crackLimit->setText(limit ? localizedQuantity(QuantityKind::Length, *limit, {}, locale()) : tr("Unknown"));
+    m_crackLimit->setText(limit ? localizedQuantity(QuantityKind::Length, *limit, m_units, locale()) : tr("Unknown"));
     QStringList users;
     for (const Asset& asset : m_document.project().assets) {
         if (asset.material == m_selection.material()) users.append(nameText(asset.name));

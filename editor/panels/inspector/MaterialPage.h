@@ -16,6 +16,7 @@ class MaterialPage : public QWidget {
 public:
     MaterialPage(Document& document, const Selection& selection, QWidget* parent = nullptr);
     void refresh();
+    void setUnits(const Units& units) { m_units = units; }
     /// Sets the actions shown as buttons at the end of the page.
     void setActions(const QList<QAction*>& actions);
 
@@ -34,6 +35,7 @@ private:
     Section* m_section;
     QLabel* m_crackLimit;
     QLabel* m_uses;
+    Units m_units;
 };
 
 }  // namespace rubble

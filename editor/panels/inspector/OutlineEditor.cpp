@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -29,7 +30,6 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
         auto* field = new NumberField(parent);
         field->setFormat(m_model.units().lengths());
-        field->setFrame(false);
         return field;
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
@@ -40,7 +40,22 @@ public:
         if (field->commit()) model->setData(index, field->value(), Qt::EditRole);
     }
 
+protected:
+    /// Keeps a field open whose text is refused.
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        auto* field = qobject_cast<NumberField*>(watched);
+        if (field != nullptr && endsEditing(*event) && !field->commit()) return event->type() == QEvent::KeyPress;
+        return QStyledItemDelegate::eventFilter(watched, event);
+    }
+
 private:
+    static bool endsEditing(const QEvent& event) {
+        if (event.type() == QEvent::FocusOut) return true;
+        if (event.type() != QEvent::KeyPress) return false;
+        const int key = static_cast<const QKeyEvent&>(event).key();
+        return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+    }
+
     const OutlineModel& m_model;
 };
 

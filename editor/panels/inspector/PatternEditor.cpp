@@ -55,6 +55,7 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
     connect(m_model, &LayerModel::modelReset, this, &PatternEditor::showCurrent);
     connect(m_model, &LayerModel::layerAdded, this, &PatternEditor::showLayer);
     connect(m_page, &LayerPage::refused, this, &PatternEditor::refused);
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
 }
 
 void PatternEditor::buildView() {

@@ -33,6 +33,7 @@ ScenePage::ScenePage(Document& document, QWidget* parent)
     buildGround(*ground);
     buildGravity(*gravity);
     buildDamage(*damage);
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
 }
 
 void ScenePage::buildGround(Section& section) {
@@ -66,7 +67,7 @@ void ScenePage::buildGravity(Section& section) {
     const QStringList axes{tr("Gravity x"), tr("Gravity y"), tr("Gravity z")};
     for (int axis = 0; axis < 3; ++axis) {
         auto* field = section.addRow(axes[axis], new NumberField, tr("Acceleration of gravity; y points up"));
-        field->setFormat({tr("m/s²"), 0});
+        field->setFormat(Units::accelerations());
         field->setRange(fieldRange(ProjectNumber::Gravity));
         m_form.bind(
             field, tr("Set Gravity"), [axis](const SceneSettings& scene) { return scene.gravity[axis]; },

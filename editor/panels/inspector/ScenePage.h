@@ -13,6 +13,9 @@ public:
     void refresh();
     void setUnits(const Units& units) { m_height->setFormat(units.lengths()); }
 
+signals:
+    void refused(const QString& sentence);
+
 private:
     void buildGround(Section& section);
     void buildGravity(Section& section);

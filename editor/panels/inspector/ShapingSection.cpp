@@ -100,7 +100,7 @@ void ShapingSection::buildRoughness() {
         addRow(tr("Frequency"),
                new SliderField(fieldRange(ProjectNumber::RoughnessFrequency), 0.5, 200.0, SliderScale::Logarithmic),
                tr("Number of bumps per metre"));
-    frequency->setFormat({tr("per m"), 0});
+    frequency->setFormat(Units::perMetre());
     m_form.bind(
         frequency, tr("Set Frequency"), [](const Asset& asset) { return asset.shaping.roughness.frequency; },
         [](Asset& asset, double entered) { asset.shaping.roughness.frequency = entered; });

@@ -169,7 +169,7 @@ NumberFormat formatOf(FragmentColumn column, const Units& units) {
     switch (column) {
         case FragmentColumn::Area: return units.areas();
         case FragmentColumn::Volume: return units.volumes();
-        case FragmentColumn::Mass: return {QStringLiteral("kg"), 0};
+        case FragmentColumn::Mass: return Units::masses();
         default: return {};
     }
 }

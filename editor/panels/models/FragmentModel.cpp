@@ -147,13 +147,7 @@ QString FragmentModel::hint(FragmentColumn column, std::uint32_t fragment) const
     if (column == FragmentColumn::Problems && m_metrics.value(column, fragment) > 0.0) {
         return QString::fromStdString(m_metrics.problemText(fragment));
     }
-    const double value = m_metrics.value(column, fragment);
-    switch (column) {
-        case FragmentColumn::Area: return localizedQuantity(QuantityKind::Area, value, m_units);
-        case FragmentColumn::Volume: return localizedQuantity(QuantityKind::Volume, value, m_units);
-        case FragmentColumn::Mass: return localizedQuantity(QuantityKind::Mass, value, m_units);
-        default: return roundedText(value, {});
-    }
+    return roundedQuantity(m_metrics.value(column, fragment), formatOf(column, m_units));
 }
 
 }  // namespace rubble

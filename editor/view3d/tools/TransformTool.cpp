@@ -50,6 +50,11 @@ Vec3 centreOf(const Asset& asset) {
     return {0.5 * (bounds.min + bounds.max), 0.0};
 }
 
+/// True for a letter of a unit that may be typed after a number: 5' 3", 40 cm. None of them is an axis.
+bool isOfUnit(QChar letter, bool isRotation) {
+    return (isRotation ? QStringLiteral("°deg") : QStringLiteral("mcftin'\" ")).contains(letter);
+}
+
 /// The handle that X, Y or Z constrains a drag to; nothing for other keys.
 std::optional<GizmoHandle> constrainedHandle(int key, bool isPlane, bool isRotation) {
     using enum GizmoHandle;
@@ -290,9 +295,10 @@ bool TransformTool::typeNumber(const QKeyEvent& event) {
     QString& typed = m_drag->typed;
     const QChar letter = event.text().isEmpty() ? QChar() : event.text().front();
     const bool isSign = letter == '-' && typed.isEmpty();
+    const bool isUnit = !typed.isEmpty() && typed != "-" && isOfUnit(letter, isRotationHandle(m_drag->handle));
     if (event.key() == Qt::Key_Backspace) {
         typed.chop(1);
-    } else if (letter.isDigit() || letter == '.' || QString(letter) == QLocale().decimalPoint() || isSign) {
+    } else if (letter.isDigit() || letter == '.' || QString(letter) == QLocale().decimalPoint() || isSign || isUnit) {
         typed += letter == '.' ? QLocale().decimalPoint() : QString(letter);
     } else {
         return false;
@@ -302,11 +308,12 @@ bool TransformTool::typeNumber(const QKeyEvent& event) {
     return true;
 }
 
-/// Moves along the constrained axis, or else along x, or rotates by the entered number; a sign alone is 0.
+/// Moves along the constrained axis, or else along x, or rotates by the entered number; what is no number yet is 0.
 void TransformTool::applyTyped() {
     const bool isRotation = isRotationHandle(m_drag->handle);
     const NumberFormat format = isRotation ? Units::angles() : m_units.lengths();
-    const double value = parseNumber(m_drag->typed, format, QLocale()).value_or(0.0);
+    const std::optional<double> typed = parseNumber(m_drag->typed, format, QLocale());
+    const double value = typed.value_or(0.0);
     if (isRotation) {
         showRotated(value);
     } else {
@@ -317,7 +324,9 @@ void TransformTool::applyTyped() {
         showMoved(moved);
     }
     const QString name = axisName(*axisOf(m_drag->handle));
-    m_label = name + ' ' + withUnit(m_drag->typed, format);
+    const bool hasUnit = std::ranges::any_of(m_drag->typed, [&](QChar c) { return isOfUnit(c, isRotation); });
+    m_label = name + ' ' + (hasUnit ? m_drag->typed : withUnit(m_drag->typed, format));
+    if (!typed && hasUnit) m_label += tr(": not a known unit");
 }
 
 /// During a drag all keys are consumed.

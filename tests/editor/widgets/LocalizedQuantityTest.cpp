@@ -28,9 +28,18 @@ private slots:
         QCOMPARE(plainText(QuantityKind::Area, 0.0191, LengthUnit::Centimetre), "191 cm²");
         QCOMPARE(plainText(QuantityKind::Mass, 2.5, LengthUnit::Millimetre), "2.5 kg");
     }
-    void extremeValuesHaveAnotherUnit() {
-        QCOMPARE(plainText(QuantityKind::Volume, 0.5, LengthUnit::Millimetre), "0.5 m³");
-        QCOMPARE(plainText(QuantityKind::Length, 4e-5, LengthUnit::Centimetre), "40 µm");
+    void thePreferredUnitIsKeptForAllSizes() {
+        QCOMPARE(plainText(QuantityKind::Area, 6.0, LengthUnit::Centimetre), "60000 cm²");
+        QCOMPARE(plainText(QuantityKind::Volume, 1.8, LengthUnit::Centimetre), "1800000 cm³");
+        QCOMPARE(plainText(QuantityKind::Length, 4e-5, LengthUnit::Centimetre), "0.004 cm");
+        QCOMPARE(plainText(QuantityKind::Length, 1.6002, LengthUnit::Foot), "5.25 ft");
+        QCOMPARE(plainText(QuantityKind::Volume, 0.3048 * 0.3048 * 0.3048, LengthUnit::Foot), "1 ft³");
+    }
+    void oneDisplayHasOneUnit() {
+        const NumberFormat format = quantityFormat(QuantityKind::Volume, 1.2);
+        QCOMPARE(roundedQuantity(1.2e-5, format, QLocale::c()), QString("0.000012\u00a0m³"));
+        QCOMPARE(quantityFormat(QuantityKind::Mass, 0.05).unit, "g");
+        QCOMPARE(roundedQuantity(0.002, quantityFormat(QuantityKind::Mass, 0.05), QLocale::c()), QString("2\u00a0g"));
     }
     void digitsAreThoseOfTheLocale() {
         const QLocale german(QLocale::German, QLocale::Germany);

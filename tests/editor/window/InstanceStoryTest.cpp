@@ -13,7 +13,6 @@
 
 #include <QCheckBox>
 #include <QDropEvent>
-#include <QSpinBox>
 
 using namespace rubble;
 
@@ -241,11 +240,11 @@ private slots:
     void gridArrayIsOneStep() {
         test::onNextDialog<GridArrayDialog>([](GridArrayDialog& dialog) {
             QCOMPARE(dialog.array().steps, Vec3(1.0, 1.0, 0.5));  // side by side
-            const QList<QSpinBox*> counts = dialog.findChildren<QSpinBox*>();
-            QCOMPARE(counts.size(), 3);
-            counts[0]->setValue(2);
-            counts[2]->setValue(3);
-            dialog.findChildren<NumberField*>()[2]->setValue(1.5);
+            const QList<NumberField*> fields = dialog.findChildren<NumberField*>();
+            QCOMPARE(fields.size(), 6);  // a count and a spacing for each axis
+            fields[0]->setValue(2);
+            fields[4]->setValue(3);
+            fields[5]->setValue(1.5);
             QTest::keyClick(&dialog, Qt::Key_Return);
         });
         action("instance-grid-array")->trigger();
@@ -263,7 +262,10 @@ private slots:
     }
     void radialArrayCopiesWithoutVariants() {
         test::onNextDialog<RingArrayDialog>([](RingArrayDialog& dialog) {
-            dialog.findChild<QSpinBox*>()->setValue(4);
+            auto& count = *dialog.findChild<NumberField*>();
+            count.selectAll();
+            QTest::keyClicks(&count, "4");
+            QVERIFY(count.commit());
             QVERIFY(std::abs(glm::degrees(dialog.array().angle) - 90.0) < 1e-9);  // a full circle
             dialog.findChild<QCheckBox*>()->setChecked(false);
             QTest::keyClick(&dialog, Qt::Key_Return);

@@ -83,7 +83,7 @@ private slots:
         selection().setAsset(9);
         const QTemporaryDir presets;
         ExportDialog exports(window().workspace(), nullptr);
-        MaterialDialog materials(window().workspace().document(), selection(), presets.path(), nullptr);
+        MaterialDialog materials(window().workspace().document(), selection(), presets.path(), {}, nullptr);
         for (QDialog* dialog : {static_cast<QDialog*>(&exports), static_cast<QDialog*>(&materials)}) {
             dialog->show();
             QCOMPARE(faultIn(*dialog), QString());

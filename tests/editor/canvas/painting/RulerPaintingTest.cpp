@@ -1,3 +1,4 @@
+#include "editor/canvas/painting/GridPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
 #include "tests/support/TestProgram.h"
 
@@ -18,10 +19,10 @@ QFontMetrics letters() {
     return QFontMetrics(font);
 }
 
-const NumberFormat kMetres = Units().lengths();
+const Units kMetres;
 
-std::vector<RulerTick> labelled(Ruler ruler, const CanvasView& view, const NumberFormat& format = kMetres) {
-    std::vector<RulerTick> ticks = rulerTicks(ruler, view, format, letters());
+std::vector<RulerTick> labelled(Ruler ruler, const CanvasView& view, const Units& units = kMetres) {
+    std::vector<RulerTick> ticks = rulerTicks(ruler, view, units, letters());
     std::erase_if(ticks, [](const RulerTick& tick) { return tick.label.isEmpty(); });
     return ticks;
 }
@@ -95,11 +96,21 @@ private slots:
         QCOMPARE(labelled(Ruler::Top, wide())[4].label, QString("0,5"));
     }
     void labelsUseTheUnit() {
-        const NumberFormat millimetres = Units{LengthUnit::Millimetre}.lengths();
+        const Units millimetres{LengthUnit::Millimetre};
         QCOMPARE(labelled(Ruler::Top, wide(), millimetres)[4].label, QString("500"));
         CanvasView near = wide();
         near.scale = 2e6;
         QCOMPARE(labelled(Ruler::Top, near, millimetres)[5].label, QString("0.10"));  // every 0.05 mm: 100 pixels
+    }
+    void stepsAreRoundInFeet() {
+        const Units feet{LengthUnit::Foot};
+        QStringList top;
+        for (const RulerTick& tick : labelled(Ruler::Top, wide(), feet)) {
+            top.append(tick.label);
+            QCOMPARE(tick.at, pixelOf(Ruler::Top, wide(), 0.3048 * tick.label.toDouble()));
+        }
+        QCOMPARE(top, (QStringList{"-6", "-4", "-2", "0", "2", "4", "6"}));
+        QCOMPARE(gridStep(wide(), feet), 0.5 * 0.3048);  // 14 pixels or more
     }
     void fontFollowsTheWindow() {
         QFont font;

@@ -125,7 +125,7 @@ private slots:
         desk.table.setUnits({LengthUnit::Centimetre});
         QCOMPARE(desk.text(0, Column::Area), "5000");
         QCOMPARE(desk.text(0, Column::Volume), "250000");
-        QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 1000 kg");
+        QCOMPARE(desk.totals(), "Listed: 2 of 2, 500000 cm³, 1000 kg");
         desk.filter.setText("area < 5001");
         QCOMPARE(desk.model.rowCount(), 2);
         desk.filter.setText("area > 1 m²");

@@ -41,6 +41,31 @@ private slots:
         QCOMPARE((*field)->range().max, range.max);
         QCOMPARE((*field)->range().isMinExcluded, range.isMinExcluded);
     }
+    void lengthsFollowTheUnit() {
+        test::Stage stage;
+        PlayToolsPanel panel(stage.document, stage.controller);
+        panel.setUnits({LengthUnit::Foot});
+        QStringList inFeet;
+        for (NumberField* field : panel.findChildren<NumberField*>()) {
+            if (field->text().endsWith("ft")) inFeet << field->accessibleName();
+        }
+        QCOMPARE(inFeet, QStringList({"Width", "Height", "Length", "Head Radius", "Radius"}));
+    }
+    void sizeOfABallIsItsDiameter() {
+        test::Stage stage;
+        const PlayToolsPanel panel(stage.document, stage.controller);
+        PlayToolSettings tools = stage.controller.toolSettings();
+        tools.projectile.kind = ProjectileKind::Ball;
+        stage.controller.setToolSettings(tools);
+        QStringList visible;
+        for (const NumberField* field : panel.findChildren<NumberField*>()) {
+            if (!field->isHidden()) visible << field->accessibleName();
+        }
+        QCOMPARE(visible.first(2), QStringList({"Diameter", "Mass"}));
+        tools.projectile.kind = ProjectileKind::Box;
+        stage.controller.setToolSettings(tools);
+        QCOMPARE(panel.findChildren<NumberField*>().first()->accessibleName(), "Width");
+    }
     void speedIsAutomaticUntilSwitchedOff() {
         test::Stage stage;
         const PlayToolsPanel panel(stage.document, stage.controller);

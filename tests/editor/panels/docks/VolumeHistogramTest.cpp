@@ -10,6 +10,15 @@ using namespace rubble;
 class VolumeHistogramTest : public QObject {
     Q_OBJECT
 private slots:
+    void allVolumesHaveTheUnitOfTheLargest() {
+        VolumeHistogram histogram;
+        histogram.resize(300, 150);
+        histogram.setVolumes({1.2e-5, 3e-4, 1.2}, std::vector<bool>(3, false));
+        QCOMPARE(histogram.accessibleDescription(), QString("3 fragment(s) from 0.000012\u00a0m³ to 1.2\u00a0m³"));
+        histogram.setUnits({LengthUnit::Foot});
+        QCOMPARE(histogram.accessibleDescription(),
+                 QString("3 fragment(s) from 0.0004238\u00a0ft\u00b3 to 42.38\u00a0ft\u00b3"));
+    }
     void clicksDragsAndKeysSelectRanges() {
         VolumeHistogram histogram;
         histogram.resize(300, 150);
