@@ -9,9 +9,9 @@
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "core/play/session/Session.h"
 #include "tests/support/asset/House.h"
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/render/SurfacelessContext.h"
+#include "viewport/render/gl/RenderTarget.h"
+#include "viewport/render/gl/SurfacelessContext.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include <epoxy/gl.h>

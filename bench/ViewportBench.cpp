@@ -4,9 +4,9 @@
 // same step. Wall-clock times; images of 1280 x 720 with any driver that EGL finds, in software without a GPU.
 #include "bench/MovingFragments.h"
 #include "bench/RatioReporter.h"
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/render/SurfacelessContext.h"
+#include "viewport/render/gl/RenderTarget.h"
+#include "viewport/render/gl/SurfacelessContext.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include <epoxy/gl.h>

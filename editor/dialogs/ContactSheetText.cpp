@@ -1,6 +1,6 @@
 #include "editor/dialogs/ContactSheetText.h"
 
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCoreApplication>
 #include <QLocale>

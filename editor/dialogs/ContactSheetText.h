@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/play/analysis/ContactSheet.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/background/ContactSheetGenerator.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -7,7 +7,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>

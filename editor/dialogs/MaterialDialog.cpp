@@ -6,7 +6,7 @@
 #include "editor/dialogs/PatternPreview.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

@@ -4,7 +4,7 @@
 #include "editor/commands/MaterialEdits.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QDialog>
 

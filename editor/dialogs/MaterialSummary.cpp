@@ -5,8 +5,8 @@
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LayerText.h"
-#include "editor/widgets/LocalizedQuantity.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QCoreApplication>
 #include <QPainter>

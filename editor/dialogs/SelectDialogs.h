@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/bake/Bake.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QDialog>
 

@@ -2,7 +2,7 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "editor/widgets/ColourConversion.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/OverlayPlate.h"
 
 #include <QLocale>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/widget/ViewportOverlay.h"
 

@@ -2,7 +2,7 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/play/PlayController.h"
-#include "editor/widgets/RoundStep.h"
+#include "editor/widgets/numbers/RoundStep.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

@@ -21,7 +21,7 @@
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 

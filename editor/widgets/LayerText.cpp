@@ -1,8 +1,8 @@
 #include "editor/widgets/LayerText.h"
 
 #include "core/base/Assert.h"
-#include "editor/widgets/LocalizedQuantity.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

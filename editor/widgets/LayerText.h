@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/fracture/pattern/PatternKind.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QLocale>
 

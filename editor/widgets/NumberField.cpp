@@ -1,7 +1,7 @@
 #include "editor/widgets/NumberField.h"
 
 #include "editor/widgets/Theme.h"
-#include "editor/widgets/UnitNames.h"
+#include "editor/widgets/numbers/UnitNames.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>

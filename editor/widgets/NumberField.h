@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QAbstractSpinBox>
 #include <QElapsedTimer>

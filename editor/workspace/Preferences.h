@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/widgets/Theme.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 #include "viewport/widget/Navigation.h"
 #include "viewport/widget/ProgressiveRendering.h"
 

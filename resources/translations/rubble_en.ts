@@ -168,6 +168,16 @@
     </message>
 </context>
 <context>
+    <name>rubble::FragmentSection</name>
+    <message numerus="yes">
+        <source>%Ln selected fragment(s) break further.</source>
+        <translation>
+            <numerusform>%Ln selected fragment break further.</numerusform>
+            <numerusform>%Ln selected fragments break further.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::ImportDialog</name>
     <message numerus="yes">
         <source>%Ln object(s)</source>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "viewport/render/RenderPrograms.h"
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
+#include "viewport/render/gl/RenderTarget.h"
 
 namespace rubble {
 

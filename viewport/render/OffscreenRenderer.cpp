@@ -1,6 +1,6 @@
 #include "viewport/render/OffscreenRenderer.h"
 
-#include "viewport/render/RenderTarget.h"
+#include "viewport/render/gl/RenderTarget.h"
 
 #include <epoxy/gl.h>
 

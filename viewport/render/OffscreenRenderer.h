@@ -3,7 +3,7 @@
 #include "core/base/TaskContext.h"
 #include "viewport/render/Image.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/render/SurfacelessContext.h"
+#include "viewport/render/gl/SurfacelessContext.h"
 
 namespace rubble {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/SceneBuffers.h"
-#include "viewport/render/ShaderProgram.h"
+#include "viewport/render/gl/RenderTarget.h"
+#include "viewport/render/gl/ShaderProgram.h"
 
 namespace rubble {
 

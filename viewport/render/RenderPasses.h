@@ -2,14 +2,14 @@
 
 #include "viewport/render/AxesIndicator.h"
 #include "viewport/render/FrameBlock.h"
-#include "viewport/render/InstanceBuffer.h"
 #include "viewport/render/LightBuffer.h"
 #include "viewport/render/OutlinePass.h"
 #include "viewport/render/RenderPrograms.h"
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/SceneBuffers.h"
 #include "viewport/render/SkyMaps.h"
 #include "viewport/render/TransparencyPass.h"
+#include "viewport/render/gl/InstanceBuffer.h"
+#include "viewport/render/gl/RenderTarget.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewport/render/ShaderProgram.h"
+#include "viewport/render/gl/ShaderProgram.h"
 
 namespace rubble {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "viewport/render/RenderCounts.h"
-#include "viewport/render/TexelBuffer.h"
+#include "viewport/render/gl/TexelBuffer.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <memory>

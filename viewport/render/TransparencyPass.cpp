@@ -5,8 +5,8 @@
 namespace rubble {
 namespace {
 
-constexpr GLenum kColours = GL_COLOR_ATTACHMENT0, kWeights = GL_COLOR_ATTACHMENT1;
-constexpr GLenum kBoth[] = {kColours, kWeights};
+constexpr GLenum kColourTargets = GL_COLOR_ATTACHMENT0, kWeights = GL_COLOR_ATTACHMENT1;
+constexpr GLenum kBoth[] = {kColourTargets, kWeights};
 
 GlTexture texture(ImageSize size, GLenum format, GLenum components) {
     GlTexture made = GlTexture::create();
@@ -56,13 +56,13 @@ void TransparencyPass::allocate(ImageSize size, int samples) {
     m_weights = texture(size, GL_R16F, GL_RED);
     m_resolved = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, kColours, GL_TEXTURE_2D, m_colours.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, kColourTargets, GL_TEXTURE_2D, m_colours.id(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, kWeights, GL_TEXTURE_2D, m_weights.id(), 0);
     m_sums = {};
     if (samples > 0) {
         m_sums = GlFramebuffer::create();
         glBindFramebuffer(GL_FRAMEBUFFER, m_sums.id());
-        m_multisampleColours = attached(kColours, size, GL_RGBA16F, samples);
+        m_multisampleColours = attached(kColourTargets, size, GL_RGBA16F, samples);
         m_multisampleWeights = attached(kWeights, size, GL_R16F, samples);
     }
     m_depths = attached(GL_DEPTH_ATTACHMENT, size, GL_DEPTH_COMPONENT32F, samples);

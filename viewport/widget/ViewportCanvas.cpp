@@ -99,7 +99,7 @@ int ViewportCanvas::sampleLimit() const { return m_hasGpu ? kMaxSamples : kMaxSo
 
 void ViewportCanvas::invalidate() {
     m_isAtRest = false;
-    m_isMoving = m_shown.isValid() && m_shown.elapsed() < kMovingMilliseconds;
+    m_isMoving = m_isAdaptive && m_shown.isValid() && m_shown.elapsed() < kMovingMilliseconds;
     m_samples = 0;
     m_drawn = Drawn::Nothing;
     m_idle.stop();

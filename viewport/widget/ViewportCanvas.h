@@ -25,6 +25,7 @@ public:
     /// The view's size is ignored: the widget's is used.
     void setView(const RenderView& view);
     void setProgressiveRendering(ProgressiveRendering mode);
+    void setAdaptive(bool isOn) { m_isAdaptive = isOn; }
 
     /// The widget's size in device pixels.
     ImageSize imageSize() const;
@@ -58,8 +59,9 @@ private:
     enum class Drawn { Nothing, Moving, Resting };
     Drawn m_drawn = Drawn::Nothing;  // since the last change
     int m_samples = 0;               // accumulated since the last change
-    bool m_isMoving = false;         // changes follow one another
-    bool m_isAtRest = false;         // since the last change, rest() was called
+    bool m_isAdaptive = true;
+    bool m_isMoving = false;  // changes follow one another
+    bool m_isAtRest = false;  // since the last change, rest() was called
     AdaptiveResolution m_resolution;
     QElapsedTimer m_begun;  // since an image was begun, until it is shown
     QElapsedTimer m_shown;  // since one that a change made was

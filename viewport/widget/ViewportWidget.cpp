@@ -118,6 +118,10 @@ void ViewportWidget::setProgressiveRendering(ProgressiveRendering mode) {
     if (m_canvas != nullptr) m_canvas->setProgressiveRendering(mode);
 }
 
+void ViewportWidget::setAdaptive(bool isOn) {
+    if (m_canvas != nullptr) m_canvas->setAdaptive(isOn);
+}
+
 ImageSize ViewportWidget::imageSize() const {
     return m_canvas != nullptr ? m_canvas->imageSize() : ImageSize{std::max(1, width()), std::max(1, height())};
 }

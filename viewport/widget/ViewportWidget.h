@@ -57,6 +57,9 @@ public:
     /// Whether camera changes are animated.
     void setCameraAnimation(bool isOn) { m_isAnimated = isOn; }
     void setProgressiveRendering(ProgressiveRendering mode);
+    /// Whether the view may be drawn less sharply while something moves, to move smoothly. Without, pictures do not
+    /// depend on the speed of the machine.
+    void setAdaptive(bool isOn);
 
     /// The camera; during an animation, its goal.
     const Camera& camera() const { return m_goal; }

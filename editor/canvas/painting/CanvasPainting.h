@@ -5,7 +5,7 @@
 #include "editor/canvas/painting/CanvasView.h"
 #include "editor/canvas/painting/MovedCells.h"
 #include "editor/document/FragmentSelection.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QPainter>
 

@@ -1,6 +1,6 @@
 #include "editor/canvas/painting/GridPainting.h"
 
-#include "editor/widgets/RoundStep.h"
+#include "editor/widgets/numbers/RoundStep.h"
 
 #include <cmath>
 

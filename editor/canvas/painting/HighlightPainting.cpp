@@ -5,7 +5,7 @@
 #include "editor/canvas/painting/RulerPainting.h"
 #include "editor/canvas/painting/VoronoiEdges.h"
 #include "editor/document/ShownText.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCoreApplication>
 #include <QLocale>

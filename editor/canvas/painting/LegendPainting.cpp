@@ -5,7 +5,7 @@
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/widgets/ColourConversion.h"
 #include "editor/widgets/LayerText.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCoreApplication>
 #include <QLocale>

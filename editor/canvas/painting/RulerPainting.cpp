@@ -1,8 +1,8 @@
 #include "editor/canvas/painting/RulerPainting.h"
 
 #include "editor/canvas/painting/GridPainting.h"
-#include "editor/widgets/NumberText.h"
-#include "editor/widgets/RoundStep.h"
+#include "editor/widgets/numbers/NumberText.h"
+#include "editor/widgets/numbers/RoundStep.h"
 
 #include <QFontInfo>
 

@@ -2,7 +2,7 @@
 
 #include "editor/canvas/painting/CanvasColours.h"
 #include "editor/canvas/painting/CanvasView.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QFontMetrics>
 #include <QPainter>

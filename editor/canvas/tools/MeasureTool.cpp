@@ -2,7 +2,7 @@
 
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/canvas/tools/Snapping.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QLocale>
 

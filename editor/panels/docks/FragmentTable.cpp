@@ -6,7 +6,7 @@
 #include "editor/panels/docks/VolumeHistogram.h"
 #include "editor/widgets/Action.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>

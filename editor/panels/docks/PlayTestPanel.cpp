@@ -4,11 +4,11 @@
 #include "editor/commands/Renaming.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
 #include "editor/widgets/TypedFields.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QComboBox>
 #include <QHeaderView>

@@ -2,7 +2,7 @@
 
 #include "editor/background/PlayTestRunner.h"
 #include "editor/play/PlayController.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QWidget>
 

@@ -3,7 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "editor/document/Document.h"
 #include "editor/play/PlayController.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QWidget>
 

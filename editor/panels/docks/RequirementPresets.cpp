@@ -1,6 +1,6 @@
 #include "editor/panels/docks/RequirementPresets.h"
 
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "editor/panels/docks/StepGraph.h"
 
-#include "editor/widgets/RoundStep.h"
+#include "editor/widgets/numbers/RoundStep.h"
 
 #include <QLocale>
 #include <QPainter>

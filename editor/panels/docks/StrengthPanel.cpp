@@ -11,11 +11,11 @@
 #include "editor/panels/docks/RequirementPresets.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ComboBox.h"
-#include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/NumberField.h"
-#include "editor/widgets/NumberText.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "editor/panels/docks/VolumeHistogram.h"
 
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/panels/models/Histogram.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QWidget>
 

@@ -5,9 +5,9 @@
 #include "editor/commands/Resizing.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
-#include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/SliderField.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

@@ -3,7 +3,7 @@
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QList>
 #include <QStringList>

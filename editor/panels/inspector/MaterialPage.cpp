@@ -4,9 +4,9 @@
 #include "editor/commands/Renaming.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
-#include "editor/widgets/LocalizedQuantity.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

@@ -2,7 +2,7 @@
 
 #include "editor/widgets/Form.h"
 #include "editor/widgets/Section.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 namespace rubble {
 

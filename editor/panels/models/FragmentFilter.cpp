@@ -1,6 +1,6 @@
 #include "editor/panels/models/FragmentFilter.h"
 
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -2,7 +2,7 @@
 
 #include "core/base/Result.h"
 #include "editor/panels/models/FragmentMetrics.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QLocale>
 

@@ -1,7 +1,7 @@
 #include "editor/panels/models/FragmentModel.h"
 
-#include "editor/widgets/LocalizedQuantity.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QFont>
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 #include "editor/panels/models/ImpactModel.h"
 
 #include "editor/document/ShownText.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <QGuiApplication>
 #include <QPalette>

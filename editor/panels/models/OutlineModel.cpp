@@ -2,7 +2,7 @@
 
 #include "core/asset/project/OutlineEdit.h"
 #include "editor/commands/ProjectEdits.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <algorithm>
 

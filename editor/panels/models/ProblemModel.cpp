@@ -2,8 +2,8 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/LocalizedQuantity.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <array>
 

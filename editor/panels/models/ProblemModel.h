@@ -2,7 +2,7 @@
 
 #include "core/asset/checks/Problems.h"
 #include "editor/document/Document.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QAbstractTableModel>
 

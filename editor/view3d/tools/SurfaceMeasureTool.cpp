@@ -1,6 +1,6 @@
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/scene/SurfacePicking.h"
 #include "viewport/widget/OverlayPlate.h"
 #include "viewport/widget/ViewportWidget.h"

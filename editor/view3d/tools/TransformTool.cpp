@@ -4,8 +4,8 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/ShownText.h"
 #include "editor/view3d/tools/GizmoPainting.h"
-#include "editor/widgets/LocalizedQuantity.h"
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
+#include "editor/widgets/numbers/NumberText.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QLocale>

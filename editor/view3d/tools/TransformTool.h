@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/placement/InstancePlacement.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/Gizmo.h"
 #include "viewport/widget/ViewportTool.h"

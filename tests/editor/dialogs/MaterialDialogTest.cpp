@@ -28,7 +28,7 @@ Project paneProject() {
 struct Library {
     explicit Library(const Project& project = paneProject()) : document(project) {
         selection.setAsset(project.assets[0].id);
-        dialog = std::make_unique<MaterialDialog>(document, selection, "/nowhere");
+        dialog = std::make_unique<MaterialDialog>(document, selection, "/nowhere", Units());
         dialog->show();
     }
     void select(const char* material) {

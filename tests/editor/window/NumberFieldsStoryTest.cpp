@@ -1,4 +1,4 @@
-// Tests editor/widgets/NumberField.cpp and editor/widgets/UnitNames.cpp in the docks of a window.
+// Tests editor/widgets/NumberField.cpp and editor/widgets/numbers/UnitNames.cpp in the docks of a window.
 #include "editor/panels/inspector/PatternEditor.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/TypedFields.h"

@@ -117,6 +117,7 @@ private:
         m_window->activateWindow();
         QApplication::setActiveWindow(m_window.get());
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
+        viewport().setAdaptive(false);
     }
 
     QTemporaryDir m_folder;

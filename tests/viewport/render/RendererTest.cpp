@@ -1,9 +1,9 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
 #include "tests/support/editor/StarterScene.h"
-#include "viewport/render/RenderTarget.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/render/SurfacelessContext.h"
+#include "viewport/render/gl/RenderTarget.h"
+#include "viewport/render/gl/SurfacelessContext.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
 using namespace rubble;

@@ -2,7 +2,7 @@
 #include "tests/support/editor/Pictures.h"
 #include "tests/support/editor/StarterScene.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/render/RenderTarget.h"
+#include "viewport/render/gl/RenderTarget.h"
 
 #include <QImage>
 #include <QTest>

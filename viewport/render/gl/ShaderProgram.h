@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "viewport/render/GlObjects.h"
+#include "viewport/render/gl/GlObjects.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -1,4 +1,4 @@
-#include "editor/widgets/UnitNames.h"
+#include "editor/widgets/numbers/UnitNames.h"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "viewport/render/ShaderProgram.h"
+#include "viewport/render/gl/ShaderProgram.h"
 
 #include "shader_source.h"
 

@@ -1,6 +1,6 @@
-#include "editor/widgets/UnitNames.h"
+#include "editor/widgets/numbers/UnitNames.h"
 
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "viewport/render/GlObjects.h"
+#include "viewport/render/gl/GlObjects.h"
 
 #include <epoxy/gl.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QLocale>
 

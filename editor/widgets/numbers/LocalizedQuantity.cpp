@@ -1,6 +1,6 @@
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "viewport/render/GlObjects.h"
-#include "viewport/render/ShaderProgram.h"
+#include "viewport/render/gl/GlObjects.h"
+#include "viewport/render/gl/ShaderProgram.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "viewport/render/InstanceBuffer.h"
+#include "viewport/render/gl/InstanceBuffer.h"
 
 #include <epoxy/gl.h>
 

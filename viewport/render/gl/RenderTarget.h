@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewport/render/GlObjects.h"
+#include "viewport/render/gl/GlObjects.h"
 #include "viewport/scene/Camera.h"
 
 namespace rubble {

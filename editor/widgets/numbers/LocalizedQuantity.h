@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/QuantityText.h"
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QLocale>
 

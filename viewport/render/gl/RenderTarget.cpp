@@ -1,6 +1,6 @@
-#include "viewport/render/RenderTarget.h"
+#include "viewport/render/gl/RenderTarget.h"
 
-#include "viewport/render/ShaderProgram.h"
+#include "viewport/render/gl/ShaderProgram.h"
 
 #include <epoxy/gl.h>
 

@@ -1,8 +1,8 @@
-#include "editor/widgets/NumberText.h"
+#include "editor/widgets/numbers/NumberText.h"
 
 #include "core/base/QuantityText.h"
-#include "editor/widgets/Decimal.h"
-#include "editor/widgets/UnitNames.h"
+#include "editor/widgets/numbers/Decimal.h"
+#include "editor/widgets/numbers/UnitNames.h"
 
 #include <QRegularExpression>
 

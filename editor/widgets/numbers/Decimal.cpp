@@ -1,4 +1,4 @@
-#include "editor/widgets/Decimal.h"
+#include "editor/widgets/numbers/Decimal.h"
 
 #include <QLocale>
 

@@ -1,4 +1,4 @@
-#include "viewport/render/TexelBuffer.h"
+#include "viewport/render/gl/TexelBuffer.h"
 
 #include <epoxy/gl.h>
 

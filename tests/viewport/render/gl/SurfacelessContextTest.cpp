@@ -1,4 +1,4 @@
-#include "viewport/render/SurfacelessContext.h"
+#include "viewport/render/gl/SurfacelessContext.h"
 
 #include "tests/support/TestProgram.h"
 

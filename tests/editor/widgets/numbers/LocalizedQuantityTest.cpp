@@ -1,4 +1,4 @@
-#include "editor/widgets/LocalizedQuantity.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include "tests/support/TestProgram.h"
 

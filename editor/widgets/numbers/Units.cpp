@@ -1,4 +1,4 @@
-#include "editor/widgets/Units.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <cmath>
 

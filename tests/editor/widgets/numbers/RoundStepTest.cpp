@@ -1,4 +1,4 @@
-#include "editor/widgets/RoundStep.h"
+#include "editor/widgets/numbers/RoundStep.h"
 
 #include "tests/support/TestProgram.h"
 
