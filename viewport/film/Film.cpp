@@ -3,6 +3,7 @@
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
 #include "core/io/system/Temporary.h"
+#include "viewport/film/FrameWriter.h"
 #include "viewport/render/OffscreenRenderer.h"
 
 #include <algorithm>
@@ -41,15 +42,16 @@ Status renderTo(std::span<SessionPlayback> playbacks, const FilmPlan& plan, Pict
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return renderer.error();
     const TaskContext part{.cancel = task.cancel};
+    FrameWriter writer(sequence);
     for (int frame = 0; frame < plan.frames; ++frame) {
-        const Result<Image> image = frameAt(playbacks, *renderer, plan, plan.first + frame * plan.stepsPerFrame, part);
+        Result<Image> image = frameAt(playbacks, *renderer, plan, plan.first + frame * plan.stepsPerFrame, part);
         if (!image) return image.error();
         const Result<std::string> png = pngOf(*image);
         if (!png) return png.error();
         if (const Status added = sequence.add(*png); !added) return added;
         task.report(static_cast<double>(frame + 1) / plan.frames);
     }
-    return success();
+    return writer.finish();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace rubble {
 /// The frames of a film and its frame rate.
 struct FilmPlan {
     RenderView view;             // of each playback; its stepFraction is ignored
-    int samples = 8;             // see renderImage()
+    int samples = 0;             // see renderImage(); 0: one pass, antialiased as `view` says
     double first = 0.0;          // step of the first frame, >= 0
     double stepsPerFrame = 1.0;  // > 0; poses between two steps are interpolated
     int frames = 1;              // at most kMaxPictures

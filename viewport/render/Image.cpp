@@ -4,7 +4,65 @@
 
 #include <png.h>
 
+#include <csetjmp>
+#include <exception>
+
 namespace rubble {
+namespace {
+
+/// libpng's state while it encodes an image. Its errors jump back into encode().
+class PngWriting {
+public:
+    PngWriting() : m_png(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, keepMessage, ignore)) {
+        if (m_png != nullptr) m_info = png_create_info_struct(m_png);
+    }
+    ~PngWriting() { png_destroy_write_struct(&m_png, &m_info); }
+    PngWriting(const PngWriting&) = delete;
+    PngWriting& operator=(const PngWriting&) = delete;
+
+    /// Appends the file to `bytes`; false if that fails.
+    bool encode(const Image& image, PngEffort effort, std::string& bytes) {
+        if (m_info == nullptr || setjmp(png_jmpbuf(m_png)) != 0) return false;
+        png_set_write_fn(m_png, &bytes, append, nullptr);
+        png_set_IHDR(m_png, m_info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        if (effort == PngEffort::Quick) {
+            png_set_compression_level(m_png, kQuickLevel);
+            png_set_filter(m_png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+        }
+        png_write_info(m_png, m_info);
+        const std::size_t row = 3 * static_cast<std::size_t>(image.width);
+        for (int y = 0; y < image.height; ++y) {
+            png_write_row(m_png, image.pixels.data() + row * static_cast<std::size_t>(y));
+        }
+        png_write_end(m_png, m_info);
+        return true;
+    }
+    std::string message() const { return m_message.empty() ? "out of memory" : m_message; }
+
+private:
+    static constexpr int kQuickLevel = 2;
+
+    static void append(png_structp png, png_bytep bytes, std::size_t count) {
+        try {
+            static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+            return;
+        } catch (const std::exception&) {  // must not pass through libpng
+        }
+        png_error(png, "out of memory");
+    }
+    [[noreturn]] static void keepMessage(png_structp png, png_const_charp message) {
+        static_cast<PngWriting*>(png_get_error_ptr(png))->m_message = message;
+        png_longjmp(png, 1);
+    }
+    static void ignore(png_structp, png_const_charp) {}
+
+    png_structp m_png;
+    png_infop m_info = nullptr;
+    std::string m_message;
+};
+
+}  // namespace
 
 Image besideEachOther(const Image& left, const Image& right, int gap) {
     RUBBLE_ASSERT(left.height == right.height);
@@ -23,18 +81,12 @@ Image besideEachOther(const Image& left, const Image& right, int gap) {
     return both;
 }
 
-Result<std::string> pngOf(const Image& image) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGB;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    std::string bytes(size, '\0');
-    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
-        return Error{ErrorCode::Limit, std::string("The image could not be encoded as PNG: ") + png.message + "."};
+Result<std::string> pngOf(const Image& image, PngEffort effort) {
+    std::string bytes;
+    PngWriting writing;
+    if (!writing.encode(image, effort, bytes)) {
+        return Error{ErrorCode::Limit, "The image could not be encoded as PNG: " + writing.message() + "."};
     }
-    bytes.resize(size);
     return bytes;
 }
 

@@ -18,6 +18,8 @@
 namespace rubble {
 namespace {
 
+constexpr int kFilmMsaa = 4;  // samples per pixel
+
 constexpr const char* kFilmFooter =
     R"(Plays a project and draws it every few steps, from a fixed view. The pictures are FOLDER/frame-0000.png and so
 on; a sequence that is stopped keeps those that are complete. A folder that already holds such pictures is
@@ -33,7 +35,7 @@ Examples:
 struct FilmOptions {
     std::string file;
     std::string output;
-    PictureOptions picture{.samples = 8};
+    PictureOptions picture{.samples = 0};
     PlayOptions play;
     int first = 0;
     int steps = 0;
@@ -98,6 +100,7 @@ Status film(const FilmOptions& options, const CliContext& context) {
     Result<std::vector<SessionPlayback>> playbacks = playbacksOf(*play, options);
     if (!playbacks) return playbacks.error();
     plan->view = pictureView(options.picture, withSpaceForDebris(boundsOf(*playbacks->front().scene())));
+    plan->view.settings.msaa = kFilmMsaa;
     ProgressLine line(context, "Filming");
     task.progress = [&line](double fraction) { line.show(fraction); };
     const Status shot = isFilm ? renderFilm(*playbacks, *plan, options.output, task)

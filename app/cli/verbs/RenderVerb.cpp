@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kRenderFooter =
     R"(Renders the fragments of a project's instances in 3D, with OpenGL but without a display; with --asset, a single
 asset. With --at, simulates the project to that step, with the given shots, and renders it then, framed as at
-the start. Each sample adds a direction of light; 0 renders what the editor shows while the view moves.
+the start. Each sample adds directions of light; 0 renders a single pass, as for videos.
 
 Examples:
   rubble-cli render house.rubble --out house.png
