@@ -1,5 +1,6 @@
 #include "editor/actions/FragmentActions.h"
 
+#include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
@@ -9,24 +10,30 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace rubble {
 
 namespace {
 
-/// Returns the only fragment of a set that has no ancestor in the set; none if there are several.
-std::optional<std::uint32_t> singleRoot(const FragmentSet& set, const Bake& bake) {
-    std::optional<std::uint32_t> root;
+/// The fragments of a set that have no ancestor in it.
+std::vector<std::uint32_t> rootsOf(const FragmentSet& set, const Bake& bake) {
+    std::vector<std::uint32_t> roots;
     for (std::uint32_t k = 0; k < set.size(); ++k) {
         if (!set[k]) continue;
         std::uint32_t ancestor = bake.fragment(k).parent;
         while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
-        if (ancestor != kNone) continue;
-        if (root) return std::nullopt;
-        root = k;
+        if (ancestor == kNone) roots.push_back(k);
     }
-    return root;
+    return roots;
+}
+
+bool haveOneParent(const std::vector<SelectedPiece>& fragments) {
+    return std::ranges::all_of(fragments, [&](const SelectedPiece& fragment) {
+        return parentOf(fragment.path) == parentOf(fragments.front().path);
+    });
 }
 
 }  // namespace
@@ -36,17 +43,19 @@ FragmentActions::FragmentActions(Views& views)
       m_views(views),
       m_workspace(views.workspace()),
       m_menu(new QMenu(tr("Fra&gments"), &views.window())) {
-    m_fracture =
-        addEdit({"fragment-fracture", tr("&Fracture Again"),
-                 tr("Fracture the selected fragments, each with its own pattern"), QKeySequence("Ctrl+Shift+F")},
-                fractureFragments);
+    m_fracture = makeAction(
+        this, {"fragment-fracture", tr("&Fracture Again"),
+               tr("Fracture the selected fragments, each with its own pattern"), QKeySequence("Ctrl+Shift+F")});
+    connect(m_fracture, &QAction::triggered, this, &FragmentActions::fractureSelected);
+    m_menu->addAction(m_fracture);
     m_keepWhole =
         addEdit({"fragment-whole", tr("&Keep Whole"), tr("Exclude the selected fragments from deeper levels")},
                 keepFragmentsWhole);
     m_menu->addSeparator();
-    m_merge =
-        addEdit({"fragment-merge", tr("&Merge"), tr("Merge the selected fragments into one"), QKeySequence("Ctrl+M")},
-                mergeFragments, 2);
+    m_merge = makeAction(
+        this, {"fragment-merge", tr("&Merge"), tr("Merge the selected fragments into one"), QKeySequence("Ctrl+M")});
+    connect(m_merge, &QAction::triggered, this, &FragmentActions::mergeSelected);
+    m_menu->addAction(m_merge);
     m_split = addEdit({"fragment-split", tr("&Split"), tr("Split each selected fragment in two across its length"),
                        QKeySequence("Ctrl+Shift+M")},
                       splitFragments);
@@ -72,22 +81,53 @@ FragmentActions::FragmentActions(Views& views)
     updateEnabled();
 }
 
-QAction* FragmentActions::addEdit(const ActionDefinition& definition, FragmentEdit edit, std::size_t minCount) {
+QAction* FragmentActions::addEdit(const ActionDefinition& definition, FragmentEdit edit) {
     QAction* action = makeAction(this, definition);
-    connect(action, &QAction::triggered, this, [this, edit, minCount] {
+    connect(action, &QAction::triggered, this, [this, edit] {
         const std::vector<SelectedPiece> fragments = selectedFragments();
-        if (fragments.size() < minCount) return;
-        m_workspace.document().push(edit(m_workspace.project(), m_workspace.selection().asset(), fragments));
+        if (!fragments.empty()) push(edit, fragments);
     });
     m_menu->addAction(action);
     return action;
+}
+
+bool FragmentActions::push(FragmentEdit edit, const std::vector<SelectedPiece>& fragments) {
+    return m_workspace.document().push(edit(m_workspace.project(), m_workspace.selection().asset(), fragments));
+}
+
+/// Shows the result in the canvas, which draws the edges of deeper levels only if it is told to.
+void FragmentActions::fractureSelected() {
+    const std::vector<SelectedPiece> fragments = selectedFragments();
+    if (fragments.empty() || !push(fractureFragments, fragments)) return;
+    CanvasOverlays overlays = m_views.canvas().overlays();
+    overlays.hasDeeperLevels = true;
+    m_views.canvas().setOverlays(overlays);
+    m_views.showStatus(
+        tr("%Ln fragment(s) fractured · Double-click one, or select it and press %1, to edit its pattern", nullptr,
+           static_cast<int>(fragments.size()))
+            .arg(m_enter->shortcut().toString(QKeySequence::NativeText)));
+}
+
+void FragmentActions::mergeSelected() {
+    const std::vector<SelectedPiece> fragments = selectedFragments();
+    if (fragments.size() < 2) return m_views.showStatus(tr("One fragment is selected. Select others to merge with."));
+    if (!haveOneParent(fragments))
+        return m_views.showStatus(tr("The selected fragments have different parents. Select fragments of one parent."));
+    push(mergeFragments, fragments);
 }
 
 std::vector<SelectedPiece> FragmentActions::selectedFragments() const {
     const Selection& selection = m_workspace.selection();
     const auto pattern = m_workspace.bakes().findPattern(selection.asset(), selection.enteredFragment());
     if (!pattern || !m_workspace.asset()) return {};
-    return selectedPieces(pattern->partition, pattern->seeds, selection.seeds(), pattern->parent, pattern->offset);
+    std::vector<SelectedPiece> fragments = selectedPieces(selection.asset(), pattern->partition, pattern->seeds,
+                                                          selection.fragments(), pattern->parent, pattern->offset);
+    const auto baked = m_workspace.bakes().find(selection.asset());
+    if (baked && baked->bake && selection.fragments().ids) {
+        std::vector<SelectedPiece> deeper = selectedDescendants(*baked->bake, selection.fragments(), pattern->parent);
+        std::ranges::move(deeper, std::back_inserter(fragments));
+    }
+    return fragments;
 }
 
 void FragmentActions::restore() {
@@ -97,7 +137,14 @@ void FragmentActions::restore() {
         restoreFragments(m_workspace.project(), selection.asset(), selection.seeds(), selection.enteredFragment()));
 }
 
-/// Enters the selected fragment, or its parent if the selected one is not fractured itself.
+QString FragmentActions::severalSelectedText() const {
+    return tr("Several fragments are selected. To enter one, double-click it in the canvas, or select it alone and "
+              "press %1.")
+        .arg(m_enter->shortcut().toString(QKeySequence::NativeText));
+}
+
+/// Enters the selected fragment, or its parent if the selected one is not fractured itself. Of several, the one that is
+/// fractured.
 void FragmentActions::enterSelected() {
     Selection& selection = m_workspace.selection();
     const auto baked = m_workspace.bakes().find(selection.asset());
@@ -106,9 +153,15 @@ void FragmentActions::enterSelected() {
     }
     const Bake& bake = *baked->bake;
     const FragmentSet set = fragmentsOf(selection.fragments(), bake);
-    const std::optional<std::uint32_t> root = singleRoot(set, bake);
-    if (!root) return m_views.showStatus(tr("Several fragments are selected. Select one to enter it."));
-    const FragmentPath path = pathOfId(bake.fragmentId(*root));
+    std::vector<std::uint32_t> roots = rootsOf(set, bake);
+    const auto pathTo = [&](std::uint32_t fragment) { return pathOfId(bake.fragmentId(fragment)); };
+    if (roots.size() > 1) {
+        std::erase_if(roots, [&](std::uint32_t root) {
+            return nearestFractured(*m_workspace.asset(), &bake, pathTo(root)) != pathTo(root);
+        });
+    }
+    if (roots.size() != 1) return m_views.showStatus(severalSelectedText());
+    const FragmentPath path = pathTo(roots.front());
     const FragmentPath fractured = nearestFractured(*m_workspace.asset(), &bake, path);
     if (fractured == path) return enterFragment(selection, path);
     if (fractured.empty() || fractured == selection.enteredFragment()) {

@@ -28,10 +28,14 @@ private:
     using FragmentEdit = Edit (*)(const Project&, Id asset, const std::vector<SelectedPiece>& fragments);
 
     /// Adds an action that applies an edit to the selected fragments.
-    QAction* addEdit(const struct ActionDefinition& definition, FragmentEdit edit, std::size_t minCount = 1);
+    QAction* addEdit(const struct ActionDefinition& definition, FragmentEdit edit);
+    bool push(FragmentEdit edit, const std::vector<SelectedPiece>& fragments);
     std::vector<SelectedPiece> selectedFragments() const;
+    void fractureSelected();
+    void mergeSelected();
     void restore();
     void enterSelected();
+    QString severalSelectedText() const;
     void exitFragment();
     void updateEnabled();
 

@@ -56,18 +56,37 @@ struct EditFilter {
 
 }  // namespace
 
-std::vector<SelectedPiece> selectedPieces(const Partition& partition, const Seeds& seeds,
-                                          const std::set<SeedId>& selected, const FragmentPath& parent, Vec2 offset) {
+std::vector<SelectedPiece> selectedPieces(Id asset, const Partition& partition, const Seeds& seeds,
+                                          const FragmentSelection& selection, const FragmentPath& parent, Vec2 offset) {
     const std::string prefix = parent.empty() ? std::string() : parent + "/";
+    const std::string ofAsset = std::to_string(asset) + "/";
+    const FragmentSelection::Seeds cells = selection.seedsOf(parent);
     std::vector<SelectedPiece> pieces;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        if (!selected.contains(cellId(partition, piece, seeds.ids))) continue;
+        const SeedId cell = cellId(partition, piece, seeds.ids);
+        if (!cells.contains(cell)) continue;
+        const FragmentPath path = prefix + pieceName(partition, piece, seeds.ids);
+        if (!selection.contains(parent, cell, ofAsset + path)) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
-        pieces.push_back({prefix + pieceName(partition, piece, seeds.ids),
-                          moments.area,
-                          {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
+        pieces.push_back({path, moments.area, {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
     }
     return pieces;
+}
+
+std::vector<SelectedPiece> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
+                                               const FragmentPath& parent) {
+    const FragmentSet set = fragmentsOf(selection, bake);
+    std::vector<SelectedPiece> fragments;
+    for (std::uint32_t k = 0; k < set.size(); ++k) {
+        if (!set[k]) continue;
+        std::uint32_t ancestor = bake.fragment(k).parent;
+        while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
+        const FragmentPath path = pathOfId(bake.fragmentId(k));
+        if (ancestor != kNone || !isWithin(path, parent) || parentOf(path) == parent) continue;
+        const Fragment solid = bake.fragment(k).solid;
+        fragments.push_back({path, area(solid.outline()), splitLine(solid.outline(), Vec2{solid.offset()})});
+    }
+    return fragments;
 }
 
 Line splitLine(const Polygon& outline, Vec2 origin) {

@@ -3,24 +3,29 @@
 #include "core/asset/project/Project.h"
 #include "core/fracture/partition/Partition.h"
 #include "editor/document/Edit.h"
+#include "editor/document/FragmentSelection.h"
 
 #include <set>
 #include <vector>
 
 namespace rubble {
 
-/// A piece of a pattern that is selected in the canvas.
+/// A piece of a pattern that is selected.
 struct SelectedPiece {
     FragmentPath path;
     double area = 0.0;  // m^2
     Line splitLine;     // through its centroid, perpendicular to its principal axis
 };
 
-/// The pieces of the selected seeds, in the order of the partition. `seeds` are all seeds of the partition, which
-/// fractures the fragment `parent` (empty: the whole asset); `offset` (m) is the position of its frame in the asset's.
-std::vector<SelectedPiece> selectedPieces(const Partition& partition, const Seeds& seeds,
-                                          const std::set<SeedId>& selected, const FragmentPath& parent = {},
+/// The selected pieces of an asset's partition, in its order. `seeds` are all seeds of the partition, which fractures
+/// the fragment `parent` (empty: the whole asset); `offset` (m) is the position of its frame in the asset's.
+std::vector<SelectedPiece> selectedPieces(Id asset, const Partition& partition, const Seeds& seeds,
+                                          const FragmentSelection& selection, const FragmentPath& parent = {},
                                           Vec2 offset = Vec2(0.0, 0.0));
+
+/// The selected fragments of a bake that are deeper than the children of `parent` and have no selected ancestor.
+std::vector<SelectedPiece> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
+                                               const FragmentPath& parent = {});
 
 /// The line through an outline's centroid, perpendicular to its principal axis; `origin` is added to it, m.
 Line splitLine(const Polygon& outline, Vec2 origin);

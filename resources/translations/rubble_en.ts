@@ -168,6 +168,16 @@
     </message>
 </context>
 <context>
+    <name>rubble::FragmentActions</name>
+    <message numerus="yes">
+        <source>%Ln fragment(s) fractured · Double-click one, or select it and press %1, to edit its pattern</source>
+        <translation>
+            <numerusform>%Ln fragment fractured · Double-click one, or select it and press %1, to edit its pattern</numerusform>
+            <numerusform>%Ln fragments fractured · Double-click one, or select it and press %1, to edit its pattern</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::FragmentSection</name>
     <message numerus="yes">
         <source>%Ln selected fragment(s) break further.</source>
@@ -292,10 +302,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln seed(s) selected</source>
+        <source>%Ln seed(s) selected · Drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: deselect</source>
         <translation>
-            <numerusform>%Ln seed selected</numerusform>
-            <numerusform>%Ln seeds selected</numerusform>
+            <numerusform>%Ln seed selected · Drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: deselect</numerusform>
+            <numerusform>%Ln seeds selected · Drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: deselect</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fragment(s) selected · Ctrl+click: add · Esc: deselect</source>
+        <translation>
+            <numerusform>%Ln fragment selected · Ctrl+click: add · Esc: deselect</numerusform>
+            <numerusform>%Ln fragments selected · Ctrl+click: add · Esc: deselect</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fragment(s) selected · Drag a seed: move · Del: delete seeds · Ctrl+click: add · Esc: deselect</source>
+        <translation>
+            <numerusform>%Ln fragment selected · Drag a seed: move · Del: delete seeds · Ctrl+click: add · Esc: deselect</numerusform>
+            <numerusform>%Ln fragments selected · Drag a seed: move · Del: delete seeds · Ctrl+click: add · Esc: deselect</numerusform>
         </translation>
     </message>
 </context>

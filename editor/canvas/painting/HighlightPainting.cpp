@@ -17,11 +17,11 @@ namespace rubble {
 
 namespace {
 
-constexpr double kLargestCircle = 1e5;          // pixels; larger circles look like lines and are slow to draw
-constexpr std::size_t kMaxDetailedSeeds = 600;  // more are marked by squares, which are faster
-constexpr double kMessageMargin = 40.0;         // pixels
-constexpr double kPointerMargin = 40.0;         // pixels, that a label keeps from the pointer
-constexpr double kPanelWeight = 1e4;            // of what a label must not cover, against what it should not
+constexpr double kLargestCircle = 1e5;    // pixels; larger circles look like lines and are slow to draw
+constexpr double kMinRingSpacing = 12.0;  // pixels between seeds; closer ones would be covered by their rings
+constexpr double kMessageMargin = 40.0;   // pixels
+constexpr double kPointerMargin = 40.0;   // pixels, that a label keeps from the pointer
+constexpr double kPanelWeight = 1e4;      // of what a label must not cover, against what it should not
 constexpr double kPieceWeight = 100.0;
 constexpr double kPromptMargin = 16.0;  // pixels, around a hint on the canvas
 constexpr double kPromptHeight = 60.0;  // pixels, that a hint takes at most
@@ -35,68 +35,91 @@ QColor withAlpha(QColor colour, int alpha) {
     return colour;
 }
 
+/// Paints what is selected in one pattern: the baked one, or the cells that were changed since.
 class SelectionPainter {
 public:
     SelectionPainter(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
-                     const CanvasColours& colours)
-        : m_painter(painter), m_view(view), m_contents(contents), m_colours(colours) {
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colours.accent, 2.0));
-    }
+                     const CanvasColours& colours, const DrawablePattern& pattern)
+        : m_painter(painter),
+          m_view(view),
+          m_contents(contents),
+          m_colours(colours),
+          m_pattern(pattern),
+          m_isMoved(contents.moved && &pattern == contents.moved->pattern.get()) {}
 
-    void paintSeeds(const FragmentSelection& selection) {
-        const double radius = std::max(seedRadius(*m_contents.pattern, m_view), 2.0) + 2.5;
-        const bool isFine = selection.seeds.size() <= kMaxDetailedSeeds;
-        for (const SeedId id : selection.seeds) {
-            const auto [shown, seed] = m_contents.find(id);
-            if (seed == kNone) continue;
-            const QPointF at = m_view.pixels(shown->seeds().positions[seed]);
-            if (isFine) {
-                paintPieces(*shown, id, seed, selection);
-                m_painter.drawEllipse(at, radius, radius);
-            } else {
-                m_painter.fillRect(QRectF(at.x() - 2.0, at.y() - 2.0, 4.0, 4.0), m_colours.accent);
-            }
-        }
-    }
-
-    /// Highlights the selected cells of cut layers, which have no seed.
-    void paintCells(const FragmentSelection& selection) {
-        Selection::Seeds cells;
-        for (const SeedId id : selection.seeds) {
-            if (m_contents.find(id).second == kNone) cells.insert(id);
-        }
-        if (cells.empty() || !m_contents.overlays.hasCells) return;
-        const DrawablePattern& pattern = *m_contents.pattern;
+    /// Fills the selected fragments, and outlines areas of them: no lines are drawn between two that are selected.
+    void paintFragments(const FragmentSelection& selection) {
+        const std::vector<bool> isSelected = selectedPieces(selection);
+        QList<QLineF> border;
+        m_painter.setRenderHint(QPainter::Antialiasing, false);  // the fills of neighbours would overlap
+        m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(withAlpha(m_colours.accent, kFillAlpha));
-        for (std::uint32_t piece = 0; piece < pattern.partition().pieceCount(); ++piece) {
-            if (pattern.partition().seedOfPiece[piece] == kNone && cells.contains(pattern.cellOf(piece)))
-                m_painter.drawPath(pathOfPiece(pattern, piece, m_view));
+        for (std::uint32_t piece = 0; piece < isSelected.size(); ++piece) {
+            if (!isSelected[piece] || !isOwn(piece)) continue;
+            m_painter.drawPath(pathOfPiece(m_pattern, piece, m_view));
+            addBorder(piece, isSelected, border);
         }
+        m_painter.setRenderHint(QPainter::Antialiasing);
+        m_painter.setPen(QPen(m_colours.accent, kBorderWidth, Qt::SolidLine, Qt::RoundCap));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawLines(border);
     }
 
 private:
     static constexpr int kFillAlpha = 70;  // of 255
+    static constexpr double kBorderWidth = 2.0;
 
-    /// Outlines all pieces of a seed and fills the selected ones.
-    void paintPieces(const DrawablePattern& shown, SeedId id, std::uint32_t seed, const FragmentSelection& selection) {
-        if (!m_contents.overlays.hasCells) return;
-        const IndexRange pieces = shown.piecesOf(seed);
-        for (std::size_t k = pieces.begin; k < pieces.end; ++k) {
-            const auto piece = static_cast<std::uint32_t>(k);
-            const bool isSelected = selection.contains(shown.baked().parent, id, shown.fragmentId(piece));
-            m_painter.setBrush(isSelected ? QBrush(withAlpha(m_colours.accent, kFillAlpha)) : Qt::NoBrush);
-            m_painter.drawPath(pathOfPiece(shown, piece, m_view));
+    std::vector<bool> selectedPieces(const FragmentSelection& selection) const {
+        const Partition& partition = m_pattern.partition();
+        std::vector<bool> isSelected(partition.pieceCount(), false);
+        const FragmentSelection::Seeds seeds = selection.seedsOf(m_pattern.baked().parent);
+        for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
+            const SeedId cell = m_pattern.cellOf(piece);
+            isSelected[piece] = seeds.contains(cell) && (!selection.ids || isNamed(selection, cell, piece));
         }
-        m_painter.setBrush(Qt::NoBrush);
+        return isSelected;
+    }
+    bool isNamed(const FragmentSelection& selection, SeedId cell, std::uint32_t piece) const {
+        return selection.contains(m_pattern.baked().parent, cell, m_pattern.fragmentId(piece));
+    }
+
+    /// Whether the piece is drawn from this pattern.
+    bool isOwn(std::uint32_t piece) const {
+        const std::uint32_t seed = m_pattern.partition().seedOfPiece[piece];
+        if (!m_contents.moved || seed == kNone) return !m_isMoved;
+        return m_isMoved ? m_contents.moved->isShown[seed] : !m_contents.moved->replaces(seed);
+    }
+
+    void addBorder(std::uint32_t piece, const std::vector<bool>& isSelected, QList<QLineF>& border) const {
+        const Partition& partition = m_pattern.partition();
+        forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+            if (neighbour != kNone && isSelected[neighbour]) return;
+            border.push_back({m_view.pixels(partition.origin + partition.points[from]),
+                              m_view.pixels(partition.origin + partition.points[to])});
+        });
     }
 
     QPainter& m_painter;
     const CanvasView& m_view;
     const CanvasContents& m_contents;
     const CanvasColours& m_colours;
+    const DrawablePattern& m_pattern;
+    const bool m_isMoved;
 };
+
+/// Rings around the selected seeds, if they can be told apart.
+void paintSelectedSeeds(QPainter& painter, const Selection::Seeds& seeds, const CanvasView& view,
+                        const CanvasContents& contents, const CanvasColours& colours) {
+    if (seedSpacing(*contents.pattern, view) < kMinRingSpacing) return;
+    const double radius = std::max(seedRadius(*contents.pattern, view), 2.0) + 2.5;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.accent, 2.0));
+    for (const SeedId id : seeds) {
+        const auto [shown, seed] = contents.find(id);
+        if (seed != kNone) painter.drawEllipse(view.pixels(shown->seeds().positions[seed]), radius, radius);
+    }
+}
 
 /// Paints wrapped text on a panel.
 void paintTextPanel(QPainter& painter, const QString& text, const QRectF& area, Qt::Alignment alignment, QSizeF padding,
@@ -125,9 +148,14 @@ void paintOutline(QPainter& painter, const Polygon& outline, const CanvasView& v
 void paintSelection(QPainter& painter, const Selection& selection, const CanvasView& view,
                     const CanvasContents& contents, const CanvasColours& colours) {
     if (!contents.pattern || selection.seeds().empty()) return;
-    SelectionPainter highlights(painter, view, contents, colours);
-    highlights.paintSeeds(selection.fragments());
-    highlights.paintCells(selection.fragments());
+    if (contents.overlays.hasCells) {
+        for (const DrawablePattern* pattern :
+             {contents.pattern.get(), contents.moved ? contents.moved->pattern.get() : nullptr}) {
+            if (!pattern) continue;
+            SelectionPainter(painter, view, contents, colours, *pattern).paintFragments(selection.fragments());
+        }
+    }
+    paintSelectedSeeds(painter, selection.seeds(), view, contents, colours);
 }
 
 void paintHovered(QPainter& painter, const DrawablePattern& pattern, std::uint32_t piece, const CanvasView& view,

@@ -2,6 +2,7 @@
 
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/canvas/painting/CanvasPainting.h"
+#include "editor/canvas/tools/PieceSelection.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/commands/SelectedSeedEdits.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <utility>
 
 namespace rubble {
 
@@ -53,8 +55,13 @@ std::uint32_t SeedTool::seedAt(const CanvasPointer& pointer) const {
     return m_state.pattern ? m_state.pattern->nearestSeed(pointer.metres, kSeedGrabRadius / m_state.view.scale) : kNone;
 }
 
+std::uint32_t SeedTool::pieceAt(const CanvasPointer& pointer) const {
+    return m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
+}
+
 void SeedTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
+    m_pressedSeed = kNone;
     m_hasMoved = false;
     if (!m_state.displayedAsset()) return;
     if (m_handles.press(pointer)) return emit changed();
@@ -64,6 +71,10 @@ void SeedTool::press(const CanvasPointer& pointer) {
         const bool isLasso = pointer.modifiers.testFlag(Qt::AltModifier);
         using Shape = BoxLassoSelection::Shape;
         m_area = AreaDrag{{isLasso ? Shape::Lasso : Shape::Box, pointer.pixels}, isAdding};
+        return;
+    }
+    if (!m_isPlacing) {  // a click selects the fragment, a drag moves the seed
+        m_pressedSeed = seed;
         return;
     }
     const SeedId id = m_state.pattern->seeds().ids[seed];
@@ -96,6 +107,12 @@ void SeedTool::move(const CanvasPointer& pointer) {
     m_pointer = pointer;
     if ((pointer.pixels - m_pressed).manhattanLength() >= QApplication::startDragDistance() / 2.0) m_hasMoved = true;
     m_handles.move(pointer, m_hasMoved);
+    if (m_pressedSeed != kNone && m_hasMoved) {
+        const std::uint32_t seed = std::exchange(m_pressedSeed, kNone);
+        const SeedId id = m_state.pattern->seeds().ids[seed];
+        if (!m_state.selection.seeds().contains(id)) m_state.selection.setSeeds({id});
+        beginDrag(seed);
+    }
     if (m_drag && m_hasMoved) {
         CanvasPointer seed = pointer;
         seed.metres = m_drag->grabbed + (pointer.metres - m_state.view.metres(m_pressed));
@@ -119,31 +136,43 @@ void SeedTool::dragBy(Vec2 by) {
 
 void SeedTool::release(const CanvasPointer& pointer) {
     if (m_area && m_hasMoved) {
-        m_state.selection.setSeeds(seedsInArea());
-    } else if (m_area) {
+        selectArea();
+    } else if (m_area || m_pressedSeed != kNone) {
         click(pointer);
     }
+    m_pressedSeed = kNone;
     m_area.reset();
     m_drag.reset();
     m_handles.endDrag();
     emit changed();
 }
 
-/// Handles a click where there is no seed.
+/// Handles a click that is none on a seed of the tool that places seeds.
 void SeedTool::click(const CanvasPointer& pointer) {
-    if (m_area->isAdding) {
-        const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
-        if (piece != kNone) m_state.selection.toggleSeed(m_state.pattern->cellOf(piece));
+    const bool isAdding = m_area ? m_area->isAdding : pointer.modifiers.testFlag(Qt::ControlModifier);
+    if (isAdding) {
+        const std::uint32_t piece = pieceAt(pointer);
+        if (piece != kNone && m_isPlacing) m_state.selection.toggleSeed(m_state.pattern->cellOf(piece));
+        if (piece != kNone && !m_isPlacing) togglePiece(m_state, piece);
     } else if (m_isPlacing) {
         place(snapped(m_state, pointer, outlineTargets(m_state)));
+    } else if (pointer.modifiers.testFlag(Qt::AltModifier)) {
+        selectSeedAt(pointer);
     } else {
         selectAt(pointer);
     }
 }
 
-/// Selects the fragment at the pointer; clears the selection where there is none.
+/// Selects the fragment at the pointer; outside of all, the seed, or nothing.
 void SeedTool::selectAt(const CanvasPointer& pointer) {
-    const std::uint32_t piece = m_state.pattern ? m_state.pattern->pieceAt(pointer.metres) : kNone;
+    const std::uint32_t piece = pieceAt(pointer);
+    piece == kNone ? selectSeedAt(pointer) : selectPieces(m_state, {piece});
+}
+
+/// Selects the seed at the pointer, or that of the cell there, with all fragments that come from it.
+void SeedTool::selectSeedAt(const CanvasPointer& pointer) {
+    const std::uint32_t piece = pieceAt(pointer), seed = seedAt(pointer);
+    if (seed != kNone) return m_state.selection.setSeeds({m_state.pattern->seeds().ids[seed]});
     m_state.selection.setSeeds(piece == kNone ? Selection::Seeds() : Selection::Seeds{m_state.pattern->cellOf(piece)});
 }
 
@@ -157,24 +186,35 @@ void SeedTool::doubleClick(const CanvasPointer& pointer) {
     enterFragment(m_state.selection, *fractured);
 }
 
-bool SeedTool::hasOnlyCuts() const {
-    return m_state.pattern && m_state.pattern->seeds().ids.empty() && !m_state.pattern->partition().cutLayers.empty();
+void SeedTool::selectArea() {
+    if (m_isPlacing) return m_state.selection.setSeeds(seedsInArea());
+    selectPieces(m_state, piecesInArea(), m_area->isAdding);
 }
 
 Selection::Seeds SeedTool::seedsInArea() const {
     Selection::Seeds seeds;
     if (m_area->isAdding) seeds = m_state.selection.seeds();
     if (!m_state.pattern) return seeds;
-    const auto isInside = [&](Vec2 point) { return m_area->area.contains(m_state.view.pixels(point)); };
     const std::vector<Vec2>& positions = m_state.pattern->seeds().positions;
     for (std::size_t seed = 0; seed < positions.size(); ++seed) {
-        if (isInside(positions[seed])) seeds.insert(m_state.pattern->seeds().ids[seed]);
-    }
-    if (!hasOnlyCuts()) return seeds;
-    for (std::uint32_t piece = 0; piece < m_state.pattern->partition().pieceCount(); ++piece) {
-        if (isInside(m_state.pattern->centroid(piece))) seeds.insert(m_state.pattern->cellOf(piece));
+        if (m_area->area.contains(m_state.view.pixels(positions[seed])))
+            seeds.insert(m_state.pattern->seeds().ids[seed]);
     }
     return seeds;
+}
+
+/// The pieces whose seed is in the area, if the piece is all of its cell; else those whose centroid is.
+std::vector<std::uint32_t> SeedTool::piecesInArea() const {
+    std::vector<std::uint32_t> pieces;
+    if (!m_state.pattern) return pieces;
+    const DrawablePattern& pattern = *m_state.pattern;
+    for (std::uint32_t piece = 0; piece < pattern.partition().pieceCount(); ++piece) {
+        const std::uint32_t seed = pattern.partition().seedOfPiece[piece];
+        const IndexRange own = seed == kNone ? IndexRange{} : pattern.piecesOf(seed);
+        const Vec2 place = own.end - own.begin == 1 ? pattern.seeds().positions[seed] : pattern.centroid(piece);
+        if (m_area->area.contains(m_state.view.pixels(place))) pieces.push_back(piece);
+    }
+    return pieces;
 }
 
 void SeedTool::place(Vec2 position) {
@@ -193,7 +233,8 @@ void SeedTool::place(Vec2 position) {
 }
 
 bool SeedTool::cancel() {
-    if (!m_drag && !m_area && !m_handles.isDragging()) return false;
+    if (!isDragOfSeed() && !m_area && !m_handles.isDragging()) return false;
+    m_pressedSeed = kNone;
     m_handles.cancel();
     if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) dragBy({0.0, 0.0});
     m_drag.reset();
@@ -203,6 +244,7 @@ bool SeedTool::cancel() {
 }
 
 void SeedTool::endDrag() {
+    m_pressedSeed = kNone;
     m_drag.reset();
     m_handles.endDrag();
     emit changed();
@@ -244,14 +286,23 @@ void SeedTool::nudge(Vec2 by, bool isRepeated) {
     m_state.push(modify(moveText(positions.size()), std::move(asset), nudgeMergeKey(isRepeated)));
 }
 
+/// Selects the next or previous fragment, or seed while seeds are placed.
 void SeedTool::selectNext(int by) {
-    if (!m_state.pattern || m_state.pattern->seeds().ids.empty()) return;
+    if (!m_state.pattern) return;
+    const auto next = [by](std::size_t count, std::uint32_t selected) {
+        const std::int64_t now = selected != kNone ? selected : by > 0 ? -1 : 0, all = static_cast<std::int64_t>(count);
+        return static_cast<std::uint32_t>((now + by + all) % all);
+    };
+    if (!m_isPlacing) {
+        const std::vector<std::uint32_t> selected = selectedPieces(m_state);
+        const std::uint32_t count = m_state.pattern->partition().pieceCount();
+        if (count > 0) selectPieces(m_state, {next(count, selected.empty() ? kNone : selected.front())});
+        return;
+    }
     const std::vector<SeedId>& ids = m_state.pattern->seeds().ids;
-    const auto count = static_cast<std::int64_t>(ids.size());
-    const std::uint32_t selected =
-        m_state.selection.seeds().empty() ? kNone : m_state.pattern->find(*m_state.selection.seeds().begin());
-    const std::int64_t now = selected != kNone ? selected : by > 0 ? -1 : 0;
-    m_state.selection.setSeeds({ids[static_cast<std::size_t>((now + by + count) % count)]});
+    if (ids.empty()) return;
+    const Selection::Seeds& seeds = m_state.selection.seeds();
+    m_state.selection.setSeeds({ids[next(ids.size(), seeds.empty() ? kNone : m_state.pattern->find(*seeds.begin()))]});
 }
 
 void SeedTool::deleteSelected() {
@@ -280,11 +331,28 @@ void SeedTool::selectAll() {
 
 void SeedTool::selectNeighbours() {
     if (!m_state.pattern) return;
+    if (m_state.selection.fragments().ids) {
+        std::vector<std::uint32_t> pieces = selectedPieces(m_state);
+        for (std::size_t k = 0, count = pieces.size(); k < count; ++k) {
+            const std::vector<std::uint32_t> around = m_state.pattern->neighbours(pieces[k]);
+            pieces.insert(pieces.end(), around.begin(), around.end());
+        }
+        return selectPieces(m_state, pieces);
+    }
     m_state.selection.setSeeds(withNeighbourCells(m_state.pattern->baked(), m_state.selection.seeds()));
 }
 
 void SeedTool::invertSelection() {
-    if (m_state.pattern) m_state.selection.setSeeds(invertedCells(m_state.pattern->baked(), m_state.selection.seeds()));
+    if (!m_state.pattern) return;
+    if (m_state.selection.fragments().ids) {
+        const std::vector<std::uint32_t> selected = selectedPieces(m_state);
+        std::vector<std::uint32_t> others;
+        for (std::uint32_t piece = 0; piece < m_state.pattern->partition().pieceCount(); ++piece) {
+            if (!std::ranges::binary_search(selected, piece)) others.push_back(piece);
+        }
+        return selectPieces(m_state, others);
+    }
+    m_state.selection.setSeeds(invertedCells(m_state.pattern->baked(), m_state.selection.seeds()));
 }
 
 void SeedTool::paint(QPainter& painter, const CanvasColours& colours) const {
@@ -312,25 +380,33 @@ QString SeedTool::hint() const {
     if (!m_state.displayedAsset()) return {};
     if (m_handles.isHovered() && !m_handles.isDragging()) return tr("%1: drag to move").arg(m_handles.text());
     if (m_drag || m_handles.isDragging()) return tr("Release to finish · Shift: no snapping · Esc: cancel");
+    if (!m_state.selection.seeds().empty()) return selectionHint();
     if (m_isPlacing) return tr("Click: place a seed · Drag a seed: move it · Alt+Q: select fragments");
-    if (!m_state.selection.seeds().empty()) {
-        const int count = static_cast<int>(m_state.selection.seeds().size());
-        return tr("%Ln seed(s) selected", nullptr, count) +
-               tr(" · Drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: clear the selection");
-    }
     const Asset* asset = m_state.asset();
     const bool hasFractured = asset && !(asset->levels.empty() && asset->leaves.empty());
-    return tr("Click: select a fragment · Ctrl+click: add · Drag a seed: move it · Drag elsewhere: box select · "
-              "Alt+drag: lasso select · Alt+N: place seeds") +
+    return tr("Click: select a fragment · Ctrl+click: add · Alt+click: select a seed · Drag a seed: move it · "
+              "Drag elsewhere: box select · Alt+drag: lasso select · Alt+N: place seeds") +
            (m_state.isInFragment() ? tr(" · Esc: exit the fragment")
             : hasFractured         ? tr(" · Double-click: enter a fragment")
                                    : QString());
 }
 
+QString SeedTool::selectionHint() const {
+    const int fragments = static_cast<int>(selectedPieces(m_state).size());
+    const int seeds = static_cast<int>(selectedSeeds().size());
+    if (m_isPlacing || fragments == 0) {
+        return tr("%Ln seed(s) selected · Drag or arrow keys: move · Del: delete · Ctrl+click: add · Esc: deselect",
+                  nullptr, seeds);
+    }
+    if (seeds == 0) return tr("%Ln fragment(s) selected · Ctrl+click: add · Esc: deselect", nullptr, fragments);
+    return tr("%Ln fragment(s) selected · Drag a seed: move · Del: delete seeds · Ctrl+click: add · Esc: deselect",
+              nullptr, fragments);
+}
+
 void SeedTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     const std::uint32_t seed = seedAt(pointer);
     if (seed != kNone && !m_state.selection.seeds().contains(m_state.pattern->seeds().ids[seed])) {
-        m_state.selection.setSeeds({m_state.pattern->seeds().ids[seed]});
+        m_isPlacing ? m_state.selection.setSeeds({m_state.pattern->seeds().ids[seed]}) : selectAt(pointer);
     }
     const bool hasSelection = !m_state.selection.seeds().empty();
     const bool hasMoved = std::ranges::any_of(m_state.selection.seeds(), [&](SeedId id) {

@@ -10,6 +10,9 @@
 namespace rubble {
 
 /// Selects fragments, drags, deletes and places seeds, and drags the handles of layer parameters.
+///
+/// While it places seeds, and with Alt, a click or a box selects seeds, each with all fragments that come from it;
+/// otherwise it selects fragments, of which a cell can have several.
 class SeedTool : public CanvasTool {
     Q_OBJECT
 public:
@@ -52,23 +55,28 @@ private:
     };
 
     std::uint32_t seedAt(const CanvasPointer& pointer) const;
+    std::uint32_t pieceAt(const CanvasPointer& pointer) const;
+    bool isDragOfSeed() const { return m_drag || m_pressedSeed != kNone; }
     std::map<SeedId, Vec2> selectedPositions() const;
     void beginDrag(std::uint32_t seed);
     void dragBy(Vec2 by);
     void click(const CanvasPointer& pointer);
     void selectAt(const CanvasPointer& pointer);
-    /// Whether the pattern has only cut layers: its pieces can be selected, but there are no seeds.
-    bool hasOnlyCuts() const;
+    void selectSeedAt(const CanvasPointer& pointer);
+    void selectArea();
+    QString selectionHint() const;
     Selection::Seeds selectedSeeds() const;
     void place(Vec2 position);
     void nudge(Vec2 by, bool isRepeated);
     void selectNext(int by);
     Selection::Seeds seedsInArea() const;
+    std::vector<std::uint32_t> piecesInArea() const;
 
     ParameterHandles m_handles;
     std::optional<Drag> m_drag;
     std::optional<AreaDrag> m_area;
     QPointF m_pressed;
+    std::uint32_t m_pressedSeed = kNone;  // that a drag will move
     bool m_hasMoved = false;
     bool m_isPlacing = false;
     CanvasPointer m_pointer{};

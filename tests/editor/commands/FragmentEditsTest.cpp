@@ -39,7 +39,7 @@ constexpr Id kLayer = 3;
 std::vector<SelectedPiece> selectedOf(const Project& project, const std::set<SeedId>& seeds) {
     const Asset& asset = *findAsset(project, kWall);
     const PlanarFracture cut = *planarFracture(recipeOf(asset), asset.prism, {});
-    return selectedPieces(cut.partition, cut.seeds, seeds);
+    return selectedPieces(kWall, cut.partition, cut.seeds, {.seeds = seeds});
 }
 
 /// The same in a fragment's pattern.
@@ -48,8 +48,8 @@ std::vector<SelectedPiece> selectedInside(const Project& project, const Fragment
     const Bake baked = *bake(*findAsset(project, kWall));
     const std::uint32_t number = *fragmentAt(baked, fragment);
     const BakedFracture& fracture = *baked.fractureOf(number);
-    return selectedPieces(fracture.fragments.partition, fracture.seeds, seeds, fragment,
-                          Vec2{baked.fragment(number).solid.offset()});
+    return selectedPieces(kWall, fracture.fragments.partition, fracture.seeds, {.seeds = seeds, .parent = fragment},
+                          fragment, Vec2{baked.fragment(number).solid.offset()});
 }
 
 /// The ids of all fragments, and their outlines.

@@ -186,6 +186,38 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(isEntered(""), kPatience);
         QVERIFY(!breadcrumb().isVisible());
     }
+    void severalFragmentsAreNotEnteredButSaySo() {
+        selection().setAsset(2);
+        QTRY_VERIFY_WITH_TIMEOUT(isEntered(""), kPatience);
+        lasso({{0.05, 0.05}, {0.95, 0.05}, {0.95, 0.4}, {0.05, 0.4}});
+        QCOMPARE(selectedIds().size(), 2);
+        QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
+        QVERIFY(isEntered(""));
+        QVERIFY(window().statusBar()->currentMessage().contains("double-click it in the canvas"));
+    }
+    void fractureAgainIsSeenInTheCanvas() {
+        clickRow("2/3.0/4.1");  // a child of what the canvas shows
+        canvas().setOverlays({});
+        const QImage before = canvas().grab().toImage();
+        const std::uint32_t fragments = bake().fragmentCount();
+        action("fragment-fracture")->trigger();
+        QCOMPARE(asset().leaves.back().fragment, FragmentPath("3.2/4.2"));
+        QCOMPARE(asset().leaves.front().fragment, FragmentPath("3.0/4.1"));
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, fragments + 5), kPatience);
+        QVERIFY(canvas().overlays().hasDeeperLevels);
+        QTRY_VERIFY(canvas().grab().toImage() != before);
+        stack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, fragments), kPatience);
+    }
+    void fragmentsOfDifferentParentsAreNotMerged() {
+        FragmentSet set(bake().fragmentCount(), false);
+        for (const char* path : {"3.0/4.1", "3.1/4.0"}) set[*fragmentAt(bake(), path)] = true;
+        selection().setFragments(selectionOf(set, bake()));
+        const int steps = stack().index();
+        action("fragment-merge")->trigger();
+        QCOMPARE(stack().index(), steps);
+        QVERIFY(window().statusBar()->currentMessage().contains("different parents"));
+    }
 
 private:
     const Asset& asset() { return *findAsset(project(), 2); }

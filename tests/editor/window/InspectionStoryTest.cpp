@@ -43,7 +43,7 @@ private slots:
     void boxAndLassoSelect() {
         canvas().setFocus();
         drag(canvas(), pixels({0.05, 0.9}), pixels({0.5, 0.1}));
-        QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}, {3, 4}}));
+        QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}}));  // the fifth has no fragment
         lasso({{0.6, 0.9}, {0.6, 0.1}, {0.95, 0.1}, {0.95, 0.9}});
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
     }

@@ -16,6 +16,28 @@ const std::vector<PlacedSeeds::Seed>& placedSeeds(const CanvasBench& bench, std:
     return std::get<PlacedSeeds>(bench.asset().pattern.layers[layer].parameters).seeds;
 }
 
+/// A square with one seed on the right of a crack that halves it.
+Project halves() {
+    Project project = projectOf(unitSquare(), PlacedSeeds{{{0, {0.55, 0.5}}}});
+    const CrackLines crack{{{0, {{0.5, -0.1}, {0.5, 1.1}}}}};
+    project.assets[0].pattern.layers.push_back({.id = 4, .parameters = crack});
+    return project;
+}
+
+/// The identifiers of the selected fragments, once they are baked.
+QStringList selectedIds(const CanvasBench& bench) {
+    const auto isBaked = [&] { return bench.bakes.areCurrent(bench.document.project()); };
+    if (!QTest::qWaitFor(isBaked, kPatience)) return {"not baked"};
+    const Bake& bake = *bench.bakes.find(2)->bake;
+    const FragmentSet set = fragmentsOf(bench.selection.fragments(), bake);
+    QStringList ids;
+    for (std::uint32_t k = 0; k < set.size(); ++k) {
+        if (set[k]) ids << QString::fromStdString(bake.fragmentId(k));
+    }
+    ids.sort();
+    return ids;
+}
+
 }  // namespace
 
 class SeedToolTest : public QObject {
@@ -32,6 +54,57 @@ private slots:
         bench.click({1.05, 0.5});  // outside
         QVERIFY(bench.selection.seeds().empty());
         QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+    void clickSelectsOneFragmentOfACellWithSeveral() {
+        CanvasBench bench(halves());
+        bench.click({0.2, 0.5});
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.0"});
+        QVERIFY(bench.canvas.hint().startsWith("1 fragment(s) selected"));
+        bench.click({0.55, 0.5});  // at the seed, which is in the other half
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.1"});
+        bench.click({0.2, 0.5}, Qt::ControlModifier);
+        QCOMPARE(selectedIds(bench), (QStringList{"2/3.0.0", "2/3.0.1"}));
+        bench.click({0.55, 0.5}, Qt::ControlModifier);
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.0"});
+    }
+    void seedsAreSelectedWithAltOrThePlacingTool() {
+        CanvasBench bench(halves());
+        bench.click({0.2, 0.5}, Qt::AltModifier);
+        QVERIFY((bench.selection.fragments() == FragmentSelection{.seeds = {{3, 0}}}));
+        QCOMPARE(selectedIds(bench).size(), 2);
+        bench.selection.setSeeds({});
+        bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
+        bench.click({0.55, 0.5});
+        QVERIFY((bench.selection.fragments() == FragmentSelection{.seeds = {{3, 0}}}));
+        QVERIFY(bench.canvas.hint().startsWith("1 seed(s) selected"));
+    }
+    void boxAndKeysSelectFragments() {
+        CanvasBench bench(halves());
+        bench.drag({0.1, 0.9}, {0.4, 0.1});  // around the centre of the left half
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.0"});
+        bench.key(Qt::Key_PageDown);
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.1"});
+        bench.key(Qt::Key_PageDown);
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.0"});
+        bench.canvas.seedTool().invertSelection();
+        QCOMPARE(selectedIds(bench), QStringList{"2/3.0.1"});
+        bench.canvas.seedTool().selectNeighbours();
+        QCOMPARE(selectedIds(bench).size(), 2);
+    }
+    void clickSelectsOneOfTheFragmentsBetweenRadialCracks() {
+        CanvasBench bench(projectOf(unitSquare(), RadialCracks{.centre = {0.5, 0.5}, .radius = 0.4}));
+        const DrawablePattern& pattern = *bench.canvas.displayedPattern();
+        QVERIFY(pattern.partition().pieceCount() > 60u);
+        const std::uint32_t corner = pattern.pieceAt({0.03, 0.03});
+        bench.click({0.03, 0.03});
+        QCOMPARE(selectedIds(bench), QStringList{QString::fromStdString(pattern.fragmentId(corner))});
+    }
+    void dragOfASeedInAnyOfItsFragmentsMovesIt() {
+        CanvasBench bench(halves());
+        bench.click({0.2, 0.5});
+        bench.drag({0.55, 0.5}, {0.6, 0.6});
+        QCOMPARE(bench.document.undoStack().count(), 1);
+        QVERIFY(placedSeeds(bench)[0].position.y > 0.55);
     }
     void clickOfThePlacingToolPlacesASeed() {
         CanvasBench bench(projectOf(unitSquare(), fourSeeds()));

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "editor/canvas/tools/CanvasTool.h"
+
+#include <vector>
+
+namespace rubble {
+
+/// The pieces of the shown pattern whose fragments are selected, ascending. O(pieces).
+std::vector<std::uint32_t> selectedPieces(const CanvasState& state);
+
+/// Selects the fragments of some pieces of the shown pattern and nothing else, or adds them to the selection.
+void selectPieces(CanvasState& state, const std::vector<std::uint32_t>& pieces, bool isAdding = false);
+
+/// Selects the fragment of a piece if it was not selected, or deselects it; others keep their state.
+void togglePiece(CanvasState& state, std::uint32_t piece);
+
+}  // namespace rubble
