@@ -10,6 +10,27 @@
             <numerusform>%Ln fragments</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln merge(s) or split(s)</source>
+        <translation>
+            <numerusform>%Ln merge or split</numerusform>
+            <numerusform>%Ln merges or splits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pattern(s) of single fragments</source>
+        <translation>
+            <numerusform>%Ln pattern of single fragments</numerusform>
+            <numerusform>%Ln patterns of single fragments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln threshold(s) of single fragments</source>
+        <translation>
+            <numerusform>%Ln threshold of single fragments</numerusform>
+            <numerusform>%Ln thresholds of single fragments</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

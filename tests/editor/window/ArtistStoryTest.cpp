@@ -1,9 +1,10 @@
-// Tests editor/actions/AssetActions.cpp, editor/actions/MaterialActions.cpp and editor/dialogs/ContactSheetWindow.cpp.
+// Tests editor/actions/AssetActions.cpp, editor/actions/MaterialActions.cpp and
+// editor/dialogs/sheet/ContactSheetWindow.cpp.
 #include "core/asset/project/StarterProject.h"
 #include "editor/commands/ProjectEdits.h"
-#include "editor/dialogs/ContactSheetWindow.h"
 #include "editor/dialogs/MaterialDialog.h"
 #include "editor/dialogs/SelectDialogs.h"
+#include "editor/dialogs/sheet/ContactSheetWindow.h"
 #include "editor/panels/inspector/ShapingSection.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
@@ -14,6 +15,7 @@
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
@@ -128,12 +130,24 @@ private slots:
         QListWidgetItem* last = list.item(list.count() - 1);
         list.scrollToItem(last);
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(last).center());
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) {
+            for (QAbstractButton* button : box.buttons()) {
+                if (button->text().remove('&') == "Keep") button->click();
+            }
+        });
         QTest::keyClick(&list, Qt::Key_Return);
         QVERIFY(wall().pattern != before);
+        QVERIFY(!wall().leaves.empty());
         if (shownSheet()) QTest::keyClick(sheet, Qt::Key_Escape);
     }
     void everythingIsUndone() {
-        while (stack().canUndo()) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        window().activateWindow();
+        QApplication::setActiveWindow(&window());
+        while (stack().canUndo()) {
+            const int index = stack().index();
+            QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY(stack().index() < index);
+        }
         QCOMPARE(text(), m_before);
     }
 

@@ -1,10 +1,11 @@
-// Tests editor/dialogs/ContactSheetWindow.cpp and editor/actions/CompareActions.cpp.
+// Tests editor/dialogs/sheet/ContactSheetWindow.cpp and editor/actions/CompareActions.cpp.
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/actions/CompareActions.h"
 #include "editor/canvas/widget/PatternCanvas.h"
-#include "editor/dialogs/ContactSheetWindow.h"
-#include "editor/dialogs/VariationTree.h"
+#include "editor/commands/ProjectEdits.h"
+#include "editor/dialogs/sheet/ContactSheetWindow.h"
+#include "editor/dialogs/sheet/VariationTree.h"
 #include "editor/panels/docks/ChangesPanel.h"
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
@@ -80,6 +81,35 @@ private slots:
         QVERIFY(!sheet()->findChild<QPushButton*>()->text().isEmpty());
         QCOMPARE(stack().count(), 0);  // generating is no edit
     }
+    void settingShowsAsManyVariantsAtOnce() {
+        auto& variants = *sheet()->findChild<QSpinBox*>();
+        variants.setFocus();
+        variants.selectAll();
+        QTest::keyClicks(&variants, "9");
+        QTRY_COMPARE(sheet()->list().count(), 9);
+        QVERIFY(!sheet()->generator().isBusy());  // the others are there already
+        sheet()->list().item(4)->setSelected(true);
+        variants.selectAll();
+        QTest::keyClicks(&variants, "12");
+        QTRY_COMPARE_WITH_TIMEOUT(sheet()->list().count(), 12, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        QCOMPARE(sheet()->shownNumbers().size(), std::size_t{12});
+        QVERIFY(sheet()->list().item(4)->isSelected());
+        QCOMPARE(sheet()->list().selectedItems().size(), 1);
+    }
+    void selectedVariantHasAFrameAndKeepsItsColours() {
+        QListWidget& list = sheet()->list();
+        const QRect item = list.visualItemRect(list.item(4));
+        const auto picture = [&] { return list.viewport()->grab(item).toImage(); };
+        const QImage selected = picture();
+        list.clearSelection();
+        const QImage plain = picture();
+        const QPoint middle(selected.width() / 2, selected.height() / 3);
+        QCOMPARE(selected.pixelColor(middle), plain.pixelColor(middle));
+        const QColor frame = list.palette().color(QPalette::Active, QPalette::Highlight);
+        QCOMPARE(selected.pixelColor(1, selected.height() / 2), frame);
+        QVERIFY(plain.pixelColor(1, selected.height() / 2) != frame);
+    }
     void sortByReordersVariants() {
         auto* sort = sheet()->findChild<QComboBox*>("sheet-sort");
         sort->setFocus();
@@ -114,6 +144,8 @@ private slots:
         shot->setFocus();
         QTest::keyClick(shot, Qt::Key_Down);
         QCOMPARE(shot->currentText(), QString("stone"));
+        QVERIFY(QTest::qWaitFor([&] { return sheet()->generator().isBusy(); }, kPatience));  // the sheet follows
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
         QListWidget& list = sheet()->list();
         for (const int k : {2, 3}) {
             QTest::mouseClick(list.viewport(), Qt::LeftButton, k == 2 ? Qt::NoModifier : Qt::ControlModifier,
@@ -142,6 +174,39 @@ private slots:
             QVERIFY(held != overrides.end() && held->position == seed.position);
         }
     }
+    void applyingAsksBeforeMergesAreRemoved() {
+        Asset changed = asset();
+        changed.edits = {FragmentMerge{.into = "3.0", .merged = {"3.1"}}};
+        changed.fragmentThresholds = {{"3.2", 4.0}};
+        m_window->workspace().document().push(modify("Merge", changed));
+        QTRY_VERIFY(sheet()->generator().isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        const int before = stack().index();
+        const std::vector<std::pair<QString, bool>> answers{{"Cancel", true}, {"Keep", true}, {"Remove", false}};
+        for (const auto& [answer, isKept] : answers) {
+            const Asset start = asset();
+            select(3);
+            QString question;
+            test::onNextDialog<QMessageBox>([&, text = answer](QMessageBox& box) {
+                question = box.informativeText();
+                for (QAbstractButton* button : box.buttons()) {
+                    if (button->text().remove('&') == text) return button->click();
+                }
+            });
+            sheet()->apply();
+            QVERIFY2(question.contains("1 merge or split") && question.contains("1 threshold of single fragments"),
+                     qPrintable(question));
+            QCOMPARE(asset().edits == changed.edits, isKept);
+            QCOMPARE(asset().fragmentThresholds == changed.fragmentThresholds, isKept);
+            QCOMPARE(asset() == start, answer == "Cancel");
+            stack().setIndex(before);
+            QVERIFY(asset() == start);
+            QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+        }
+        stack().undo();
+        QTRY_VERIFY(sheet()->generator().isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
+    }
     void editOfTheAssetRefreshesTheSheet() {
         QSignalSpy changes(&sheet()->generator(), &ContactSheetGenerator::changed);
         stack().undo();
@@ -165,6 +230,7 @@ private slots:
     }
     void compareWithSavedStateListsChanges() {
         m_window->activateWindow();
+        QApplication::setActiveWindow(m_window);  // also without a window manager
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
         QTest::keyClick(m_window, Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
         CompareActions& compare = compareActions();
@@ -202,18 +268,19 @@ private slots:
     }
     void compareWithFileListsChanges() {
         Project older = pane();
-        older.assets[0].pattern.layers[0].parameters = UniformScatter{11};
+        const std::uint32_t count = m_window->workspace().bakes().find(2)->bake->fragmentCount() + 3;
+        older.assets[0].pattern.layers[0].parameters = UniformScatter{.count = count};
         const QString path = m_folder.filePath("older.rubble");
         QVERIFY(saveProject(path.toStdString(), older).hasValue());
         compareWith(path);
         QTRY_VERIFY_WITH_TIMEOUT(compareActions().comparison().asset() != nullptr, kPatience);
         QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
         QCOMPARE(compareActions().comparison().name(), QString("older.rubble"));
-        QCOMPARE(compareActions().comparison().asset()->before->fragmentCount(), 11u);
+        QCOMPARE(compareActions().comparison().asset()->before->fragmentCount(), count);
         QStringList rows;
         for (int k = 0; k < compareActions().panel().list().count(); ++k)
             rows += compareActions().panel().list().item(k)->text();
-        QVERIFY2(rows.filter("were 11").size() >= 1, qPrintable(rows.join('\n')));
+        QVERIFY2(rows.filter(QString("were %1").arg(count)).size() >= 1, qPrintable(rows.join('\n')));
         QVERIFY2(rows.filter("removed").size() >= 1, qPrintable(rows.join('\n')));
         m_window->findChild<QDockWidget*>("dock-changes")->close();
         QVERIFY(!compareActions().comparison().isOn());
@@ -245,6 +312,12 @@ private:
     const Asset& asset() const { return m_window->workspace().project().assets[0]; }
     QUndoStack& stack() const { return m_window->workspace().document().undoStack(); }
     bool isBaked() const { return m_window->workspace().bakes().areCurrent(m_window->workspace().project()); }
+    void select(std::uint32_t number) {
+        const std::vector<std::uint32_t> numbers = sheet()->shownNumbers();
+        const auto row = std::ranges::find(numbers, number) - numbers.begin();
+        sheet()->list().clearSelection();
+        sheet()->list().setCurrentRow(static_cast<int>(row));
+    }
     void click(const QString& text) {
         for (auto* button : sheet()->findChildren<QPushButton*>()) {
             if (button->text().remove('&').startsWith(text)) return QTest::mouseClick(button, Qt::LeftButton);

@@ -1,4 +1,4 @@
-#include "editor/dialogs/VariationTree.h"
+#include "editor/dialogs/sheet/VariationTree.h"
 
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/Icon.h"

@@ -1,9 +1,11 @@
-#include "editor/dialogs/ContactSheetWindow.h"
+#include "editor/dialogs/sheet/ContactSheetWindow.h"
 
 #include "core/asset/project/Ranges.h"
 #include "editor/commands/ProjectEdits.h"
-#include "editor/dialogs/ContactSheetText.h"
-#include "editor/dialogs/VariationTree.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/dialogs/sheet/ContactSheetText.h"
+#include "editor/dialogs/sheet/VariantDelegate.h"
+#include "editor/dialogs/sheet/VariationTree.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/workspace/ViewportStyle.h"
@@ -111,6 +113,7 @@ void ContactSheetWindow::setUpList() {
     m_list->setUniformItemSizes(false);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setWordWrap(true);
+    m_list->setItemDelegate(new VariantDelegate(m_list));
     m_list->setAccessibleName(tr("Variants"));
     m_list->setObjectName("sheet-list");
 }
@@ -119,7 +122,7 @@ void ContactSheetWindow::connectSignals() {
     connect(m_list, &QListWidget::itemActivated, this, &ContactSheetWindow::apply);
     connect(m_list, &QListWidget::itemSelectionChanged, this, &ContactSheetWindow::updateState);
     connect(m_sort, &QComboBox::currentIndexChanged, this, &ContactSheetWindow::sort);
-    connect(m_shot, &QComboBox::currentIndexChanged, this, &ContactSheetWindow::updateState);
+    connectSettings();
     connect(m_reseed, &QPushButton::clicked, this, [this] {
         ++m_randomSeed;
         generate();
@@ -137,13 +140,56 @@ void ContactSheetWindow::connectSignals() {
         updateDocument();
         const bool isOfSheet =
             changes.touches(Part::Asset, m_asset) || changes.touches(Part::Material) || changes.touches(Part::Shot);
-        if (isOfSheet && !m_isApplying) m_refresh.start();
+        if (!isOfSheet || m_isApplying) return;
+        m_parents.clear();
+        refreshLater();
     });
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(kRefreshDelay);
-    connect(&m_refresh, &QTimer::timeout, this, [this] {
-        if (asset()) generate();
+    connect(&m_refresh, &QTimer::timeout, this, &ContactSheetWindow::refresh);
+}
+
+/// The sheet follows its settings, after the last keystroke.
+void ContactSheetWindow::connectSettings() {
+    connect(m_variants, &QSpinBox::valueChanged, &m_refresh, qOverload<>(&QTimer::start));
+    connect(m_step, &QSpinBox::valueChanged, this, &ContactSheetWindow::refreshLater);
+    connect(m_variations, &QTreeWidget::itemChanged, this, &ContactSheetWindow::refreshLater);
+    connect(m_shot, &QComboBox::currentIndexChanged, this, [this] {
+        updateState();
+        refreshLater();
     });
+    connect(m_spread, &QSpinBox::valueChanged, this, [this] {
+        if (!m_parents.empty()) refreshLater();
+    });
+}
+
+void ContactSheetWindow::refreshLater() {
+    m_isStale = true;
+    m_refresh.start();
+}
+
+/// Shows what the settings say now.
+void ContactSheetWindow::refresh() {
+    if (!asset()) return;
+    const auto wanted = static_cast<std::size_t>(m_variants->value());
+    if (!m_isStale && !m_generator.isBusy() && wanted <= m_count) return showFirst(wanted);
+    m_selected.clear();
+    for (const QListWidgetItem* item : m_list->selectedItems()) m_selected.insert(item->data(kNumberRole).toUInt());
+    regenerate();
+}
+
+void ContactSheetWindow::regenerate() {
+    start(m_parents.empty() ? generateVariants(*asset(), recipe()) : crossoverVariants(m_parents, recipe()));
+}
+
+/// Removes the variants from the number `count` on.
+void ContactSheetWindow::showFirst(std::size_t count) {
+    std::erase_if(m_cells, [&](const SheetCell& cell) { return cell.entry.number >= count; });
+    for (int row = m_list->count() - 1; row >= 0; --row) {
+        if (m_list->item(row)->data(kNumberRole).toUInt() >= count) delete m_list->takeItem(row);
+    }
+    m_count = count;
+    updateState();
 }
 
 QWidget* ContactSheetWindow::createSettings() {
@@ -202,6 +248,7 @@ void ContactSheetWindow::updateDocument() {
     if (!asset()) return void(close());
     setWindowTitle(tr("Contact Sheet – %1").arg(nameText(asset()->name)));
     fillShots();
+    const QSignalBlocker blocker(m_variations);
     m_variations->setAsset(*asset());
     updateState();
 }
@@ -226,7 +273,11 @@ const SheetEntry& ContactSheetWindow::entryOf(const QListWidgetItem& item) const
     return std::ranges::find(m_cells, number, [](const SheetCell& cell) { return cell.entry.number; })->entry;
 }
 
-void ContactSheetWindow::generate() { start(generateVariants(*asset(), recipe())); }
+void ContactSheetWindow::generate() {
+    m_parents.clear();
+    m_selected.clear();
+    regenerate();
+}
 
 void ContactSheetWindow::crossOver() {
     std::vector<Asset> parents;
@@ -234,10 +285,14 @@ void ContactSheetWindow::crossOver() {
         if (!entryOf(*item).fault) parents.push_back(entryOf(*item).asset);
     }
     ++m_randomSeed;
-    start(crossoverVariants(parents, recipe()));
+    m_parents = std::move(parents);
+    m_selected.clear();
+    regenerate();
 }
 
 void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
+    m_refresh.stop();
+    m_isStale = false;
     if (!variants) return showMessage(QString::fromStdString(variants.error().message));
     m_cells.clear();
     m_list->clear();
@@ -264,6 +319,7 @@ void ContactSheetWindow::add(const SheetCell& cell) {
     item->setData(kNumberRole, cell.entry.number);
     item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     item->setToolTip(toolTipText(item->text()));
+    item->setSelected(m_selected.contains(cell.entry.number));
     sort();
     updateState();
 }
@@ -309,15 +365,36 @@ void ContactSheetWindow::lockSelected() {
                            : tr("%Ln seed(s) locked in all new variants.", nullptr, count));
 }
 
+/// Asks what becomes of merges, splits and own settings of fragments, if the variant does not have them.
+ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const Asset& variant) {
+    const Asset& own = *asset();
+    const bool isSame = own.edits == variant.edits && own.leaves == variant.leaves &&
+                        own.fragmentThresholds == variant.fragmentThresholds;
+    if (isSame) return FragmentSettings::OfVariant;
+    Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
+                      .informativeText = fragmentChanges(own),
+                      .answers = {{tr("&Keep"), QMessageBox::AcceptRole},
+                                  {tr("&Remove"), QMessageBox::DestructiveRole},
+                                  {tr("Cancel"), QMessageBox::RejectRole}}};
+    constexpr FragmentSettings kAnswers[] = {FragmentSettings::OfAsset, FragmentSettings::OfVariant,
+                                             FragmentSettings::Cancelled};
+    return kAnswers[ask(this, question)];
+}
+
 void ContactSheetWindow::apply() {
     const QList<QListWidgetItem*> selected = m_list->selectedItems();
     if (selected.size() != 1 || !asset()) return;
-    const Asset& variant = entryOf(*selected.front()).asset;
+    const Asset variant = entryOf(*selected.front()).asset;
+    const FragmentSettings settings = askForSettings(variant);
+    if (settings == FragmentSettings::Cancelled || !asset()) return;
     Asset changed = *asset();
     changed.pattern = variant.pattern;
     changed.levels = variant.levels;
-    changed.leaves = variant.leaves;
-    changed.edits = variant.edits;
+    if (settings == FragmentSettings::OfVariant) {
+        changed.leaves = variant.leaves;
+        changed.edits = variant.edits;
+        changed.fragmentThresholds = variant.fragmentThresholds;
+    }
     const QScopedValueRollback applying(m_isApplying, true);  // the variants stay to be compared
     if (m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed))))
         showMessage(tr("Applied the variant to the asset."));

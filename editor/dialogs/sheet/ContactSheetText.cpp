@@ -1,4 +1,4 @@
-#include "editor/dialogs/ContactSheetText.h"
+#include "editor/dialogs/sheet/ContactSheetText.h"
 
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
@@ -48,6 +48,20 @@ QString captionOf(const SheetEntry& entry, const Units& units) {
                             QLocale().toString(figures.aspect, 'f', 1));
     if (figures.isPlayed) text += '\n' + shotText(figures, units);
     return text;
+}
+
+QString fragmentChanges(const Asset& asset) {
+    QStringList lines;
+    const auto edits = static_cast<int>(asset.edits.size()), leaves = static_cast<int>(asset.leaves.size()),
+               thresholds = static_cast<int>(asset.fragmentThresholds.size());
+    if (edits > 0) lines += ContactSheetTexts::tr("%Ln merge(s) or split(s)", nullptr, edits);
+    if (leaves > 0) lines += ContactSheetTexts::tr("%Ln pattern(s) of single fragments", nullptr, leaves);
+    if (thresholds > 0) lines += ContactSheetTexts::tr("%Ln threshold(s) of single fragments", nullptr, thresholds);
+    lines += QString();
+    lines += ContactSheetTexts::tr(
+        "The variant has fragments of the same names in other places. What does not fit them is "
+        "reported in Messages.");
+    return lines.join('\n');
 }
 
 }  // namespace rubble

@@ -6,6 +6,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <set>
+
 class QComboBox;
 class QLabel;
 class QListWidget;
@@ -39,7 +41,8 @@ public:
     void crossOver();
     /// Locks the seeds selected in the canvas, in variants generated from now on; without a selection unlocks all.
     void lockSelected();
-    /// Applies the selected variant to the asset.
+    /// Applies the selected variant to the asset; asks first whether merges, splits and own settings of fragments,
+    /// which the variant does not have, are kept.
     void apply();
 
 protected:
@@ -49,13 +52,22 @@ protected:
 private:
     QWidget* createSettings();
     QWidget* createBar();
+    /// Which merges, splits and own settings of fragments the asset has with a variant.
+    enum class FragmentSettings { OfAsset, OfVariant, Cancelled };
+
+    FragmentSettings askForSettings(const Asset& variant);
     void setUpList();
     void connectSignals();
+    void connectSettings();
     void fillShots();
     void updateDocument();
     VariantRecipe recipe() const;
     std::optional<SheetStage> stage() const;
     void start(Result<std::vector<Asset>> variants);
+    void refreshLater();
+    void refresh();
+    void regenerate();
+    void showFirst(std::size_t count);
     void add(const SheetCell& cell);
     void sort();
     void updateState();
@@ -70,8 +82,11 @@ private:
     std::vector<SheetCell> m_cells;    // in the order they were finished
     std::vector<LockedSeed> m_locked;  // in all variants
     std::uint64_t m_randomSeed = 1;
-    std::size_t m_count = 0;  // of variants being generated
-    QTimer m_refresh;         // after a change of the asset
+    std::size_t m_count = 0;             // of variants being generated
+    std::vector<Asset> m_parents;        // that they are children of; empty: they are variants of the asset
+    std::set<std::uint32_t> m_selected;  // variants to be selected when they are generated again
+    bool m_isStale = false;              // more than the number of variants has changed
+    QTimer m_refresh;                    // after a change of the asset or a setting
     bool m_isApplying = false;
     VariationTree* m_variations;
     QSpinBox* m_variants;

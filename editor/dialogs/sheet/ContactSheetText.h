@@ -14,4 +14,8 @@ QString measureName(SheetMeasure measure);
 /// effect of the shot.
 QString captionOf(const SheetEntry& entry, const Units& units);
 
+/// What was changed in single fragments of an asset, for a question about a variant that does not have it: how many
+/// merges and splits, own patterns, own thresholds.
+QString fragmentChanges(const Asset& asset);
+
 }  // namespace rubble
