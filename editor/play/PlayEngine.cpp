@@ -39,6 +39,17 @@ PlayStatistics statisticsOf(const Session& session) {
     return statistics;
 }
 
+std::optional<GrabbedBody> grabbedBody(const World& world) {
+    const std::optional<GrabSpring> spring = world.grabSpring();
+    if (!spring) return std::nullopt;
+    const double mass = world.mass(spring->body);
+    return GrabbedBody{.point = spring->point,
+                       .target = spring->target,
+                       .mass = mass,
+                       .weight = mass * glm::length(world.gravity()),
+                       .force = spring->force};
+}
+
 }  // namespace
 
 PlayLoop loopAround(std::uint64_t step, double dt) {
@@ -213,7 +224,10 @@ void PlayEngine::explosionAlong(const Explosion& explosion, const Ray& ray) {
 
 void PlayEngine::grabAlong(double force, const Ray& ray) {
     const std::optional<CastHit> hit = firstHit(session().world(), ray);
-    if (!hit || session().world().kind(hit->body) != BodyKind::Dynamic) return;
+    if (!hit) return report(DiagnosticCode::UnappliedInput, "Nothing was grabbed: there is no body at the pointer.");
+    if (session().world().kind(hit->body) != BodyKind::Dynamic) {
+        return report(DiagnosticCode::UnappliedInput, "Nothing was grabbed: the body at the pointer is fixed.");
+    }
     m_grabDistance = glm::dot(hit->point - ray.from, ray.direction);
     add(GrabInput{static_cast<std::uint32_t>(session().world().tag(hit->body)), hit->point, force});
 }
@@ -273,7 +287,7 @@ PlayFrame PlayEngine::frame() {
                     .statistics = statisticsOf(session()),
                     .aimed = aimed,
                     .hasForecast = m_hasForecast,
-                    .isHolding = m_grabDistance.has_value(),
+                    .grabbed = grabbedBody(session().world()),
                     .hasDestruction = hasDestruction(),
                     .loop = m_loop,
                     .branches = branches()};

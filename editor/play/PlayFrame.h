@@ -63,6 +63,17 @@ struct PlayLoop {
     bool operator==(const PlayLoop&) const = default;
 };
 
+/// A body that is dragged by a spring.
+struct GrabbedBody {
+    Vec3 point{0.0, 0.0, 0.0};   // of the body, m; where the spring pulls
+    Vec3 target{0.0, 0.0, 0.0};  // m; where it is pulled to
+    double mass = 0.0;           // kg
+    double weight = 0.0;         // N
+    double force = 0.0;          // of the spring, N, at most
+    /// True if the spring cannot lift it.
+    bool isTooHeavy() const { return force < weight; }
+};
+
 /// The state after a step as it is displayed.
 struct PlayFrame {
     std::shared_ptr<const PlayScene> played;
@@ -75,8 +86,8 @@ struct PlayFrame {
     std::optional<Throw> aimed;            // the throw being aimed
     std::optional<Trajectory> trajectory;  // its trajectory
     bool hasForecast = false;              // the heat overlay shows what it will do
-    bool isHolding = false;                // a body is grabbed
-    bool hasDestruction = true;            // bodies can break from here on
+    std::optional<GrabbedBody> grabbed;
+    bool hasDestruction = true;  // bodies can break from here on
     std::optional<PlayLoop> loop;
     std::vector<PlayBranch> branches;  // oldest first
 };

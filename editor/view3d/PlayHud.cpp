@@ -12,6 +12,7 @@ namespace {
 
 const QColor kRunning(242, 140, 40);
 const QColor kWaiting(96, 140, 190);
+const QColor kTooHeavy(226, 72, 60);
 constexpr int kFrame = 3;  // this and the following: points
 constexpr int kHudMargin = 12;
 constexpr int kAxes = 92;    // width of the axes indicator in the corner
@@ -19,6 +20,9 @@ constexpr int kScale = 105;  // width of the scale bar at the right
 constexpr int kChargeWidth = 220;
 constexpr int kHeatWidth = 120;
 constexpr int kChargeHeight = 12;
+constexpr int kBesidePointer = 14;
+constexpr int kGrabWidth = 240;
+constexpr int kHintHeight = 80;  // about
 
 }  // namespace
 
@@ -34,13 +38,17 @@ void PlayHud::setVisible(bool isVisible) {
 }
 
 QString PlayHud::accessibleText() const {
-    return m_isVisible ? (QStringList(m_content.title) + m_content.statistics).join(", ") : QString();
+    if (!m_isVisible) return {};
+    QStringList texts = QStringList(m_content.title) + m_content.statistics;
+    if (!m_content.grabText.isEmpty()) texts << m_content.grabText;
+    return texts.join(", ");
 }
 
 void PlayHud::paint(QPainter& painter, QSize size) const {
     if (!m_isVisible) return;
     paintTrajectory(painter);
     paintTexts(painter, size);
+    paintSpring(painter, size);
     paintCharge(painter, size);
     paintHeat(painter, size);
     paintFrame(painter, size);
@@ -69,6 +77,30 @@ void PlayHud::paintTrajectory(QPainter& painter) const {
         painter.setPen(QPen(colour, width));
         painter.drawEllipse(m_content.trajectory.back(), 7, 7);
     }
+}
+
+/// A line from the grabbed point to the pointer, and the text beside the pointer.
+void PlayHud::paintSpring(QPainter& painter, QSize size) const {
+    if (!m_content.spring) return;
+    const QColor colour = m_content.isTooHeavy ? kTooHeavy : kRunning;
+    for (const auto& [line, width] : {std::pair(QColor(0, 0, 0, 110), 4), std::pair(colour, 2)}) {
+        painter.setPen(QPen(line, width, Qt::SolidLine, Qt::RoundCap));
+        painter.setBrush(line);
+        painter.drawLine(*m_content.spring);
+        painter.drawEllipse(m_content.spring->p1(), 3, 3);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(m_content.spring->p2(), 7, 7);
+    }
+    const QRect text = QFontMetrics(painter.font())
+                           .boundingRect(QRect(0, 0, kGrabWidth, size.height()), Qt::TextWordWrap, m_content.grabText);
+    QRect plate(QPoint(), text.size() + QSize(2 * kPlatePadding, 2 * kPlatePadding));
+    const QPoint pointer = m_content.spring->p2().toPoint();
+    plate.moveTopLeft(pointer + QPoint(kBesidePointer, kBesidePointer));
+    plate.moveRight(std::min(plate.right(), size.width() - kHudMargin));
+    if (plate.bottom() > size.height() - kHintHeight) plate.moveBottom(pointer.y() - kBesidePointer);
+    const QRect inside = paintPlate(painter, plate);
+    painter.setPen(kPlateText);
+    painter.drawText(inside, Qt::TextWordWrap, m_content.grabText);
 }
 
 void PlayHud::paintTexts(QPainter& painter, QSize size) const {

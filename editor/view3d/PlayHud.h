@@ -2,6 +2,7 @@
 
 #include "viewport/widget/ViewportOverlay.h"
 
+#include <QLineF>
 #include <QPointF>
 #include <QString>
 #include <QStringList>
@@ -12,7 +13,7 @@
 namespace rubble {
 
 /// The head-up display of play over the 3D view: a coloured frame, statistics, and the charge and trajectory of a
-/// throw.
+/// throw, and the spring of a grab.
 class PlayHud : public OverlayItem {
     Q_OBJECT
 public:
@@ -28,7 +29,10 @@ public:
         bool hasHeat = false;     // shows the legend of the heat colours
         bool isForecast = false;  // heat is the forecast of the aimed throw
         std::vector<QPointF> trajectory;
-        bool hasHit = false;  // the trajectory ends at a hit
+        bool hasHit = false;           // the trajectory ends at a hit
+        std::optional<QLineF> spring;  // from a grabbed body to the pointer
+        QString grabText;              // "120 kg", why it cannot be lifted
+        bool isTooHeavy = false;
         bool operator==(const Content&) const = default;
     };
     void setContent(const Content& content);
@@ -41,6 +45,7 @@ public:
 private:
     void paintFrame(QPainter& painter, QSize size) const;
     void paintTrajectory(QPainter& painter) const;
+    void paintSpring(QPainter& painter, QSize size) const;
     void paintTexts(QPainter& painter, QSize size) const;
     void paintCharge(QPainter& painter, QSize size) const;
     void paintHeat(QPainter& painter, QSize size) const;

@@ -1,5 +1,6 @@
 #include "editor/view3d/PlayView.h"
 
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QLocale>
@@ -11,6 +12,13 @@ namespace {
 constexpr int kMilliseconds = 16;  // between frames
 
 QString number(double value, int digits) { return QLocale().toString(value, 'f', digits); }
+
+/// 4.1 kN.
+QString forceText(double newton) {
+    if (newton >= 1e6) return PlayView::tr("%1 MN").arg(number(newton / 1e6, 2));
+    if (newton >= 1e3) return PlayView::tr("%1 kN").arg(number(newton / 1e3, 1));
+    return PlayView::tr("%1 N").arg(number(newton, 1));
+}
 
 /// 12 kJ.
 QString energyText(double joule) {
@@ -94,6 +102,18 @@ QStringList PlayView::statisticsLines() const {
     return lines;
 }
 
+void PlayView::setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const {
+    const std::optional<QPointF> from = m_viewport.pointOf(grabbed.point), to = m_viewport.pointOf(grabbed.target);
+    if (!from || !to) return;
+    content.spring = QLineF(*from, *to);
+    content.isTooHeavy = grabbed.isTooHeavy();
+    const QString mass = localizedQuantity(QuantityKind::Mass, grabbed.mass);
+    content.grabText = content.isTooHeavy
+                           ? tr("Too heavy to lift: %1 weighs %2, the grab pulls with up to %3 (see Play Tools)")
+                                 .arg(mass, forceText(grabbed.weight), forceText(grabbed.force))
+                           : mass;
+}
+
 PlayHud::Content PlayView::content() const {
     PlayHud::Content content{.isRunning = m_controller.isPlaying()};
     switch (m_controller.state()) {
@@ -116,6 +136,7 @@ PlayHud::Content PlayView::content() const {
     content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();
     if (content.charge && frame->aimed) content.chargeText = tr("%1 m/s").arg(number(frame->aimed->speed, 1));
+    if (frame->grabbed) setGrab(content, *frame->grabbed);
     if (!frame->trajectory) return content;
     for (const Vec3& position : frame->trajectory->points) {
         if (const std::optional<QPointF> point = m_viewport.pointOf(position)) content.trajectory.push_back(*point);

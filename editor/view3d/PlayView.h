@@ -26,6 +26,7 @@ private:
     void updateState();
     void showFrame();
     PlayHud::Content content() const;
+    void setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const;
     QStringList statisticsLines() const;
     void updateFrameRate();
 

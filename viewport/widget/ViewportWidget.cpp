@@ -199,6 +199,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - m_lastAt;
     m_lastAt = event->position();
+    if (!event->buttons().testFlag(Qt::LeftButton)) cancelClick();  // its release went elsewhere
     if (m_drag) return setCamera(dragged(m_camera, *m_drag, pixels(moved), imageSize()));
     const int far = (event->position() - m_pressedAt).toPoint().manhattanLength();
     if (m_isClick && far >= QApplication::startDragDistance() && m_canvas != nullptr) {
@@ -221,6 +222,12 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (!m_isClick || event->button() != Qt::LeftButton) return;
     m_isClick = false;
     if (m_canvas != nullptr) emit picked(pickAt(event->position()), event->modifiers());
+}
+
+/// Ends a click or a box selection without a selection.
+void ViewportWidget::cancelClick() {
+    m_isClick = false;
+    m_rubberBand->hide();
 }
 
 void ViewportWidget::endBoxSelection(Qt::KeyboardModifiers modifiers) {
@@ -261,7 +268,7 @@ void ViewportWidget::apply(const ViewKey& key) {
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event) {
     const auto key = viewKeyOf(m_navigation, event->key(), event->modifiers());
-    if (event->key() == Qt::Key_Escape && m_rubberBand->isVisible()) return m_rubberBand->hide();
+    if (event->key() == Qt::Key_Escape && m_rubberBand->isVisible()) return cancelClick();
     if (!key) return QWidget::keyPressEvent(event);
     apply(*key);
 }
@@ -271,6 +278,11 @@ bool ViewportWidget::dispatchToTools(QEvent& event) {
     const auto isConsumed = [&](auto handle) {
         const bool isDone = std::ranges::any_of(m_tools, [&](ViewportTool* tool) { return handle(*tool); });
         if (isDone) event.accept();
+        return isDone;
+    };
+    // A press that was not consumed may become a click, unless a tool goes on with it.
+    const auto endsClick = [&](bool isDone) {
+        if (isDone) cancelClick();
         return isDone;
     };
     const auto forEachTool = [&](auto notify) {
@@ -283,8 +295,9 @@ bool ViewportWidget::dispatchToTools(QEvent& event) {
         case QEvent::MouseButtonPress: return isConsumed([&](ViewportTool& tool) { return tool.press(mouse()); });
         case QEvent::MouseButtonDblClick:
             return isConsumed([&](ViewportTool& tool) { return tool.doubleClick(mouse()); });
-        case QEvent::MouseMove: return isConsumed([&](ViewportTool& tool) { return tool.move(mouse()); });
-        case QEvent::MouseButtonRelease: return isConsumed([&](ViewportTool& tool) { return tool.release(mouse()); });
+        case QEvent::MouseMove: return endsClick(isConsumed([&](ViewportTool& tool) { return tool.move(mouse()); }));
+        case QEvent::MouseButtonRelease:
+            return endsClick(isConsumed([&](ViewportTool& tool) { return tool.release(mouse()); }));
         case QEvent::Wheel:
             return isConsumed([&](ViewportTool& tool) { return tool.wheel(static_cast<const QWheelEvent&>(event)); });
         case QEvent::ShortcutOverride:

@@ -113,6 +113,7 @@ private:
     void apply(const ViewKey& key);
     Vec2 pixels(QPointF point) const;
     void endBoxSelection(Qt::KeyboardModifiers modifiers);
+    void cancelClick();
     std::optional<PickId> pickOf(std::optional<std::uint32_t> body) const;
 
     ViewportCanvas* m_canvas = nullptr;  // null if there is no OpenGL

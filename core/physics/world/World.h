@@ -23,6 +23,14 @@ struct WorldSettings {
     SimdWidth lanes = widestSimd();
 };
 
+/// The spring of World::grab() that pulls a point of a body to a target.
+struct GrabSpring {
+    BodyId body;
+    Vec3 point;          // of the body, in world space
+    Vec3 target;         // in world space
+    double force = 0.0;  // N, at most
+};
+
 /// The impulse of a blast on a body: the sum of those on its faces.
 struct BlastImpulse {
     BodyId body;
@@ -110,6 +118,8 @@ public:
     Status grab(BodyId body, Vec3 point, double force);
     Status dragTo(Vec3 point);
     void release();
+    /// The spring of grab(); nothing if no body is grabbed or the body was removed.
+    std::optional<GrabSpring> grabSpring() const;
 
     /// Finds contacts and the impacts of the coming step. Called again in a step after bodies were added and removed,
     /// it considers only the new ones.

@@ -154,4 +154,14 @@ Status World::dragTo(Vec3 point) {
 
 void World::release() { m_state->grabbed = {}; }
 
+std::optional<GrabSpring> World::grabSpring() const {
+    const WorldState& state = *m_state;
+    if (state.grabbed.index == 0) return std::nullopt;
+    const BodyPose& pose = state.poses[state.grabbed.index];
+    return GrabSpring{.body = state.grabbed,
+                      .point = toDouble(pose.centre + pose.rotation.matrix() * state.grabPoint),
+                      .target = toDouble(state.grabTarget),
+                      .force = state.grabForce};
+}
+
 }  // namespace rubble

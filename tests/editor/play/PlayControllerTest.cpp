@@ -302,13 +302,46 @@ private slots:
         stage.start();
         stage.controller.grabAlong(test::kAtBlock);
         stage.advance(1);
-        QVERIFY(stage.controller.frame()->isHolding);
+        QVERIFY(stage.controller.frame()->grabbed);
+        QVERIFY(!stage.controller.frame()->grabbed->isTooHeavy());
         stage.controller.dragAlong({test::kAtBlock.from + Vec3(1.0, 0.0, 0.0), test::kAtBlock.direction});
         stage.advance(90);
         QVERIFY(heightlessPlace(stage).x > 0.8);
+        const GrabbedBody grabbed = *stage.controller.frame()->grabbed;
+        QVERIFY(glm::distance(grabbed.point, grabbed.target) < 0.05);
         stage.controller.release();
         stage.advance(1);
-        QVERIFY(!stage.controller.frame()->isHolding);
+        QVERIFY(!stage.controller.frame()->grabbed);
+    }
+    void grabOfAHeavyBodySaysThatItIsTooHeavy() {
+        Project project = test::floatingBlock();
+        project.gravity = Vec3(0.0, -9.81, 0.0);
+        test::Stage stage(project);
+        PlayToolSettings tools;
+        tools.grabForce = 1.0;
+        stage.controller.setToolSettings(tools);
+        stage.start();
+        stage.controller.grabAlong(test::kAtBlock);
+        stage.advance(1);
+        const GrabbedBody grabbed = *stage.controller.frame()->grabbed;
+        QVERIFY(grabbed.isTooHeavy());
+        QCOMPARE(grabbed.force, 1.0);
+        QVERIFY(std::abs(grabbed.weight - 9.81 * grabbed.mass) < 1e-6 * grabbed.weight);
+    }
+    void grabOfNothingOrAFixedBodySaysWhy() {
+        test::Stage stage;
+        QStringList messages;
+        connect(&stage.controller, &PlayController::statusMessage, this,
+                [&](const QString& text) { messages << text; });
+        stage.start();
+        stage.controller.grabAlong({test::kAtBlock.from, {0.0, 1.0, 0.0}});
+        stage.advance(1);
+        QCOMPARE(messages, QStringList{"Nothing was grabbed: there is no body at the pointer."});
+        messages.clear();
+        stage.controller.grabAlong({{50.0, 5.0, 50.0}, {0.0, -1.0, 0.0}});  // the ground
+        stage.advance(1);
+        QCOMPARE(messages, QStringList{"Nothing was grabbed: the body at the pointer is fixed."});
+        QVERIFY(!stage.controller.frame()->grabbed);
     }
     void holdingThrowsFaster() {
         test::Stage stage;

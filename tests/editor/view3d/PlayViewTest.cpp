@@ -28,6 +28,35 @@ private slots:
         view.refresh();
         QVERIFY2(view.hud().accessibleText().contains("30 fps"), qPrintable(view.hud().accessibleText()));
     }
+    void grabShowsItsSpringAndWhetherItCanLift() {
+        Project project = test::floatingBlock();
+        project.gravity = Vec3(0.0, -9.81, 0.0);
+        test::Stage stage(project);
+        ViewportWidget viewport;
+        viewport.resize(640, 480);
+        PlayView view(stage.controller, viewport);
+        viewport.setOverlayItems({&view.hud()});
+        stage.start();
+        for (const auto& [force, text] : {std::pair(2e4, "500\u00a0kg"), std::pair(2e3, "Too heavy to lift")}) {
+            PlayToolSettings tools;
+            tools.grabForce = force;
+            stage.controller.setToolSettings(tools);
+            stage.advance(1);
+            view.refresh();
+            viewport.frameAll();
+            stage.controller.grabAlong(test::kAtBlock);
+            stage.controller.dragAlong({test::kAtBlock.from + Vec3(1.0, 0.0, 0.0), test::kAtBlock.direction});
+            stage.advance(1);
+            view.refresh();
+            QVERIFY2(view.hud().accessibleText().contains(text), qPrintable(view.hud().accessibleText()));
+            const QImage with = viewport.grab().toImage();
+            stage.controller.release();
+            stage.advance(1);
+            view.refresh();
+            QVERIFY(!view.hud().accessibleText().contains(text));
+            QVERIFY(viewport.grab().toImage() != with);
+        }
+    }
     void controlAndWheelChangeTheBlastRadius() {
         test::Stage stage;
         ViewportWidget viewport;

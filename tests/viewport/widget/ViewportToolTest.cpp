@@ -4,6 +4,7 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
+#include <QRubberBand>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -58,6 +59,36 @@ private slots:
         QTest::keyClick(m_viewport.get(), Qt::Key_1);
         QCOMPARE(m_log, QStringList{"first key"});
     }
+    /// As the grab of play does: the press may become a click, and the tool takes the drag.
+    void clickEndsWhereAToolGoesOnWithThePress() {
+        m_viewport->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get(), kPatience));
+        QSignalSpy boxes(m_viewport.get(), &ViewportWidget::boxSelected);
+        QSignalSpy clicks(m_viewport.get(), &ViewportWidget::picked);
+        for (const bool isMoveConsumed : {true, false}) {
+            send(QEvent::MouseButtonPress, {60, 60}, Qt::LeftButton, Qt::LeftButton);
+            m_first->isConsuming = isMoveConsumed;
+            send(QEvent::MouseMove, {61, 60}, Qt::NoButton, Qt::LeftButton);
+            m_first->isConsuming = true;
+            send(QEvent::MouseButtonRelease, {61, 60}, Qt::LeftButton, Qt::NoButton);
+            m_first->isConsuming = false;
+            send(QEvent::MouseMove, {140, 110}, Qt::NoButton, Qt::NoButton);
+            QVERIFY(!m_viewport->findChild<QRubberBand*>()->isVisible());
+            send(QEvent::MouseButtonRelease, {140, 110}, Qt::LeftButton, Qt::NoButton);
+        }
+        QCOMPARE(boxes.count(), 0);
+        QCOMPARE(clicks.count(), 0);
+    }
+    /// The release may go to another window.
+    void boxSelectionEndsWithoutItsRelease() {
+        m_viewport->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get(), kPatience));
+        send(QEvent::MouseButtonPress, {20, 20}, Qt::LeftButton, Qt::LeftButton);
+        send(QEvent::MouseMove, {90, 90}, Qt::NoButton, Qt::LeftButton);
+        QVERIFY(m_viewport->findChild<QRubberBand*>()->isVisible());
+        send(QEvent::MouseMove, {120, 110}, Qt::NoButton, Qt::NoButton);
+        QVERIFY(!m_viewport->findChild<QRubberBand*>()->isVisible());
+    }
     void unconsumedKeysReachTheView() {
         const Camera before = m_viewport->camera();
         QTest::keyClick(m_viewport.get(), Qt::Key_1);
@@ -97,6 +128,10 @@ private slots:
     }
 
 private:
+    void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, at, m_viewport->mapToGlobal(at), button, buttons, Qt::NoModifier);
+        QApplication::sendEvent(m_viewport.get(), &event);
+    }
     ViewportOverlay& overlay() { return *m_viewport->findChild<ViewportOverlay*>(); }
     QColor overlayColour() { return overlay().grab().toImage().pixelColor(20, 20); }
 
