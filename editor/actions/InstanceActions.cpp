@@ -39,7 +39,6 @@ InstanceActions::InstanceActions(Views& views)
                 removeInstances);
     remove->setShortcut(QKeySequence("Delete"));
     addContextMenus();
-    scene().viewport().installEventFilter(this);
     connect(&m_workspace.selection(), &Selection::instancesChanged, this, &InstanceActions::updateEnabled);
     connect(&m_workspace.selection(), &Selection::subjectChanged, this, &InstanceActions::updateEnabled);
     connect(&m_workspace.document(), &Document::changed, this, &InstanceActions::updateEnabled);
@@ -131,6 +130,7 @@ void InstanceActions::addVisibility() {
         isolateInstances);
     m_showAll = add({"instance-show", tr("&Show All"), tr("Show all hidden instances"), QKeySequence("Alt+H")},
                     &InstanceActions::showAll);
+    scene().viewport().removeAction(m_showAll);  // SelectActions handles the key
     addEdit({"instance-lock", tr("Loc&k"), tr("Prevent selecting and moving the selected instances in the 3D view"),
              QKeySequence("L")},
             lockInstances);
@@ -150,12 +150,6 @@ void InstanceActions::addContextMenus() {
         m_menu->exec(global);
     });
     m_views.setInstanceActions(m_menu->actions());
-}
-
-/// In the 3D view, Alt+H shows all instead of opening the Help menu.
-bool InstanceActions::eventFilter(QObject*, QEvent* event) {
-    if (!isShortcutOf(*m_showAll, *event) || gizmo().isDragging()) return false;
-    return handleShortcut({m_showAll}, *event);
 }
 
 /// Asks which asset to place if there are several.

@@ -25,9 +25,7 @@ public:
     explicit InstanceActions(Views& views);
 
     QMenu* menu() const { return m_menu; }
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    QAction* showAllAction() const { return m_showAll; }
 
 private:
     using Slot = void (InstanceActions::*)();

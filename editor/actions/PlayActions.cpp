@@ -66,12 +66,16 @@ void PlayActions::addRun() {
     const auto add = actionAdder(*m_menu, this);
     m_play =
         add({"play-start", tr("&Play"), tr("Start the simulation"), QKeySequence("Ctrl+P")}, &PlayActions::startOrStop);
-    m_pause = add({"play-pause", tr("P&ause\tP"), tr("Pause or resume the simulation")}, &PlayActions::pauseOrResume);
+    m_pause = add({"play-pause", tr("P&ause"), tr("Pause or resume the simulation"), QKeySequence(Qt::Key_P)},
+                  &PlayActions::pauseOrResume);
     m_pause->setCheckable(true);
-    m_step = makeAction(this, {"play-step", tr("S&tep\t."), tr("Advance the simulation by one step")});
-    m_reset = makeAction(this, {"play-reset", tr("&Reset\tR"), tr("Restart the simulation from the beginning")});
+    m_step = makeAction(
+        this, {"play-step", tr("S&tep"), tr("Advance the simulation by one step"), QKeySequence(Qt::Key_Period)});
+    m_reset = makeAction(
+        this, {"play-reset", tr("&Reset"), tr("Restart the simulation from the beginning"), QKeySequence(Qt::Key_R)});
     connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
+    for (QAction* action : {m_pause, m_reset}) action->setAutoRepeat(false);
     for (QAction* action : {m_pause, m_step}) action->setPriority(QAction::LowPriority);  // icons alone in tool bars
     auto* timeline = new TimelineActions(m_views, m_step);
     m_menu->addActions({m_step, timeline->stepBack(), m_reset});

@@ -6,6 +6,7 @@
 #include "editor/document/FragmentSeeds.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/view3d/SceneView.h"
+#include "editor/view3d/tools/TransformTool.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/PreferenceStore.h"
@@ -31,12 +32,13 @@ FragmentSet invertedInside(const FragmentPath& parent, const Bake& bake, const F
 
 }  // namespace
 
-SelectActions::SelectActions(Views& views, const PreferenceStore& preferences)
+SelectActions::SelectActions(Views& views, const PreferenceStore& preferences, QAction& showInstances)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
       m_preferences(preferences),
-      m_menu(new QMenu(tr("Sele&ct"), &views.window())) {
+      m_menu(new QMenu(tr("Sele&ct"), &views.window())),
+      m_showInstances(showInstances) {
     const auto add = actionAdder(*m_menu, this);
     add({"select-all", tr("Select &All"), tr("Select all seeds and fragments"), QKeySequence("Ctrl+A")},
         &SelectActions::selectAll);
@@ -108,11 +110,15 @@ QAction* SelectActions::addInViews(const ActionDefinition& definition, Slot slot
     return action;
 }
 
-/// In canvas and 3D view, Alt+H shows all instead of opening the Help menu. The 3D view handles the key, too: it shows
-/// hidden instances.
+/// In canvas and 3D view, Alt+H shows all instead of opening the Help menu; in the 3D view, instances, too.
 bool SelectActions::eventFilter(QObject* watched, QEvent* event) {
     if (!isShortcutOf(*m_showAll, *event) || m_workspace.play().isInPlay()) return false;
-    return handleShortcut({m_showAll}, *event) && watched == &m_views.canvas();
+    if (m_views.scene().transformTool().isDragging()) return false;
+    event->accept();
+    if (event->type() != QEvent::KeyPress) return true;
+    m_showAll->trigger();
+    if (watched != &m_views.canvas()) m_showInstances.trigger();
+    return true;
 }
 
 std::shared_ptr<const Bake> SelectActions::bake() const {

@@ -22,7 +22,8 @@ struct BakedPattern;
 class SelectActions : public QObject {
     Q_OBJECT
 public:
-    SelectActions(Views& views, const PreferenceStore& preferences);
+    /// `showInstances`: the action that shows all instances, with the same shortcut as that of fragments.
+    SelectActions(Views& views, const PreferenceStore& preferences, QAction& showInstances);
 
     QMenu* menu() const { return m_menu; }
     /// Neighbours, siblings, parents and children of the selection.
@@ -71,6 +72,7 @@ private:
     QMenu* m_menu;
     QMenu* m_levels = nullptr;
     QAction* m_showAll = nullptr;
+    QAction& m_showInstances;
     QList<QAction*> m_needSelection;  // enabled while seeds or fragments are selected
     QList<QAction*>
         m_needFragments;         // the same, while no instance is the subject: these share shortcuts with instances

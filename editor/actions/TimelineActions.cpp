@@ -18,10 +18,12 @@ TimelineActions::TimelineActions(Views& views, QAction* step)
     : QObject(&views.window()),
       m_views(views),
       m_menu(new QMenu(tr("T&imeline"), &views.window())),
-      m_branches(new QMenu(tr("&Branches"), &views.window())),
-      m_stepBack(makeAction(this, {"play-step-back", tr("Step &Back\t,"), tr("Go one step back")})),
-      m_loop(makeAction(this, {"play-loop", tr("&Loop Around Break\tL"),
-                               tr("Play half a second before and a second after a break again and again")})) {
+      m_branches(new QMenu(tr("&Earlier Timelines"), &views.window())),
+      m_stepBack(makeAction(
+          this, {"play-step-back", tr("Step &Back"), tr("Go back by one step"), QKeySequence(Qt::Key_Comma)})),
+      m_loop(makeAction(this, {"play-loop", tr("&Loop Around Break"),
+                               tr("Play half a second before and a second after a break again and again"),
+                               QKeySequence(Qt::Key_L)})) {
     TimelineBar& bar = views.scene().timeline().bar();
     QAction* in = makeAction(this, {"timeline-zoom-in", tr("Zoom &In"), tr("Zoom in on the displayed time")});
     QAction* out = makeAction(this, {"timeline-zoom-out", tr("Zoom &Out"), tr("Zoom out of the timeline")});
@@ -32,11 +34,12 @@ TimelineActions::TimelineActions(Views& views, QAction* step)
     connect(m_stepBack, &QAction::triggered, &controller(), &PlayController::stepBack);
     connect(m_loop, &QAction::triggered, &controller(), &PlayController::toggleLoop);
     m_loop->setCheckable(true);
+    m_loop->setAutoRepeat(false);
     m_menu->addActions({m_loop, in, out, fit});
     m_menu->addMenu(m_branches);
     m_branches->setIcon(iconNamed("timeline-branches"));
     m_branches->setToolTipsVisible(true);
-    m_branches->menuAction()->setToolTip(tr("Return to what happened before something was thrown in the past"));
+    m_branches->menuAction()->setToolTip(tr("Return to a timeline that a later throw, hit or blast replaced"));
     views.scene().timeline().addButtons({m_stepBack, step, m_loop}, {out, in, fit}, m_branches);
     connect(m_branches, &QMenu::aboutToShow, this, &TimelineActions::fillBranches);
     connect(&controller(), &PlayController::frameChanged, this, &TimelineActions::refreshFrame);
@@ -51,9 +54,10 @@ void TimelineActions::refreshFrame() {
     const bool isShown = controller().hasSession() && frame;
     m_menu->menuAction()->setEnabled(isShown);
     m_stepBack->setEnabled(isShown && frame->step > 0);
+    m_loop->setEnabled(isShown);
     m_loop->setChecked(isShown && frame->loop);
     const qsizetype branches = isShown ? static_cast<qsizetype>(frame->branches.size()) : 0;
-    m_branches->setTitle(branches > 0 ? tr("&Branches (%L1)").arg(branches) : tr("&Branches"));
+    m_branches->setTitle(branches > 0 ? tr("&Earlier Timelines (%L1)").arg(branches) : tr("&Earlier Timelines"));
     m_branches->menuAction()->setEnabled(branches > 0);
 }
 
@@ -68,7 +72,7 @@ void TimelineActions::fillBranches() {
         const QString breaks = tr("%Ln break(s)", nullptr, static_cast<int>(branch.breaks));
         QAction* action =
             m_branches->addAction(tr("%1 s to %2 s: %3").arg(seconds(branch.fork), seconds(branch.length), breaks));
-        action->setToolTip(tr("Return to this branch, where it leaves the current course"));
+        action->setToolTip(tr("Return to this timeline, where it leaves the current one"));
         action->setStatusTip(action->toolTip());
         connect(action, &QAction::triggered, &controller(), [this, id = branch.id] { controller().switchTo(id); });
     }

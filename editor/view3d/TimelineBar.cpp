@@ -287,7 +287,7 @@ bool TimelineBar::event(QEvent* event) {
     }
     const auto forks =
         std::ranges::count_if(m_controller.frame()->branches, [&](const PlayBranch& one) { return isHere(one.fork); });
-    if (forks > 0) lines << tr("%Ln branch(es) from here", nullptr, static_cast<int>(forks));
+    if (forks > 0) lines << tr("%Ln earlier timeline(s) from here", nullptr, static_cast<int>(forks));
     QToolTip::showText(help->globalPos(), toolTipText(lines.join('\n')), this);
     return true;
 }

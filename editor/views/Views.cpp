@@ -139,6 +139,7 @@ void Views::addDocks() {
     connect(m_inspector, &Inspector::refused, this, &Views::showRefusal);
     connect(m_playTools, &PlayToolsPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
+    connect(tests, &PlayTestPanel::statusMessage, this, &Views::statusMessage);
     connect(m_strength, &StrengthPanel::refused, this, &Views::showRefusal);
     connect(m_strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
         setSceneVisible(true);

@@ -15,9 +15,11 @@
 #include "editor/dialogs/FileFilters.h"
 #include "editor/document/FragmentSelection.h"
 #include "editor/document/ShownText.h"
+#include "editor/view3d/SceneView.h"
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
 #include "editor/window/StartPage.h"
+#include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -87,7 +89,7 @@ MainWindow::~MainWindow() {
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
 }
 
-/// Creates the menus. Select comes after Instance, whose shortcuts it shares: its event filters see keys first.
+/// Creates the menus.
 void MainWindow::addActions() {
     m_fileActions = new FileActions(*m_views, m_preferences, m_recentFiles);
     m_editActions = new EditActions(*m_views, m_preferences);
@@ -95,7 +97,7 @@ void MainWindow::addActions() {
     auto* materials = new MaterialActions(*m_views);
     auto* fragments = new FragmentActions(*m_views);
     auto* instances = new InstanceActions(*m_views);
-    auto* select = new SelectActions(*m_views, m_preferences);
+    auto* select = new SelectActions(*m_views, m_preferences, *instances->showAllAction());
     m_viewActions = new ViewActions(*m_views);
     m_filmActions = new FilmActions(*m_views);
     m_playActions = new PlayActions(*m_views, *m_filmActions);
@@ -250,6 +252,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();
     event->accept();
+}
+
+/// In play, Return in a field of a dock gives the keys back to the simulation.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isReturn || !m_workspace.play().isInPlay()) return QMainWindow::keyPressEvent(event);
+    m_views->scene().viewport().setFocus();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

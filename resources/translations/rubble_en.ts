@@ -377,10 +377,10 @@
 <context>
     <name>rubble::TimelineBar</name>
     <message numerus="yes">
-        <source>%Ln branch(es) from here</source>
+        <source>%Ln earlier timeline(s) from here</source>
         <translation>
-            <numerusform>%Ln branch from here</numerusform>
-            <numerusform>%Ln branches from here</numerusform>
+            <numerusform>%Ln earlier timeline from here</numerusform>
+            <numerusform>%Ln earlier timelines from here</numerusform>
         </translation>
     </message>
 </context>

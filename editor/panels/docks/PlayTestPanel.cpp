@@ -128,7 +128,7 @@ PlayTestPanel::PlayTestPanel(Document& document, PlayController& controller, Pla
         if (isAffected(Part::PlayTest) || isAffected(Part::Shot) || isAffected(Part::Instance)) fill();
     });
     connect(&runner, &PlayTestRunner::changed, this, &PlayTestPanel::fill);
-    connect(&runner, &PlayTestRunner::statusMessage, this, &PlayTestPanel::refused);
+    connect(&runner, &PlayTestRunner::statusMessage, this, &PlayTestPanel::statusMessage);
     connect(&runner, &PlayTestRunner::progressed, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
     connect(&controller, &PlayController::frameChanged, this, &PlayTestPanel::update);

@@ -33,6 +33,7 @@ public:
 
 signals:
     void refused(const QString& sentence);
+    void statusMessage(const QString& sentence);
     /// A failure is about to be replayed.
     void showRequested();
 

@@ -85,7 +85,7 @@ void ScenePage::buildDamage(Section& section) {
         rule, tr("Set Damage Rule"), [](const SceneSettings& scene) { return static_cast<Id>(scene.damage.rule); },
         [](SceneSettings& scene, Id entered) { scene.damage.rule = static_cast<DamageRule>(entered); });
     m_rule = rule;
-    auto* isThesis = new QCheckBox(tr("Thesis Method"));
+    auto* isThesis = new QCheckBox(tr("Simplified Method (Thesis)"));
     isThesis->setToolTip(
         tr("<p>Simulate with the method of the bachelor thesis that Rubble is based on, for comparison:</p>"
            "<ul><li>one threshold for all bodies instead of those of assets and instances</li>"
@@ -96,13 +96,13 @@ void ScenePage::buildDamage(Section& section) {
     isThesis->setStatusTip(tr("Simulate with the method of the bachelor thesis, for comparison"));
     section.addWide(isThesis);
     m_form.bind(
-        isThesis, tr("Enable or Disable Thesis Method"),
+        isThesis, tr("Enable or Disable Simplified Method"),
         [](const SceneSettings& scene) { return scene.damage.isThesis; },
         [](SceneSettings& scene, bool entered) { scene.damage.isThesis = entered; });
     auto* threshold =
-        section.addRow(tr("Threshold"), thresholdField(), tr("Threshold of all bodies with the thesis method"));
+        section.addRow(tr("Threshold"), thresholdField(), tr("Threshold of all bodies with the simplified method"));
     m_form.bind(
-        threshold, tr("Set Thesis Threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
+        threshold, tr("Set Common Threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
         [](SceneSettings& scene, double entered) { scene.damage.thesisThreshold = entered; });
     m_thesisThreshold = threshold;
 }

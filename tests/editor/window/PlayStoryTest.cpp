@@ -86,7 +86,7 @@ private slots:
         QTest::keyClick(&timeline(), Qt::Key_Home);
         QTRY_COMPARE(play().frame()->step, 0u);
         QTest::keyClick(&viewport(), Qt::Key_H);
-        QTRY_COMPARE(button->text(), QString("Branches (1)"));
+        QTRY_COMPARE(button->text(), QString("Earlier Timelines (1)"));
         emit button->menu()->aboutToShow();
         QVERIFY2(button->menu()->actions().front()->text().startsWith("0.00 s to "),
                  qPrintable(button->menu()->actions().front()->text()));
