@@ -15,12 +15,12 @@ constexpr int kMinWidth = 40;  // pixels
 }  // namespace
 
 ExplodeSlider::ExplodeSlider(QWidget* parent) : QWidget(parent) {
-    auto* label = new QLabel(tr("E&xploded:"));
+    auto* label = new QLabel(tr("E&xplode:"));
     auto* slider = new QSlider(Qt::Horizontal);
     slider->setRange(0, kSteps);
     slider->setMinimumWidth(kMinWidth);
     slider->setToolTip(tr("Move fragments apart"));
-    slider->setAccessibleName(tr("Exploded"));
+    slider->setAccessibleName(tr("Explode"));
     slider->setObjectName("exploded");
     label->setBuddy(slider);
     connect(slider, &QSlider::valueChanged, this,
@@ -29,7 +29,10 @@ ExplodeSlider::ExplodeSlider(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(4, 0, 2, 0);
     row->addWidget(label);
     row->addWidget(slider, 1);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
+
+QSize ExplodeSlider::sizeHint() const { return minimumSizeHint(); }
 
 }  // namespace rubble
 

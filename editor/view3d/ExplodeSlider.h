@@ -10,6 +10,9 @@ class ExplodeSlider : public QWidget {
 public:
     explicit ExplodeSlider(QWidget* parent = nullptr);
 
+    /// The least size: tool bars grow it.
+    QSize sizeHint() const override;
+
 signals:
     /// `factor`: see SceneOptions::explodeFactor.
     void factorChanged(double factor);

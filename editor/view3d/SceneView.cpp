@@ -199,8 +199,9 @@ void SceneView::addSeparator() {
 QWidget* SceneView::makeBar() {
     auto* bar = new QToolBar(tr("3D view"));
     bar->setIconSize(kBarIcon);
-    m_scope =
-        comboBox({tr("Whole scene"), tr("Active asset")}, tr("Show all instances, or the active asset by itself"));
+    bar->addWidget(makeViewMenu());
+    bar->addAction(m_measureAction);
+    m_scope = comboBox({tr("Scene"), tr("Asset")}, tr("Show all instances, or the active asset by itself"));
     m_scope->setObjectName("scope");
     m_scope->setAccessibleName(tr("Scope"));
     connect(m_scope, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -209,9 +210,9 @@ QWidget* SceneView::makeBar() {
         updateEditing();
         frameAll();
     });
-    auto* colouring = comboBox({tr("By material"), tr("By fragment"), tr("By level"), tr("By volume"), tr("By mass"),
-                                tr("By aspect"), tr("By threshold")},
-                               tr("Colour the fragments by this property"));
+    auto* colouring =
+        comboBox({tr("Material"), tr("Fragment"), tr("Level"), tr("Volume"), tr("Mass"), tr("Aspect"), tr("Threshold")},
+                 tr("Colour the fragments by this property"));
     colouring->setObjectName("colouring");
     colouring->setAccessibleName(tr("Colouring"));
     connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -225,8 +226,6 @@ QWidget* SceneView::makeBar() {
     });
     m_editControls = {m_scope, colouring, explode};
     for (QWidget* control : m_editControls) bar->addWidget(control);
-    bar->addWidget(makeViewMenu());
-    bar->addAction(m_measureAction);
     return bar;
 }
 

@@ -22,15 +22,16 @@ constexpr int kFragmentsHeight = 240;
 struct DockPlace {
     const char* name;  // object name and icon name
     Qt::DockWidgetArea area;
+    int leastWidth;  // pixels, that labels and fields fit in; docks at the bottom scroll
 };
 
 /// Indexed by DockId. Docks of an area lie in this order before they are tabbed.
 constexpr DockPlace kPlaces[kDockCount] = {
-    {"dock-project", Qt::LeftDockWidgetArea},     {"dock-history", Qt::LeftDockWidgetArea},
-    {"dock-inspector", Qt::RightDockWidgetArea},  {"dock-strength", Qt::RightDockWidgetArea},
-    {"dock-play-tools", Qt::RightDockWidgetArea}, {"dock-fragments", Qt::BottomDockWidgetArea},
-    {"dock-problems", Qt::BottomDockWidgetArea},  {"dock-messages", Qt::BottomDockWidgetArea},
-    {"dock-play", Qt::BottomDockWidgetArea},      {"dock-tests", Qt::BottomDockWidgetArea}};
+    {"dock-project", Qt::LeftDockWidgetArea, 150},     {"dock-history", Qt::LeftDockWidgetArea, 150},
+    {"dock-inspector", Qt::RightDockWidgetArea, 300},  {"dock-strength", Qt::RightDockWidgetArea, 260},
+    {"dock-play-tools", Qt::RightDockWidgetArea, 300}, {"dock-fragments", Qt::BottomDockWidgetArea, 0},
+    {"dock-problems", Qt::BottomDockWidgetArea, 0},    {"dock-messages", Qt::BottomDockWidgetArea, 0},
+    {"dock-play", Qt::BottomDockWidgetArea, 0},        {"dock-tests", Qt::BottomDockWidgetArea, 0}};
 
 /// Docks behind one another in the default layout; the first one is in front.
 constexpr DockId kRightTabs[] = {DockId::Inspector, DockId::Strength, DockId::PlayTools};
@@ -45,6 +46,7 @@ QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) 
     auto* dock = new QDockWidget(title, &m_window);
     dock->setObjectName(kPlaces[index].name);
     dock->setWidget(content);
+    if (kPlaces[index].leastWidth > 0) content->setMinimumWidth(kPlaces[index].leastWidth);
     m_window.addDockWidget(kPlaces[index].area, dock);
     m_docks[index] = dock;
     addAction(*dock);

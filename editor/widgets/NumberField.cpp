@@ -93,7 +93,7 @@ void NumberField::showValue() {
     setRefusal({});
     lineEdit()->setPlaceholderText(m_isMixed ? tr("Mixed") : QString());
     const QString exact = exactText(m_value, m_format, locale());
-    const QString rounded = exactText(roundedTo(kShownDigits, m_value), m_format, locale());
+    const QString rounded = significantText(m_value, kShownDigits, m_format, locale());
     const bool isLong = exact.size() > rounded.size();
     const QString& shown = isLong && !hasFocus() ? rounded : exact;
     setToolTip(isLong && !m_isMixed ? m_hint + (m_hint.isEmpty() ? "" : "\n") + withUnit(exact, m_format) : m_hint);

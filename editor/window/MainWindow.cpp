@@ -30,6 +30,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -46,7 +47,6 @@ namespace {
 constexpr const char* kGeometryKey = "window/geometry";
 constexpr int kStatusMilliseconds = 6000;
 constexpr QSize kDefaultSize{1440, 900};
-constexpr QSize kMinimumSize{800, 560};
 constexpr QSize kToolIconSize{20, 20};
 constexpr int kProgressWidth = 140;  // pixels
 
@@ -135,7 +135,11 @@ void MainWindow::addStartPage() {
     connect(page, &StartPage::importRequested, m_fileActions->importAction(), &QAction::trigger);
     connect(page, &StartPage::recentRequested, m_fileActions, &FileActions::openFile);
     connect(page, &StartPage::exampleRequested, this, &MainWindow::openCopyRequested);
-    m_pages->addWidget(page);
+    auto* scroll = new QScrollArea;  // on small screens
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    m_pages->addWidget(scroll);
 }
 
 void MainWindow::addToolBars() {
@@ -188,7 +192,6 @@ void MainWindow::addStatusBar() {
 }
 
 void MainWindow::restoreWindow() {
-    setMinimumSize(kMinimumSize);
     resize(kDefaultSize);
     restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
     resize(size().boundedTo(screen()->availableSize()));

@@ -156,17 +156,21 @@ void AssetPage::showThreshold(const Asset& asset) {
     const QString strength = text(QuantityKind::Pressure, *material.tensileStrength);
     const QString threshold = text(QuantityKind::Impulse, thresholdOf(asset, material));
     if (asset.strengthRule == StrengthRule::CrossSection) {
-        return m_derivation->setText(tr("%1 × %2 × %3 = %4")
-                                         .arg(strength, text(QuantityKind::Area, minimumCrossSection(asset.prism)),
-                                              text(QuantityKind::Time, *asset.contactTime), threshold));
+        m_derivation->setToolTip(tr("Threshold = strength × cross-section × contact time"));
+        return m_derivation->setText(
+            tr("%1 follows from the strength %2, the smallest cross-section %3 and the contact time %4.")
+                .arg(threshold, strength, text(QuantityKind::Area, minimumCrossSection(asset.prism)),
+                     text(QuantityKind::Time, *asset.contactTime)));
     }
     const BendingStrength bending = *bendingStrength(asset, material);
-    const QString formula =
-        tr("%1 × (%2)² / %3 × %4 = %5")
-            .arg(strength, text(QuantityKind::Length, bending.thickness), locale().toString(kBendingRatio),
-                 text(QuantityKind::Time, bending.duration), threshold);
-    m_derivation->setText(bending.isByInertia ? formula + "\n" + tr("The asset's inertia decides the duration.")
-                                              : formula);
+    const QString sentence =
+        bending.isByInertia
+            ? tr("%1 follows from the strength %2, the thickness %3 and a load of %4, as the asset's inertia gives it.")
+            : tr("%1 follows from the strength %2, the thickness %3 and a load of %4, as the contact time gives it.");
+    m_derivation->setToolTip(
+        tr("Threshold = strength × thickness² × duration ÷ %1").arg(locale().toString(kBendingRatio)));
+    m_derivation->setText(sentence.arg(threshold, strength, text(QuantityKind::Length, bending.thickness),
+                                       text(QuantityKind::Time, bending.duration)));
 }
 
 void AssetPage::setLibraryAction(QAction* action) { m_asset->addWide(actionButton(action)); }

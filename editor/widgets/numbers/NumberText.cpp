@@ -111,6 +111,12 @@ QString exactText(double value, const NumberFormat& format, const QLocale& local
     return localised(textOf(shownDecimal(value, format)), locale);
 }
 
+QString significantText(double value, int digits, const NumberFormat& format, const QLocale& locale) {
+    Decimal stored = shortestDecimal(value);
+    stored.exponent += format.exponent;
+    return localised(textOf(quotient(stored, format.multiple, digits)), locale);
+}
+
 QString roundedText(double value, const NumberFormat& format, const QLocale& locale) {
     return localised(QString::fromStdString(roundedNumber(shownValue(value, format))), locale);
 }

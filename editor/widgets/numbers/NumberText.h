@@ -13,6 +13,8 @@ namespace rubble {
 
 /// The shortest text, without the unit, that parseNumber() reads back as the same number.
 QString exactText(double value, const NumberFormat& format, const QLocale& locale);
+/// The number rounded to significant digits in the format's unit, without the unit.
+QString significantText(double value, int digits, const NumberFormat& format, const QLocale& locale);
 /// The number as roundedNumber() gives it, without the unit.
 QString roundedText(double value, const NumberFormat& format, const QLocale& locale = {});
 /// The number with as many digits as `decimals` gives it in the base unit, without the unit: 0.125 m with 3 is "0.125",

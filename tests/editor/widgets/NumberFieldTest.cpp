@@ -111,6 +111,20 @@ private slots:
         window.type("12,5");
         QCOMPARE(window.edits.count(), 1);  // unchanged
     }
+    /// A metre has 17 digits in feet.
+    void withoutFocusANumberIsRoundedInItsUnit() {
+        Window window;
+        window.field.setFormat(Units{LengthUnit::Foot}.lengths());
+        window.field.setValue(1.0);
+        QCOMPARE(window.line().text(), "3.2808" + kNbsp + "ft");
+        QVERIFY(window.field.toolTip().contains("3.28083989501312"));
+        window.field.setFocus();
+        QVERIFY(window.line().text().startsWith("3.28083989501312"));
+        window.other.setFocus();
+        QCOMPARE(window.line().text(), "3.2808" + kNbsp + "ft");
+        QCOMPARE(window.field.value(), 1.0);
+        QCOMPARE(window.edits.count(), 0);
+    }
     void focusOutAppliesTheTypedNumber() {
         Window window;
         window.field.setFocus();
