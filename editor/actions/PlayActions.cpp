@@ -8,6 +8,7 @@
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
+#include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
@@ -40,6 +41,8 @@ PlayActions::PlayActions(Views& views, FilmActions& film)
       m_film(film),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
     addRun();
+    m_menu->addSeparator();
+    addTools();
     m_menu->addSeparator();
     addSpeeds();
     addTimeSteps();
@@ -80,6 +83,18 @@ void PlayActions::addRun() {
     auto* timeline = new TimelineActions(m_views, m_step);
     m_menu->addActions({m_step, timeline->stepBack(), m_reset});
     m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));
+}
+
+/// The view handles their keys, with the pointer and the charge of a throw.
+void PlayActions::addTools() {
+    PlayTool& tool = m_views.scene().playView().tool();
+    m_tools = {makeAction(this, {"play-throw", tr("T&hrow\tF"), tr("Throw the projectile at the pointer")}),
+               makeAction(this, {"play-hammer", tr("Ha&mmer\tH"), tr("Hit what is at the pointer with a hammer")}),
+               makeAction(this, {"play-blast", tr("B&last\tX"), tr("Set off an explosion at the pointer")})};
+    connect(m_tools[0], &QAction::triggered, &tool, &PlayTool::throwAtPointer);
+    connect(m_tools[1], &QAction::triggered, &tool, &PlayTool::hammerAtPointer);
+    connect(m_tools[2], &QAction::triggered, &tool, &PlayTool::explodeAtPointer);
+    m_menu->addActions(m_tools);
 }
 
 void PlayActions::addSpeeds() {
@@ -237,7 +252,9 @@ void PlayActions::updateState() {
     const QString tip = isOn ? tr("Stop the simulation and return to the project") : tr("Start the simulation");
     m_play->setStatusTip(tip);
     m_play->setToolTip(tip + " (" + m_play->shortcut().toString(QKeySequence::NativeText) + ')');
-    for (QAction* action : {m_pause, m_step, m_reset}) action->setEnabled(m_views.isProjectShown() && isOn);
+    for (QAction* action : m_tools + QList{m_pause, m_step, m_reset}) {
+        action->setEnabled(m_views.isProjectShown() && isOn);
+    }
     m_pause->setChecked(controller().state() == PlayState::Paused);
     m_destruction->setChecked(controller().hasDestruction());
     for (QAction* action : m_speeds->actions()) {

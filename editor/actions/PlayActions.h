@@ -25,6 +25,7 @@ public:
 
 private:
     void addRun();
+    void addTools();
     void addSpeeds();
     void addTimeSteps();
     void addOverlays();
@@ -49,6 +50,7 @@ private:
     QAction* m_pause = nullptr;
     QAction* m_step = nullptr;
     QAction* m_reset = nullptr;
+    QList<QAction*> m_tools;  // throw, hammer and blast
     QAction* m_destruction = nullptr;
     QAction* m_saveShot = nullptr;
     QAction* m_saveReplay = nullptr;

@@ -21,7 +21,25 @@ namespace {
 QString plain(QString text) { return text.remove('&').remove("…"); }
 
 /// How well a word matches an action, the best match first.
-enum Match { kNameStart, kNameWordStart, kMenuWordStart, kInPath, kTipWordStart, kInTip, kNone };
+enum Match { kNameStart, kNameWordStart, kMenuWordStart, kInPath, kTipWordStart, kInTip, kSynonym, kNone };
+
+/// Words that mean the same to someone who searches, in lower case, separated by spaces.
+const QStringList& synonyms() {
+    static const QStringList groups{ActionSearch::tr("explode explosion explosive detonate blast bomb"),
+                                    ActionSearch::tr("throw shoot fire launch ball projectile"),
+                                    ActionSearch::tr("hammer hit strike smash"),
+                                    ActionSearch::tr("break destroy shatter crack fracture"),
+                                    ActionSearch::tr("picture image screenshot photo still"),
+                                    ActionSearch::tr("video film movie animation record"),
+                                    ActionSearch::tr("delete remove erase"),
+                                    ActionSearch::tr("preferences settings options configuration"),
+                                    ActionSearch::tr("simulate simulation play run start"),
+                                    ActionSearch::tr("reset restart rewind"),
+                                    ActionSearch::tr("random seed reseed variant"),
+                                    ActionSearch::tr("zoom frame focus"),
+                                    ActionSearch::tr("manual help documentation")};
+    return groups;
+}
 
 bool hasWordStartingWith(const QString& text, const QString& start) {
     for (qsizetype at = text.indexOf(start, 0, Qt::CaseInsensitive); at >= 0;
@@ -31,14 +49,29 @@ bool hasWordStartingWith(const QString& text, const QString& start) {
     return false;
 }
 
-Match matchOf(const QString& word, const QAction* action) {
-    const QString name = plain(action->text()), path = pathOf(action), tip = action->statusTip();
+Match directMatch(const QString& word, const QAction* action) {
+    const QString name = plain(action->text()), path = pathOf(action);
+    const QString tip = action->statusTip() + '\n' + action->toolTip();  // which has the keys, too
     if (name.startsWith(word, Qt::CaseInsensitive)) return kNameStart;
     if (hasWordStartingWith(name, word)) return kNameWordStart;
     if (hasWordStartingWith(path, word)) return kMenuWordStart;
     if (path.contains(word, Qt::CaseInsensitive)) return kInPath;
     if (hasWordStartingWith(tip, word)) return kTipWordStart;
     return tip.contains(word, Qt::CaseInsensitive) ? kInTip : kNone;
+}
+
+/// A word of at least three letters also stands for its synonyms.
+Match matchOf(const QString& word, const QAction* action) {
+    constexpr int kLeastLetters = 3;
+    const Match direct = directMatch(word, action);
+    if (direct != kNone || word.size() < kLeastLetters) return direct;
+    for (const QString& group : synonyms()) {
+        if (!hasWordStartingWith(group, word)) continue;
+        for (const QString& other : group.split(' ')) {
+            if (directMatch(other, action) <= kTipWordStart) return kSynonym;
+        }
+    }
+    return kNone;
 }
 
 constexpr QChar kPathSeparator(0x25b8);  // ▸
@@ -136,12 +169,16 @@ void ActionSearch::filter(const QString& query) {
             item->setText(tr("%1    not available now").arg(path));
         }
     }
+    if (found.isEmpty()) {
+        auto* item = new QListWidgetItem(tr("No action matches \"%1\". Try another word.").arg(query), m_list);
+        item->setFlags(Qt::NoItemFlags);
+    }
     m_list->setCurrentRow(0);
 }
 
 void ActionSearch::triggerCurrent() {
     const int row = m_list->currentRow();
-    if (row < 0) return;
+    if (row < 0 || row >= static_cast<int>(m_found.size())) return;
     QAction* action = m_found[row];
     if (action && !action->isEnabled()) {
         return QToolTip::showText(m_list->mapToGlobal(m_list->visualItemRect(m_list->currentItem()).bottomLeft()),

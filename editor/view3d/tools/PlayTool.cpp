@@ -45,7 +45,24 @@ std::optional<double> PlayTool::charge() const {
     return std::clamp((held - kTapSeconds) / (kSecondsToFull - kTapSeconds), 0.0, 1.0);
 }
 
-Ray PlayTool::ray() const { return m_viewport.rayAt(m_pointer); }
+Ray PlayTool::ray() const { return m_viewport.rayAt(m_isPointing ? m_pointer : QRectF(m_viewport.rect()).center()); }
+
+void PlayTool::throwWith(double charge) {
+    m_controller.throwAlong(ray(), charge);
+    if (!m_controller.isPlaying()) m_controller.play();
+}
+
+void PlayTool::throwAtPointer() {
+    if (m_controller.isInPlay()) throwWith(0.0);
+}
+
+void PlayTool::hammerAtPointer() {
+    if (m_controller.isInPlay()) m_controller.hammerAlong(ray());
+}
+
+void PlayTool::explodeAtPointer() {
+    if (m_controller.isInPlay()) m_controller.explosionAlong(ray());
+}
 
 void PlayTool::updateAim() {
     if (!m_controller.isInPlay()) return;
@@ -108,10 +125,10 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
             if (m_isPointing) m_chargingSince = m_controller.thread().now();
             break;
         case Qt::Key_H:
-            if (m_isPointing) m_controller.hammerAlong(ray());
+            if (m_isPointing) hammerAtPointer();
             break;
         case Qt::Key_X:
-            if (m_isPointing) m_controller.explosionAlong(ray());
+            if (m_isPointing) explodeAtPointer();
             break;
         case Qt::Key_P: m_controller.isPlaying() ? m_controller.pause() : m_controller.play(); break;
         case Qt::Key_L: m_controller.toggleLoop(); break;
@@ -141,8 +158,7 @@ void PlayTool::throwCharged() {
     const std::optional<double> charged = charge();
     m_chargingSince.reset();
     if (!charged || !m_isPointing) return;
-    m_controller.throwAlong(ray(), *charged);
-    if (!m_controller.isPlaying()) m_controller.play();
+    throwWith(*charged);
     updateAim();
 }
 

@@ -22,6 +22,12 @@ public:
 
     /// The charge of the throw being charged, in [0, 1].
     std::optional<double> charge() const;
+    /// Act at the pointer; at the centre of the view while the pointer is elsewhere, as in a menu. Ignored unless in
+    /// play.
+    void throwAtPointer();
+    void hammerAtPointer();
+    void explodeAtPointer();
+
     /// Updates the aimed throw to the view and the charge.
     void updateAim();
 
@@ -43,6 +49,7 @@ public:
 
 private:
     void throwCharged();
+    void throwWith(double charge);
     Ray ray() const;
 
     PlayController& m_controller;

@@ -31,6 +31,26 @@ private slots:
         QCOMPARE(found("edit"), QStringList({"Re&store Seeds", "&Escape"}));
         QCOMPARE(found("asset")[0], "Du&plicate Asset");
     }
+    void synonymsMatchLast() {
+        add(m_asset, "&Blast", "Set off an explosion");
+        add(m_asset, "Screen&shot of Seeds", "Save a file");
+        QCOMPARE(found("expl"), QStringList({"&Blast"}));
+        QCOMPARE(found("bomb"), QStringList({"&Blast"}));
+        QCOMPARE(found("picture"), QStringList({"Screen&shot of Seeds"}));
+        for (int k = 0; k < 2; ++k) delete m_actions.takeLast();
+    }
+    void unmatchedQueryIsTold() {
+        QWidget window;
+        ActionSearch search({m_actions.front()}, &window);
+        search.show();
+        auto* query = search.findChild<QLineEdit*>();
+        auto* list = search.findChild<QListWidget*>();
+        query->setText("xyz");
+        QCOMPARE(list->count(), 1);
+        QCOMPARE(list->item(0)->text(), QString("No action matches \"xyz\". Try another word."));
+        QTest::keyClick(query, Qt::Key_Return);
+        QVERIFY(search.isVisible());
+    }
     void emptyQueryMatchesAllActions() { QCOMPARE(found("").size(), 5); }
     void disabledActionsComeLastAndAreNotTriggered() {
         QAction* last = m_actions.back();
