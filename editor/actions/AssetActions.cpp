@@ -82,14 +82,14 @@ void AssetActions::addRectangle() {
     ShapeDialog dialog(tr("Add Rectangle"), {{tr("&Width:"), 1.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
                        m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
-    addPrism(tr("wall"), rectangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
+    addPrism(tr("rectangle"), rectangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
 }
 
 void AssetActions::addTriangle() {
     ShapeDialog dialog(tr("Add Triangle"), {{tr("&Base:"), 2.0}, {tr("&Height:"), 1.0}, {tr("&Depth:"), 0.5}},
                        m_views.units(), &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
-    addPrism(tr("gable"), isoscelesTriangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
+    addPrism(tr("triangle"), isoscelesTriangleOutline(dialog.length(0), dialog.length(1)), dialog.length(2));
 }
 
 void AssetActions::addPolygon() {
@@ -97,7 +97,7 @@ void AssetActions::addPolygon() {
                        &m_views.window());
     dialog.addCorners(8);
     if (dialog.exec() != QDialog::Accepted) return;
-    addPrism(tr("column"), regularPolygonOutline(dialog.corners(), dialog.length(0)), dialog.length(1));
+    addPrism(tr("polygon"), regularPolygonOutline(dialog.corners(), dialog.length(0)), dialog.length(1));
 }
 
 void AssetActions::drawOutline() {

@@ -29,6 +29,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -119,8 +120,9 @@ void MainWindow::addActions() {
         menuBar()->addMenu(menu);
     }
     connect(m_fileActions, &FileActions::newProjectRequested, this, [this] {
-        if (isPristine()) return m_views->showProject();
-        emit newProjectRequested();
+        if (!isUntouched()) return void(emit newProjectRequested());
+        if (!isPristine()) showStatus(tr("This project is new and empty."));
+        m_views->showProject();
     });
     connect(m_fileActions, &FileActions::openProjectRequested, this, &MainWindow::openProjectRequested);
     connect(m_fileActions, &FileActions::quitRequested, this, &MainWindow::quitRequested);
@@ -216,6 +218,18 @@ void MainWindow::connectWorkspace() {
 
 bool MainWindow::isPristine() const { return !m_views->isProjectShown(); }
 
+bool MainWindow::isUntouched() {
+    if (isPristine()) return true;
+    Document& document = m_workspace.document();
+    const bool isEdited = document.isModified() || document.undoStack().canRedo();
+    return !isEdited && m_workspace.file().path().isEmpty() && document.project().assets.empty();
+}
+
+bool MainWindow::closeWithoutSaving() {
+    const QScopedValueRollback discarding(m_isDiscarding, true);
+    return close();
+}
+
 void MainWindow::showProject() {
     m_pages->setCurrentWidget(&m_views->panes());
     for (QToolBar* bar : m_toolBars) bar->show();
@@ -251,7 +265,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         activateWindow();
         return event->ignore();
     }
-    if (!m_filmActions->confirmClose() || !m_fileActions->confirmClose()) return event->ignore();
+    if (!m_filmActions->confirmClose()) return event->ignore();
+    if (!m_isDiscarding && !m_fileActions->confirmClose()) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();
     event->accept();

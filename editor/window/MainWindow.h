@@ -34,8 +34,12 @@ public:
     Views& views() { return *m_views; }
     FileActions& fileActions() { return *m_fileActions; }
 
-    /// Whether it still shows the start page: another project may be opened in it.
+    /// Whether it still shows the start page.
     bool isPristine() const;
+    /// Whether another project may be opened in it: it shows the start page, or an empty project that was never saved.
+    bool isUntouched();
+    /// Closes the window and loses its changes; false if it stays open for another reason.
+    bool closeWithoutSaving();
 
 signals:
     void newProjectRequested();
@@ -83,6 +87,7 @@ private:
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
     int m_labelledWidth = 0;              // pixels that all toolbars need with texts
     bool m_isBlocked = false;             // by a dialog or a task
+    bool m_isDiscarding = false;          // closing without saving
     bool m_isFitted = false;              // to the screen
     QLabel* m_hint = nullptr;
     QLabel* m_position = nullptr;

@@ -213,17 +213,41 @@ void Program::showFaults(MainWindow& window, const DocumentFile::Faults& faults)
         tr("Values of the restored project are out of range. Change them as the messages say, then save."));
 }
 
+/// Asks one question for all windows. Saves their projects if that is the answer; then nothing is left to be asked.
+Program::Unsaved Program::askForUnsaved(const QList<MainWindow*>& modified) {
+    QStringList names;
+    for (MainWindow* window : modified) names << window->workspace().file().name();
+    enum Answer : std::size_t { kSaveAll, kReview, kDiscardAll, kCancel };
+    const std::size_t answer =
+        ask(modified.front(), {.text = tr("Save the changes to these projects?") + "\n\n" + names.join('\n'),
+                               .informativeText = tr("Unsaved changes will be lost."),
+                               .answers = {{tr("Save All"), QMessageBox::AcceptRole},
+                                           {tr("Ask for Each"), QMessageBox::AcceptRole},
+                                           {tr("Discard All"), QMessageBox::DestructiveRole},
+                                           {tr("Cancel"), QMessageBox::RejectRole}},
+                               .defaultAnswer = kSaveAll});
+    if (answer == kDiscardAll) return Unsaved::Discard;
+    if (answer == kReview) return Unsaved::Ask;
+    if (answer == kCancel) return Unsaved::Cancel;
+    const bool areSaved = std::ranges::all_of(modified, [](MainWindow* one) { return one->fileActions().save(); });
+    return areSaved ? Unsaved::Ask : Unsaved::Cancel;
+}
+
 /// Closes the other windows, such as the manual, after those with projects.
 void Program::quit() {
+    QList<MainWindow*> modified = windows();
+    modified.removeIf([](MainWindow* window) { return !window->workspace().document().isModified(); });
+    const Unsaved unsaved = modified.size() > 1 ? askForUnsaved(modified) : Unsaved::Ask;
+    if (unsaved == Unsaved::Cancel) return;
     for (MainWindow* window : windows()) {
-        if (!window->close()) return;
+        if (!(unsaved == Unsaved::Discard ? window->closeWithoutSaving() : window->close())) return;
     }
     QApplication::closeAllWindows();
 }
 
-/// A window for a project: `from` if it shows the start page, otherwise a new one, which is not shown yet.
+/// A window for a project: `from` if it is untouched, otherwise a new one, which is not shown yet.
 MainWindow* Program::windowFor(MainWindow* from) {
-    return from && from->isPristine() ? from : createWindow(emptyProject());
+    return from && from->isUntouched() ? from : createWindow(emptyProject());
 }
 
 void Program::discardUnlessShown(MainWindow* window) {

@@ -38,6 +38,9 @@ public:
     void backUp();
 
 private:
+    /// What becomes of the unsaved changes of several windows.
+    enum class Unsaved { Ask, Discard, Cancel };
+    Unsaved askForUnsaved(const QList<MainWindow*>& modified);
     MainWindow* createWindow(Project project);
     void applyPreferences();
     void tellRanOut(const QString& sentence);

@@ -145,7 +145,7 @@ private slots:
     void exportWritesAnObjectPerFragment() {
         test::onNextDialog<QDialog>([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
         QTest::keyClick(m_window, Qt::Key_E, Qt::ControlModifier);
-        const std::filesystem::path folder = m_folder.filePath("packs/wall").toStdString();
+        const std::filesystem::path folder = m_folder.filePath("packs/rectangle").toStdString();
         QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(folder / "pack.json"), kPatience);
         int objects = 0;
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
