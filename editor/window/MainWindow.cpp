@@ -98,7 +98,7 @@ void MainWindow::addActions() {
     auto* select = new SelectActions(*m_views, m_preferences);
     m_viewActions = new ViewActions(*m_views);
     m_filmActions = new FilmActions(*m_views);
-    m_playActions = new PlayActions(*m_views, *m_filmActions);
+    m_playActions = new PlayActions(*m_views, m_preferences, *m_filmActions);
     auto* help = new HelpActions(*this);
     m_assetActions->menu()->addSeparator();
     m_assetActions->menu()->addActions(materials->actions());
