@@ -15,7 +15,6 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
@@ -73,7 +72,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
         connect(&workspace.selection(), signal, this, &SceneView::invalidate);
     }
     connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
-    applyTheme(*m_viewport);
+    followPalette(*m_viewport);
     invalidate();
 }
 

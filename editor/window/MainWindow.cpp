@@ -234,6 +234,7 @@ void MainWindow::fitToScreen() {
 
 bool MainWindow::event(QEvent* event) {
     if (event->type() == QEvent::WindowActivate && !std::exchange(m_isFitted, true)) fitToScreen();
+    if (event->type() == QEvent::ThemeChange) emit desktopThemeChanged();
     if (event->type() == QEvent::WindowBlocked) m_isBlocked = true;
     if (event->type() == QEvent::WindowUnblocked) m_isBlocked = false;
     return QMainWindow::event(event);
