@@ -69,12 +69,13 @@ struct SceneLine {
 };
 enum class LineEnd { Round, Arrow };
 
-/// A dust billboard.
+/// A billboard of dust, or a splinter that glints as it rotates.
 struct DustPuff {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: radius, m
     glm::vec4 previousOffset{
         0.0f};               // m: its position one step earlier minus its position now; w: opacity at its centre
-    glm::vec4 colour{1.0f};  // sRGB; w: seed of its noise, in [0, 1)
+    glm::vec4 colour{1.0f};  // sRGB; w: dust: seed of its noise, in [0, 1); splinter: 1 + its rotation, in turns
+    bool isSplinter() const { return colour.w >= 1.0f; }
 };
 
 /// A closed interval of numbers.

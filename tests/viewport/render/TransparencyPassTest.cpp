@@ -123,6 +123,25 @@ private slots:
         QVERIFY2(opaque > 20.0 && glass > 0.15 * opaque && glass < 0.5 * opaque,
                  qPrintable(QString("%1 of %2").arg(glass).arg(opaque)));
     }
+    /// A ray enters fragments that touch one after the other. Their parts of the sky differ somewhat.
+    void shadowOfFragmentsIsThatOfTheWhole() {
+        const auto shadow = [&](RenderScene scene, bool hasShadows) {
+            for (BodyAppearance& body : scene.appearances) body.outside = body.inside = withOpacity(kGreenPane, 0.3);
+            scene.summary.reset();
+            RenderView view = panesFromFront(scene);
+            view.camera = alignedTo(view.camera, StandardView::Top);
+            view.settings.hasGrid = false;
+            view.camera.target = {0.8, 0.0, -0.6};  // in the wall's shadow
+            view.camera.distance = 1.0;
+            view.settings.hasShadows = hasShadows;
+            return panePicture(scene, view).copy(60, 60, 40, 40);
+        };
+        const RenderScene wall = walls({kGreenPane});
+        const QImage whole = shadow(wall, true);
+        const double depth = test::meanDifference(shadow(wall, false), whole);
+        const double apart = test::meanDifference(shadow(*test::starterScene(), true), whole);
+        QVERIFY2(depth > 5.0 && apart < 0.3 * depth, qPrintable(QString("%1 of %2").arg(apart).arg(depth)));
+    }
 };
 
 RUBBLE_TEST_WITH(TransparencyPassTest, QCoreApplication)
