@@ -120,8 +120,8 @@ RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFract
 /// The displacement of a body in the exploded view, m.
 Vec3 explodeOffset(const RenderScene& scene, std::uint32_t body);
 
-/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it. The bodies
-/// of an instance that is selected as a whole share an outline; other selected bodies have their own.
+/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it. The
+/// selected bodies of an instance share an outline, so that there is none between neighbours.
 struct SceneMarks {
     std::vector<PickId> hidden;
     std::vector<PickId> selected;
