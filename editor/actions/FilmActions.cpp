@@ -38,6 +38,7 @@ RenderView viewOf(const ViewportWidget& viewport, ImageSize size) {
     RenderView view{.camera = viewport.camera(), .size = size, .settings = viewport.settings()};
     view.settings.scale = 1.0;
     view.settings.hasAxes = false;
+    view.settings.hasScaleBar = true;
     return view;
 }
 

@@ -38,7 +38,7 @@ HelpActions::HelpActions(QMainWindow& window)
 }
 
 void HelpActions::openManual() {
-    auto* manual = new ManualWindow(installedDataFolder() + "/docs/manual", m_window.palette());
+    auto* manual = new ManualWindow(installedDataFolder() + "/docs/manual");
     manual->setAttribute(Qt::WA_DeleteOnClose);
     manual->show();
 }

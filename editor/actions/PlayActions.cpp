@@ -14,6 +14,7 @@
 #include "editor/widgets/Action.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/TaskDialog.h"
+#include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -34,10 +35,11 @@ QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
 }  // namespace
 
-PlayActions::PlayActions(Views& views, FilmActions& film)
+PlayActions::PlayActions(Views& views, PreferenceStore& preferences, FilmActions& film)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
+      m_preferences(preferences),
       m_film(film),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
     addRun();
@@ -159,6 +161,24 @@ void PlayActions::addOverlays() {
             controller().setOverlays(shown);
         });
     }
+    addStatistics(*menu);
+}
+
+/// The same in all windows, and kept.
+void PlayActions::addStatistics(QMenu& menu) {
+    QAction* action =
+        makeAction(this, {"play-statistics", tr("S&tatistics"), tr("Show frame rate, bodies and computing times")});
+    action->setCheckable(true);
+    menu.addSeparator();
+    menu.addAction(action);
+    const auto show = [this, action] { action->setChecked(m_preferences.preferences().hasStatistics); };
+    show();
+    connect(&m_preferences, &PreferenceStore::changed, action, show);
+    connect(action, &QAction::toggled, this, [this](bool isOn) {
+        Preferences preferences = m_preferences.preferences();
+        preferences.hasStatistics = isOn;
+        m_preferences.setPreferences(preferences);
+    });
 }
 
 void PlayActions::addShots() {

@@ -10,6 +10,7 @@ namespace rubble {
 
 class FilmActions;
 class PlayController;
+class PreferenceStore;
 struct PlayScript;
 class Views;
 class Workspace;
@@ -18,7 +19,7 @@ class Workspace;
 class PlayActions : public QObject {
     Q_OBJECT
 public:
-    PlayActions(Views& views, FilmActions& film);
+    PlayActions(Views& views, PreferenceStore& preferences, FilmActions& film);
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
@@ -29,6 +30,7 @@ private:
     void addSpeeds();
     void addTimeSteps();
     void addOverlays();
+    void addStatistics(QMenu& menu);
     void addShots();
     void addReplays();
     void startOrStop();
@@ -44,6 +46,7 @@ private:
 
     Views& m_views;
     Workspace& m_workspace;
+    PreferenceStore& m_preferences;
     FilmActions& m_film;
     QMenu* m_menu;
     QAction* m_play = nullptr;

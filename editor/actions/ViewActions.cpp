@@ -167,8 +167,24 @@ void ViewActions::addLayout() {
     connect(toggle, &QAction::triggered, &m_views.docks(), &DockLayout::toggle);
     QAction* reset = add({"view-reset-layout", tr("&Reset Layout"), tr("Restore the default layout")});
     connect(reset, &QAction::triggered, &m_views, &Views::resetLayout);
+    addPresent();
     QAction* full = add({"view-full-screen", tr("F&ull Screen"), tr("Toggle full screen"), QKeySequence("F11")});
     connect(full, &QAction::triggered, this, &ViewActions::toggleFullScreen);
+}
+
+/// Escape ends it, too, wherever the focus is.
+void ViewActions::addPresent() {
+    ViewportWidget& viewport = m_views.scene().viewport();
+    const QList<QKeySequence> keys{QKeySequence("F5")}, whileOn{keys.front(), QKeySequence("Esc")};
+    QAction* action = makeAction(this, {"view-present", tr("&Present"), tr("Show the scene alone, without overlays")});
+    action->setCheckable(true);
+    action->setShortcuts(keys);
+    m_menu->addAction(action);
+    connect(action, &QAction::toggled, &viewport, &ViewportWidget::setPresenting);
+    connect(&viewport, &ViewportWidget::presentingChanged, action, [action, keys, whileOn](bool isOn) {
+        action->setChecked(isOn);
+        action->setShortcuts(isOn ? whileOn : keys);
+    });
 }
 
 void ViewActions::toggleFullScreen() {

@@ -30,6 +30,7 @@ private:
     void addColourings(QMenu& menu);
     void addPanes();
     void addLayout();
+    void addPresent();
     void toggleFullScreen();
 
     Views& m_views;

@@ -11,7 +11,7 @@ namespace rubble {
 ImportView::ImportView(const Preferences& preferences, QWidget* parent)
     : QWidget(parent), m_viewport(new ViewportWidget), m_legend(new QLabel) {
     applyPreferences(*m_viewport, preferences);
-    applyTheme(*m_viewport);
+    followPalette(*m_viewport);
     m_viewport->setMinimumSize(360, 260);
     m_legend->setWordWrap(true);
     auto* rows = new QVBoxLayout(this);

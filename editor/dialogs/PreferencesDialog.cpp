@@ -75,7 +75,7 @@ void PreferencesDialog::showPreferences(const Preferences& preferences) {
 }
 
 void PreferencesDialog::apply() {
-    Preferences preferences;
+    Preferences preferences = m_store.preferences();  // some are set elsewhere
     preferences.theme = static_cast<ColourScheme>(m_theme->currentIndex());
     preferences.unit = static_cast<LengthUnit>(m_unit->currentIndex());
     preferences.navigation = static_cast<NavigationStyle>(m_navigation->currentIndex());

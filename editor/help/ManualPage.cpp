@@ -1,6 +1,8 @@
 #include "editor/help/ManualPage.h"
 
+#include <QEvent>
 #include <QImage>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextTable>
@@ -61,6 +63,16 @@ QVariant ManualPage::loadResource(int type, const QUrl& name) {
     QImage scaled = picture.scaledToWidth(qRound(kMaxPictureWidth * ratio), Qt::SmoothTransformation);
     scaled.setDevicePixelRatio(ratio);
     return scaled;
+}
+
+/// Links and tables keep the colours that they were read with.
+void ManualPage::changeEvent(QEvent* event) {
+    QTextBrowser::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange || source().isEmpty()) return;
+    const int scrolled = verticalScrollBar()->value();
+    reload();
+    formatPage();
+    verticalScrollBar()->setValue(scrolled);
 }
 
 void ManualPage::formatPage() {

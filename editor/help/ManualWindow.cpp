@@ -10,9 +10,8 @@
 
 namespace rubble {
 
-ManualWindow::ManualWindow(const QString& folder, const QPalette& palette) : m_page(new ManualPage) {
+ManualWindow::ManualWindow(const QString& folder) : m_page(new ManualPage) {
     setWindowTitle(tr("Rubble Manual"));
-    setPalette(palette);
     m_page->setAccessibleName(tr("Manual page"));
     m_page->setSearchPaths({folder});
     m_page->setOpenExternalLinks(true);

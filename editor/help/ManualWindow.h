@@ -10,7 +10,7 @@ namespace rubble {
 class ManualWindow : public QMainWindow {
     Q_OBJECT
 public:
-    ManualWindow(const QString& folder, const QPalette& palette);
+    explicit ManualWindow(const QString& folder);
 
 private:
     void findNext(const QString& text);

@@ -2,6 +2,7 @@
 
 #include "viewport/scene/OverlayColours.h"
 #include "viewport/widget/OverlayPlate.h"
+#include "viewport/widget/ScaleBarItem.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -15,14 +16,18 @@ const QColor kWaiting(96, 140, 190);
 const QColor kTooHeavy(226, 72, 60);
 constexpr int kFrame = 3;  // this and the following: points
 constexpr int kHudMargin = 12;
-constexpr int kAxes = 92;    // width of the axes indicator in the corner
-constexpr int kScale = 105;  // width of the scale bar at the right
+constexpr int kAxes = 92;  // width and height of the axes indicator in the corner
+constexpr int kMinHintWidth = 240;
 constexpr int kChargeWidth = 220;
 constexpr int kHeatWidth = 120;
 constexpr int kChargeHeight = 12;
 constexpr int kBesidePointer = 14;
 constexpr int kGrabWidth = 240;
-constexpr int kHintHeight = 80;  // about
+
+QFont boldOf(QFont font) {
+    font.setBold(true);
+    return font;
+}
 
 }  // namespace
 
@@ -46,11 +51,13 @@ QString PlayHud::accessibleText() const {
 
 void PlayHud::paint(QPainter& painter, QSize size) const {
     if (!m_isVisible) return;
+    const QFont font = painter.font();
     paintTrajectory(painter);
-    paintTexts(painter, size);
+    paintTexts(painter, textPlate(font));
+    if (!m_content.hint.isEmpty()) paintHint(painter, hintPlate(size, font));
+    if (m_content.hasHeat) paintHeat(painter, heatPlate(size, font));
     paintSpring(painter, size);
     paintCharge(painter, size);
-    paintHeat(painter, size);
     paintFrame(painter, size);
 }
 
@@ -97,33 +104,66 @@ void PlayHud::paintSpring(QPainter& painter, QSize size) const {
     const QPoint pointer = m_content.spring->p2().toPoint();
     plate.moveTopLeft(pointer + QPoint(kBesidePointer, kBesidePointer));
     plate.moveRight(std::min(plate.right(), size.width() - kHudMargin));
-    if (plate.bottom() > size.height() - kHintHeight) plate.moveBottom(pointer.y() - kBesidePointer);
+    if (plate.bottom() > hintPlate(size, painter.font()).top()) plate.moveBottom(pointer.y() - kBesidePointer);
     const QRect inside = paintPlate(painter, plate);
     painter.setPen(kPlateText);
     painter.drawText(inside, Qt::TextWordWrap, m_content.grabText);
 }
 
-void PlayHud::paintTexts(QPainter& painter, QSize size) const {
-    const QFont font = painter.font();
-    QFont bold = font;
-    bold.setBold(true);
-    const QFontMetrics lines(font), title(bold);
+/// In the upper left corner.
+QRect PlayHud::textPlate(const QFont& font) const {
+    const QFontMetrics lines(font), title(boldOf(font));
     int width = title.horizontalAdvance(m_content.title);
     for (const QString& line : m_content.statistics) width = std::max(width, lines.horizontalAdvance(line));
     const int height = title.height() + static_cast<int>(m_content.statistics.size()) * lines.height();
-    QRect text =
-        paintPlate(painter, QRect(kHudMargin, kHudMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4));
+    return {kHudMargin, kHudMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4};
+}
+
+/// In the upper right corner, or below the texts where the view is narrow.
+QRect PlayHud::heatPlate(QSize size, const QFont& font) const {
+    const QFontMetrics lines(font);
+    const int width = std::max(kHeatWidth + kChargeHeight + 6 + lines.horizontalAdvance(tr("breaks")),
+                               lines.horizontalAdvance(heatTitle()));
+    const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
+    const QRect plate(size.width() - kHudMargin - width - 2 * kPlatePadding, kHudMargin, width + 2 * kPlatePadding,
+                      height);
+    const QRect texts = textPlate(font);
+    return plate.left() > texts.right() + kHudMargin ? plate : plate.translated(0, texts.bottom() + 1);
+}
+
+/// Between the axes and the scale bar, or above both where the view is narrow.
+QRect PlayHud::hintPlate(QSize size, const QFont& font) const {
+    const int between = size.width() - kAxes - ScaleBarItem::maxWidth();
+    const bool isNarrow = between < kMinHintWidth;
+    const int around = 2 * kPlatePadding, left = isNarrow ? kHudMargin : kAxes;
+    const QRect room(0, 0, (isNarrow ? size.width() - 2 * kHudMargin : between) - around, 1000);
+    const QSize text = QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, m_content.hint).size();
+    const int bottom = size.height() - (isNarrow ? kAxes : kHudMargin), height = text.height() + around - 4;
+    return {left, bottom - height, text.width() + around, height};
+}
+
+std::vector<QRect> PlayHud::plates(QSize size, const QFont& font) const {
+    if (!m_isVisible) return {};
+    std::vector<QRect> plates{textPlate(font)};
+    if (!m_content.hint.isEmpty()) plates.push_back(hintPlate(size, font));
+    if (m_content.hasHeat) plates.push_back(heatPlate(size, font));
+    return plates;
+}
+
+void PlayHud::paintTexts(QPainter& painter, const QRect& plate) const {
+    const QFont font = painter.font();
+    const QRect text = paintPlate(painter, plate);
     painter.setPen(kPlateText);
-    painter.setFont(bold);
+    painter.setFont(boldOf(font));
     painter.drawText(text, Qt::AlignTop, m_content.title);
+    const int title = painter.fontMetrics().height();
     painter.setFont(font);
     painter.setPen(kPlateSecondaryText);
-    painter.drawText(text.adjusted(0, title.height(), 0, 0), Qt::AlignTop, m_content.statistics.join('\n'));
-    if (m_content.hint.isEmpty()) return;
-    const int maxWidth = size.width() - kAxes - kScale - kHudMargin - 2 * kPlatePadding;
-    const QRect bounds = lines.boundingRect(QRect(0, 0, maxWidth, 1000), Qt::TextWordWrap, m_content.hint);
-    text = paintPlate(painter, QRect(kAxes, size.height() - kHudMargin - bounds.height() - 2 * kPlatePadding + 4,
-                                     bounds.width() + 2 * kPlatePadding, bounds.height() + 2 * kPlatePadding - 4));
+    painter.drawText(text.adjusted(0, title, 0, 0), Qt::AlignTop, m_content.statistics.join('\n'));
+}
+
+void PlayHud::paintHint(QPainter& painter, const QRect& plate) const {
+    const QRect text = paintPlate(painter, plate);
     painter.setPen(kPlateSecondaryText);
     painter.drawText(text, Qt::TextWordWrap, m_content.hint);
 }
@@ -147,25 +187,22 @@ void PlayHud::paintCharge(QPainter& painter, QSize size) const {
                      m_content.chargeText);
 }
 
-/// The legend of the heat colours in the upper right corner.
-void PlayHud::paintHeat(QPainter& painter, QSize size) const {
-    if (!m_content.hasHeat) return;
+QString PlayHud::heatTitle() const {
+    return m_content.isForecast ? tr("Forecast: impact ÷ threshold") : tr("Impact ÷ threshold");
+}
+
+/// The legend of the heat colours.
+void PlayHud::paintHeat(QPainter& painter, const QRect& plate) const {
     const QFontMetrics lines(painter.font());
-    const QString breaks = tr("breaks"),
-                  title = m_content.isForecast ? tr("Forecast: impact ÷ threshold") : tr("Impact ÷ threshold");
     const int square = kChargeHeight;
-    const int width =
-        std::max(kHeatWidth + square + 6 + lines.horizontalAdvance(breaks), lines.horizontalAdvance(title));
-    const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
-    const QRect inside = paintPlate(painter, QRect(size.width() - kHudMargin - width - 2 * kPlatePadding, kHudMargin,
-                                                   width + 2 * kPlatePadding, height));
+    const QRect inside = paintPlate(painter, plate);
     const auto colourOf = [](double value) {
         const Colour colour = heatColour(value);
         return QColor::fromRgbF(static_cast<float>(colour.red), static_cast<float>(colour.green),
                                 static_cast<float>(colour.blue));
     };
     painter.setPen(kPlateText);
-    painter.drawText(inside, Qt::AlignTop, title);
+    painter.drawText(inside, Qt::AlignTop, heatTitle());
     const int top = inside.top() + lines.height() + 2;
     for (int x = 0; x < kHeatWidth; ++x) {
         painter.fillRect(QRect(inside.left() + x, top, 1, square), colourOf(0.999 * x / (kHeatWidth - 1)));
@@ -176,7 +213,7 @@ void PlayHud::paintHeat(QPainter& painter, QSize size) const {
     painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignLeft, "0");
     painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignRight, "1");
     painter.drawText(QRect(signal + square + 3, top + (square - lines.height()) / 2, 200, lines.height()),
-                     Qt::AlignLeft, breaks);
+                     Qt::AlignLeft, tr("breaks"));
 }
 
 }  // namespace rubble

@@ -40,15 +40,21 @@ public:
     void setVisible(bool isVisible);
 
     void paint(QPainter& painter, QSize size) const override;
+    std::vector<QRect> plates(QSize size, const QFont& font) const override;
     QString accessibleText() const override;
 
 private:
     void paintFrame(QPainter& painter, QSize size) const;
     void paintTrajectory(QPainter& painter) const;
     void paintSpring(QPainter& painter, QSize size) const;
-    void paintTexts(QPainter& painter, QSize size) const;
+    void paintTexts(QPainter& painter, const QRect& plate) const;
+    void paintHint(QPainter& painter, const QRect& plate) const;
     void paintCharge(QPainter& painter, QSize size) const;
-    void paintHeat(QPainter& painter, QSize size) const;
+    void paintHeat(QPainter& painter, const QRect& plate) const;
+    QString heatTitle() const;
+    QRect textPlate(const QFont& font) const;
+    QRect heatPlate(QSize size, const QFont& font) const;
+    QRect hintPlate(QSize size, const QFont& font) const;
 
     Content m_content;
     bool m_isVisible = false;

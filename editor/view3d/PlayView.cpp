@@ -49,6 +49,7 @@ PlayView::PlayView(PlayController& controller, ViewportWidget& viewport)
 void PlayView::updateState() {
     m_hud->setVisible(m_controller.isInPlay());
     if (m_controller.isInPlay()) {
+        if (!m_timer.isActive()) restartCount();
         m_timer.start();
     } else {
         m_timer.stop();
@@ -74,6 +75,18 @@ void PlayView::showFrame() {
     m_viewport.setScene(frame->scene);
 }
 
+void PlayView::setStatisticsShown(bool isOn) {
+    m_hasStatistics = isOn;
+    m_hud->setContent(content());
+}
+
+/// Frames are counted while the session is shown.
+void PlayView::restartCount() {
+    m_countedSince = m_controller.thread().now();
+    m_counted = 0;
+    m_framesPerSecond.reset();
+}
+
 void PlayView::updateFrameRate() {
     const double passed = m_controller.thread().now() - m_countedSince;
     if (passed < 0.5) return;
@@ -85,21 +98,20 @@ void PlayView::updateFrameRate() {
 QStringList PlayView::statisticsLines() const {
     const PlayFrame& frame = *m_controller.frame();
     const PlayStatistics& statistics = frame.statistics;
-    QStringList lines;
     const double dt = m_controller.thread().stepLength();
-    lines << tr("%1 s · step %L2").arg(number(static_cast<double>(frame.step) * dt, 2)).arg(frame.step);
-    lines << tr("%1 ms per step · %2 fps").arg(number(statistics.cost.total(), 2)).arg(m_framesPerSecond);
-    lines << tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep);
-    lines << tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints);
     const std::vector<ImpactRecord> breaks = m_controller.breaks(frame.step);
-    if (breaks.empty()) {
-        lines << tr("no breaks");
-    } else {
-        lines << tr("%Ln break(s), last swap %1 ms", nullptr, static_cast<int>(breaks.size()))
-                     .arg(number(breaks.back().milliseconds, 3));
-    }
-    lines << tr("energy %1").arg(energyText(statistics.energy));
-    return lines;
+    const QString rate = m_framesPerSecond ? tr("%L1 fps").arg(*m_framesPerSecond) : tr("– fps");
+    const QString last = breaks.empty() ? tr("no breaks")
+                                        : tr("%Ln break(s), last swap %1 ms", nullptr, static_cast<int>(breaks.size()))
+                                              .arg(number(breaks.back().milliseconds, 3));
+    const QString separator = QStringLiteral(" · ");
+    return {
+        tr("%1 s · step %L2").arg(number(static_cast<double>(frame.step) * dt, 2)).arg(frame.step) + separator +
+            tr("%1 ms per step").arg(number(statistics.cost.total(), 2)) + separator + rate,
+        tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep) + separator +
+            tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints),
+        last + separator + tr("energy %1").arg(energyText(statistics.energy)),
+    };
 }
 
 void PlayView::setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const {
@@ -131,7 +143,7 @@ PlayHud::Content PlayView::content() const {
            "L: loop · R: reset · Esc: stop");
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;
-    content.statistics = statisticsLines();
+    if (m_hasStatistics) content.statistics = statisticsLines();
     content.hasHeat = m_controller.overlays().hasHeat;
     content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();

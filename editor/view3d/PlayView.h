@@ -19,6 +19,9 @@ public:
     /// Draws the current frame; called automatically about sixty times a second.
     void refresh();
 
+    /// Whether frame rate, bodies and computing times are shown; initially not.
+    void setStatisticsShown(bool isOn);
+
     PlayTool& tool() { return m_tool; }
     PlayHud& hud() { return *m_hud; }
 
@@ -29,6 +32,7 @@ private:
     void setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const;
     QStringList statisticsLines() const;
     void updateFrameRate();
+    void restartCount();
 
     PlayController& m_controller;
     ViewportWidget& m_viewport;
@@ -36,9 +40,10 @@ private:
     PlayHud* m_hud;
     QTimer m_timer;
     const RenderScene* m_shown = nullptr;
-    double m_countedSince = 0.0;  // s
-    int m_counted = 0;            // frames drawn since
-    int m_framesPerSecond = 0;
+    double m_countedSince = 0.0;           // s
+    int m_counted = 0;                     // frames drawn since
+    std::optional<int> m_framesPerSecond;  // none before it was measured
+    bool m_hasStatistics = false;
 };
 
 }  // namespace rubble

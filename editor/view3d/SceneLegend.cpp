@@ -83,10 +83,16 @@ QSize SceneLegend::plateSize(const QFontMetrics& lines) const {
 }
 
 /// In the upper right corner.
+std::vector<QRect> SceneLegend::plates(QSize size, const QFont& font) const {
+    if (texts().isEmpty()) return {};
+    const QSize plate = plateSize(QFontMetrics(font));
+    return {{QPoint(size.width() - plate.width() - kMargin, kMargin), plate}};
+}
+
 void SceneLegend::paint(QPainter& painter, QSize size) const {
-    if (texts().isEmpty()) return;
-    const QSize plate = plateSize(painter.fontMetrics());
-    QRect inside = paintPlate(painter, QRect(QPoint(size.width() - plate.width() - kMargin, kMargin), plate));
+    const std::vector<QRect> all = plates(size, painter.font());
+    if (all.empty()) return;
+    QRect inside = paintPlate(painter, all.front());
     const QStringList labels = texts();
     const int line = painter.fontMetrics().height();
     painter.setPen(kPlateText);

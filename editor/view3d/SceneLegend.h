@@ -29,6 +29,7 @@ public:
     QStringList texts() const;
 
     void paint(QPainter& painter, QSize size) const override;
+    std::vector<QRect> plates(QSize size, const QFont& font) const override;
     QString accessibleText() const override { return texts().join(", "); }
 
 private:

@@ -15,7 +15,6 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
@@ -57,7 +56,9 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
-    rows->addWidget(makeBar());
+    QWidget* bar = makeBar();
+    rows->addWidget(bar);
+    connect(m_viewport, &ViewportWidget::presentingChanged, bar, &QWidget::setHidden);
     rows->addWidget(m_viewport, 1);
     rows->addWidget(m_timeline);
     m_timeline->hide();
@@ -71,7 +72,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
         connect(&workspace.selection(), signal, this, &SceneView::invalidate);
     }
     connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
-    applyTheme(*m_viewport);
+    followPalette(*m_viewport);
     invalidate();
 }
 
@@ -114,11 +115,7 @@ void SceneView::applyPreferences(const Preferences& preferences) {
     m_transformTool->setUnits(units);
     m_measureTool->setUnits(units);
     m_legend->setUnits(units);
-}
-
-void SceneView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) applyTheme(*m_viewport);
-    QWidget::changeEvent(event);
+    m_playView->setStatisticsShown(preferences.hasStatistics);
 }
 
 /// Actions for the viewport's own keys, so that menus and the search list them. The keys are part of their texts, not

@@ -53,9 +53,6 @@ signals:
     /// The scene cannot be shown; the sentence says why.
     void failed(const QString& sentence);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void addViews();
     void addToggle(const struct ActionDefinition& definition, bool isOn, const std::function<void(bool)>& apply);

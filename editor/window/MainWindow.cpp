@@ -101,7 +101,7 @@ void MainWindow::addActions() {
     auto* select = new SelectActions(*m_views, m_preferences, *instances->showAllAction());
     m_viewActions = new ViewActions(*m_views);
     m_filmActions = new FilmActions(*m_views);
-    m_playActions = new PlayActions(*m_views, *m_filmActions);
+    m_playActions = new PlayActions(*m_views, m_preferences, *m_filmActions);
     auto* help = new HelpActions(*this);
     m_assetActions->menu()->addSeparator();
     m_assetActions->menu()->addActions(materials->actions());
@@ -253,6 +253,7 @@ void MainWindow::fitToScreen() {
 
 bool MainWindow::event(QEvent* event) {
     if (event->type() == QEvent::WindowActivate && !std::exchange(m_isFitted, true)) fitToScreen();
+    if (event->type() == QEvent::ThemeChange) emit desktopThemeChanged();
     if (event->type() == QEvent::WindowBlocked) m_isBlocked = true;
     if (event->type() == QEvent::WindowUnblocked) m_isBlocked = false;
     return QMainWindow::event(event);

@@ -47,6 +47,8 @@ signals:
     /// Requests to open a copy of a project, such as an example.
     void openCopyRequested(const QString& path);
     void quitRequested();
+    /// The colours of the desktop have changed.
+    void desktopThemeChanged();
 
 protected:
     bool event(QEvent* event) override;

@@ -92,6 +92,9 @@ MainWindow* Program::createWindow(Project project) {
     connect(window, &MainWindow::openCopyRequested, this,
             [this, window](const QString& path) { openCopy(path, window); });
     connect(window, &MainWindow::quitRequested, this, &Program::quit);
+    connect(window, &MainWindow::desktopThemeChanged, this, [this] {
+        if (m_theme == ColourScheme::System) applyTheme(m_theme);
+    });
     return window;
 }
 

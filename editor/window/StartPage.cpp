@@ -2,10 +2,12 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
+#include "editor/widgets/Theme.h"
 #include "editor/workspace/InstalledData.h"
 #include "editor/workspace/RecentFiles.h"
 
 #include <QCommandLinkButton>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -20,6 +22,7 @@ namespace rubble {
 namespace {
 
 constexpr QSize kPictureSize{220, 150};
+constexpr const char* kPictureName = "picture";  // a property of the button of an example
 constexpr int kMaxRecent = 6;
 constexpr int kPageWidth = 760;         // pixels
 constexpr double kTitleScale = 2.2;     // font size relative to the window's
@@ -117,13 +120,27 @@ QWidget* StartPage::exampleRow() {
         card->setAutoRaise(true);
         card->setText(titleOf(path));
         card->setToolTip(tr("Open a copy of this example"));
-        card->setIcon(QIcon(QString(":/examples/%1.png").arg(QFileInfo(path).completeBaseName())));
+        card->setProperty(kPictureName, QFileInfo(path).completeBaseName());
         card->setIconSize(kPictureSize);
         connect(card, &QToolButton::clicked, this, [this, path] { emit exampleRequested(path); });
         cards->addWidget(card);
+        m_examples.append(card);
     }
     cards->addStretch(1);
+    showPictures();
     return row;
+}
+
+/// Those of the theme.
+void StartPage::showPictures() {
+    const QString theme = isDark(palette()) ? "dark" : "light";
+    for (QToolButton* card : m_examples)
+        card->setIcon(QIcon(QString(":/examples/%1-%2.png").arg(card->property(kPictureName).toString(), theme)));
+}
+
+void StartPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) showPictures();
+    QWidget::changeEvent(event);
 }
 
 void StartPage::fillRecent() {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QList>
 #include <QWidget>
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace rubble {
@@ -21,14 +23,19 @@ signals:
     void recentRequested(const QString& path);
     void exampleRequested(const QString& path);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     QWidget* startColumn();
     QWidget* recentColumn();
     QWidget* exampleRow();
     void fillRecent();
+    void showPictures();
 
     RecentFiles& m_recentFiles;
     QVBoxLayout* m_recentRows = nullptr;
+    QList<QToolButton*> m_examples;  // each knows the name of its picture
 };
 
 }  // namespace rubble

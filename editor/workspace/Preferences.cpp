@@ -14,6 +14,7 @@ constexpr const char* kAutosaveKey = "preferences/autosaveSeconds";
 constexpr const char* kMsaaKey = "preferences/msaa";
 constexpr const char* kRefiningKey = "preferences/softLight";
 constexpr const char* kSmoothKey = "preferences/smoothCamera";
+constexpr const char* kStatisticsKey = "preferences/statistics";
 
 // Stored names, in the order of the enumerators: settings stay valid when enumerators are added.
 constexpr std::array kThemeNames = {"system", "light", "dark"};
@@ -50,6 +51,7 @@ Preferences readPreferences(const QSettings& settings) {
     if (std::ranges::find(kMsaaSamples, stored.msaa) == kMsaaSamples.end()) stored.msaa = defaults.msaa;
     stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
     stored.isSmooth = settings.value(kSmoothKey, defaults.isSmooth).toBool();
+    stored.hasStatistics = settings.value(kStatisticsKey, defaults.hasStatistics).toBool();
     return stored;
 }
 
@@ -61,6 +63,7 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kMsaaKey, preferences.msaa);
     settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
     settings.setValue(kSmoothKey, preferences.isSmooth);
+    settings.setValue(kStatisticsKey, preferences.hasStatistics);
 }
 
 }  // namespace rubble

@@ -20,6 +20,7 @@ struct Preferences {
     int msaa = 0;              // samples per pixel of the 3D view: 1, 2, 4 or 8; 0: automatic
     ProgressiveRendering refining = ProgressiveRendering::Always;  // of the 3D view while nothing moves
     bool isSmooth = true;                                          // the camera moves smoothly to a new view
+    bool hasStatistics = false;                                    // frame rate, bodies and times in play
     bool operator==(const Preferences&) const = default;
 };
 

@@ -3,7 +3,36 @@
 #include "editor/widgets/Theme.h"
 #include "viewport/widget/ViewportWidget.h"
 
+#include <QEvent>
+
 namespace rubble {
+
+namespace {
+
+/// Sees the view's own change of palette: a parent is told before its children have the new one.
+class PaletteFollower : public QObject {
+public:
+    explicit PaletteFollower(ViewportWidget& viewport) : QObject(&viewport), m_viewport(viewport) {
+        viewport.installEventFilter(this);
+        apply();
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::PaletteChange) apply();
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    void apply() {
+        RenderSettings settings = m_viewport.settings();
+        settings.theme = themeOf(m_viewport.palette());
+        m_viewport.setSettings(settings);
+    }
+
+    ViewportWidget& m_viewport;
+};
+
+}  // namespace
 
 void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) {
     viewport.setNavigation(preferences.navigation);
@@ -16,10 +45,6 @@ void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) 
 
 Theme themeOf(const QPalette& palette) { return isDark(palette) ? Theme::Dark : Theme::Light; }
 
-void applyTheme(ViewportWidget& viewport) {
-    RenderSettings settings = viewport.settings();
-    settings.theme = themeOf(viewport.palette());
-    viewport.setSettings(settings);
-}
+void followPalette(ViewportWidget& viewport) { new PaletteFollower(viewport); }
 
 }  // namespace rubble

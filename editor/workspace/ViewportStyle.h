@@ -11,7 +11,7 @@ class ViewportWidget;
 void applyPreferences(ViewportWidget& viewport, const Preferences& preferences);
 /// Returns the theme that matches a palette.
 Theme themeOf(const QPalette& palette);
-/// Applies the theme of the widget's palette.
-void applyTheme(ViewportWidget& viewport);
+/// Gives the view the theme of its palette, now and whenever that changes.
+void followPalette(ViewportWidget& viewport);
 
 }  // namespace rubble

@@ -1,7 +1,7 @@
 // Dust billboards: an instance of two triangles each.
 layout(location = 0) in vec4 centre;          // w: radius, m
 layout(location = 1) in vec4 previousOffset;  // position one step earlier minus position now; w: opacity
-layout(location = 2) in vec4 colour;          // sRGB; w: seed of its noise, in [0, 1)
+layout(location = 2) in vec4 colour;          // sRGB; w: seed of its noise, in [0, 1), or 1 + turns of a splinter
 out vec2 corner;
 out float eyeDistance;  // view depth, m
 out float height;       // above the ground, m

@@ -1,8 +1,9 @@
 uniform mat4 clipFromSceneOfLight;
-flat out float passed;
+flat out vec2 passed;  // by a surface that was outside, by a fracture surface
 
 void main() {
     uvec4 appearance = appearanceOfBody();
-    passed = 1.0 - opacityOf(appearance);
+    float left = 1.0 - opacityOf(appearance);
+    passed = side == 0u ? vec2(left, 1.0) : vec2(1.0, left);
     gl_Position = isShown(appearance) ? clipFromSceneOfLight * vec4(pointInScene(poseOfBody()), 1.0) : kClipped;
 }

@@ -18,7 +18,9 @@ bool isInMap(vec3 at) { return all(lessThanEqual(abs(at.xy - 0.5), vec2(0.5))); 
 
 // The light that transparent bodies before a point leave.
 float glassPassed(vec3 at) {
-    return keyLight.w > 0.5 ? mix(texture(keyGlass, at.xy).r, 1.0, texture(keyGlassShadow, at)) : 1.0;
+    if (keyLight.w < 0.5) return 1.0;
+    vec4 passed = texture(keyGlass, at.xy);
+    return mix(min(passed.r, passed.a), 1.0, texture(keyGlassShadow, at));
 }
 
 // The visibility of the light's centre: four bilinear samples.

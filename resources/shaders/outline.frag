@@ -1,8 +1,9 @@
 // Draws a line where the numbers of the outline mask change.
 uniform usampler2D mask;
-uniform float lineWidth;  // pixels, on each side of an outline
+uniform float lineWidth;  // pixels, outside of an outline
 out vec4 pixel;
 
+const float kShared = 0.6;     // of the width, on each side where two outlined bodies meet
 const float kBrighter = 0.14;  // opacity of the white over a hovered surface
 
 const ivec2 kAround[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, -1),
@@ -18,16 +19,18 @@ void main() {
     for (int k = 0; k < 8; ++k) isUniform = isUniform && maskAt(at + far * kAround[k]) == here;
     uint found = here;       // all marks of outlines nearby
     bool isVisible = false;  // one of them is not occluded
-    float nearest = 1e3;     // distance from another number, pixels
+    float nearest = 1e3;     // distance from an outlined body, inside of one from another, pixels
     for (int y = isUniform ? far + 1 : -far; y <= far; ++y) {
         for (int x = -far; x <= far; ++x) {
             uint there = maskAt(at + ivec2(x, y));
             if (there != 0u) isVisible = isVisible || (there & kOutlineOccluded) == 0u;
             found |= there;
-            if ((there & ~kOutlineOccluded) != number) nearest = min(nearest, length(vec2(x, y)));
+            bool isOther = there != 0u && (there & ~kOutlineOccluded) != number;
+            if (isOther) nearest = min(nearest, length(vec2(x, y)));
         }
     }
-    float cover = 1.0 - smoothstep(lineWidth - 0.6, lineWidth + 0.6, nearest);
+    float width = number == 0u ? lineWidth : kShared * lineWidth;  // small bodies stay visible inside their outlines
+    float cover = 1.0 - smoothstep(width - 0.6, width + 0.6, nearest);
     bool isBrighter = number != 0u && (here & kOutlineHovered) != 0u && (here & kOutlineOccluded) == 0u;
     if (cover <= 0.0 && !isBrighter) discard;
     vec3 colour = (found & kOutlineHovered) != 0u ? mix(accent.rgb, vec3(1.0), 0.45) : accent.rgb;

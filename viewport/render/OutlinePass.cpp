@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kHalfWidth = 1.4;   // points, of an outline
+constexpr double kLineWidth = 2.0;   // points, outside of an outline
 constexpr double kAreaMargin = 4.0;  // points around the bodies
 
 /// Restricts drawing to the pixels of a box with some margin; to the whole image if the box reaches behind the eye.
@@ -63,7 +63,7 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     m_lineProgram.use();
-    m_lineProgram.set("lineWidth", static_cast<float>(kHalfWidth * view.settings.scale));
+    m_lineProgram.set("lineWidth", static_cast<float>(kLineWidth * view.settings.scale));
     glBindVertexArray(m_emptyArray.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);

@@ -205,7 +205,7 @@ void RenderPasses::drawDepths() {
 
 void RenderPasses::drawAxes(const RenderView& view) {
     if (view.settings.hasAxes) drawScreenLines(axesIndicator(view.camera, view.settings.scale));
-    if (!view.settings.hasGrid || !scene.scene()->isOutdoors) return;
+    if (!view.settings.hasScaleBar || !view.settings.hasGrid || !scene.scene()->isOutdoors) return;
     const bool isDark = view.settings.theme == Theme::Dark;
     const glm::vec3 ink(isDark ? 0.92f : 0.12f), paper(isDark ? 0.05f : 1.0f);
     drawScreenLines(scaleBar(view.camera, view.size, view.settings.scale, ink, paper));
@@ -243,9 +243,13 @@ void RenderPasses::drawImage(const RenderView& view) {
     drawGround();
     if (!isSolid) drawWireframe(view);
     if (isSolid) drawTransparent(view);
-    drawHulls(view);
-    drawSceneLines();
+    const bool hasOverlays = view.settings.hasOverlays;
+    if (hasOverlays) {
+        drawHulls(view);
+        drawSceneLines();
+    }
     if (isSolid) drawDust(view);
+    if (!hasOverlays) return;
     drawOutlines(view);
     drawAxes(view);
 }

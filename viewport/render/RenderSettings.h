@@ -14,9 +14,11 @@ struct RenderSettings {
     bool hasEdges = true;  // dark lines along the edges of faces
     bool hasGrid = true;
     bool hasShadows = true;
-    bool hasAxes = true;  // axes indicator in the lower left corner
-    int msaa = 0;         // samples per pixel: 1, 2, 4 or 8, clamped to what the GPU supports; 0: 4, or 1 in software
-    double scale = 1.0;   // device pixels per point: scales lines and the axes indicator
+    bool hasAxes = true;      // axes indicator in the lower left corner
+    bool hasScaleBar = true;  // outdoors, in the lower right corner; only with a grid
+    bool hasOverlays = true;  // axes, scale bar, outlines of selected bodies, hulls and lines; false: the scene alone
+    int msaa = 0;        // samples per pixel: 1, 2, 4 or 8, clamped to what the GPU supports; 0: 4, or 1 in software
+    double scale = 1.0;  // device pixels per point: scales lines and the axes indicator
     Colour accent{1.0, 0.55, 0.1};  // of selected bodies
     bool operator==(const RenderSettings&) const = default;
 };

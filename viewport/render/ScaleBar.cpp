@@ -8,7 +8,7 @@ namespace rubble {
 namespace {
 
 // In points.
-constexpr double kLongest = 150.0, kBarMargin = 22.0, kTick = 4.0, kLetter = 4.6, kAdvance = 9.0, kOverBar = 11.0;
+constexpr double kBarMargin = 22.0, kTick = 4.0, kLetter = 4.6, kAdvance = 9.0, kOverBar = 11.0;
 constexpr double kPen = 0.75, kHalo = 2.0;
 
 /// A glyph as a polyline on a grid of 3 x 5 points, which are lettered row by row from below: "a" is the lower left
@@ -61,10 +61,15 @@ RoundLength roundLength(double max) {
     return length;
 }
 
-std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo) {
+ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale) {
     const double metresPerPoint = metresPerPixel(camera, size) * scale;
-    const RoundLength length = roundLength(kLongest * metresPerPoint);
-    const double wide = length.metres / metresPerPoint, end = size.width / scale - kBarMargin, begin = end - wide;
+    const RoundLength length = roundLength(kMaxScaleBarWidth * metresPerPoint);
+    return {length, length.metres / metresPerPoint};
+}
+
+std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo) {
+    const auto [length, wide] = scaleBarLength(camera, size, scale);
+    const double end = size.width / scale - kBarMargin, begin = end - wide;
     std::vector<BarSegment> segments{{Vec2(begin, kBarMargin), Vec2(end, kBarMargin)}};
     for (const double x : {begin, end}) segments.push_back({Vec2(x, kBarMargin), Vec2(x, kBarMargin + kTick)});
     double x = 0.5 * (begin + end) - 0.5 * kAdvance * static_cast<double>(length.text.size() - 1);

@@ -13,6 +13,15 @@ struct RoundLength {
 };
 RoundLength roundLength(double max);
 
+/// The length at the camera's target that a scale bar shows, and its width in points: at most kMaxScaleBarWidth.
+/// `scale`: pixels per point.
+struct ScaleBarLength {
+    RoundLength length;
+    double points = 0.0;
+};
+ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale);
+inline constexpr double kMaxScaleBarWidth = 150.0;
+
 /// A scale bar in the lower right corner: a round length at the camera's target, labelled. `scale`: pixels per point.
 std::vector<ScreenLine> scaleBar(const Camera& camera, ImageSize size, double scale, glm::vec3 colour, glm::vec3 halo);
 

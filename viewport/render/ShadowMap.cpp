@@ -99,14 +99,15 @@ void ShadowMap::draw(const SceneBuffers& scene, const RenderPrograms& programs, 
     if (hasTransparent) drawGlass(scene, programs, clip);
 }
 
-/// First what they leave of the light, in any order, then the nearest depths.
+/// First what they leave of the light, in any order, then the nearest depths. In red is the product over surfaces that
+/// were outside, in alpha the least over fracture surfaces: a ray meets many of these between fragments that touch.
 void ShadowMap::drawGlass(const SceneBuffers& scene, const RenderPrograms& programs, const glm::mat4& clip) {
     if (m_glass.id() == 0) {
         m_glassDepths = comparedDepths(TextureUnit::KeyGlassShadow, m_width);
         m_glassFramebuffer = depthTarget(m_glassDepths);
         m_glass = GlTexture::create();
         bindTo(TextureUnit::KeyGlass, m_glass);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, m_width, m_width, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, m_width, m_width, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         setFilter(GL_LINEAR);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_glass.id(), 0);
         glDrawBuffer(GL_COLOR_ATTACHMENT0);
@@ -121,8 +122,10 @@ void ShadowMap::drawGlass(const SceneBuffers& scene, const RenderPrograms& progr
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
+    glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     scene.draw(SceneBuffers::Part::Bodies);
+    glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_LESS);

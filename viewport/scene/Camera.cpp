@@ -119,20 +119,25 @@ Camera dollied(Camera camera, double factor, Vec2 anchor, ImageSize size) {
     return camera;
 }
 
-Camera framing(Camera camera, const Box3& box, ImageSize size) {
+/// In units of half the height of the image, the box is centred at -`above` and takes `free`. A corner at the height y
+/// and t before the target's plane is within if |y - above * tangent * t| <= free * tangent * (distance - t).
+Camera framing(Camera camera, const Box3& box, ImageSize size, const ImageStrips& strips) {
     if (box.isEmpty()) return camera;
-    camera.target = box.centre();
+    const double scale = std::max(1.0, 1.5 * (strips.top + strips.bottom) / size.height) * size.height;
+    const double above = (strips.top - strips.bottom) / scale;
+    const double free = 1.0 - (strips.top + strips.bottom) / scale;
     const CameraAxes axes = axesOf(camera);
     const double tangent = halfTangent(camera);
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 arm = box.corner(corner) - camera.target;
-        const double across =
-            std::max(std::abs(glm::dot(arm, axes.right)) / size.aspect(), std::abs(glm::dot(arm, axes.up)));
+        const Vec3 arm = box.corner(corner) - box.centre();
         const double towards = camera.projection == Projection::Perspective ? glm::dot(arm, axes.back) : 0.0;
+        const double across = std::max(std::abs(glm::dot(arm, axes.right)) / size.aspect(),
+                                       std::abs(glm::dot(arm, axes.up) - above * tangent * towards) / free);
         distance = std::max(distance, kMargin * across / tangent + towards);
     }
     camera.distance = std::clamp(distance, kNearest, kFarthest);
+    camera.target = box.centre() + above * tangent * camera.distance * axes.up;
     return camera;
 }
 

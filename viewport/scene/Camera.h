@@ -58,8 +58,15 @@ Camera panned(Camera camera, Vec2 pixels, ImageSize size);
 /// Scales the distance by `factor` and keeps the point of the target's plane under `anchor` (pixels from the top left
 /// corner) there.
 Camera dollied(Camera camera, double factor, Vec2 anchor, ImageSize size);
-/// Moves the camera so that a box fills the image; its orientation stays. An empty box changes nothing.
-Camera framing(Camera camera, const Box3& box, ImageSize size);
+/// Strips at the edges of an image that are covered, pixels.
+struct ImageStrips {
+    double top = 0.0;
+    double bottom = 0.0;
+    bool operator==(const ImageStrips&) const = default;
+};
+/// Moves the camera so that a box fills the image between the strips; its orientation stays. An empty box changes
+/// nothing. Strips may take up to two thirds of the image; more is ignored.
+Camera framing(Camera camera, const Box3& box, ImageSize size, const ImageStrips& strips = {});
 /// Interpolates two cameras: `fraction` 0 gives `from`, 1 gives `to`. Rotates the shorter way.
 Camera interpolated(const Camera& from, const Camera& to, double fraction);
 

@@ -5,8 +5,9 @@
 
 namespace rubble {
 
-/// Adds the dust of a session's recent breaks to its scene: puffs that start at the cuts between the pieces, drift away
-/// from the point of impact, grow, and fade within about 0.8 s. Deterministic; purely visual.
+/// Adds the dust and splinters of a session's recent breaks to its scene. They start at the cuts between the pieces and
+/// drift away from the point of impact. Dust has the colour of the material, grows, and fades within about 0.6 s; glass
+/// makes splinters instead, which fall and glint, tough materials hardly any of both. Deterministic; purely visual.
 void addDust(RenderScene& scene, const Session& session);
 
 }  // namespace rubble

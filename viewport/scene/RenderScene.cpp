@@ -94,8 +94,7 @@ void setMarks(RenderScene& scene, const SceneMarks& marks) {
         if (std::tie(pick.asset, pick.instance) != std::tie(scene.picks[first].asset, scene.picks[first].instance)) {
             first = body;
         }
-        const std::size_t outlined = hasFragment(sorted.selected, pick, kNone) ? first : body;
-        scene.appearances[body].outline = static_cast<std::uint32_t>(outlined + 1);
+        scene.appearances[body].outline = static_cast<std::uint32_t>(first + 1);
         scene.appearances[body].marks = (isMarked(sorted.hidden, pick) ? kHidden : 0) |
                                         (isMarked(sorted.selected, pick) ? kSelected : 0) |
                                         (isMarked(sorted.hovered, pick) ? kHovered : 0);

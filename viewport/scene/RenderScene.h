@@ -69,12 +69,13 @@ struct SceneLine {
 };
 enum class LineEnd { Round, Arrow };
 
-/// A dust billboard.
+/// A billboard of dust, or a splinter that glints as it rotates.
 struct DustPuff {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: radius, m
     glm::vec4 previousOffset{
         0.0f};               // m: its position one step earlier minus its position now; w: opacity at its centre
-    glm::vec4 colour{1.0f};  // sRGB; w: seed of its noise, in [0, 1)
+    glm::vec4 colour{1.0f};  // sRGB; w: dust: seed of its noise, in [0, 1); splinter: 1 + its rotation, in turns
+    bool isSplinter() const { return colour.w >= 1.0f; }
 };
 
 /// A closed interval of numbers.
@@ -119,8 +120,8 @@ RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFract
 /// The displacement of a body in the exploded view, m.
 Vec3 explodeOffset(const RenderScene& scene, std::uint32_t body);
 
-/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it. The bodies
-/// of an instance that is selected as a whole share an outline; other selected bodies have their own.
+/// Replaces the marks of all bodies: a body is hidden, selected or hovered if an id of that list matches it. The
+/// selected bodies of an instance share an outline, so that there is none between neighbours.
 struct SceneMarks {
     std::vector<PickId> hidden;
     std::vector<PickId> selected;

@@ -5,6 +5,8 @@
 #include <QOpenGLWidget>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace rubble {
 
 ViewportOverlay::ViewportOverlay(ViewportWidget& viewport) : QWidget(&viewport), m_viewport(viewport) {
@@ -33,6 +35,27 @@ void ViewportOverlay::refresh() {
     }
     setAccessibleDescription(texts.join(". "));
     update();
+    emit itemsChanged();
+}
+
+std::vector<QRect> ViewportOverlay::plates(QSize size) const {
+    std::vector<QRect> all;
+    for (const OverlayItem* item : m_items) {
+        const std::vector<QRect> plates = item->plates(size, font());
+        all.insert(all.end(), plates.begin(), plates.end());
+    }
+    return all;
+}
+
+ImageStrips ViewportOverlay::strips(QSize size) const {
+    ImageStrips strips;
+    if (isHidden()) return strips;
+    for (const QRect& plate : plates(size)) {
+        const bool isUpper = plate.center().y() < size.height() / 2;
+        double& strip = isUpper ? strips.top : strips.bottom;
+        strip = std::max(strip, static_cast<double>(isUpper ? plate.bottom() + 1 : size.height() - plate.top()));
+    }
+    return strips;
 }
 
 void ViewportOverlay::followCamera() {

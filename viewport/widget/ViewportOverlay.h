@@ -18,6 +18,9 @@ public:
     using QObject::QObject;
     /// Paints in widget coordinates; `size`: the size of the view.
     virtual void paint(QPainter& painter, QSize size) const = 0;
+    /// The rectangles at the upper or lower edge of a view of this size that it fills with texts. Items keep clear of
+    /// those of each other, and framing leaves room for them.
+    virtual std::vector<QRect> plates(QSize /*size*/, const QFont& /*font*/) const { return {}; }
     /// The item's texts for screen readers; empty if it shows none.
     virtual QString accessibleText() const { return {}; }
 
@@ -34,6 +37,14 @@ public:
 
     /// Sets the items, painted from first to last.
     void setItems(const std::vector<OverlayItem*>& items);
+    /// The plates of all items in a view of this size.
+    std::vector<QRect> plates(QSize size) const;
+    /// The strips at the edges of a view of this size that plates cover, in points; none while hidden.
+    ImageStrips strips(QSize size) const;
+
+signals:
+    /// The strips may have changed.
+    void itemsChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -2,6 +2,7 @@
 
 #include "viewport/scene/BodiesWithin.h"
 #include "viewport/widget/OpenGlProbe.h"
+#include "viewport/widget/ScaleBarItem.h"
 #include "viewport/widget/ViewportCanvas.h"
 #include "viewport/widget/ViewportOverlay.h"
 #include "viewport/widget/ViewportTool.h"
@@ -56,8 +57,14 @@ ViewportWidget::ViewportWidget(QWidget* parent)
         // Queued: it is emitted while the canvas is being shown.
         connect(m_canvas, &ViewportCanvas::failed, this, &ViewportWidget::showError, Qt::QueuedConnection);
     }
+    m_scaleBar = new ScaleBarItem(*this);
     m_overlay = new ViewportOverlay(*this);
     m_overlay->raise();
+    m_settings.hasScaleBar = false;  // the overlay's has the font of the interface
+    setOverlayItems({});
+    connect(m_overlay, &ViewportOverlay::itemsChanged, this, [this] {
+        if (m_framed && m_overlay->strips(size()) != m_strips) frame(Box3(*m_framed));
+    });
     m_animation.setStartValue(0.0);
     m_animation.setEndValue(1.0);
     m_animation.setDuration(kAnimationMilliseconds);
@@ -81,7 +88,24 @@ void ViewportWidget::showError(const QString& sentence) {
 
 QString ViewportWidget::errorText() const { return m_errorLabel != nullptr ? m_errorLabel->text() : QString(); }
 
-void ViewportWidget::setOverlayItems(const std::vector<OverlayItem*>& items) { m_overlay->setItems(items); }
+void ViewportWidget::setOverlayItems(const std::vector<OverlayItem*>& items) {
+    std::vector<OverlayItem*> all{m_scaleBar};
+    all.insert(all.end(), items.begin(), items.end());
+    m_overlay->setItems(all);
+}
+
+std::vector<QRect> ViewportWidget::plates() const {
+    return isPresenting() ? std::vector<QRect>() : m_overlay->plates(size());
+}
+
+void ViewportWidget::setPresenting(bool isOn) {
+    if (isOn == isPresenting()) return;
+    m_settings.hasOverlays = !isOn;
+    m_overlay->setHidden(isOn);
+    hover(std::nullopt);
+    showFrom(m_camera);
+    emit presentingChanged(isOn);
+}
 
 void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
     m_scene = std::move(scene);
@@ -90,9 +114,11 @@ void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
     const Box3 bounds = boundsOf(*m_scene);
     if (!m_isFramed && !bounds.isEmpty()) {
         m_isFramed = true;
-        setCamera(framing(m_goal, bounds, imageSize()));
+        m_framed = bounds;
+        refit();
     }
     showFrom(m_camera);
+    m_overlay->update();  // the scale bar depends on the scene
 }
 
 void ViewportWidget::setStepFraction(double stepFraction) {
@@ -136,6 +162,11 @@ void ViewportWidget::showFrom(const Camera& camera) {
 }
 
 void ViewportWidget::setCamera(const Camera& camera) {
+    m_framed.reset();
+    move(camera);
+}
+
+void ViewportWidget::move(const Camera& camera) {
     m_animation.stop();
     m_goal = camera;
     showFrom(camera);
@@ -143,7 +174,8 @@ void ViewportWidget::setCamera(const Camera& camera) {
 }
 
 void ViewportWidget::animateTo(const Camera& camera) {
-    if (!m_isAnimated || !isVisible()) return setCamera(camera);
+    m_framed.reset();
+    if (!m_isAnimated || !isVisible()) return move(camera);
     m_animation.stop();
     m_start = m_camera;
     m_goal = camera;
@@ -160,7 +192,23 @@ void ViewportWidget::setProjection(Projection projection) {
 }
 
 void ViewportWidget::frame(const Box3& box) {
-    if (!box.isEmpty()) animateTo(framing(m_goal, box, imageSize()));
+    if (box.isEmpty()) return;
+    m_strips = m_overlay->strips(size());
+    animateTo(framed(box));
+    m_framed = box;
+}
+
+Camera ViewportWidget::framed(const Box3& box) const {
+    const ImageStrips strips = m_overlay->strips(size());
+    const double scale = devicePixelRatioF();
+    return framing(m_goal, box, imageSize(), {scale * strips.top, scale * strips.bottom});
+}
+
+/// Frames again what was framed, for another size or other plates.
+void ViewportWidget::refit() {
+    if (!m_framed) return;
+    m_strips = m_overlay->strips(size());
+    move(framed(*m_framed));
 }
 void ViewportWidget::frameAll() { frame(boundsOf(*m_scene)); }
 void ViewportWidget::frameSelected() {
@@ -178,6 +226,7 @@ std::optional<PickId> ViewportWidget::pickOf(std::optional<std::uint32_t> body) 
 }
 
 void ViewportWidget::hover(std::optional<std::uint32_t> body) {
+    if (isPresenting()) body.reset();
     if (body == m_hovered) return;
     m_hovered = body;
     showFrom(m_camera);
@@ -247,7 +296,10 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
 
 void ViewportWidget::leaveEvent(QEvent*) { hover(std::nullopt); }
 
-void ViewportWidget::resizeEvent(QResizeEvent*) { m_overlay->resize(size()); }
+void ViewportWidget::resizeEvent(QResizeEvent*) {
+    m_overlay->resize(size());
+    refit();
+}
 
 void ViewportWidget::apply(const ViewKey& key) {
     const ImageSize size = imageSize();
@@ -319,7 +371,17 @@ bool ViewportWidget::dispatchToTools(QEvent& event) {
     }
 }
 
+/// Escape shows the overlays again before any tool gets it.
+bool ViewportWidget::endsPresenting(QEvent& event) {
+    const bool isKey = event.type() == QEvent::ShortcutOverride || event.type() == QEvent::KeyPress;
+    if (!isPresenting() || !isKey || static_cast<QKeyEvent&>(event).key() != Qt::Key_Escape) return false;
+    event.accept();
+    if (event.type() == QEvent::KeyPress) setPresenting(false);
+    return true;
+}
+
 bool ViewportWidget::event(QEvent* event) {
+    if (endsPresenting(*event)) return true;
     if (dispatchToTools(*event)) return true;
     // While it has the focus, its keys take precedence over the window's shortcuts.
     if (event->type() == QEvent::ShortcutOverride) {

@@ -5,6 +5,7 @@
 #include "viewport/widget/Navigation.h"
 #include "viewport/widget/ProgressiveRendering.h"
 
+#include <QRect>
 #include <QVariantAnimation>
 #include <QWidget>
 
@@ -51,6 +52,13 @@ public:
     /// Sets what is painted over the view, from first to last.
     void setOverlayItems(const std::vector<OverlayItem*>& items);
 
+    /// The rectangles of texts at the edges of the view; none while presenting.
+    std::vector<QRect> plates() const;
+
+    /// While presenting, the view shows the scene alone, without overlays, outlines and marks. Escape ends it.
+    void setPresenting(bool isOn);
+    bool isPresenting() const { return !m_settings.hasOverlays; }
+
     void setSettings(const RenderSettings& settings);
     const RenderSettings& settings() const { return m_settings; }
     void setNavigation(NavigationStyle style) { m_navigation = style; }
@@ -73,6 +81,7 @@ public:
     void frameAll();
     /// Frames the selected bodies; all if there are none.
     void frameSelected();
+    /// Frames a box between the plates. It stays framed when the size or the plates change, until the camera is moved.
     void frame(const Box3& box);
 
     /// The size in device pixels.
@@ -93,6 +102,7 @@ signals:
     void cameraChanged();
     /// A frame was drawn and shown.
     void drawn();
+    void presentingChanged(bool isOn);
 
 protected:
     bool event(QEvent* event) override;
@@ -106,6 +116,10 @@ protected:
 
 private:
     bool dispatchToTools(QEvent& event);
+    bool endsPresenting(QEvent& event);
+    Camera framed(const Box3& box) const;
+    void refit();
+    void move(const Camera& camera);
     void showError(const QString& sentence);
     void animateTo(const Camera& camera);
     void showFrom(const Camera& camera);
@@ -118,6 +132,7 @@ private:
 
     ViewportCanvas* m_canvas = nullptr;  // null if there is no OpenGL
     QLabel* m_errorLabel = nullptr;      // null if there is
+    OverlayItem* m_scaleBar;
     ViewportOverlay* m_overlay;
     std::vector<ViewportTool*> m_tools;
     std::shared_ptr<const RenderScene> m_scene;
@@ -125,10 +140,12 @@ private:
     RenderSettings m_settings;
     NavigationStyle m_navigation = NavigationStyle::Blender;
     bool m_isAnimated = true;
-    bool m_isFramed = false;
-    Camera m_camera;  // on screen
-    Camera m_start;   // of the animation
-    Camera m_goal;    // of the animation
+    bool m_isFramed = false;       // once, for the first scene
+    std::optional<Box3> m_framed;  // by the camera, until it is moved
+    ImageStrips m_strips;          // for which it was framed
+    Camera m_camera;               // on screen
+    Camera m_start;                // of the animation
+    Camera m_goal;                 // of the animation
     QVariantAnimation m_animation;
     std::optional<Drag> m_drag;
     bool m_isClick = false;     // the left button is down and the pointer has not moved

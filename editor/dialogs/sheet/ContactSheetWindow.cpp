@@ -427,6 +427,12 @@ void ContactSheetWindow::keyPressEvent(QKeyEvent* event) {
     close();
 }
 
+/// The pictures have the colours of the theme.
+void ContactSheetWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && m_count > 0 && isVisible()) refreshLater();
+    QWidget::changeEvent(event);
+}
+
 void ContactSheetWindow::closeEvent(QCloseEvent* event) {
     m_refresh.stop();
     m_generator.cancel();

@@ -17,6 +17,7 @@ private slots:
         test::Stage stage;
         ViewportWidget viewport;
         PlayView view(stage.controller, viewport);
+        view.setStatisticsShown(true);
         stage.start();
         view.refresh();
         for (int k = 0; k < 50; ++k) view.refresh();  // the viewport is hidden: nothing is drawn
@@ -56,6 +57,38 @@ private slots:
             QVERIFY(!view.hud().accessibleText().contains(text));
             QVERIFY(viewport.grab().toImage() != with);
         }
+    }
+    /// The clock runs since the program was started.
+    void firstFrameRateIsThatOfPlay() {
+        test::Stage stage;
+        stage.advance(600);
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        view.setStatisticsShown(true);
+        for (int round = 0; round < 2; ++round) {
+            for (int k = 0; k < 500; ++k) emit viewport.drawn();  // before it starts
+            stage.start();
+            view.refresh();
+            QVERIFY2(view.hud().accessibleText().contains("– fps"), qPrintable(view.hud().accessibleText()));
+            for (int k = 0; k < 30; ++k) emit viewport.drawn();
+            stage.advance(60);
+            view.refresh();
+            QVERIFY2(view.hud().accessibleText().contains(" 30 fps"), qPrintable(view.hud().accessibleText()));
+            stage.controller.stop();
+            stage.settle();
+            stage.advance(120);
+        }
+    }
+    void statisticsAreHiddenAtFirst() {
+        test::Stage stage;
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        stage.start();
+        view.refresh();
+        QVERIFY(view.hud().accessibleText().contains("Playing"));
+        QVERIFY(!view.hud().accessibleText().contains("bodies"));
+        view.setStatisticsShown(true);
+        QVERIFY(view.hud().accessibleText().contains("bodies"));
     }
     void controlAndWheelChangeTheBlastRadius() {
         test::Stage stage;

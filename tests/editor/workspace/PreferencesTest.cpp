@@ -26,7 +26,8 @@ private slots:
                                       .autosaveSeconds = 0,
                                       .msaa = 8,
                                       .refining = ProgressiveRendering::Always,
-                                      .isSmooth = false};
+                                      .isSmooth = false,
+                                      .hasStatistics = true};
         QSettings settings;
         writePreferences(preferences, settings);
         QVERIFY(readPreferences(settings) == preferences);

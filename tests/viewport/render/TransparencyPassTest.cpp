@@ -7,6 +7,9 @@
 #include <QImage>
 #include <QTest>
 
+#include <cmath>
+#include <utility>
+
 using namespace rubble;
 
 namespace {
@@ -49,6 +52,23 @@ QColor middleOf(const RenderScene& scene, int samples = 0, int msaa = 1) {
     RenderView view = panesFromFront(walls({kGreenPane}));
     view.settings.msaa = msaa;
     return panePicture(scene, view, samples).pixelColor(80, 80);
+}
+
+/// How much the lightest or darkest pixel of a picture stands out from both pixels beside it, on any line through it.
+double speckle(const QImage& image) {
+    double most = 0.0;
+    const auto at = [&](int x, int y) { return static_cast<double>(image.pixelColor(x, y).lightness()); };
+    for (int y = 1; y + 1 < image.height(); ++y) {
+        for (int x = 1; x + 1 < image.width(); ++x) {
+            double least = 255.0;
+            for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}}) {
+                const double before = at(x, y) - at(x - dx, y - dy), after = at(x, y) - at(x + dx, y + dy);
+                least = std::min(least, before * after > 0.0 ? std::min(std::abs(before), std::abs(after)) : 0.0);
+            }
+            most = std::max(most, least);
+        }
+    }
+    return most;
 }
 
 std::uint32_t withOpacity(std::uint32_t colour, double opacity) {
@@ -122,6 +142,48 @@ private slots:
         const double opaque = darkness(1.0), glass = darkness(0.3);
         QVERIFY2(opaque > 20.0 && glass > 0.15 * opaque && glass < 0.5 * opaque,
                  qPrintable(QString("%1 of %2").arg(glass).arg(opaque)));
+    }
+    /// A ray enters fragments that touch one after the other. Their parts of the sky differ somewhat.
+    void shadowOfFragmentsIsThatOfTheWhole() {
+        const auto shadow = [&](RenderScene scene, bool hasShadows) {
+            for (BodyAppearance& body : scene.appearances) body.outside = body.inside = withOpacity(kGreenPane, 0.3);
+            scene.summary.reset();
+            RenderView view = panesFromFront(scene);
+            view.camera = alignedTo(view.camera, StandardView::Top);
+            view.settings.hasGrid = false;
+            view.camera.target = {0.8, 0.0, -0.6};  // in the wall's shadow
+            view.camera.distance = 1.0;
+            view.settings.hasShadows = hasShadows;
+            return panePicture(scene, view).copy(60, 60, 40, 40);
+        };
+        const RenderScene wall = walls({kGreenPane});
+        const QImage whole = shadow(wall, true);
+        const double depth = test::meanDifference(shadow(wall, false), whole);
+        const double apart = test::meanDifference(shadow(*test::starterScene(), true), whole);
+        QVERIFY2(depth > 5.0 && apart < 0.3 * depth, qPrintable(QString("%1 of %2").arg(apart).arg(depth)));
+    }
+    /// The sides of shards, a fraction of a pixel wide, hit some pixels and miss others.
+    void thinSidesHaveNoSpeckles() {
+        Project project = starterProject();
+        project.assets[0].prism.depth = 0.006;
+        AssetBakes bakes;
+        bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
+        RenderScene scene = sceneOf(project, bakes, {.explodeFactor = 0.3});
+        for (BodyAppearance& body : scene.appearances) {
+            body.outside = withOpacity(0xc0e0e8, 0.3);
+            body.inside = withOpacity(0x406860, 0.6);
+        }
+        scene.summary.reset();
+        RenderView view = panesFromFront(scene);
+        view.camera.distance *= 2.0;
+        view.settings.hasGrid = false;
+        double worst = 0.0;
+        for (const double azimuth : {-0.6, 0.3, 0.7}) {
+            view.camera.azimuth = azimuth;
+            view.camera.elevation = 0.5;
+            worst = std::max(worst, speckle(panePicture(scene, view)));
+        }
+        QVERIFY2(worst < 25.0, qPrintable(QString::number(worst)));
     }
 };
 

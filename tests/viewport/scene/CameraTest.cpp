@@ -90,6 +90,25 @@ private slots:
         const Camera camera = randomCamera(random);
         QVERIFY(framing(camera, Box3{}, kSize) == camera);
     }
+    void framingLeavesStripsFree() {
+        std::mt19937 random(5);
+        for (int round = 0; round < 100; ++round) {
+            const Box3 box = boxAround({5.0, -2.0, 3.0}, 0.1 * (round + 1));
+            const ImageStrips strips{.top = 0.5 * round, .bottom = 80.0 - 0.7 * round};
+            const Camera camera = framing(randomCamera(random), box, kSize, strips);
+            double top = kSize.height, bottom = 0.0;
+            for (int corner = 0; corner < 8; ++corner) {
+                const double y = pixelOf(box.corner(corner), camera, box).y;
+                top = std::min(top, y);
+                bottom = std::max(bottom, y);
+            }
+            QVERIFY2(top > strips.top, qPrintable(QString("%1 > %2").arg(top).arg(strips.top)));
+            QVERIFY2(bottom < kSize.height - strips.bottom, qPrintable(QString::number(bottom)));
+        }
+        const Box3 box = boxAround({}, 1.0);
+        const Camera most = framing({}, box, kSize, {.top = 200.0, .bottom = 200.0});
+        QVERIFY(most == framing({}, box, kSize, {.top = 100.0, .bottom = 100.0}));
+    }
     void depthRangeContainsTheBounds() {
         std::mt19937 random(4);
         for (int round = 0; round < 100; ++round) {

@@ -24,6 +24,20 @@ Session brokenBlock() {
     return session;
 }
 
+/// The same of another material.
+Session brokenBlockOf(const Material& like) {
+    Project project = floatingBlock(5);
+    Material& material = project.materials[0];
+    material.outside = like.outside;
+    material.inside = like.inside;
+    material.opacity = like.opacity;
+    material.fractureToughness = like.fractureToughness;
+    Session session = test::sessionOf(project);
+    addInput(session, BreakInput{1});
+    session.step();
+    return session;
+}
+
 void step(Session& session, int steps) {
     for (int k = 0; k < steps; ++k) session.step();
 }
@@ -53,16 +67,68 @@ private slots:
         Session session = brokenBlock();
         step(session, 5);
         const std::vector<DustPuff> early = puffsOf(session);
-        step(session, 20);
+        step(session, 10);
         const std::vector<DustPuff> late = puffsOf(session);
         QVERIFY(late.size() == early.size());
         for (std::size_t k = 0; k < late.size(); ++k) {
             QVERIFY(late[k].position.w > early[k].position.w && late[k].previousOffset.w < early[k].previousOffset.w);
             QVERIFY(glm::distance(late[k].position, early[k].position) > 0.05f);
         }
-        step(session, 35);
+        step(session, 45);
         QVERIFY(puffsOf(session).empty());
         QVERIFY(session.recentBreaks().empty());
+    }
+    void brickMakesShortLivedDustOfItsColour() {
+        const Colour clay{0.55, 0.30, 0.20};
+        Session session = brokenBlockOf({.outside = clay, .inside = clay});
+        step(session, 2);
+        const std::vector<DustPuff> puffs = puffsOf(session);
+        QVERIFY(puffs.size() >= 10);
+        for (const DustPuff& puff : puffs) {
+            QVERIFY(!puff.isSplinter());
+            QVERIFY(puff.colour.x > puff.colour.y + 0.1f && puff.colour.y > puff.colour.z);
+        }
+        step(session, 40);  // 0.7 s
+        QVERIFY(puffsOf(session).empty());
+    }
+    void glassSplintersAndMakesHardlyAnyDust() {
+        Session session = brokenBlockOf({.opacity = 0.3});
+        step(session, 2);
+        const std::vector<DustPuff> early = puffsOf(session);
+        const auto splinters = std::ranges::count_if(early, &DustPuff::isSplinter);
+        QVERIFY(splinters >= 50 && std::ssize(early) - splinters <= 4);
+        for (const DustPuff& puff : early) {
+            QVERIFY(puff.isSplinter() ? puff.position.w < 0.021f : puff.previousOffset.w < 0.15f);
+            QVERIFY(puff.colour.w < 2.0f);
+        }
+        step(session, 20);
+        const std::vector<DustPuff> late = puffsOf(session);
+        QVERIFY(!late.empty() && std::ranges::all_of(late, &DustPuff::isSplinter));
+        const auto height = [](const std::vector<DustPuff>& puffs) {
+            float sum = 0.0f;
+            for (const DustPuff& puff : puffs) sum += puff.position.y;
+            return sum / static_cast<float>(puffs.size());
+        };
+        QVERIFY(height(late) < height(early) - 0.2f);  // they fall
+        QVERIFY(!std::ranges::equal(
+            early, late, {}, [](const DustPuff& puff) { return puff.colour.w; },
+            [](const DustPuff& puff) { return puff.colour.w; }));  // and rotate
+        step(session, 35);                                         // 0.95 s
+        QVERIFY(puffsOf(session).empty());
+    }
+    void toughMaterialsMakeHardlyAnyDust() {
+        Session session = brokenBlockOf({.fractureToughness = 5e7});
+        step(session, 2);
+        QVERIFY(puffsOf(session).size() <= 4);
+    }
+    /// A pane of 8 m makes no clouds that hide it.
+    void cloudsOfLargeBodiesAreSmall() {
+        Project project = floatingBlock(5);
+        for (Vec2& point : project.assets[0].prism.outline.outer) point *= 8.0;
+        Session session = test::sessionOf(project);
+        addInput(session, BreakInput{1});
+        step(session, 20);
+        for (const DustPuff& puff : puffsOf(session)) QVERIFY(puff.position.w < 0.6f);
     }
     void dustIsDeterministicAfterSeeking() {
         Session session = brokenBlock(), other = brokenBlock();

@@ -1,0 +1,53 @@
+#include "editor/view3d/PlayHud.h"
+
+#include "tests/support/TestProgram.h"
+#include "viewport/widget/ScaleBarItem.h"
+
+#include <QApplication>
+#include <QTest>
+
+using namespace rubble;
+
+namespace {
+
+PlayHud::Content fullContent() {
+    return {.title = "Playing at 0.25× · destruction off",
+            .statistics = {"12.34 s · step 740 · 0.52 ms per step", "bodies: 1,400, asleep: 200", "no breaks"},
+            .hint = "F: throw, hold to charge · H: hammer · X: blast, Ctrl and wheel: its radius · Drag: grab",
+            .hasHeat = true,
+            .isForecast = true};
+}
+
+}  // namespace
+
+class PlayHudTest : public QObject {
+    Q_OBJECT
+private slots:
+    void hiddenHudHasNoPlates() {
+        PlayHud hud;
+        hud.setContent(fullContent());
+        QVERIFY(hud.plates({800, 600}, QFont()).empty());
+    }
+    void platesKeepClearOfEachOtherAndOfTheScaleBar() {
+        PlayHud hud;
+        hud.setVisible(true);
+        hud.setContent(fullContent());
+        for (int width = 320; width <= 2000; width += 40) {
+            const QSize size(width, 700);
+            for (const int points : {9, 14}) {
+                std::vector<QRect> plates = hud.plates(size, QFont(QString(), points));
+                QCOMPARE(plates.size(), 3u);
+                const int side = ScaleBarItem::maxWidth();
+                plates.push_back({width - side, 700 - 48, side, 48});
+                for (std::size_t k = 0; k < plates.size(); ++k) {
+                    for (std::size_t other = 0; other < k; ++other) {
+                        QVERIFY2(!plates[k].intersects(plates[other]), qPrintable(QString::number(width)));
+                    }
+                }
+            }
+        }
+    }
+};
+
+RUBBLE_TEST_WITH(PlayHudTest, QApplication)
+#include "PlayHudTest.moc"
