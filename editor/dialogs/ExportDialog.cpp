@@ -1,6 +1,7 @@
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/io/pack/PackExport.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 
@@ -70,11 +71,6 @@ void ExportDialog::addFields() {
 }
 
 void ExportDialog::addForm() {
-    auto* browse = new QPushButton(tr("Browse…"));
-    connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
-    auto* folderRow = new QHBoxLayout;
-    folderRow->addWidget(m_folder, 1);
-    folderRow->addWidget(browse);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -83,7 +79,7 @@ void ExportDialog::addForm() {
     form->addRow(tr("&Assets:"), m_assets);
     auto* folderLabel = new QLabel(tr("&Folder:"));
     folderLabel->setBuddy(m_folder);
-    form->addRow(folderLabel, folderRow);
+    form->addRow(folderLabel, createPathRow(*m_folder, [this] { browse(); }));
     form->addRow(tr("Meshes:"), m_obj);
     form->addRow(QString(), m_glb);
     form->addRow(tr("Frag&ments:"), m_split);

@@ -3,7 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
-#include "core/io/system/FileName.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
@@ -71,18 +71,6 @@ QString withoutFilmSuffix(const QString& path) {
     return path.left(path.lastIndexOf('.'));
 }
 
-/// Returns "<folder>/<name> film", with a number if that exists.
-QString unusedPath(const QString& folder, const QString& name) {
-    const std::string ending = std::string(" 99") + kFilmSuffix;
-    const QString longest = fromPath(fittingFileName("", toPath(FilmDialog::tr("%1 film").arg(name)).native(), ending));
-    const QString base = folder + '/' + longest.chopped(static_cast<qsizetype>(ending.size()));
-    QString path = base;
-    for (int k = 2; exists(statusOf(path)) || exists(statusOf(path + kFilmSuffix)); ++k) {
-        path = QString("%1 %2").arg(base).arg(k);
-    }
-    return path;
-}
-
 }  // namespace
 
 FilmDialog::FilmDialog(const FilmSubject& subject, QWidget* parent)
@@ -117,11 +105,7 @@ void FilmDialog::addTarget(QFormLayout& form) {
     m_path = new QLineEdit;
     m_path->setObjectName("film-path");
     m_path->setToolTip(tr("Set the file of the film or the folder for the images"));
-    auto* browse = new QPushButton(tr("Browse…"));
-    connect(browse, &QPushButton::clicked, this, &FilmDialog::browse);
-    auto* row = createRow({m_path, browse});
-    row->setStretch(0, 1);
-    form.addRow(createLabel(tr("&Target:"), m_path), row);
+    form.addRow(createLabel(tr("&Target:"), m_path), createPathRow(*m_path, [this] { browse(); }));
 }
 
 void FilmDialog::addFrames(QFormLayout& form) {
@@ -186,7 +170,8 @@ void FilmDialog::restoreOptions() {
     m_frameRate->setValue(settings.value("film/rate", 30.0).toDouble());
     const QString folder = pathOf(settings.value("film/folder"));
     const bool exists = is_directory(statusOf(folder));
-    m_path->setText(QDir::toNativeSeparators(unusedPath(exists ? folder : m_subject.folder, m_subject.name)));
+    const QString path = unusedPath(exists ? folder : m_subject.folder, tr("%1 film").arg(m_subject.name), kFilmSuffix);
+    m_path->setText(QDir::toNativeSeparators(path));
     updateSuffix();
 }
 
